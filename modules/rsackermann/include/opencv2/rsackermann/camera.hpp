@@ -1,0 +1,109 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_CAMERA_HPP
+#define OPENCV_RSACKERMANN_CAMERA_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! @addtogroup rsackermann
+//! @{
+
+//! The order in which the sensor reads its lines.
+enum ScanDirection
+{
+    SCAN_TOP_TO_BOTTOM = 0, //!< row 0 is read first (default)
+    SCAN_BOTTOM_TO_TOP = 1, //!< the last row is read first
+    SCAN_LEFT_TO_RIGHT = 2, //!< column 0 is read first; the motion can't be observed from vertical lines
+    SCAN_RIGHT_TO_LEFT = 3  //!< the last column is read first; the motion can't be observed from vertical lines
+};
+
+//! The lens models of OpenCV that a RollingShutterCamera can have.
+enum LensModel
+{
+    LENS_PINHOLE = 0, //!< the model of cv::projectPoints with 0, 4, 5, 8, 12 or 14 coefficients (default)
+    LENS_FISHEYE = 1  //!< the model of cv::fisheye with 4 coefficients
+};
+
+/** @brief A rolling-shutter camera in a car: lens, shutter timing and mounting.
+
+All fields may be set directly; check() tells whether they make sense together and is called by every algorithm that
+takes a camera.
+ */
+class CV_EXPORTS_W_SIMPLE RollingShutterCamera
+{
+public:
+    //! An empty camera (image size 0 x 0), to be filled field by field.
+    CV_WRAP RollingShutterCamera();
+
+    /** @brief A camera with known intrinsics, mounted upright and looking forward.
+    @param size size of the image in pixels; referenceRow becomes its middle row.
+    @param K 3x3 camera matrix.
+    @param dist lens coefficients, as many as lensModel takes; empty: no distortion.
+    @param lens one of #LensModel.
+     */
+    CV_WRAP RollingShutterCamera(const Size& size, const Matx33d& K, const std::vector<double>& dist = std::vector<double>(),
+                                 int lens = LENS_PINHOLE);
+
+    /** @brief An uncalibrated camera: principal point at the image centre, square pixels, no distortion.
+    @param size size of the image in pixels.
+    @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal.
+     */
+    CV_WRAP static RollingShutterCamera fromFocal(const Size& size, double focal = 0);
+
+    /** @brief Sets uprightRotation from roll and pitch.
+    @param roll radians, positive where the camera is turned clockwise seen from behind it.
+    @param pitch radians, positive where the camera looks down.
+
+    Gravity in the camera frame is then \f$(\sin roll, \cos roll \cos pitch, \sin pitch)\f$ up to its length.
+     */
+    CV_WRAP void setRollPitch(double roll, double pitch);
+
+    /** @brief Sets uprightRotation from the direction of gravity.
+    @param gravity direction of gravity (pointing down) in the camera frame, of any length; not parallel to the optical axis.
+     */
+    CV_WRAP void setGravity(const Vec3d& gravity);
+
+    //! Direction of gravity in the camera frame, of length 1.
+    CV_WRAP Vec3d gravity() const;
+
+    /** @brief Row time of a raw pixel.
+    @param pixel pixel of the raw image; the row (for a column-wise shutter: the column) counts.
+    @return \f$(row - referenceRow) / f_y\f$, with the opposite sign for #SCAN_BOTTOM_TO_TOP and #SCAN_RIGHT_TO_LEFT.
+     */
+    CV_WRAP double rowTime(const Point2d& pixel) const;
+
+    //! Seconds per unit of row time, \f$f_y \cdot lineDelay\f$; 0 where lineDelay is unknown.
+    CV_WRAP double secondsPerUnitTime() const;
+
+    //! Whether the shutter goes along the rows, so that vertical lines show the motion.
+    CV_WRAP bool isRowShutter() const;
+
+    //! Throws cv::Exception with the name and value of the first field that is out of range.
+    CV_WRAP void check() const;
+
+    void write(FileStorage& fs) const;
+    //! Reads what write() has written. Fields that are missing keep their values.
+    void read(const FileNode& fn);
+
+    CV_PROP_RW Size imageSize;                 //!< size of the raw image in pixels
+    CV_PROP_RW Matx33d cameraMatrix;           //!< intrinsic parameters in pixels, without skew
+    CV_PROP_RW std::vector<double> distCoeffs; //!< lens coefficients; empty: none
+    CV_PROP_RW int lensModel;                  //!< one of #LensModel
+    CV_PROP_RW int scanDirection;              //!< one of #ScanDirection
+    CV_PROP_RW double lineDelay;               //!< seconds between two lines; 0: unknown, and metric values are unknown, too
+    CV_PROP_RW double referenceRow;            //!< raw row (column-wise shutter: column) at whose instant the corrected image is taken
+    CV_PROP_RW Matx33d uprightRotation;        //!< turns the camera frame into the upright frame
+    CV_PROP_RW double heading;                 //!< radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a camera that looks to the right
+    CV_PROP_RW double height;                  //!< metres of the camera above the road; 0: unknown
+};
+
+//! @}
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_CAMERA_HPP

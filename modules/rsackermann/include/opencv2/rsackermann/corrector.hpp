@@ -1,0 +1,87 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_CORRECTOR_HPP
+#define OPENCV_RSACKERMANN_CORRECTOR_HPP
+
+#include "opencv2/rsackermann/estimator.hpp"
+#include "opencv2/rsackermann/warp.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! @addtogroup rsackermann
+//! @{
+
+/** @brief Undoes the rolling shutter of an image in one call: detects segments, estimates the motion, makes the maps and
+remaps.
+
+Where the motion's status isn't #MOTION_OK only the lens is corrected; without lens coefficients the image is copied.
+@sa AckermannEstimator, WarpMapGenerator
+ */
+class CV_EXPORTS_W RollingShutterCorrector : public Algorithm
+{
+public:
+    struct CV_EXPORTS_W_SIMPLE Params
+    {
+        CV_WRAP Params();
+        CV_PROP_RW AckermannEstimator::Params estimator; //!< of the estimation
+        CV_PROP_RW WarpMapGenerator::Params warp;        //!< of the maps
+        CV_PROP_RW int interpolation;                    //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
+
+        void write(FileStorage& fs) const;
+        //! Reads what write() has written. Fields that are missing keep their values.
+        void read(const FileNode& fn);
+    };
+
+    /** @brief Creates a corrector.
+    @param camera the camera; copied.
+    @param params see RollingShutterCorrector::Params.
+     */
+    CV_WRAP static Ptr<RollingShutterCorrector> create(const RollingShutterCamera& camera,
+                                                       const RollingShutterCorrector::Params& params = RollingShutterCorrector::Params());
+
+    CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
+    CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
+    CV_WRAP virtual void setParams(const RollingShutterCorrector::Params& params) = 0;
+    CV_WRAP virtual RollingShutterCorrector::Params getParams() const = 0;
+
+    /** @brief Corrects an image.
+    @param src raw image of the camera's size; any type that cv::remap takes, and 8 or 16 bit with 1, 3 or 4 channels for
+    the detection.
+    @param dst corrected image of the same type. Pixels that the raw image doesn't show are 0.
+    @param mask receives a CV_8U mask, 255 where a pixel is seen in the raw image and 0 elsewhere.
+    @return the motion; see AckermannMotion::status.
+     */
+    CV_WRAP virtual AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask = noArray()) = 0;
+
+    /** @brief Corrects an image with segments that were found elsewhere.
+    @param src raw image of the camera's size, of any type that cv::remap takes.
+    @param segments as in AckermannEstimator::estimate.
+    @param dst corrected image.
+    @param mask as in correct().
+     */
+    CV_WRAP virtual AckermannMotion correctWithSegments(InputArray src, InputArray segments, OutputArray dst, OutputArray mask = noArray()) = 0;
+
+    /** @brief The segments of the last image and their labels.
+    @param segments N x 4 matrix CV_32F with (x1, y1, x2, y2) in pixels of the raw image.
+    @param labels N x 1 matrix CV_8U, see #SegmentLabel.
+     */
+    CV_WRAP virtual void getSegments(OutputArray segments, OutputArray labels) const = 0;
+
+    /** @brief The maps with which the last image was remapped.
+    @param map1 CV_32FC1, columns in the raw image.
+    @param map2 CV_32FC1, rows in the raw image.
+     */
+    CV_WRAP virtual void getMaps(OutputArray map1, OutputArray map2) const = 0;
+
+    //! Milliseconds that detection, estimation, maps and remapping of the last image took.
+    CV_WRAP virtual Vec4d getTimings() const = 0;
+};
+
+//! @}
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_CORRECTOR_HPP

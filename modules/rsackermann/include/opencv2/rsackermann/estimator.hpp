@@ -1,0 +1,108 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_ESTIMATOR_HPP
+#define OPENCV_RSACKERMANN_ESTIMATOR_HPP
+
+#include "opencv2/rsackermann/motion.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! @addtogroup rsackermann
+//! @{
+
+//! Detectors of line segments.
+enum SegmentDetector
+{
+    DETECTOR_LSD = 0,    //!< cv::LineSegmentDetector of imgproc
+    DETECTOR_FLD = 1,    //!< cv::ximgproc::FastLineDetector, needs the module ximgproc
+    DETECTOR_EDLINES = 2 //!< cv::ximgproc::EdgeDrawing, needs the module ximgproc
+};
+
+//! What the estimator made of a segment.
+enum SegmentLabel
+{
+    SEGMENT_REJECTED = 0,   //!< not a candidate: too short or too slanted to be the image of a vertical line
+    SEGMENT_OUTLIER = 1,    //!< candidate that disagrees with the motion
+    SEGMENT_LEFT_WALL = 2,  //!< inlier on the left (or only) wall
+    SEGMENT_RIGHT_WALL = 3  //!< inlier on the right wall
+};
+
+/** @brief Detects line segments in an image.
+@param image grey or colour image, 8 or 16 bit.
+@param segments N x 4 matrix CV_32F with rows (x1, y1, x2, y2) in pixels.
+@param detector one of #SegmentDetector.
+@param minLength length in pixels below which segments are left out.
+ */
+CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int detector = DETECTOR_LSD, double minLength = 35);
+
+/** @brief Estimates the motion of the car during one rolling-shutter image.
+
+Vertical lines of the scene (walls, posts, windows) are slanted and bent by the motion. The estimator
+-# keeps the segments that can be images of vertical lines within the limits of motion,
+-# finds a consensus with minimal solvers (solve1LA, solve3LA, solve4LA, solve4LAExact) in a locally optimised RANSAC,
+-# refines the motion with the exact model and a robust loss on all candidates,
+-# chooses the model by an information criterion; a motion that isn't significant is reported as none.
+
+The result is the same for the same seed, whatever the number of threads.
+@sa @cite purkait2018minimal
+ */
+class CV_EXPORTS_W AckermannEstimator : public Algorithm
+{
+public:
+    struct CV_EXPORTS_W_SIMPLE Params
+    {
+        CV_WRAP Params();
+        CV_PROP_RW int model;             //!< one of #MotionModel, default #MODEL_AUTO
+        CV_PROP_RW int detector;          //!< one of #SegmentDetector, default #DETECTOR_LSD
+        CV_PROP_RW double minLength;      //!< pixels; shorter segments are left out, default 35
+        CV_PROP_RW double maxSlant;       //!< largest tangent of the angle between a candidate and the vertical where the limits of motion give no smaller one, default 0.35
+        CV_PROP_RW double threshold;      //!< pixels; a candidate with a smaller residual is an inlier, default 0.5
+        CV_PROP_RW double confidence;     //!< probability with which RANSAC has found the best consensus, default 0.99
+        CV_PROP_RW int maxIterations;     //!< largest number of minimal samples, default 1000
+        CV_PROP_RW int seed;              //!< of the random numbers, default 0
+        CV_PROP_RW double maxYawRate;     //!< radians per second, default 90 degrees per second; used where lineDelay is known
+        CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used where lineDelay and the wall's distance are known
+        CV_PROP_RW double wallDistance;   //!< metres to the left (or only) wall; 0: unknown (default)
+
+        void write(FileStorage& fs) const;
+        //! Reads what write() has written. Fields that are missing keep their values.
+        void read(const FileNode& fn);
+    };
+
+    /** @brief Creates an estimator.
+    @param camera the camera; copied.
+    @param params see AckermannEstimator::Params.
+     */
+    CV_WRAP static Ptr<AckermannEstimator> create(const RollingShutterCamera& camera,
+                                                  const AckermannEstimator::Params& params = AckermannEstimator::Params());
+
+    CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
+    CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
+    CV_WRAP virtual void setParams(const AckermannEstimator::Params& params) = 0;
+    CV_WRAP virtual AckermannEstimator::Params getParams() const = 0;
+
+    /** @brief Estimates the motion from line segments.
+    @param segments N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x1, y1, x2, y2) in pixels of the raw
+    image; vector<Vec4f> for short.
+    @param labels receives an N x 1 matrix CV_8U with one of #SegmentLabel for each segment.
+    @return the motion; see AckermannMotion::status.
+     */
+    CV_WRAP virtual AckermannMotion estimate(InputArray segments, OutputArray labels = noArray()) const = 0;
+
+    /** @brief Detects line segments and estimates the motion.
+    @param image raw image of the camera's size, see detectSegments.
+    @param segments receives the N x 4 matrix CV_32F of the detected segments.
+    @param labels as in estimate().
+     */
+    CV_WRAP virtual AckermannMotion estimateFromImage(InputArray image, OutputArray segments = noArray(),
+                                                      OutputArray labels = noArray()) const = 0;
+};
+
+//! @}
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_ESTIMATOR_HPP

@@ -1,0 +1,113 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_MOTION_HPP
+#define OPENCV_RSACKERMANN_MOTION_HPP
+
+#include "opencv2/rsackermann/camera.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! @addtogroup rsackermann
+//! @{
+
+//! What an estimate is worth. Only with #MOTION_OK is the image changed beyond the lens correction.
+enum MotionStatus
+{
+    MOTION_OK = 0,                //!< a significant motion was found
+    MOTION_NOT_SIGNIFICANT = 1,   //!< no motion explains the segments better than a camera at rest
+    MOTION_TOO_FEW_SEGMENTS = 2,  //!< there are too few vertical segments
+    MOTION_NO_CONSENSUS = 3,      //!< no motion within the limits agrees with enough segments
+    MOTION_NOT_OBSERVABLE = 4     //!< the shutter goes along the columns
+};
+
+//! The motion models, named by the number of line segments (lines, "L") that determine them.
+enum MotionModel
+{
+    MODEL_AUTO = -1, //!< for AckermannEstimator::Params::model: let an information criterion choose
+    MODEL_NONE = 0,  //!< camera at rest
+    MODEL_1LA = 1,   //!< pure rotation: yaw rate
+    MODEL_3LA = 3,   //!< pure translation: speed and walls
+    MODEL_4LA = 4    //!< yaw rate, speed and walls
+};
+
+/** @brief The motion of the car during one image and the coarse depth of the scene.
+
+The scaled inverse depth \f$w = \beta / s\f$ of the scene is linear on each plane at the global-shutter point
+\f$(x, y)\f$ of the upright frame: left (or only) wall \f$D - B x\f$, right wall \f$\lambda (B x - D)\f$, road \f$G y\f$.
+The nearest plane is seen. A scene with only one wall has \f$\lambda = 0\f$; there the wall may be on either side and
+B may have either sign.
+ */
+class CV_EXPORTS_W_SIMPLE AckermannMotion
+{
+public:
+    //! A camera at rest, with status #MOTION_NOT_SIGNIFICANT.
+    CV_WRAP AckermannMotion();
+
+    /** @brief A motion made from metric values, for simulation and for callers that know it all.
+    @param camera camera with lineDelay and, for the road, height.
+    @param yawRate radians per second, positive where the car turns to the right.
+    @param speed metres per second, negative in reverse.
+    @param leftDistance metres from the camera to the left wall; 0: no left wall.
+    @param rightDistance metres from the camera to the right wall; 0: no right wall.
+    @param wallDirection radians from the horizontal optical axis to the direction along the walls, positive to the right; a
+    street that the car follows has the heading.
+     */
+    CV_WRAP static AckermannMotion fromMetric(const RollingShutterCamera& camera, double yawRate, double speed, double leftDistance,
+                                              double rightDistance, double wallDirection);
+
+    //! Column of the line at infinity of the walls in the upright frame, D/B; 0 where the walls are parallel to the image.
+    CV_WRAP double delta() const;
+
+    /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second.
+    @return false where lineDelay is unknown.
+     */
+    CV_WRAP bool yawRate(const RollingShutterCamera& camera, CV_OUT double& radiansPerSecond) const;
+
+    /** @brief Speed, \f$\pm\sqrt{B^2+D^2} \cdot wallDistance\f$ / secondsPerUnitTime, in metres per second; negative in reverse.
+    @return false where wallDistance or lineDelay is unknown.
+     */
+    CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
+
+    /** @brief Pose of the camera at a row time, relative to the pose at the reference row.
+    @param camera the camera.
+    @param time row time, see RollingShutterCamera::rowTime.
+    @param R rotation from the camera frame at that time to the camera frame at the reference row.
+    @param T position of the camera at that time in the camera frame at the reference row, in the unit of length in which the
+    horizontal depth of a point with scaled inverse depth w is 1/|w|; 0 where the motion is a pure rotation.
+     */
+    CV_WRAP void pose(const RollingShutterCamera& camera, double time, CV_OUT Matx33d& R, CV_OUT Vec3d& T) const;
+
+    //! The camera's upright rotation with this motion's corrections of roll and pitch.
+    CV_WRAP Matx33d uprightRotation(const RollingShutterCamera& camera) const;
+
+    void write(FileStorage& fs) const;
+    //! Reads what write() has written. Fields that are missing keep their values.
+    void read(const FileNode& fn);
+
+    CV_PROP_RW int status;   //!< one of #MotionStatus
+    CV_PROP_RW int model;    //!< one of #MotionModel
+
+    CV_PROP_RW double alpha;  //!< half of the yaw per unit of row time
+    CV_PROP_RW double B;      //!< slope of the left (or only) wall's scaled inverse depth; beta in the gauge of the paper
+    CV_PROP_RW double D;      //!< left (or only) wall's scaled inverse depth at x = 0
+    CV_PROP_RW double lambda; //!< ratio of the wall distances left / right; 0: one wall
+    CV_PROP_RW double G;      //!< slope of the road's scaled inverse depth; 0: no road
+    CV_PROP_RW int direction; //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
+
+    CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
+    CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
+    CV_PROP_RW double wallDistance;    //!< metres to the left (or only) wall; 0: unknown
+
+    CV_PROP_RW int candidates; //!< segments that passed the gates
+    CV_PROP_RW int inliers;    //!< candidates that agree with the motion
+    CV_PROP_RW double rms;     //!< root mean square residual of the inliers in pixels
+};
+
+//! @}
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_MOTION_HPP

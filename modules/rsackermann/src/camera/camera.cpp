@@ -1,0 +1,160 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+RollingShutterCamera::RollingShutterCamera()
+    : cameraMatrix(Matx33d::eye()), lensModel(LENS_PINHOLE), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0), referenceRow(0),
+      uprightRotation(Matx33d::eye()), heading(0), height(0)
+{
+}
+
+RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, const std::vector<double>& dist, int lens)
+    : imageSize(size), cameraMatrix(K), distCoeffs(dist), lensModel(lens), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0),
+      referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), heading(0), height(0)
+{
+    check();
+}
+
+RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double focal)
+{
+    if (!(focal >= 0) || cvIsInf(focal))
+        CV_Error(Error::StsBadArg, format("focal is %g; a positive number of pixels, or 0 for the default, is expected", focal));
+    const double f = focal > 0 ? focal : 0.9 * std::max(size.width, size.height);
+    return RollingShutterCamera(size, Matx33d(f, 0, (size.width - 1) / 2., 0, f, (size.height - 1) / 2., 0, 0, 1));
+}
+
+void RollingShutterCamera::setRollPitch(double roll, double pitch)
+{
+    if (!(std::abs(roll) < CV_PI / 2))
+        CV_Error(Error::StsBadArg, format("roll is %g rad; a value between -pi/2 and pi/2 is expected", roll));
+    if (!(std::abs(pitch) < CV_PI / 2))
+        CV_Error(Error::StsBadArg, format("pitch is %g rad; a value between -pi/2 and pi/2 is expected", pitch));
+    setGravity(Vec3d(std::sin(roll), std::cos(roll) * std::cos(pitch), std::sin(pitch)));
+}
+
+void RollingShutterCamera::setGravity(const Vec3d& gravity)
+{
+    const double length = norm(gravity);
+    const double horizontal = std::hypot(gravity[0], gravity[1]);
+    if (!(length > 0) || cvIsInf(length) || horizontal < 1e-6 * length)
+        CV_Error(Error::StsBadArg, format("gravity is (%g, %g, %g); a finite vector that isn't parallel to the optical axis is expected",
+                                          gravity[0], gravity[1], gravity[2]));
+    const Vec3d down = gravity * (1 / length);
+    const Vec3d forward = normalize(Vec3d(0, 0, 1) - down * down[2]);
+    const Vec3d right = down.cross(forward);
+    uprightRotation = Matx33d(right[0], right[1], right[2], down[0], down[1], down[2], forward[0], forward[1], forward[2]);
+}
+
+Vec3d RollingShutterCamera::gravity() const
+{
+    return Vec3d(uprightRotation(1, 0), uprightRotation(1, 1), uprightRotation(1, 2));
+}
+
+double RollingShutterCamera::rowTime(const Point2d& pixel) const
+{
+    const double line = isRowShutter() ? pixel.y : pixel.x;
+    const bool backward = scanDirection == SCAN_BOTTOM_TO_TOP || scanDirection == SCAN_RIGHT_TO_LEFT;
+    const double time = (line - referenceRow) / cameraMatrix(1, 1);
+    return backward ? -time : time;
+}
+
+double RollingShutterCamera::secondsPerUnitTime() const
+{
+    return cameraMatrix(1, 1) * lineDelay;
+}
+
+bool RollingShutterCamera::isRowShutter() const
+{
+    return scanDirection == SCAN_TOP_TO_BOTTOM || scanDirection == SCAN_BOTTOM_TO_TOP;
+}
+
+static void checkFinite(double value, const char* name)
+{
+    if (cvIsNaN(value) || cvIsInf(value))
+        CV_Error(Error::StsBadArg, format("camera.%s is %g; a finite number is expected", name, value));
+}
+
+static void checkIntrinsics(const Matx33d& K)
+{
+    for (int i = 0; i < 9; i++)
+        checkFinite(K.val[i], "cameraMatrix");
+    if (!(K(0, 0) > 0) || !(K(1, 1) > 0))
+        CV_Error(Error::StsBadArg, format("camera.cameraMatrix has focal lengths %g, %g; positive ones are expected", K(0, 0), K(1, 1)));
+    if (K(0, 1) != 0 || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1)
+        CV_Error(Error::StsBadArg, "camera.cameraMatrix has other entries than fx, fy, cx, cy and 1; a matrix (fx 0 cx; 0 fy cy; 0 0 1) is expected");
+}
+
+static void checkLens(int lensModel, const std::vector<double>& coefficients)
+{
+    const size_t n = coefficients.size();
+    if (lensModel != LENS_PINHOLE && lensModel != LENS_FISHEYE)
+        CV_Error(Error::StsBadArg, format("camera.lensModel is %d; LENS_PINHOLE (0) or LENS_FISHEYE (1) is expected", lensModel));
+    if (lensModel == LENS_FISHEYE && n != 0 && n != 4)
+        CV_Error(Error::StsBadArg, format("camera.distCoeffs has %d values; 0 or 4 are expected for LENS_FISHEYE", (int)n));
+    if (lensModel == LENS_PINHOLE && n != 0 && n != 4 && n != 5 && n != 8 && n != 12 && n != 14)
+        CV_Error(Error::StsBadArg, format("camera.distCoeffs has %d values; 0, 4, 5, 8, 12 or 14 are expected for LENS_PINHOLE", (int)n));
+    for (size_t i = 0; i < n; i++)
+        checkFinite(coefficients[i], "distCoeffs");
+}
+
+static void checkRotation(const Matx33d& R)
+{
+    for (int i = 0; i < 9; i++)
+        checkFinite(R.val[i], "uprightRotation");
+    const double error = norm(R * R.t() - Matx33d::eye(), NORM_INF);
+    if (error > 1e-6 || determinant(R) < 0)
+        CV_Error(Error::StsBadArg, format("camera.uprightRotation is off a rotation by %g; a rotation matrix is expected", error));
+}
+
+void RollingShutterCamera::check() const
+{
+    if (imageSize.width <= 0 || imageSize.height <= 0)
+        CV_Error(Error::StsBadArg, format("camera.imageSize is %d x %d; a positive width and height are expected", imageSize.width, imageSize.height));
+    checkIntrinsics(cameraMatrix);
+    checkLens(lensModel, distCoeffs);
+    if (scanDirection < SCAN_TOP_TO_BOTTOM || scanDirection > SCAN_RIGHT_TO_LEFT)
+        CV_Error(Error::StsBadArg, format("camera.scanDirection is %d; one of the ScanDirection values 0 to 3 is expected", scanDirection));
+    checkFinite(lineDelay, "lineDelay");
+    if (lineDelay < 0)
+        CV_Error(Error::StsBadArg, format("camera.lineDelay is %g s; a positive number, or 0 for unknown, is expected", lineDelay));
+    checkFinite(referenceRow, "referenceRow");
+    checkRotation(uprightRotation);
+    checkFinite(heading, "heading");
+    checkFinite(height, "height");
+    if (height < 0)
+        CV_Error(Error::StsBadArg, format("camera.height is %g m; a positive number, or 0 for unknown, is expected", height));
+}
+
+void RollingShutterCamera::write(FileStorage& fs) const
+{
+    fs << "image_width" << imageSize.width << "image_height" << imageSize.height;
+    fs << "camera_matrix" << cameraMatrix;
+    fs << "distortion_coefficients" << distCoeffs;
+    fs << "lens_model" << lensModel << "scan_direction" << scanDirection;
+    fs << "line_delay" << lineDelay << "reference_row" << referenceRow;
+    fs << "upright_rotation" << uprightRotation;
+    fs << "heading" << heading << "height" << height;
+}
+
+void RollingShutterCamera::read(const FileNode& fn)
+{
+    cv::read(fn["image_width"], imageSize.width, imageSize.width);
+    cv::read(fn["image_height"], imageSize.height, imageSize.height);
+    cv::read(fn["camera_matrix"], cameraMatrix, cameraMatrix);
+    if (!fn["distortion_coefficients"].empty())
+        fn["distortion_coefficients"] >> distCoeffs;
+    cv::read(fn["lens_model"], lensModel, lensModel);
+    cv::read(fn["scan_direction"], scanDirection, scanDirection);
+    cv::read(fn["line_delay"], lineDelay, lineDelay);
+    cv::read(fn["reference_row"], referenceRow, referenceRow);
+    cv::read(fn["upright_rotation"], uprightRotation, uprightRotation);
+    cv::read(fn["heading"], heading, heading);
+    cv::read(fn["height"], height, height);
+}
+
+}} // namespace cv::rsackermann

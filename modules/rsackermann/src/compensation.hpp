@@ -1,0 +1,70 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_COMPENSATION_HPP
+#define OPENCV_RSACKERMANN_SRC_COMPENSATION_HPP
+
+#include "opencv2/core.hpp"
+#include <cmath>
+
+namespace cv {
+namespace rsackermann {
+
+//! sin(x)/x, also near 0.
+inline double sinc(double x)
+{
+    return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
+}
+
+//! Derivative of sinc.
+inline double sincDerivative(double x)
+{
+    return std::abs(x) < 1e-3 ? -x / 3 * (1 - x * x / 10) : (std::cos(x) - std::sin(x) / x) / x;
+}
+
+/** The exact motion at one row time (doc/theory.md, "Motion").
+
+Yaw theta = 2 alpha t; position T = beta tau (s2, 0, c2) with tau = t sinc(theta/2).
+*/
+struct RowMotion
+{
+    double c, s;   // cos, sin of theta
+    double c2, s2; // cos, sin of theta/2 + heading
+    double tau;
+
+    RowMotion(double alpha, double heading, double t)
+    {
+        const double half = alpha * t;
+        c = std::cos(2 * half);
+        s = std::sin(2 * half);
+        c2 = std::cos(half + heading);
+        s2 = std::sin(half + heading);
+        tau = t * sinc(half);
+    }
+};
+
+/** A bearing turned into the reference frame, and how it shifts with the scaled inverse depth.
+
+With the direction (N, M) of the turned bearing in the horizontal plane, X = N/M and g = G/M, the compensated column on the
+wall w = D - B x is p1 = (X + g D) / (1 + g B) = (N + G D) / (M + G B) (doc/theory.md, "Compensation"). This form has no
+poles, and (N, M, G) scale with the length of the bearing.
+*/
+struct TurnedBearing
+{
+    double N, M, G;
+
+    //! @param bearing horizontal part (x, z) of the upright bearing.
+    TurnedBearing(const Point2d& bearing, const RowMotion& row)
+    {
+        N = row.c * bearing.x + row.s * bearing.y;
+        M = row.c * bearing.y - row.s * bearing.x;
+        G = row.tau * (M * row.s2 - N * row.c2);
+    }
+
+    double column(double B, double D) const { return (N + G * D) / (M + G * B); }
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_COMPENSATION_HPP

@@ -1,0 +1,126 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../camera/axis_rotations.hpp"
+#include "../compensation.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+AckermannMotion::AckermannMotion()
+    : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), B(0), D(0), lambda(0), G(0), direction(1), rollCorrection(0),
+      pitchCorrection(0), wallDistance(0), candidates(0), inliers(0), rms(0)
+{
+}
+
+static void checkFinite(double value, const char* name)
+{
+    if (cvIsNaN(value) || cvIsInf(value))
+        CV_Error(Error::StsBadArg, format("%s is %g; a finite number is expected", name, value));
+}
+
+static void checkDistance(double value, const char* name)
+{
+    checkFinite(value, name);
+    if (value < 0)
+        CV_Error(Error::StsBadArg, format("%s is %g m; a positive number, or 0 for no wall, is expected", name, value));
+}
+
+AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, double yawRate, double speed, double leftDistance,
+                                            double rightDistance, double wallDirection)
+{
+    camera.check();
+    if (!(camera.lineDelay > 0))
+        CV_Error(Error::StsBadArg, format("camera.lineDelay is %g s; metric values need a positive one", camera.lineDelay));
+    checkFinite(yawRate, "yawRate");
+    checkFinite(speed, "speed");
+    checkDistance(leftDistance, "leftDistance");
+    checkDistance(rightDistance, "rightDistance");
+    checkFinite(wallDirection, "wallDirection");
+
+    // doc/theory.md, "Depth": the wall along (sin, cos) of wallDirection has the normal (-cos, sin) on the left.
+    AckermannMotion m;
+    m.alpha = yawRate * camera.secondsPerUnitTime() / 2;
+    const double beta = speed * camera.secondsPerUnitTime();
+    m.direction = speed < 0 ? -1 : 1;
+    m.wallDistance = leftDistance > 0 ? leftDistance : rightDistance;
+    if (m.wallDistance > 0)
+    {
+        const double scale = leftDistance > 0 ? beta / leftDistance : -beta / rightDistance;
+        m.B = scale * std::cos(wallDirection);
+        m.D = scale * std::sin(wallDirection);
+    }
+    if (leftDistance > 0 && rightDistance > 0)
+        m.lambda = leftDistance / rightDistance;
+    if (camera.height > 0)
+        m.G = beta / camera.height;
+    m.model = speed == 0 ? (yawRate == 0 ? MODEL_NONE : MODEL_1LA) : (yawRate == 0 ? MODEL_3LA : MODEL_4LA);
+    m.status = m.model == MODEL_NONE ? MOTION_NOT_SIGNIFICANT : MOTION_OK;
+    return m;
+}
+
+double AckermannMotion::delta() const
+{
+    return std::abs(B) > 1e-9 * std::abs(D) ? D / B : 0;
+}
+
+bool AckermannMotion::yawRate(const RollingShutterCamera& camera, double& radiansPerSecond) const
+{
+    const double unit = camera.secondsPerUnitTime();
+    radiansPerSecond = unit > 0 ? 2 * alpha / unit : 0;
+    return unit > 0;
+}
+
+bool AckermannMotion::speed(const RollingShutterCamera& camera, double& metresPerSecond) const
+{
+    const double unit = camera.secondsPerUnitTime();
+    const bool known = unit > 0 && wallDistance > 0;
+    metresPerSecond = known ? direction * std::hypot(B, D) * wallDistance / unit : 0;
+    return known;
+}
+
+Matx33d AckermannMotion::uprightRotation(const RollingShutterCamera& camera) const
+{
+    return rollRotation(rollCorrection) * pitchRotation(pitchCorrection) * camera.uprightRotation;
+}
+
+void AckermannMotion::pose(const RollingShutterCamera& camera, double time, Matx33d& R, Vec3d& T) const
+{
+    checkFinite(time, "time");
+    // doc/theory.md, "Motion"
+    const RowMotion row(alpha, camera.heading, time);
+    const Matx33d upright = uprightRotation(camera);
+    R = upright.t() * yawRotation(2 * alpha * time) * upright;
+    const bool translates = B != 0 || D != 0 || G != 0;
+    T = translates ? upright.t() * Vec3d(row.s2, 0, row.c2) * (direction * row.tau) : Vec3d();
+}
+
+void AckermannMotion::write(FileStorage& fs) const
+{
+    fs << "status" << status << "model" << model;
+    fs << "alpha" << alpha << "B" << B << "D" << D << "lambda" << lambda << "G" << G << "direction" << direction;
+    fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance" << wallDistance;
+    fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
+}
+
+void AckermannMotion::read(const FileNode& fn)
+{
+    cv::read(fn["status"], status, status);
+    cv::read(fn["model"], model, model);
+    cv::read(fn["alpha"], alpha, alpha);
+    cv::read(fn["B"], B, B);
+    cv::read(fn["D"], D, D);
+    cv::read(fn["lambda"], lambda, lambda);
+    cv::read(fn["G"], G, G);
+    cv::read(fn["direction"], direction, direction);
+    cv::read(fn["roll_correction"], rollCorrection, rollCorrection);
+    cv::read(fn["pitch_correction"], pitchCorrection, pitchCorrection);
+    cv::read(fn["wall_distance"], wallDistance, wallDistance);
+    cv::read(fn["candidates"], candidates, candidates);
+    cv::read(fn["inliers"], inliers, inliers);
+    cv::read(fn["rms"], rms, rms);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,62 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SOLVERS_COMMON_HPP
+#define OPENCV_RSACKERMANN_SRC_SOLVERS_COMMON_HPP
+
+#include "opencv2/rsackermann/solvers.hpp"
+#include "../compensation.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! Whether both ends are finite, in front of the camera and at different times.
+inline bool isUsable(const VerticalSegment& s)
+{
+    const double sum = s.u.x + s.u.y + s.v.x + s.v.y + s.timeU + s.timeV;
+    return !cvIsNaN(sum) && !cvIsInf(sum) && s.u.y > 0 && s.v.y > 0 && std::abs(s.timeU - s.timeV) > 1e-9;
+}
+
+/** What a segment (u, v) on the left wall says about (B, D): e + d D + b B = 0 (doc/theory.md, "Constraint").
+
+On the right wall (-lambda B, -lambda D) takes the place of (B, D).
+*/
+struct Constraint
+{
+    double e, d, b;
+
+    Constraint() : e(0), d(0), b(0) {}
+    Constraint(double e_, double d_, double b_) : e(e_), d(d_), b(b_) {}
+
+    double length() const { return std::sqrt(e * e + d * d + b * b); }
+    double dot(const Constraint& o) const { return e * o.e + d * o.d + b * o.b; }
+    Constraint cross(const Constraint& o) const
+    {
+        return Constraint(d * o.b - b * o.d, b * o.e - e * o.b, e * o.d - d * o.e);
+    }
+};
+
+//! The exact constraint of a segment for a given alpha.
+inline Constraint exactConstraint(const TurnedBearing& u, const TurnedBearing& v)
+{
+    return Constraint(u.N * v.M - v.N * u.M, u.G * v.M - v.G * u.M, u.N * v.G - v.N * u.G);
+}
+
+inline double determinant(const Constraint& a, const Constraint& b, const Constraint& c)
+{
+    return a.dot(b.cross(c));
+}
+
+//! (B, D) from two constraints, and lambda from that of a segment on the right wall. Returns false where they are degenerate.
+bool solveWalls(const Constraint& first, const Constraint& second, const Constraint* right, MinimalSolution& solution);
+
+//! solveWalls() with the pair of three constraints that is farthest from being parallel.
+bool solveWallsFromThree(const Constraint constraints[3], const Constraint* right, MinimalSolution& solution);
+
+//! Whether all segments are seen, by the solution, on walls in front of the camera and the solution is within the limits.
+bool isPlausible(const MinimalSolution& solution, const VerticalSegment* segments, int left, bool twoWalls, const SolverOptions& options);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SOLVERS_COMMON_HPP

@@ -1,0 +1,107 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "common.hpp"
+#include "polynomial.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+// A constraint to first order in alpha: at 0 and its slope.
+struct LinearConstraint
+{
+    Constraint at0, slope;
+
+    Constraint at(double alpha) const
+    {
+        return Constraint(at0.e + alpha * slope.e, at0.d + alpha * slope.d, at0.b + alpha * slope.b);
+    }
+};
+
+// X and g of a bearing to first order in alpha (doc/theory.md, "Solvers").
+struct LinearBearing
+{
+    double x, X1, g0, g1; // X = x + alpha X1, g = g0 + alpha g1
+
+    LinearBearing(const Point2d& bearing, double t, double c, double s)
+    {
+        x = bearing.x / bearing.y;
+        X1 = 2 * t * (1 + x * x);
+        g0 = t * (s - x * c);
+        g1 = t * (t * c + x * t * s - X1 * c);
+    }
+};
+
+// p1 = X + g w with w = D - B x at the rolling-shutter point x, or else the exact constraint, to first order in alpha.
+static LinearConstraint linearConstraint(const VerticalSegment& s, double cosHeading, double sinHeading, bool rollingShutterDepth)
+{
+    const LinearBearing u(s.u, s.timeU, cosHeading, sinHeading), v(s.v, s.timeV, cosHeading, sinHeading);
+    LinearConstraint k;
+    k.at0 = Constraint(u.x - v.x, u.g0 - v.g0, 0);
+    k.slope = Constraint(u.X1 - v.X1, u.g1 - v.g1, 0);
+    if (rollingShutterDepth)
+    {
+        k.at0.b = v.x * v.g0 - u.x * u.g0;
+        k.slope.b = v.x * v.g1 - u.x * u.g1;
+    }
+    else
+    {
+        k.at0.b = u.x * v.g0 - v.x * u.g0;
+        k.slope.b = u.X1 * v.g0 + u.x * v.g1 - v.X1 * u.g0 - v.x * u.g1;
+    }
+    return k;
+}
+
+// Coefficients of the determinant as a cubic in alpha / scale. Returns false where it vanishes.
+static bool determinantCubic(const LinearConstraint k[3], double scale, double coefficients[4])
+{
+    Constraint p[3], q[3];
+    double size = 1;
+    for (int i = 0; i < 3; i++)
+    {
+        p[i] = k[i].at0;
+        q[i] = Constraint(scale * k[i].slope.e, scale * k[i].slope.d, scale * k[i].slope.b);
+        size *= p[i].length() + q[i].length();
+    }
+    coefficients[0] = determinant(p[0], p[1], p[2]);
+    coefficients[1] = determinant(q[0], p[1], p[2]) + determinant(p[0], q[1], p[2]) + determinant(p[0], p[1], q[2]);
+    coefficients[2] = determinant(p[0], q[1], q[2]) + determinant(q[0], p[1], q[2]) + determinant(q[0], q[1], p[2]);
+    coefficients[3] = determinant(q[0], q[1], q[2]);
+    double largest = 0;
+    for (int i = 0; i < 4; i++)
+        largest = std::max(largest, std::abs(coefficients[i]));
+    return largest > 1e-13 * size;
+}
+
+int solve4LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[3])
+{
+    LinearConstraint linear[4];
+    const int n = twoWalls ? 4 : 3;
+    const double c = std::cos(options.heading), s = std::sin(options.heading);
+    for (int i = 0; i < n; i++)
+    {
+        if (!isUsable(segments[i]))
+            return 0;
+        linear[i] = linearConstraint(segments[i], c, s, options.rollingShutterDepth);
+    }
+    double cubic[4], roots[3];
+    if (!determinantCubic(linear, options.maxAlpha, cubic))
+        return 0;
+    const int found = realRoots(cubic, 3, -1, 1, roots);
+    int count = 0;
+    for (int i = 0; i < found; i++)
+    {
+        MinimalSolution& solution = solutions[count];
+        solution.alpha = roots[i] * options.maxAlpha;
+        Constraint at[4];
+        for (int j = 0; j < n; j++)
+            at[j] = linear[j].at(solution.alpha);
+        if (solveWallsFromThree(at, twoWalls ? at + 3 : 0, solution) && isPlausible(solution, segments, 3, twoWalls, options))
+            count++;
+    }
+    return count;
+}
+
+}} // namespace cv::rsackermann

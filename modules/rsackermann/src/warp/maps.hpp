@@ -1,0 +1,33 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_MAPS_HPP
+
+#include "opencv2/rsackermann/warp.hpp"
+#include "map_writer.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! The global-shutter camera as the parameters and the rolling-shutter camera determine it.
+struct GlobalCamera
+{
+    GlobalCamera(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params);
+
+    Matx33d matrix;
+    Size size;
+};
+
+//! For each pixel of the global-shutter camera the place in the raw image.
+void writeRectifyMap(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
+                     MapWriter& writer);
+
+//! For each pixel of the raw image the place in the global-shutter image.
+void writeDistortMap(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
+                     MapWriter& writer);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_MAPS_HPP

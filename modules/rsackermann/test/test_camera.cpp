@@ -1,0 +1,293 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+namespace opencv_test { namespace {
+
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+
+RollingShutterCamera exampleCamera()
+{
+    const std::vector<double> dist = {-0.2, 0.1, 1e-3, -2e-3, 0.01};
+    RollingShutterCamera camera(Size(641, 383), Matx33d(810, 0, 318, 0, 820, 185, 0, 0, 1), dist);
+    camera.scanDirection = SCAN_BOTTOM_TO_TOP;
+    camera.lineDelay = 3e-5;
+    camera.referenceRow = 12.5;
+    camera.setRollPitch(0.1, -0.2);
+    camera.heading = 0.3;
+    camera.height = 1.25;
+    return camera;
+}
+
+void expectSame(const RollingShutterCamera& a, const RollingShutterCamera& b)
+{
+    EXPECT_EQ(a.imageSize, b.imageSize);
+    EXPECT_EQ(a.cameraMatrix, b.cameraMatrix);
+    EXPECT_EQ(a.distCoeffs, b.distCoeffs);
+    EXPECT_EQ(a.lensModel, b.lensModel);
+    EXPECT_EQ(a.scanDirection, b.scanDirection);
+    EXPECT_EQ(a.lineDelay, b.lineDelay);
+    EXPECT_EQ(a.referenceRow, b.referenceRow);
+    EXPECT_EQ(a.uprightRotation, b.uprightRotation);
+    EXPECT_EQ(a.heading, b.heading);
+    EXPECT_EQ(a.height, b.height);
+}
+
+//! The message of the exception that check() throws; empty: none.
+std::string complaint(const RollingShutterCamera& camera)
+{
+    try
+    {
+        camera.check();
+    }
+    catch (const cv::Exception& e)
+    {
+        return e.err;
+    }
+    return std::string();
+}
+
+TEST(RSAckermann_Camera, fromFocal)
+{
+    const RollingShutterCamera wide = RollingShutterCamera::fromFocal(Size(640, 380));
+    EXPECT_EQ(Size(640, 380), wide.imageSize);
+    EXPECT_EQ(Matx33d(576, 0, 319.5, 0, 576, 189.5, 0, 0, 1), wide.cameraMatrix);
+    EXPECT_EQ(189.5, wide.referenceRow);
+    EXPECT_TRUE(wide.distCoeffs.empty());
+    EXPECT_EQ(Matx33d::eye(), wide.uprightRotation);
+    EXPECT_EQ("", complaint(wide));
+
+    EXPECT_EQ(900, RollingShutterCamera::fromFocal(Size(600, 1000)).cameraMatrix(0, 0));
+    EXPECT_EQ(816, RollingShutterCamera::fromFocal(Size(640, 380), 816).cameraMatrix(1, 1));
+}
+
+TEST(RSAckermann_Camera, fromFocal_bad_arguments)
+{
+    EXPECT_THROW(RollingShutterCamera::fromFocal(Size(0, 380)), cv::Exception);
+    EXPECT_THROW(RollingShutterCamera::fromFocal(Size(640, -1), 800), cv::Exception);
+    EXPECT_THROW(RollingShutterCamera::fromFocal(Size(640, 380), -800), cv::Exception);
+    EXPECT_THROW(RollingShutterCamera::fromFocal(Size(640, 380), NaN), cv::Exception);
+    EXPECT_THROW(RollingShutterCamera::fromFocal(Size(640, 380), infinity), cv::Exception);
+}
+
+TEST(RSAckermann_Camera, constructor_checks)
+{
+    const Matx33d K(800, 0, 320, 0, 800, 190, 0, 0, 1);
+    EXPECT_NO_THROW(RollingShutterCamera(Size(640, 380), K));
+    EXPECT_THROW(RollingShutterCamera(Size(640, 380), K, std::vector<double>(3)), cv::Exception);
+    EXPECT_THROW(RollingShutterCamera(Size(640, 380), K, std::vector<double>(5), LENS_FISHEYE), cv::Exception);
+    EXPECT_THROW(RollingShutterCamera(Size(640, 380), Matx33d::zeros()), cv::Exception);
+}
+
+TEST(RSAckermann_Camera, empty_camera_is_incomplete)
+{
+    EXPECT_NE(std::string::npos, complaint(RollingShutterCamera()).find("imageSize"));
+}
+
+// Gravity in the camera frame is (sin roll, cos roll cos pitch, sin pitch) up to its length.
+TEST(RSAckermann_Camera, roll_and_pitch_signs)
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 380));
+
+    // turned clockwise seen from behind: the camera's right side is lower, so gravity has a part to the right
+    camera.setRollPitch(0.3, 0);
+    EXPECT_LT(cv::norm(camera.gravity() - Vec3d(std::sin(0.3), std::cos(0.3), 0)), 1e-15);
+    EXPECT_LT(cv::norm(camera.uprightRotation * Vec3d(1, 0, 0) - Vec3d(std::cos(0.3), std::sin(0.3), 0)), 1e-15);
+
+    // looking down: the optical axis goes down in the upright frame
+    camera.setRollPitch(0, 0.3);
+    EXPECT_LT(cv::norm(camera.gravity() - Vec3d(0, std::cos(0.3), std::sin(0.3))), 1e-15);
+    EXPECT_LT(cv::norm(camera.uprightRotation * Vec3d(0, 0, 1) - Vec3d(0, std::sin(0.3), std::cos(0.3))), 1e-15);
+
+    RNG& rng = theRNG();
+    for (int i = 0; i < 1000; i++)
+    {
+        const double roll = rng.uniform(-1.5, 1.5), pitch = rng.uniform(-1.5, 1.5);
+        camera.setRollPitch(roll, pitch);
+        const Vec3d expected(std::sin(roll), std::cos(roll) * std::cos(pitch), std::sin(pitch));
+        ASSERT_LT(cv::norm(camera.gravity() - cv::normalize(expected)), 1e-14) << roll << " " << pitch;
+        ASSERT_EQ("", complaint(camera));
+    }
+}
+
+// The upright frame has gravity along +y and the optical axis, projected to the horizontal, along +z.
+TEST(RSAckermann_Camera, upright_frame)
+{
+    RNG& rng = theRNG();
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 380));
+    for (int i = 0; i < 1000; i++)
+    {
+        const Vec3d direction = cv::normalize(Vec3d(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1)));
+        camera.setGravity(direction * std::exp(rng.uniform(-5., 5.)));
+        const Matx33d& R = camera.uprightRotation;
+        ASSERT_LT(cv::norm(R * R.t() - Matx33d::eye()), 1e-12);
+        ASSERT_NEAR(1, cv::determinant(R), 1e-12);
+        ASSERT_LT(cv::norm(R * direction - Vec3d(0, 1, 0)), 1e-12);
+        const Vec3d axis = R * Vec3d(0, 0, 1);
+        ASSERT_NEAR(0, axis[0], 1e-12);
+        ASSERT_GT(axis[2], 0);
+        ASSERT_LT(cv::norm(camera.gravity() - direction), 1e-12);
+        ASSERT_EQ("", complaint(camera));
+    }
+}
+
+TEST(RSAckermann_Camera, upright_bad_arguments)
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 380));
+    EXPECT_THROW(camera.setGravity(Vec3d()), cv::Exception);
+    EXPECT_THROW(camera.setGravity(Vec3d(0, 0, 1)), cv::Exception);
+    EXPECT_THROW(camera.setGravity(Vec3d(0, 0, -9.81)), cv::Exception);
+    EXPECT_THROW(camera.setGravity(Vec3d(NaN, 1, 0)), cv::Exception);
+    EXPECT_THROW(camera.setGravity(Vec3d(0, infinity, 0)), cv::Exception);
+    EXPECT_THROW(camera.setRollPitch(NaN, 0), cv::Exception);
+    EXPECT_THROW(camera.setRollPitch(0, infinity), cv::Exception);
+    EXPECT_THROW(camera.setRollPitch(0, CV_PI / 2), cv::Exception);
+    EXPECT_EQ(Matx33d::eye(), camera.uprightRotation);
+}
+
+TEST(RSAckermann_Camera, row_time)
+{
+    RollingShutterCamera camera(Size(640, 380), Matx33d(400, 0, 319.5, 0, 500, 189.5, 0, 0, 1));
+    const Point2d pixel(420, 100);
+
+    camera.scanDirection = SCAN_TOP_TO_BOTTOM;
+    EXPECT_DOUBLE_EQ((100 - 189.5) / 500, camera.rowTime(pixel));
+    EXPECT_TRUE(camera.isRowShutter());
+
+    camera.scanDirection = SCAN_BOTTOM_TO_TOP;
+    EXPECT_DOUBLE_EQ((189.5 - 100) / 500, camera.rowTime(pixel));
+    EXPECT_TRUE(camera.isRowShutter());
+
+    camera.referenceRow = 0;
+    EXPECT_DOUBLE_EQ(-100. / 500, camera.rowTime(pixel));
+
+    camera.scanDirection = SCAN_LEFT_TO_RIGHT;
+    camera.referenceRow = 319.5;
+    EXPECT_DOUBLE_EQ((420 - 319.5) / 500, camera.rowTime(pixel));
+    EXPECT_FALSE(camera.isRowShutter());
+
+    camera.scanDirection = SCAN_RIGHT_TO_LEFT;
+    EXPECT_DOUBLE_EQ((319.5 - 420) / 500, camera.rowTime(pixel));
+    EXPECT_FALSE(camera.isRowShutter());
+}
+
+TEST(RSAckermann_Camera, seconds_per_unit_time)
+{
+    RollingShutterCamera camera(Size(640, 380), Matx33d(400, 0, 319.5, 0, 500, 189.5, 0, 0, 1));
+    EXPECT_EQ(0, camera.secondsPerUnitTime());
+    camera.lineDelay = 2e-5;
+    EXPECT_DOUBLE_EQ(0.01, camera.secondsPerUnitTime());
+    // a line takes the line delay
+    EXPECT_NEAR(2e-5, (camera.rowTime(Point2d(0, 11)) - camera.rowTime(Point2d(0, 10))) * camera.secondsPerUnitTime(), 1e-18);
+}
+
+TEST(RSAckermann_Camera, lens_coefficients)
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 380));
+    for (int n = 0; n <= 16; n++)
+    {
+        camera.distCoeffs.assign(n, 0.01);
+        camera.lensModel = LENS_PINHOLE;
+        EXPECT_EQ(n == 0 || n == 4 || n == 5 || n == 8 || n == 12 || n == 14, complaint(camera).empty()) << n;
+        camera.lensModel = LENS_FISHEYE;
+        EXPECT_EQ(n == 0 || n == 4, complaint(camera).empty()) << n;
+    }
+}
+
+typedef void (*Spoil)(RollingShutterCamera&);
+typedef std::pair<const char*, Spoil> BadField;
+class RSAckermann_CameraCheck : public testing::TestWithParam<BadField> {};
+
+TEST_P(RSAckermann_CameraCheck, names_the_field)
+{
+    RollingShutterCamera camera = exampleCamera();
+    ASSERT_EQ("", complaint(camera));
+    GetParam().second(camera);
+    EXPECT_NE(std::string::npos, complaint(camera).find(GetParam().first)) << complaint(camera);
+}
+
+const BadField badFields[] = {
+    BadField("imageSize", [](RollingShutterCamera& c) { c.imageSize = Size(0, 380); }),
+    BadField("imageSize", [](RollingShutterCamera& c) { c.imageSize = Size(640, 0); }),
+    BadField("imageSize", [](RollingShutterCamera& c) { c.imageSize = Size(-640, -380); }),
+    BadField("cameraMatrix", [](RollingShutterCamera& c) { c.cameraMatrix(0, 0) = NaN; }),
+    BadField("cameraMatrix", [](RollingShutterCamera& c) { c.cameraMatrix(1, 1) = infinity; }),
+    BadField("cameraMatrix", [](RollingShutterCamera& c) { c.cameraMatrix(0, 0) = 0; }),
+    BadField("cameraMatrix", [](RollingShutterCamera& c) { c.cameraMatrix(1, 1) = -800; }),
+    BadField("cameraMatrix", [](RollingShutterCamera& c) { c.cameraMatrix(0, 2) = NaN; }),
+    BadField("cameraMatrix", [](RollingShutterCamera& c) { c.cameraMatrix(0, 1) = 1; }),
+    BadField("cameraMatrix", [](RollingShutterCamera& c) { c.cameraMatrix(2, 2) = 2; }),
+    BadField("cameraMatrix", [](RollingShutterCamera& c) { c.cameraMatrix(2, 0) = 0.1; }),
+    BadField("distCoeffs", [](RollingShutterCamera& c) { c.distCoeffs.resize(3); }),
+    BadField("distCoeffs", [](RollingShutterCamera& c) { c.distCoeffs[4] = NaN; }),
+    BadField("distCoeffs", [](RollingShutterCamera& c) { c.distCoeffs[0] = -infinity; }),
+    BadField("distCoeffs", [](RollingShutterCamera& c) { c.lensModel = LENS_FISHEYE; }),
+    BadField("lensModel", [](RollingShutterCamera& c) { c.lensModel = 2; }),
+    BadField("lensModel", [](RollingShutterCamera& c) { c.lensModel = -1; }),
+    BadField("scanDirection", [](RollingShutterCamera& c) { c.scanDirection = 4; }),
+    BadField("scanDirection", [](RollingShutterCamera& c) { c.scanDirection = -1; }),
+    BadField("lineDelay", [](RollingShutterCamera& c) { c.lineDelay = -1e-5; }),
+    BadField("lineDelay", [](RollingShutterCamera& c) { c.lineDelay = NaN; }),
+    BadField("lineDelay", [](RollingShutterCamera& c) { c.lineDelay = infinity; }),
+    BadField("referenceRow", [](RollingShutterCamera& c) { c.referenceRow = NaN; }),
+    BadField("referenceRow", [](RollingShutterCamera& c) { c.referenceRow = -infinity; }),
+    BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation = Matx33d::zeros(); }),
+    BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation = -c.uprightRotation; }),
+    BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation *= 1.01; }),
+    BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation(1, 2) = NaN; }),
+    BadField("heading", [](RollingShutterCamera& c) { c.heading = NaN; }),
+    BadField("heading", [](RollingShutterCamera& c) { c.heading = infinity; }),
+    BadField("height", [](RollingShutterCamera& c) { c.height = -1; }),
+    BadField("height", [](RollingShutterCamera& c) { c.height = NaN; }),
+    BadField("height", [](RollingShutterCamera& c) { c.height = infinity; }),
+};
+INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_CameraCheck, testing::ValuesIn(badFields));
+
+TEST(RSAckermann_Camera, storage_round_trip)
+{
+    const RollingShutterCamera camera = exampleCamera();
+    const char* const formats[] = {".yml", ".xml", ".json"};
+    for (int i = 0; i < 3; i++)
+    {
+        FileStorage out(formats[i], FileStorage::WRITE | FileStorage::MEMORY);
+        out << "camera" << "{";
+        camera.write(out);
+        out << "}";
+        const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+        RollingShutterCamera restored;
+        restored.read(in["camera"]);
+        expectSame(camera, restored);
+    }
+}
+
+TEST(RSAckermann_Camera, storage_without_distortion)
+{
+    RollingShutterCamera camera = exampleCamera();
+    camera.distCoeffs.clear();
+    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    camera.write(out);
+    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+    RollingShutterCamera restored = exampleCamera();
+    restored.read(in.root());
+    expectSame(camera, restored);
+}
+
+TEST(RSAckermann_Camera, storage_missing_keys_keep_values)
+{
+    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    out << "line_delay" << 5e-5;
+    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+
+    RollingShutterCamera camera = exampleCamera(), expected = camera;
+    camera.read(in.root());
+    expected.lineDelay = 5e-5;
+    expectSame(expected, camera);
+
+    camera.read(in["no such node"]);
+    expectSame(expected, camera);
+}
+
+}} // namespace

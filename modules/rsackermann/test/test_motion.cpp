@@ -1,0 +1,305 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_simulator.hpp"
+
+namespace opencv_test { namespace {
+
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+
+const double degree = CV_PI / 180;
+
+AckermannMotion exampleMotion()
+{
+    AckermannMotion m;
+    m.status = MOTION_OK;
+    m.model = MODEL_4LA;
+    m.alpha = 0.01;
+    m.B = 0.3;
+    m.D = -0.06;
+    m.lambda = 1.2;
+    m.G = 0.6;
+    m.direction = -1;
+    m.rollCorrection = 0.001;
+    m.pitchCorrection = -0.002;
+    m.wallDistance = 2.5;
+    m.candidates = 61;
+    m.inliers = 47;
+    m.rms = 0.25;
+    return m;
+}
+
+void expectSame(const AckermannMotion& a, const AckermannMotion& b)
+{
+    EXPECT_EQ(a.status, b.status);
+    EXPECT_EQ(a.model, b.model);
+    EXPECT_EQ(a.alpha, b.alpha);
+    EXPECT_EQ(a.B, b.B);
+    EXPECT_EQ(a.D, b.D);
+    EXPECT_EQ(a.lambda, b.lambda);
+    EXPECT_EQ(a.G, b.G);
+    EXPECT_EQ(a.direction, b.direction);
+    EXPECT_EQ(a.rollCorrection, b.rollCorrection);
+    EXPECT_EQ(a.pitchCorrection, b.pitchCorrection);
+    EXPECT_EQ(a.wallDistance, b.wallDistance);
+    EXPECT_EQ(a.candidates, b.candidates);
+    EXPECT_EQ(a.inliers, b.inliers);
+    EXPECT_EQ(a.rms, b.rms);
+}
+
+//! A camera at a random tilt and heading.
+RollingShutterCamera randomCamera(RNG& rng)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.setRollPitch(rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3));
+    camera.heading = rng.uniform(-CV_PI, CV_PI);
+    return camera;
+}
+
+TEST(RSAckermann_Motion, default_is_at_rest)
+{
+    const AckermannMotion m;
+    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, m.status);
+    EXPECT_EQ(MODEL_NONE, m.model);
+    EXPECT_EQ(0, m.alpha);
+    EXPECT_EQ(0, m.B);
+    EXPECT_EQ(0, m.D);
+    EXPECT_EQ(0, m.lambda);
+    EXPECT_EQ(0, m.G);
+    EXPECT_EQ(1, m.direction);
+    EXPECT_EQ(0, m.delta());
+}
+
+// The paper's setting by hand: f = 816 px, line delay 0.4/30/380 s, left wall 2.5 m, right wall 3 m, camera at 1.2 m.
+TEST(RSAckermann_Motion, fromMetric_forward_camera)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const double unit = 816 * 0.4 / 30 / 380;
+    const AckermannMotion m = AckermannMotion::fromMetric(camera, 40 * degree, 20, 2.5, 3, 0.05);
+    EXPECT_EQ(MOTION_OK, m.status);
+    EXPECT_EQ(MODEL_4LA, m.model);
+    EXPECT_NEAR(20 * degree * unit, m.alpha, 1e-15);
+    EXPECT_NEAR(20 * unit / 2.5, std::hypot(m.B, m.D), 1e-15);
+    EXPECT_NEAR(std::tan(0.05), m.delta(), 1e-15);
+    EXPECT_GT(m.B, 0);
+    EXPECT_NEAR(2.5 / 3, m.lambda, 1e-15);
+    EXPECT_NEAR(20 * unit / 1.2, m.G, 1e-15);
+    EXPECT_EQ(1, m.direction);
+    EXPECT_EQ(2.5, m.wallDistance);
+
+    const AckermannMotion reverse = AckermannMotion::fromMetric(camera, 40 * degree, -20, 2.5, 3, 0.05);
+    EXPECT_NEAR(m.alpha, reverse.alpha, 1e-15);
+    EXPECT_NEAR(-m.B, reverse.B, 1e-15);
+    EXPECT_NEAR(-m.D, reverse.D, 1e-15);
+    EXPECT_NEAR(m.lambda, reverse.lambda, 1e-15);
+    EXPECT_NEAR(-m.G, reverse.G, 1e-15);
+    EXPECT_EQ(-1, reverse.direction);
+}
+
+// A camera that looks to the right sees the right wall parallel to the image: B = 0, D = beta / distance.
+TEST(RSAckermann_Motion, fromMetric_side_cameras)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    const double w = 10 * camera.secondsPerUnitTime() / 4;
+
+    camera.heading = -CV_PI / 2;
+    AckermannMotion m = AckermannMotion::fromMetric(camera, 0, 10, 0, 4, camera.heading);
+    EXPECT_NEAR(0, m.B, 1e-15);
+    EXPECT_NEAR(w, m.D, 1e-15);
+    EXPECT_EQ(0, m.lambda);
+    EXPECT_EQ(4, m.wallDistance);
+    EXPECT_EQ(MODEL_3LA, m.model);
+    EXPECT_EQ(0, m.delta());
+
+    camera.heading = CV_PI / 2;
+    m = AckermannMotion::fromMetric(camera, 0, 10, 4, 0, camera.heading);
+    EXPECT_NEAR(0, m.B, 1e-15);
+    EXPECT_NEAR(w, m.D, 1e-15);
+    EXPECT_EQ(0, m.lambda);
+}
+
+TEST(RSAckermann_Motion, fromMetric_models)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    EXPECT_EQ(MODEL_1LA, AckermannMotion::fromMetric(camera, 0.5, 0, 2, 2, 0).model);
+    EXPECT_EQ(MODEL_3LA, AckermannMotion::fromMetric(camera, 0, 10, 2, 2, 0).model);
+    EXPECT_EQ(MODEL_4LA, AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0).model);
+    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, AckermannMotion::fromMetric(camera, 0, 0, 2, 2, 0).status);
+    camera.height = 0;
+    EXPECT_EQ(0, AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0).G);
+}
+
+TEST(RSAckermann_Motion, fromMetric_bad_arguments)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    EXPECT_THROW(AckermannMotion::fromMetric(camera, NaN, 10, 2, 2, 0), cv::Exception);
+    EXPECT_THROW(AckermannMotion::fromMetric(camera, 0.5, infinity, 2, 2, 0), cv::Exception);
+    EXPECT_THROW(AckermannMotion::fromMetric(camera, 0.5, 10, -2, 2, 0), cv::Exception);
+    EXPECT_THROW(AckermannMotion::fromMetric(camera, 0.5, 10, 2, NaN, 0), cv::Exception);
+    EXPECT_THROW(AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, infinity), cv::Exception);
+    RollingShutterCamera untimed = camera;
+    untimed.lineDelay = 0;
+    EXPECT_THROW(AckermannMotion::fromMetric(untimed, 0.5, 10, 2, 2, 0), cv::Exception);
+    EXPECT_THROW(AckermannMotion::fromMetric(RollingShutterCamera(), 0.5, 10, 2, 2, 0), cv::Exception);
+}
+
+TEST(RSAckermann_Motion, metric_round_trip)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 1000; i++)
+    {
+        const RollingShutterCamera camera = randomCamera(rng);
+        const double yawRate = rng.uniform(-1.5, 1.5), speed = rng.uniform(-40., 40.);
+        const int walls = rng.uniform(1, 4);
+        const double left = walls & 1 ? rng.uniform(1., 10.) : 0, right = walls & 2 ? rng.uniform(1., 10.) : 0;
+        const AckermannMotion m = AckermannMotion::fromMetric(camera, yawRate, speed, left, right, rng.uniform(-CV_PI, CV_PI));
+        double w = 0, v = 0;
+        ASSERT_TRUE(m.yawRate(camera, w));
+        ASSERT_NEAR(yawRate, w, 1e-12);
+        ASSERT_TRUE(m.speed(camera, v));
+        ASSERT_NEAR(speed, v, 1e-11);
+    }
+}
+
+TEST(RSAckermann_Motion, metric_values_are_unknown_without_scale)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    AckermannMotion m = AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0);
+    camera.lineDelay = 0;
+    double value = NaN;
+    EXPECT_FALSE(m.yawRate(camera, value));
+    EXPECT_EQ(value, value) << "NaN";
+    value = NaN;
+    EXPECT_FALSE(m.speed(camera, value));
+    EXPECT_EQ(value, value) << "NaN";
+}
+
+// The planes of a motion give the depth of the points that the simulator's rays hit.
+TEST(RSAckermann_Motion, depth_agrees_with_ray_casting)
+{
+    RNG& rng = theRNG();
+    int seen[4] = {0, 0, 0, 0};
+    for (int i = 0; i < 1000; i++)
+    {
+        const RollingShutterCamera camera = randomCamera(rng);
+        const double speed = rng.uniform(1., 40.) * (rng.uniform(0, 2) ? 1 : -1);
+        const double left = rng.uniform(1., 10.), right = rng.uniform(1., 10.);
+        const AckermannMotion m = AckermannMotion::fromMetric(camera, 0.5, speed, left, right, camera.heading);
+        const simulation::Simulator truth = simulation::Simulator::fromMetric(camera, 0.5, speed, left, right, camera.heading);
+        const double x = rng.uniform(-0.6, 0.6), y = rng.uniform(-0.4, 0.4);
+        const Vec3d ray(x, y, 1);
+        const simulation::Surface plane = truth.street.first(Vec3d(), ray);
+        const double depth = truth.street.distance(plane, Vec3d(), ray);
+        const double w[] = {0, m.D - m.B * x, m.lambda * (m.B * x - m.D), m.G * y};
+        const double beta = speed * camera.secondsPerUnitTime();
+        ASSERT_NEAR(beta / depth, w[plane], 1e-12 * std::abs(beta));
+        for (int j = 0; j < 4; j++)
+            ASSERT_LE(m.direction * w[j], m.direction * w[plane] + 1e-12) << "the nearest plane has the largest inverse depth";
+        seen[plane]++;
+    }
+    for (int j = simulation::LEFT; j <= simulation::ROAD; j++)
+        EXPECT_GT(seen[j], 50);
+}
+
+// The pose of a row maps a point seen at that time to the same point at the reference row.
+TEST(RSAckermann_Motion, pose_agrees_with_simulation)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 1000; i++)
+    {
+        const RollingShutterCamera camera = randomCamera(rng);
+        const double yawRate = rng.uniform(-1.5, 1.5), speed = rng.uniform(1., 40.) * (rng.uniform(0, 2) ? 1 : -1);
+        const AckermannMotion m = AckermannMotion::fromMetric(camera, yawRate, speed, 2.5, 3, 0.1);
+        const simulation::Drive drive = simulation::Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, 0.1).drive;
+        const double beta = std::abs(drive.speed), t = rng.uniform(-0.3, 0.3);
+
+        Matx33d R;
+        Vec3d T;
+        m.pose(camera, t, R, T);
+        const Vec3d P(rng.uniform(-5., 5.), rng.uniform(-2., 2.), rng.uniform(3., 20.));
+        const Vec3d now = camera.uprightRotation.t() * drive.toCamera(P, t), reference = camera.uprightRotation.t() * P;
+        // lengths of a pose are those at which the scaled inverse depth beta / depth is 1
+        ASSERT_LT(cv::norm(R * now + T * beta - reference), 1e-12);
+        ASSERT_LT(cv::norm(R * R.t() - Matx33d::eye()), 1e-12);
+    }
+}
+
+TEST(RSAckermann_Motion, pose_of_a_pure_rotation_has_no_translation)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    AckermannMotion m;
+    m.alpha = 0.02;
+    m.status = MOTION_OK;
+    m.model = MODEL_1LA;
+    Matx33d R;
+    Vec3d T(1, 2, 3);
+    m.pose(camera, 0.2, R, T);
+    EXPECT_EQ(Vec3d(), T);
+    // the car turns to the right: what the later camera sees ahead is to the right for the earlier one
+    EXPECT_LT(cv::norm(R * Vec3d(0, 0, 1) - Vec3d(std::sin(0.008), 0, std::cos(0.008))), 1e-15);
+    EXPECT_THROW(m.pose(camera, NaN, R, T), cv::Exception);
+}
+
+// A heading of +90 degrees: the car moves to the right of what the camera looks at.
+TEST(RSAckermann_Motion, heading_sign)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.heading = CV_PI / 2;
+    const AckermannMotion m = AckermannMotion::fromMetric(camera, 0, 10, 4, 0, camera.heading);
+    Matx33d R;
+    Vec3d T;
+    m.pose(camera, 0.1, R, T);
+    EXPECT_LT(cv::norm(T - Vec3d(0.1, 0, 0)), 1e-15);
+}
+
+TEST(RSAckermann_Motion, corrections_add_to_roll_and_pitch)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    AckermannMotion m;
+    EXPECT_EQ(camera.uprightRotation, m.uprightRotation(camera));
+
+    // first order: the corrected rotation is that of a camera with the corrected angles
+    camera.setRollPitch(0.05, -0.08);
+    m.rollCorrection = 1e-4;
+    m.pitchCorrection = -2e-4;
+    RollingShutterCamera corrected = camera;
+    corrected.setRollPitch(0.05 + 1e-4, -0.08 - 2e-4);
+    EXPECT_LT(cv::norm(m.uprightRotation(camera) * corrected.gravity() - Vec3d(0, 1, 0)), 0.1 * 2e-4);
+}
+
+TEST(RSAckermann_Motion, storage_round_trip)
+{
+    const AckermannMotion motion = exampleMotion();
+    const char* const formats[] = {".yml", ".xml", ".json"};
+    for (int i = 0; i < 3; i++)
+    {
+        FileStorage out(formats[i], FileStorage::WRITE | FileStorage::MEMORY);
+        out << "motion" << "{";
+        motion.write(out);
+        out << "}";
+        const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+        AckermannMotion restored;
+        restored.read(in["motion"]);
+        expectSame(motion, restored);
+    }
+}
+
+TEST(RSAckermann_Motion, storage_missing_keys_keep_values)
+{
+    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    out << "alpha" << 0.5;
+    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+
+    AckermannMotion motion = exampleMotion(), expected = motion;
+    motion.read(in.root());
+    expected.alpha = 0.5;
+    expectSame(expected, motion);
+
+    motion.read(in["no such node"]);
+    expectSame(expected, motion);
+}
+
+}} // namespace
