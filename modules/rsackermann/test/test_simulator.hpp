@@ -376,9 +376,9 @@ inline cv::rsackermann::VerticalSegment toVerticalSegment(const Simulator& simul
     const Point2d u(segment[0], segment[1]), v(segment[2], segment[3]);
     const Vec3d a = simulator.bearing(u), b = simulator.bearing(v);
     cv::rsackermann::VerticalSegment result;
-    result.azimuthU = std::atan2(a[0], a[2]);
+    result.u = Point2d(a[0], a[2]);
     result.timeU = simulator.time(u);
-    result.azimuthV = std::atan2(b[0], b[2]);
+    result.v = Point2d(b[0], b[2]);
     result.timeV = simulator.time(v);
     return result;
 }

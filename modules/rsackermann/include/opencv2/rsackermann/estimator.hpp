@@ -59,6 +59,8 @@ public:
         CV_PROP_RW int detector;          //!< one of #SegmentDetector, default #DETECTOR_LSD
         CV_PROP_RW double minLength;      //!< pixels; shorter segments are left out, default 35
         CV_PROP_RW double maxSlant;       //!< largest tangent of the angle between a candidate and the vertical where the limits of motion give no smaller one, default 0.35
+        CV_PROP_RW double slantTolerance; //!< tangent of the angle by which noise and an inexact gravity may exceed the limits of motion, default 0.06
+        CV_PROP_RW int minCandidates;     //!< with fewer candidates no motion is estimated, default 6
         CV_PROP_RW double threshold;      //!< pixels; a candidate with a smaller residual is an inlier, default 0.5
         CV_PROP_RW double confidence;     //!< probability with which RANSAC has found the best consensus, default 0.99
         CV_PROP_RW int maxIterations;     //!< largest number of minimal samples, default 1000
@@ -66,6 +68,9 @@ public:
         CV_PROP_RW double maxYawRate;     //!< radians per second, default 90 degrees per second; used where lineDelay is known
         CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used where lineDelay and the wall's distance are known
         CV_PROP_RW double wallDistance;   //!< metres to the left (or only) wall; 0: unknown (default)
+
+        //! Throws cv::Exception with the name and value of the first field that is out of range.
+        CV_WRAP void check() const;
 
         void write(FileStorage& fs) const;
         //! Reads what write() has written. Fields that are missing keep their values.

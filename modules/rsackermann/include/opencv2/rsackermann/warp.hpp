@@ -53,10 +53,12 @@ public:
     @param motion the motion.
     @param map1 first map, of the size of the global-shutter camera.
     @param map2 second map.
-    @param m1type type of map1: CV_32FC1 or CV_32FC2, with the meaning of cv::initUndistortRectifyMap.
+    @param m1type type of map1 with the meaning of cv::initUndistortRectifyMap: CV_32FC1, CV_32FC2 or CV_16SC2; 0 or less
+    stands for CV_16SC2.
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the raw image and 0 elsewhere.
 
-    A pixel for which there is no place in the raw image (behind the camera, no convergence) is mapped far outside.
+    A pixel for which there is no place in the raw image (behind the camera, beyond the lens model, no convergence, at an
+    instant at which the camera would have passed a wall) is mapped to (-16384, -16384).
      */
     CV_WRAP virtual void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type = CV_32FC1,
                                         OutputArray mask = noArray()) const = 0;
@@ -68,9 +70,50 @@ public:
     @param map2 second map.
     @param m1type as in initRectifyMap().
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the global-shutter image and 0 elsewhere.
+
+    A raw pixel sees the nearest plane along its ray, or infinity where the ray meets none. The planes surround the camera
+    without hiding one another, unless it passes a wall; rows at whose instant it would have done so are mapped to
+    (-16384, -16384), and so are pixels for which the lens model has no ray.
      */
     CV_WRAP virtual void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type = CV_32FC1,
                                         OutputArray mask = noArray()) const = 0;
+
+    /** @brief Moves points of the raw image to where the global-shutter camera sees them.
+    @param motion the motion.
+    @param src points in pixels of the raw image: N x 2 matrix, or N x 1 or 1 x N matrix with two channels, CV_32F or CV_64F.
+    @param dst points in pixels of the global-shutter camera, of the size and type of src; (-16384, -16384) where there is none.
+    @param depths metres along the optical axis of the global-shutter camera to each point, N values CV_32F or CV_64F; for
+    points whose value is not positive, and without this argument, the planes of the motion are used. Depths need
+    AckermannMotion::wallDistance, or AckermannMotion::G and RollingShutterCamera::height.
+    @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not.
+     */
+    CV_WRAP virtual void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths = noArray(),
+                                       OutputArray mask = noArray()) const = 0;
+
+    /** @brief Moves points of the global-shutter camera to where the raw image shows them; the inverse of correctPoints().
+    @param motion the motion.
+    @param src points in pixels of the global-shutter camera, as in correctPoints().
+    @param dst points in pixels of the raw image, of the size and type of src; (-16384, -16384) where there is none.
+    @param depths as in correctPoints().
+    @param mask as in correctPoints().
+     */
+    CV_WRAP virtual void distortPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths = noArray(),
+                                       OutputArray mask = noArray()) const = 0;
+
+    /** @brief The largest rectangle of the global-shutter image all of whose pixels are seen in the raw image.
+    @param motion the motion.
+     */
+    CV_WRAP virtual Rect validRoi(const AckermannMotion& motion) const = 0;
+
+    /** @brief Camera matrix for Params::newCameraMatrix that shows more or less of the raw image, as
+    cv::getOptimalNewCameraMatrix makes it for the lens alone.
+    @param motion the motion; AckermannMotion() for a matrix that stays the same from frame to frame.
+    @param alpha 0: all pixels of the global-shutter image are seen in the raw image; 1: all pixels of the raw image are
+    seen in the global-shutter image; between them a mixture.
+    @param newSize image size of the global-shutter camera; 0 x 0: Params::newSize.
+    @return the matrix; the present one of the global-shutter camera where a border of the raw image has no place in it.
+     */
+    CV_WRAP virtual Matx33d optimalNewCameraMatrix(const AckermannMotion& motion, double alpha, const Size& newSize = Size()) const = 0;
 };
 
 //! @}

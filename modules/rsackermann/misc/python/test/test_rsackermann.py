@@ -1,0 +1,154 @@
+#!/usr/bin/env python
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+import math
+
+import cv2 as cv
+import numpy as np
+
+from tests_common import NewOpenCVTests
+
+SIZE = (640, 380)
+FOCAL = 816.0
+LINE_DELAY = 0.4 / 30 / SIZE[1]  # 30 frames a second, 40 % of it to read the rows
+LEFT_WALL, RIGHT_WALL = 2.5, 3.0  # metres
+YAW_RATE = math.radians(35)
+SPEED = 15.0  # metres a second
+
+
+def make_camera():
+    camera = cv.rsackermann.RollingShutterCamera_fromFocal(SIZE, FOCAL)
+    camera.lineDelay = LINE_DELAY
+    camera.height = 1.2
+    return camera
+
+
+def project(camera, point):
+    """The raw pixel of a point in metres in the frame at the reference row, by bisection on the row."""
+    def row_error(row):
+        seconds = (row - camera.referenceRow) * LINE_DELAY
+        yaw = YAW_RATE * seconds
+        length = SPEED * seconds * np.sinc(yaw / 2 / np.pi)
+        x = point[0] - length * math.sin(yaw / 2)
+        z = point[2] - length * math.cos(yaw / 2)
+        x, z = math.cos(yaw) * x - math.sin(yaw) * z, math.sin(yaw) * x + math.cos(yaw) * z
+        column = (SIZE[0] - 1) / 2.0 + FOCAL * x / z
+        return (SIZE[1] - 1) / 2.0 + FOCAL * point[1] / z - row, column
+
+    low, high = -100.0, SIZE[1] + 100.0
+    for _ in range(60):
+        middle = (low + high) / 2
+        if row_error(middle)[0] > 0:
+            low = middle
+        else:
+            high = middle
+    return row_error(middle)[1], middle
+
+
+def wall_segments(camera):
+    """Images of vertical lines on both walls."""
+    segments = []
+    for z in np.linspace(8, 28, 21):
+        for x in (-LEFT_WALL, RIGHT_WALL):
+            half = 0.21 * z  # of the visible height
+            segments.append(project(camera, (x, -half, z)) + project(camera, (x, 0.8 * half, z)))
+    segments = np.array(segments, np.float32)
+    inside = (segments[:, 0::2] > 0).all(axis=1) & (segments[:, 0::2] < SIZE[0] - 1).all(axis=1)
+    return segments[inside]
+
+
+class rsackermann_test(NewOpenCVTests):
+
+    def test_camera(self):
+        K = np.array([[816, 0, 320], [0, 810, 190], [0, 0, 1]], np.float64)
+        camera = cv.rsackermann.RollingShutterCamera(SIZE, K, [0.1, -0.05, 0, 0])
+        np.testing.assert_array_equal(camera.cameraMatrix, K)
+        self.assertEqual(list(camera.distCoeffs), [0.1, -0.05, 0, 0])
+        self.assertEqual(camera.scanDirection, cv.rsackermann.SCAN_TOP_TO_BOTTOM)
+        self.assertAlmostEqual(camera.rowTime((5, camera.referenceRow + 81)), 0.1)
+
+        camera.setRollPitch(0.1, -0.2)
+        gravity = np.array([math.sin(0.1), math.cos(0.1) * math.cos(-0.2), math.sin(-0.2)])
+        np.testing.assert_allclose(camera.gravity(), gravity / np.linalg.norm(gravity), atol=1e-12)
+
+        camera.lineDelay = -1
+        with self.assertRaisesRegex(cv.error, 'lineDelay'):
+            camera.check()
+
+    def test_motion(self):
+        camera = make_camera()
+        motion = cv.rsackermann.AckermannMotion_fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        known, yaw_rate = motion.yawRate(camera)
+        self.assertTrue(known)
+        self.assertAlmostEqual(yaw_rate, YAW_RATE)
+        known, speed = motion.speed(camera)
+        self.assertTrue(known)
+        self.assertAlmostEqual(speed, SPEED)
+        # The name is a keyword of Python.
+        self.assertAlmostEqual(getattr(motion, 'lambda'), LEFT_WALL / RIGHT_WALL)
+
+    def test_estimator(self):
+        camera = make_camera()
+        params = cv.rsackermann.AckermannEstimator_Params()
+        params.wallDistance = LEFT_WALL
+        estimator = cv.rsackermann.AckermannEstimator_create(camera, params)
+        self.assertEqual(estimator.getParams().wallDistance, LEFT_WALL)
+
+        segments = wall_segments(camera)
+        self.assertGreater(len(segments), 20)
+        motion, labels = estimator.estimate(segments)
+        self.assertEqual(motion.status, cv.rsackermann.MOTION_OK)
+        self.assertEqual(motion.model, cv.rsackermann.MODEL_4LA)
+        self.assertAlmostEqual(motion.yawRate(camera)[1], YAW_RATE, delta=0.01 * YAW_RATE)
+        self.assertAlmostEqual(motion.speed(camera)[1], SPEED, delta=0.01 * SPEED)
+        walls = np.where(segments[:, 0] < SIZE[0] / 2, cv.rsackermann.SEGMENT_LEFT_WALL, cv.rsackermann.SEGMENT_RIGHT_WALL)
+        np.testing.assert_array_equal(np.ravel(labels), walls)
+
+        motion, labels = estimator.estimate(segments[:1])
+        self.assertEqual(motion.status, cv.rsackermann.MOTION_TOO_FEW_SEGMENTS)
+
+    def test_maps(self):
+        camera = make_camera()
+        generator = cv.rsackermann.WarpMapGenerator_create(camera)
+        motion = cv.rsackermann.AckermannMotion_fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+
+        # A point on the left wall: where the maps find it in the raw image is where the simulation puts it.
+        column, row = 150, 100
+        x, y = (column - (SIZE[0] - 1) / 2.0) / FOCAL, (row - (SIZE[1] - 1) / 2.0) / FOCAL
+        z = -LEFT_WALL / x
+        map1, map2, mask = generator.initRectifyMap(motion)
+        self.assertEqual(map1.shape, (SIZE[1], SIZE[0]))
+        self.assertEqual(mask[row, column], 255)
+        np.testing.assert_allclose((map1[row, column], map2[row, column]), project(camera, (x * z, y * z, z)), atol=0.01)
+
+        # And the maps of the other direction lead back.
+        back1, back2, _ = generator.initDistortMap(motion)
+        there = map1[row, column], map2[row, column]
+        self.assertAlmostEqual(float(cv.remap(back1, *(np.float32([[v]]) for v in there), cv.INTER_CUBIC)[0, 0]), column, delta=0.05)
+        self.assertAlmostEqual(float(cv.remap(back2, *(np.float32([[v]]) for v in there), cv.INTER_CUBIC)[0, 0]), row, delta=0.05)
+
+    def test_corrector(self):
+        corrector = cv.rsackermann.RollingShutterCorrector_create(make_camera())
+        image = np.full((SIZE[1], SIZE[0], 3), 90, np.uint8)
+        motion, corrected, mask = corrector.correct(image)
+        self.assertEqual(motion.status, cv.rsackermann.MOTION_TOO_FEW_SEGMENTS)
+        np.testing.assert_array_equal(corrected, image)
+        self.assertEqual(mask.min(), 255)
+        with self.assertRaises(cv.error):
+            corrector.correct(image[:-1])
+
+    def test_draw(self):
+        camera = make_camera()
+        motion = cv.rsackermann.AckermannMotion_fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        segments = wall_segments(camera)
+        labels = np.full((len(segments), 1), cv.rsackermann.SEGMENT_OUTLIER, np.uint8)
+        image = np.full((SIZE[1], SIZE[0], 3), 90, np.uint8)
+        drawn = cv.rsackermann.drawMotion(image, segments, labels, camera, motion)
+        x, y = np.round((segments[0, :2] + segments[0, 2:]) / 2).astype(int)
+        self.assertEqual(drawn[y, x].tolist(), [0, 0, 0])
+
+
+if __name__ == '__main__':
+    NewOpenCVTests.bootstrap()

@@ -1,0 +1,218 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "opencv2/imgproc.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR)
+{
+}
+
+void RollingShutterCorrector::Params::write(FileStorage& fs) const
+{
+    fs << "estimator" << "{";
+    estimator.write(fs);
+    fs << "}" << "warp" << "{";
+    warp.write(fs);
+    fs << "}" << "interpolation" << interpolation;
+}
+
+void RollingShutterCorrector::Params::read(const FileNode& fn)
+{
+    estimator.read(fn["estimator"]);
+    warp.read(fn["warp"]);
+    cv::read(fn["interpolation"], interpolation, interpolation);
+}
+
+static void checkInterpolation(int interpolation)
+{
+    if (interpolation != INTER_NEAREST && interpolation != INTER_LINEAR && interpolation != INTER_CUBIC && interpolation != INTER_LANCZOS4)
+        CV_Error(Error::StsBadArg, format("interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) "
+                                          "is expected", interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4));
+}
+
+// Whether a camera at rest already gives the global-shutter image.
+static bool isIdentity(const RollingShutterCamera& camera, const WarpMapGenerator::Params& warp)
+{
+    bool noLens = camera.lensModel == LENS_PINHOLE;
+    for (size_t i = 0; i < camera.distCoeffs.size(); i++)
+        noLens = noLens && camera.distCoeffs[i] == 0;
+    return noLens && (warp.newCameraMatrix == Matx33d::zeros() || warp.newCameraMatrix == camera.cameraMatrix) &&
+           (warp.newSize == Size() || warp.newSize == camera.imageSize);
+}
+
+namespace {
+
+// Milliseconds between calls.
+class Stopwatch
+{
+public:
+    Stopwatch() : last(getTickCount()) {}
+
+    double lap()
+    {
+        const int64 now = getTickCount();
+        const double ms = (now - last) * 1000. / getTickFrequency();
+        last = now;
+        return ms;
+    }
+
+private:
+    int64 last;
+};
+
+class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
+{
+public:
+    RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
+        : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp))
+    {
+        checkInterpolation(params_.interpolation);
+        params = params_;
+    }
+
+    void setCamera(const RollingShutterCamera& camera) CV_OVERRIDE
+    {
+        estimator->setCamera(camera);
+        generator->setCamera(camera);
+    }
+
+    RollingShutterCamera getCamera() const CV_OVERRIDE { return generator->getCamera(); }
+
+    void setParams(const Params& params_) CV_OVERRIDE
+    {
+        checkInterpolation(params_.interpolation);
+        estimator->setParams(params_.estimator);
+        generator->setParams(params_.warp);
+        params = params_;
+    }
+
+    Params getParams() const CV_OVERRIDE { return params; }
+
+    AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask) CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkSource(src);
+        Stopwatch watch;
+        detectSegments(src, segments, params.estimator.detector, params.estimator.minLength);
+        timings = Vec4d(watch.lap(), 0, 0, 0);
+        return estimateAndWarp(src, dst, mask);
+    }
+
+    AckermannMotion correctWithSegments(InputArray src, InputArray segments_, OutputArray dst, OutputArray mask) CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkSource(src);
+        segments_.copyTo(segments);
+        timings = Vec4d();
+        return estimateAndWarp(src, dst, mask);
+    }
+
+    void getSegments(OutputArray segments_, OutputArray labels_) const CV_OVERRIDE
+    {
+        if (segments.empty())
+            Mat(0, 4, CV_32F).copyTo(segments_);
+        else
+            segments.reshape(1, int(segments.total() * segments.channels() / 4)).convertTo(segments_, CV_32F);
+        labels.copyTo(labels_);
+    }
+
+    void getMaps(OutputArray map1_, OutputArray map2_) const CV_OVERRIDE
+    {
+        if (copiedSize != Size())
+            identityMaps(map1_, map2_);
+        else
+        {
+            map1.copyTo(map1_);
+            map2.copyTo(map2_);
+        }
+    }
+
+    Vec4d getTimings() const CV_OVERRIDE { return timings; }
+
+    void write(FileStorage& fs) const CV_OVERRIDE
+    {
+        writeFormat(fs);
+        params.write(fs);
+    }
+
+    void read(const FileNode& fn) CV_OVERRIDE
+    {
+        Params p = params;
+        p.read(fn);
+        setParams(p);
+    }
+
+    String getDefaultName() const CV_OVERRIDE { return "rsackermann.RollingShutterCorrector"; }
+
+private:
+    void checkSource(InputArray src) const
+    {
+        const Size expected = generator->getCamera().imageSize;
+        if (src.size() != expected)
+            CV_Error(Error::StsBadArg, format("src is %d x %d; the camera's size %d x %d is expected", src.cols(), src.rows(), expected.width,
+                                              expected.height));
+    }
+
+    AckermannMotion estimateAndWarp(InputArray src, OutputArray dst, OutputArray mask)
+    {
+        Stopwatch watch;
+        const AckermannMotion motion = estimator->estimate(segments, labels);
+        timings[1] = watch.lap();
+
+        const bool copied = motion.status != MOTION_OK && isIdentity(generator->getCamera(), params.warp);
+        copiedSize = copied ? src.size() : Size();
+        if (copied)
+        {
+            src.copyTo(dst);
+            if (mask.needed())
+            {
+                mask.create(src.size(), CV_8UC1);
+                mask.setTo(255);
+            }
+        }
+        else
+            generator->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
+        timings[2] = watch.lap();
+
+        if (!copied)
+            remap(src, dst, map1, map2, params.interpolation);
+        timings[3] = watch.lap();
+        return motion;
+    }
+
+    void identityMaps(OutputArray map1_, OutputArray map2_) const
+    {
+        Mat row(1, copiedSize.width, CV_32F), column(copiedSize.height, 1, CV_32F);
+        for (int x = 0; x < copiedSize.width; x++)
+            row.at<float>(x) = float(x);
+        for (int y = 0; y < copiedSize.height; y++)
+            column.at<float>(y) = float(y);
+        repeat(row, copiedSize.height, 1, map1_);
+        repeat(column, 1, copiedSize.width, map2_);
+    }
+
+    Params params;
+    Ptr<AckermannEstimator> estimator;
+    Ptr<WarpMapGenerator> generator;
+
+    // of the last image
+    Mat segments, labels;
+    Mat map1, map2;
+    Size copiedSize; // where the image was copied: the maps are the identity and haven't been made
+    Vec4d timings;
+};
+
+} // namespace
+
+Ptr<RollingShutterCorrector> RollingShutterCorrector::create(const RollingShutterCamera& camera, const Params& params)
+{
+    CV_INSTRUMENT_REGION();
+    return makePtr<RollingShutterCorrectorImpl>(camera, params);
+}
+
+}} // namespace cv::rsackermann

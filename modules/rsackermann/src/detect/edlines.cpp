@@ -1,0 +1,54 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "detectors.hpp"
+#ifdef HAVE_OPENCV_XIMGPROC
+#include "opencv2/ximgproc.hpp"
+#endif
+
+namespace cv {
+namespace rsackermann {
+
+#ifdef HAVE_OPENCV_XIMGPROC
+static size_t longestChain(const std::vector<std::vector<Point> >& chains)
+{
+    size_t longest = 0;
+    for (size_t i = 0; i < chains.size(); i++)
+        longest = std::max(longest, chains[i].size());
+    return longest;
+}
+
+void detectEDLines(const Mat& gray, double minLength, std::vector<Vec4f>& segments)
+{
+    const Ptr<ximgproc::EdgeDrawing> detector = ximgproc::createEdgeDrawing();
+    ximgproc::EdgeDrawing::Params params;
+    params.MinLineLength = std::max(1, cvFloor(minLength));
+    detector->setParams(params);
+
+    // EdgeDrawing::detectLines writes past the end of its buffers where a chain of edge pixels is longer than that; a wider
+    // image has longer buffers.
+    const size_t buffersPerSide = 8;
+    Mat image = gray;
+    for (;;)
+    {
+        detector->detectEdges(image);
+        const size_t longest = longestChain(detector->getSegments());
+        const size_t sides = image.rows + image.cols;
+        if (longest <= buffersPerSide * sides)
+            break;
+        Mat wider;
+        copyMakeBorder(image, wider, 0, 0, 0, int(longest / buffersPerSide + 1 - sides), BORDER_REPLICATE);
+        image = wider;
+    }
+    detector->detectLines(segments);
+}
+#else
+void detectEDLines(const Mat&, double, std::vector<Vec4f>&)
+{
+    CV_Error(Error::StsNotImplemented, "DETECTOR_EDLINES needs the module ximgproc, without which this library was built");
+}
+#endif
+
+}} // namespace cv::rsackermann

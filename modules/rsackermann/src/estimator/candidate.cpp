@@ -1,0 +1,91 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../camera/rays.hpp"
+#include "candidate.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+{
+    maxAlpha = params.maxSlant / 2;
+    maxSpeed = 4 * params.maxSlant;
+    const double unit = camera.secondsPerUnitTime();
+    if (unit > 0)
+    {
+        maxAlpha = std::min(maxAlpha, params.maxYawRate * unit / 2);
+        if (params.wallDistance > 0)
+            maxSpeed = std::min(maxSpeed, params.maxSpeed * unit / params.wallDistance);
+    }
+}
+
+double MotionLimits::maxSlant(double x, double heading) const
+{
+    const double turning = 2 * maxAlpha * (1 + x * x);
+    const double passing = maxSpeed * std::sqrt(1 + x * x) * std::abs(std::sin(heading) - x * std::cos(heading));
+    return turning + passing;
+}
+
+static bool isFinite(const double* segment)
+{
+    for (int i = 0; i < 4; i++)
+        if (cvIsNaN(segment[i]) || cvIsInf(segment[i]))
+            return false;
+    return true;
+}
+
+// The rays of the ends in the upright frame with z = 1. Returns false behind the camera.
+static bool uprightBearing(const Matx33d& upright, const Point2d& ray, Vec3d& bearing)
+{
+    bearing = upright * Vec3d(ray.x, ray.y, 1);
+    if (!(bearing[2] > 1e-3))
+        return false;
+    bearing *= 1 / bearing[2];
+    return true;
+}
+
+static bool isLeft(const Candidate& a, const Candidate& b)
+{
+    const double xa = a.u[0] + a.v[0], xb = b.u[0] + b.v[0];
+    return xa != xb ? xa < xb : a.index < b.index;
+}
+
+void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                      std::vector<Candidate>& candidates)
+{
+    candidates.clear();
+    std::vector<Point2d> ends, rays;
+    std::vector<int> indices;
+    for (int i = 0; i < segments.rows; i++)
+    {
+        const double* s = segments.ptr<double>(i);
+        if (!isFinite(s) || !(std::hypot(s[0] - s[2], s[1] - s[3]) >= params.minLength))
+            continue;
+        ends.push_back(Point2d(s[0], s[1]));
+        ends.push_back(Point2d(s[2], s[3]));
+        indices.push_back(i);
+    }
+    undistortedRays(camera, ends, rays);
+
+    const MotionLimits limits(camera, params);
+    for (size_t k = 0; k < indices.size(); k++)
+    {
+        Candidate c;
+        if (!uprightBearing(camera.uprightRotation, rays[2 * k], c.u) || !uprightBearing(camera.uprightRotation, rays[2 * k + 1], c.v))
+            continue;
+        c.timeU = camera.rowTime(ends[2 * k]);
+        c.timeV = camera.rowTime(ends[2 * k + 1]);
+        c.length = norm(ends[2 * k] - ends[2 * k + 1]);
+        c.index = indices[k];
+        const double dx = std::abs(c.u[0] - c.v[0]), dt = std::abs(c.timeU - c.timeV);
+        const double possible = limits.maxSlant((c.u[0] + c.v[0]) / 2, camera.heading) + params.slantTolerance;
+        if (dt > 0 && dx <= std::min(possible, params.maxSlant) * dt)
+            candidates.push_back(c);
+    }
+    std::sort(candidates.begin(), candidates.end(), isLeft);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,164 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../scene.hpp"
+#include "selection.hpp"
+#include "vertical_residual.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+namespace {
+
+class AckermannEstimatorImpl CV_FINAL : public AckermannEstimator
+{
+public:
+    AckermannEstimatorImpl(const RollingShutterCamera& camera_, const Params& params_)
+    {
+        setCamera(camera_);
+        setParams(params_);
+    }
+
+    void setCamera(const RollingShutterCamera& camera_) CV_OVERRIDE
+    {
+        camera_.check();
+        camera = camera_;
+    }
+
+    RollingShutterCamera getCamera() const CV_OVERRIDE { return camera; }
+
+    void setParams(const Params& params_) CV_OVERRIDE
+    {
+        params_.check();
+        params = params_;
+    }
+
+    Params getParams() const CV_OVERRIDE { return params; }
+
+    AckermannMotion estimate(InputArray segments, OutputArray labels) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        return run(toRows(segments), labels);
+    }
+
+    AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        if (image.size() != camera.imageSize)
+            CV_Error(Error::StsBadArg, format("image is %d x %d; the camera's size %d x %d is expected", image.size().width,
+                                              image.size().height, camera.imageSize.width, camera.imageSize.height));
+        Mat found;
+        detectSegments(image, found, params.detector, params.minLength);
+        if (segments.needed())
+            found.copyTo(segments);
+        return run(toRows(found), labels);
+    }
+
+    void write(FileStorage& fs) const CV_OVERRIDE
+    {
+        writeFormat(fs);
+        params.write(fs);
+    }
+
+    void read(const FileNode& fn) CV_OVERRIDE
+    {
+        Params p = params;
+        p.read(fn);
+        setParams(p);
+    }
+
+    String getDefaultName() const CV_OVERRIDE { return "rsackermann.AckermannEstimator"; }
+
+private:
+    static Mat toRows(InputArray segments);
+    AckermannMotion run(const Mat& segments, OutputArray labels) const;
+    void report(const RefinementProblem& problem, const Fit& fit, AckermannMotion& motion, Mat& labels) const;
+
+    RollingShutterCamera camera;
+    Params params;
+};
+
+// The segments as N x 4, CV_64F.
+Mat AckermannEstimatorImpl::toRows(InputArray segments)
+{
+    if (segments.empty())
+        return Mat(0, 4, CV_64F);
+    Mat in = segments.getMat();
+    const bool fourColumns = in.channels() == 1 && in.cols == 4, fourChannels = in.channels() == 4 && (in.cols == 1 || in.rows == 1);
+    if ((in.depth() != CV_32F && in.depth() != CV_64F) || in.dims != 2 || (!fourColumns && !fourChannels))
+        CV_Error(Error::StsBadArg, format("segments is a %d x %d matrix of type %s; N x 4 with one channel or N x 1 with four channels, "
+                                          "CV_32F or CV_64F, is expected", in.rows, in.cols, typeToString(in.type()).c_str()));
+    Mat rows;
+    in.convertTo(rows, CV_64F);
+    return rows.isContinuous() ? rows.reshape(1, (int)(rows.total() * rows.channels() / 4)) : rows;
+}
+
+AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_) const
+{
+    AckermannMotion motion;
+    Mat labels(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
+    std::vector<Candidate> candidates;
+    if (!camera.isRowShutter())
+        motion.status = MOTION_NOT_OBSERVABLE;
+    else
+    {
+        selectCandidates(segments, camera, params, candidates);
+        for (size_t i = 0; i < candidates.size(); i++)
+            labels.at<uchar>(candidates[i].index) = SEGMENT_OUTLIER;
+        motion.candidates = (int)candidates.size();
+        RefinementProblem problem(candidates, MotionLimits(camera, params));
+        problem.heading = camera.heading;
+        problem.focal = camera.cameraMatrix(0, 0);
+        problem.sigma = params.threshold;
+        problem.lossScale = 2;
+        if (motion.candidates < params.minCandidates)
+            motion.status = MOTION_TOO_FEW_SEGMENTS;
+        else
+            report(problem, selectMotion(problem, params), motion, labels);
+    }
+    if (labels_.needed())
+        labels.copyTo(labels_);
+    return motion;
+}
+
+void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Fit& fit, AckermannMotion& motion, Mat& labels) const
+{
+    double sum = 0;
+    for (size_t i = 0; i < problem.candidates->size(); i++)
+    {
+        const Candidate& c = (*problem.candidates)[i];
+        int wall;
+        const double r = problem.focal * verticalResidual(c, fit.model, problem.heading, wall, 0);
+        if (!(std::abs(r) < params.threshold))
+            continue;
+        labels.at<uchar>(c.index) = wall == Scene::RIGHT_WALL ? SEGMENT_RIGHT_WALL : SEGMENT_LEFT_WALL;
+        motion.inliers++;
+        sum += r * r;
+    }
+    motion.rms = motion.inliers > 0 ? std::sqrt(sum / motion.inliers) : 0;
+    if (fit.structure.motion == MODEL_NONE)
+        return;
+    motion.status = MOTION_OK;
+    motion.model = fit.structure.motion;
+    motion.alpha = fit.model[P_ALPHA];
+    motion.B = fit.model[P_B];
+    motion.D = fit.model[P_D];
+    motion.lambda = fit.model[P_LAMBDA];
+    motion.direction = fit.model.direction < 0 ? -1 : 1;
+    motion.rollCorrection = fit.model[P_ROLL];
+    motion.pitchCorrection = fit.model[P_PITCH];
+    motion.wallDistance = fit.structure.translates() ? params.wallDistance : 0;
+    if (motion.wallDistance > 0 && camera.height > 0)
+        motion.G = motion.direction * std::hypot(motion.B, motion.D) * motion.wallDistance / camera.height;
+}
+
+} // namespace
+
+Ptr<AckermannEstimator> AckermannEstimator::create(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+{
+    return makePtr<AckermannEstimatorImpl>(camera, params);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,45 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_MODEL_HPP
+#define OPENCV_RSACKERMANN_SRC_ESTIMATOR_MODEL_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! The unknowns of the refinement and their places in Jacobians and covariances.
+enum Parameter { P_ALPHA, P_B, P_D, P_LAMBDA, P_ROLL, P_PITCH, PARAMETERS };
+
+//! A motion while it is being estimated: AckermannMotion without what verticals can't tell.
+struct Model
+{
+    double value[PARAMETERS];
+    int direction; // sign of the scaled inverse depths; 0 where there is no translation
+
+    Model() : direction(0) { std::fill(value, value + PARAMETERS, 0.); }
+
+    double operator[](Parameter p) const { return value[p]; }
+    double& operator[](Parameter p) { return value[p]; }
+};
+
+//! Which unknowns are free: a motion model and the number of walls.
+struct Structure
+{
+    int motion; // a MotionModel
+    int walls;  // 0, 1 or 2
+
+    Structure(int motion_, int walls_) : motion(motion_), walls(walls_) {}
+
+    bool turns() const { return motion == 1 || motion == 4; }
+    bool translates() const { return motion == 3 || motion == 4; }
+    int unknowns() const { return (turns() ? 1 : 0) + (translates() ? 1 + walls : 0); }
+    //! Segments of a minimal sample.
+    int sampleSize() const { return unknowns(); }
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_ESTIMATOR_MODEL_HPP

@@ -1,0 +1,70 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+AckermannEstimator::Params::Params()
+    : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6), threshold(0.5),
+      confidence(0.99), maxIterations(1000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0)
+{
+}
+
+void AckermannEstimator::Params::write(FileStorage& fs) const
+{
+    fs << "model" << model << "detector" << detector << "min_length" << minLength;
+    fs << "max_slant" << maxSlant << "slant_tolerance" << slantTolerance << "min_candidates" << minCandidates;
+    fs << "threshold" << threshold << "confidence" << confidence << "max_iterations" << maxIterations << "seed" << seed;
+    fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
+}
+
+void AckermannEstimator::Params::read(const FileNode& fn)
+{
+    cv::read(fn["model"], model, model);
+    cv::read(fn["detector"], detector, detector);
+    cv::read(fn["min_length"], minLength, minLength);
+    cv::read(fn["max_slant"], maxSlant, maxSlant);
+    cv::read(fn["slant_tolerance"], slantTolerance, slantTolerance);
+    cv::read(fn["min_candidates"], minCandidates, minCandidates);
+    cv::read(fn["threshold"], threshold, threshold);
+    cv::read(fn["confidence"], confidence, confidence);
+    cv::read(fn["max_iterations"], maxIterations, maxIterations);
+    cv::read(fn["seed"], seed, seed);
+    cv::read(fn["max_yaw_rate"], maxYawRate, maxYawRate);
+    cv::read(fn["max_speed"], maxSpeed, maxSpeed);
+    cv::read(fn["wall_distance"], wallDistance, wallDistance);
+}
+
+static void checkPositive(double value, const char* name)
+{
+    if (!(value > 0) || cvIsInf(value))
+        CV_Error(Error::StsBadArg, format("params.%s is %g; a positive number is expected", name, value));
+}
+
+void AckermannEstimator::Params::check() const
+{
+    if (model != MODEL_AUTO && model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA && model != MODEL_4LA)
+        CV_Error(Error::StsBadArg, format("params.model is %d; one of the MotionModel values -1, 0, 1, 3, 4 is expected", model));
+    if (detector < DETECTOR_LSD || detector > DETECTOR_EDLINES)
+        CV_Error(Error::StsBadArg, format("params.detector is %d; one of the SegmentDetector values 0 to 2 is expected", detector));
+    checkPositive(minLength, "minLength");
+    checkPositive(maxSlant, "maxSlant");
+    if (!(slantTolerance >= 0) || cvIsInf(slantTolerance))
+        CV_Error(Error::StsBadArg, format("params.slantTolerance is %g; a number of 0 or more is expected", slantTolerance));
+    if (minCandidates < 1)
+        CV_Error(Error::StsBadArg, format("params.minCandidates is %d; a number of 1 or more is expected", minCandidates));
+    checkPositive(threshold, "threshold");
+    if (!(confidence > 0 && confidence < 1))
+        CV_Error(Error::StsBadArg, format("params.confidence is %g; a number between 0 and 1 is expected", confidence));
+    if (maxIterations < 1)
+        CV_Error(Error::StsBadArg, format("params.maxIterations is %d; a number of 1 or more is expected", maxIterations));
+    checkPositive(maxYawRate, "maxYawRate");
+    checkPositive(maxSpeed, "maxSpeed");
+    if (!(wallDistance >= 0) || cvIsInf(wallDistance))
+        CV_Error(Error::StsBadArg, format("params.wallDistance is %g m; a positive number, or 0 for unknown, is expected", wallDistance));
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,93 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "distorter.hpp"
+#include "pixels.hpp"
+#include "points.hpp"
+#include "rectifier.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+// Metres that the camera moves per unit of row time; negative in reverse.
+static double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion)
+{
+    const double wall = std::hypot(motion.B, motion.D);
+    if (wall == 0 && motion.G == 0)
+        return 0;
+    if (wall > 0 && motion.wallDistance > 0)
+        return (motion.direction < 0 ? -wall : wall) * motion.wallDistance;
+    if (motion.G == 0 || !(camera.height > 0))
+        CV_Error(Error::StsBadArg, format("depths are given, but motion.wallDistance is %g m and motion.G is %g with camera.height %g m; "
+                                          "one of the two must give the speed", motion.wallDistance, motion.G, camera.height));
+    return motion.G * camera.height;
+}
+
+// Depths in the unit of the motion: their inverses times the way per unit of row time.
+class InverseDepths
+{
+public:
+    InverseDepths(const RollingShutterCamera& camera, const AckermannMotion& motion, const std::vector<double>& depths_)
+        : depths(depths_), way(depths.empty() || motion.status != MOTION_OK ? 0 : wayPerUnitTime(camera, motion))
+    {
+    }
+
+    bool known(size_t i) const { return !depths.empty() && depths[i] > 0; }
+    double operator[](size_t i) const { return way / depths[i]; }
+
+private:
+    const std::vector<double>& depths;
+    double way;
+};
+
+static void setPlace(const Point2d& point, Place& place)
+{
+    place.exists = isAddressable(point);
+    if (place.exists)
+        place.point = point;
+}
+
+void correctPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
+                   const std::vector<Point2d>& raw, const std::vector<double>& depths, std::vector<Place>& places)
+{
+    const Shutter shutter(camera, motion);
+    const Distorter distorter(camera, shutter);
+    const InverseDepths inverseDepths(camera, motion, depths);
+    std::vector<Point2d> rays;
+    distorter.undistort(raw, rays);
+    places.assign(raw.size(), Place());
+    for (size_t i = 0; i < raw.size(); i++)
+    {
+        Vec3d ray;
+        if (inverseDepths.known(i) ? distorter.solve(raw[i], rays[i], inverseDepths[i], ray) : distorter.solve(raw[i], rays[i], ray))
+            setPlace(pixelOf(matrix, ray), places[i]);
+    }
+}
+
+void distortPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
+                   const std::vector<Point2d>& pixels, const std::vector<double>& depths, std::vector<Place>& places)
+{
+    // Points are few, and their users expect the inverse of correctPoints().
+    const int maxIterations = 50;
+    const double tolerance = 1e-9;
+
+    const Shutter shutter(camera, motion);
+    const Rectifier rectifier(shutter, maxIterations, tolerance);
+    const InverseDepths inverseDepths(camera, motion, depths);
+    const Matx33d inverse = matrix.inv();
+    places.assign(pixels.size(), Place());
+    for (size_t i = 0; i < pixels.size(); i++)
+    {
+        const Vec3d ray = inverse * Vec3d(pixels[i].x, pixels[i].y, 1);
+        const Vec3d b = shutter.up * ray;
+        const bool onPlane = !inverseDepths.known(i);
+        Rectifier::Guess guess;
+        Point2d raw;
+        if (rectifier.solve(ray, b, onPlane ? shutter.scene.inverseDepth(b) : inverseDepths[i], onPlane, guess, raw))
+            setPlace(raw, places[i]);
+    }
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_POINTS_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_POINTS_HPP
+
+#include "opencv2/rsackermann/warp.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! A point and whether it has a place at all.
+struct Place
+{
+    Place() : exists(false) {}
+    Point2d point;
+    bool exists;
+};
+
+/** Raw pixels to pixels of the global-shutter camera.
+@param matrix camera matrix of the global-shutter camera.
+@param raw the pixels.
+@param depths in metres along the optical axis, or empty; where not positive the planes are used.
+@param places receives as many places as there are pixels.
+*/
+void correctPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
+                   const std::vector<Point2d>& raw, const std::vector<double>& depths, std::vector<Place>& places);
+
+//! The inverse of correctPoints().
+void distortPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
+                   const std::vector<Point2d>& pixels, const std::vector<double>& depths, std::vector<Place>& places);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_POINTS_HPP

@@ -1,0 +1,249 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "maps.hpp"
+#include "pixels.hpp"
+#include "points.hpp"
+#include "valid_area.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+WarpMapGenerator::Params::Params() : newCameraMatrix(Matx33d::zeros()), maxIterations(10), tolerance(1e-3)
+{
+}
+
+void WarpMapGenerator::Params::write(FileStorage& fs) const
+{
+    fs << "new_camera_matrix" << newCameraMatrix;
+    fs << "new_width" << newSize.width << "new_height" << newSize.height;
+    fs << "max_iterations" << maxIterations << "tolerance" << tolerance;
+}
+
+void WarpMapGenerator::Params::read(const FileNode& fn)
+{
+    cv::read(fn["new_camera_matrix"], newCameraMatrix, newCameraMatrix);
+    cv::read(fn["new_width"], newSize.width, newSize.width);
+    cv::read(fn["new_height"], newSize.height, newSize.height);
+    cv::read(fn["max_iterations"], maxIterations, maxIterations);
+    cv::read(fn["tolerance"], tolerance, tolerance);
+}
+
+static bool isFinite(double value)
+{
+    return !cvIsNaN(value) && !cvIsInf(value);
+}
+
+static void checkNewCameraMatrix(const Matx33d& K)
+{
+    if (K == Matx33d::zeros())
+        return;
+    bool finite = true;
+    for (int i = 0; i < 9; i++)
+        finite = finite && isFinite(K.val[i]);
+    if (!finite || !(K(0, 0) > 0) || !(K(1, 1) > 0) || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1)
+        CV_Error(Error::StsBadArg, format("newCameraMatrix is (%g %g %g; %g %g %g; %g %g %g); (fx s cx; 0 fy cy; 0 0 1) with positive focal "
+                                          "lengths, or all 0, is expected", K.val[0], K.val[1], K.val[2], K.val[3], K.val[4], K.val[5],
+                                          K.val[6], K.val[7], K.val[8]));
+}
+
+static void checkSize(const Size& size)
+{
+    if (size != Size() && (size.width <= 0 || size.height <= 0))
+        CV_Error(Error::StsBadArg, format("newSize is %d x %d; a positive width and height, or 0 x 0, are expected", size.width, size.height));
+}
+
+static void checkParams(const WarpMapGenerator::Params& params)
+{
+    checkNewCameraMatrix(params.newCameraMatrix);
+    checkSize(params.newSize);
+    if (params.maxIterations <= 0)
+        CV_Error(Error::StsBadArg, format("maxIterations is %d; a positive number is expected", params.maxIterations));
+    if (!(params.tolerance > 0) || !isFinite(params.tolerance))
+        CV_Error(Error::StsBadArg, format("tolerance is %g; a positive number of pixels is expected", params.tolerance));
+}
+
+static void checkMotion(const AckermannMotion& motion)
+{
+    const double values[] = {motion.alpha, motion.B, motion.D, motion.lambda, motion.G, motion.rollCorrection, motion.pitchCorrection,
+                             motion.wallDistance};
+    const char* const names[] = {"alpha", "B", "D", "lambda", "G", "rollCorrection", "pitchCorrection", "wallDistance"};
+    for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
+        if (!isFinite(values[i]))
+            CV_Error(Error::StsBadArg, format("motion.%s is %g; a finite number is expected", names[i], values[i]));
+}
+
+static int countPoints(const Mat& points)
+{
+    const int count = points.checkVector(2, -1, false);
+    if (count < 0 || (points.depth() != CV_32F && points.depth() != CV_64F))
+        CV_Error(Error::StsBadArg, format("src is a %d x %d matrix of type %s; N x 2, or N x 1 with two channels, CV_32F or CV_64F is expected",
+                                          points.rows, points.cols, typeToString(points.type()).c_str()));
+    return count;
+}
+
+static std::vector<Point2d> toPoints(const Mat& points)
+{
+    if (points.empty())
+        return std::vector<Point2d>();
+    const int count = countPoints(points);
+    Mat converted;
+    points.convertTo(converted, CV_64F);
+    return converted.reshape(2, count);
+}
+
+static std::vector<double> toDepths(const Mat& depths, size_t count)
+{
+    if (depths.empty())
+        return std::vector<double>();
+    if ((depths.depth() != CV_32F && depths.depth() != CV_64F) || depths.total() * depths.channels() != count)
+        CV_Error(Error::StsBadArg, format("depths has %d values of type %s for %d points; one CV_32F or CV_64F value for each is expected",
+                                          (int)(depths.total() * depths.channels()), typeToString(depths.type()).c_str(), (int)count));
+    Mat converted;
+    depths.convertTo(converted, CV_64F);
+    return converted.reshape(1, int(count));
+}
+
+static void returnPlaces(const std::vector<Place>& places, const Mat& src, OutputArray dst, OutputArray mask)
+{
+    if (places.empty())
+    {
+        dst.release();
+        if (mask.needed())
+            mask.release();
+        return;
+    }
+    const int count = int(places.size());
+    Mat points(count, 2, CV_64F), exists(count, 1, CV_8U);
+    for (int i = 0; i < count; i++)
+    {
+        const Point2d none(FAR_OUTSIDE, FAR_OUTSIDE);
+        *points.ptr<Point2d>(i) = places[i].exists ? places[i].point : none;
+        *exists.ptr(i) = places[i].exists ? 255 : 0;
+    }
+    points.reshape(src.channels(), src.rows).convertTo(dst, src.depth());
+    if (mask.needed())
+        exists.copyTo(mask);
+}
+
+namespace {
+
+class WarpMapGeneratorImpl CV_FINAL : public WarpMapGenerator
+{
+public:
+    WarpMapGeneratorImpl(const RollingShutterCamera& camera_, const Params& params_)
+    {
+        setCamera(camera_);
+        setParams(params_);
+    }
+
+    void setCamera(const RollingShutterCamera& camera_) CV_OVERRIDE
+    {
+        camera_.check();
+        camera = camera_;
+    }
+
+    RollingShutterCamera getCamera() const CV_OVERRIDE { return camera; }
+
+    void setParams(const Params& params_) CV_OVERRIDE
+    {
+        checkParams(params_);
+        params = params_;
+    }
+
+    Params getParams() const CV_OVERRIDE { return params; }
+
+    void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkMotion(motion);
+        MapWriter writer(GlobalCamera(camera, params).size, camera.imageSize, normalizedMapType(m1type), map1, map2, mask);
+        writeRectifyMap(camera, params, motion, writer);
+    }
+
+    void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkMotion(motion);
+        MapWriter writer(camera.imageSize, GlobalCamera(camera, params).size, normalizedMapType(m1type), map1, map2, mask);
+        writeDistortMap(camera, params, motion, writer);
+    }
+
+    void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths, OutputArray mask) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        movePoints(rsackermann::correctPoints, motion, src, dst, depths, mask);
+    }
+
+    void distortPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths, OutputArray mask) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        movePoints(rsackermann::distortPoints, motion, src, dst, depths, mask);
+    }
+
+    Rect validRoi(const AckermannMotion& motion) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkMotion(motion);
+        Mat mask(GlobalCamera(camera, params).size, CV_8UC1);
+        MapWriter writer(camera.imageSize, mask);
+        writeRectifyMap(camera, params, motion, writer);
+        return largestRectangle(mask);
+    }
+
+    Matx33d optimalNewCameraMatrix(const AckermannMotion& motion, double alpha, const Size& newSize) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkMotion(motion);
+        checkSize(newSize);
+        if (!(alpha >= 0 && alpha <= 1))
+            CV_Error(Error::StsBadArg, format("alpha is %g; a number from 0 to 1 is expected", alpha));
+        const GlobalCamera global(camera, params);
+        return optimalMatrix(camera, motion, alpha, newSize == Size() ? global.size : newSize, global.matrix);
+    }
+
+    void write(FileStorage& fs) const CV_OVERRIDE
+    {
+        writeFormat(fs);
+        params.write(fs);
+    }
+
+    void read(const FileNode& fn) CV_OVERRIDE
+    {
+        Params p = params;
+        p.read(fn);
+        setParams(p);
+    }
+
+    String getDefaultName() const CV_OVERRIDE { return "rsackermann.WarpMapGenerator"; }
+
+private:
+    typedef void (*PointFunction)(const RollingShutterCamera&, const Matx33d&, const AckermannMotion&, const std::vector<Point2d>&,
+                                  const std::vector<double>&, std::vector<Place>&);
+
+    void movePoints(PointFunction function, const AckermannMotion& motion, InputArray src_, OutputArray dst, InputArray depths,
+                    OutputArray mask) const
+    {
+        checkMotion(motion);
+        const Mat src = src_.getMat();
+        const std::vector<Point2d> points = toPoints(src);
+        std::vector<Place> places;
+        function(camera, GlobalCamera(camera, params).matrix, motion, points, toDepths(depths.getMat(), points.size()), places);
+        returnPlaces(places, src, dst, mask);
+    }
+
+    RollingShutterCamera camera;
+    Params params;
+};
+
+} // namespace
+
+Ptr<WarpMapGenerator> WarpMapGenerator::create(const RollingShutterCamera& camera, const Params& params)
+{
+    CV_INSTRUMENT_REGION();
+    return makePtr<WarpMapGeneratorImpl>(camera, params);
+}
+
+}} // namespace cv::rsackermann

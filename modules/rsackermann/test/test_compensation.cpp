@@ -1,0 +1,231 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_simulator.hpp"
+
+// Internals of the library that it doesn't export.
+#include "../src/compensation.hpp"
+#include "../src/estimator/vertical_residual.cpp"
+
+namespace opencv_test { namespace {
+
+using simulation::Drive;
+using simulation::Street;
+using simulation::Surface;
+
+//! A random motion in a random street, in the units of the estimation.
+struct RandomScene
+{
+    double heading;
+    Model model;
+    Drive drive;
+    Street street;
+
+    explicit RandomScene(RNG& rng)
+    {
+        const double headings[] = {0, CV_PI / 2, -CV_PI / 2, CV_PI, rng.uniform(-CV_PI, CV_PI)};
+        heading = headings[rng.uniform(0, 5)];
+        // walls at distance 1 and 1 / lambda
+        const double direction = rng.uniform(-CV_PI, CV_PI);
+        const double beta = rng.uniform(0.02, 0.6) * (rng.uniform(0, 2) ? 1 : -1);
+        const double lambda = rng.uniform(0, 3) ? rng.uniform(0.4, 2.5) : 0;
+        model.direction = beta < 0 ? -1 : 1;
+        model[P_ALPHA] = rng.uniform(-0.1, 0.1);
+        model[P_B] = beta * std::cos(direction);
+        model[P_D] = beta * std::sin(direction);
+        model[P_LAMBDA] = lambda;
+        model[P_ROLL] = rng.uniform(-0.05, 0.05);
+        model[P_PITCH] = rng.uniform(-0.05, 0.05);
+        drive = Drive(2 * model[P_ALPHA], beta, heading);
+        street = Street(1, lambda > 0 ? 1 / lambda : 0, 0, direction);
+    }
+};
+
+//! A segment that is more or less vertical.
+Candidate randomCandidate(RNG& rng)
+{
+    Candidate c;
+    c.u = Vec3d(rng.uniform(-0.6, 0.6), rng.uniform(-0.4, 0.4), 1);
+    c.v = Vec3d(c.u[0] + rng.uniform(-0.03, 0.03), rng.uniform(-0.4, 0.4), 1);
+    c.timeU = rng.uniform(-0.25, 0.25);
+    c.timeV = rng.uniform(-0.25, 0.25);
+    c.length = 100;
+    c.index = 0;
+    return c;
+}
+
+//! The column of the global-shutter image at which a bearing's point is, if it is on the plane.
+bool trueColumn(const RandomScene& scene, Surface plane, const Vec3d& bearing, double t, double& column)
+{
+    const Vec3d origin = scene.drive.position(t), ray = scene.drive.turn(bearing, t);
+    const double distance = scene.street.distance(plane, origin, ray);
+    const Vec3d P = origin + distance * ray;
+    if (!(distance < 1e3) || !(P[2] > 0.1))
+        return false;
+    column = P[0] / P[2];
+    return true;
+}
+
+TEST(RSAckermann_Compensation, sinc)
+{
+    for (int i = -4000; i <= 4000; i++)
+    {
+        // the series to the eighth power of x, to 1e-17 below 0.1
+        const double x = std::pow(10., -std::abs(i) * 0.002) * (i < 0 ? -0.1 : 0.1), q = x * x;
+        ASSERT_NEAR(1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72))), sinc(x), 2e-16) << x;
+        const double derivative = -x / 3 * (1 - q / 10 * (1 - q / 28 * (1 - q / 54)));
+        ASSERT_NEAR(derivative, sincDerivative(x), 1e-9 * std::abs(derivative)) << x;
+    }
+    EXPECT_EQ(1, sinc(0));
+    EXPECT_EQ(0, sincDerivative(0));
+    EXPECT_DOUBLE_EQ(std::sin(2.) / 2, sinc(2));
+    EXPECT_DOUBLE_EQ(std::cos(2.) / 2 - std::sin(2.) / 4, sincDerivative(2));
+}
+
+TEST(RSAckermann_Compensation, row_motion_agrees_with_integration)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 10000; i++)
+    {
+        const double alpha = rng.uniform(-0.25, 0.25), heading = rng.uniform(-CV_PI, CV_PI), t = rng.uniform(-0.5, 0.5);
+        const RowMotion row(alpha, heading, t);
+        const Drive drive(2 * alpha, 1, heading);
+        ASSERT_LT(cv::norm(drive.position(t) - row.tau * Vec3d(row.s2, 0, row.c2)), 1e-13);
+        ASSERT_LT(cv::norm(drive.turn(Vec3d(0.3, 0.1, 1), t) - Vec3d(0.3 * row.c + row.s, 0.1, row.c - 0.3 * row.s)), 1e-15);
+    }
+}
+
+// p1 of a rolling-shutter point is the column of its point in space at the reference row.
+TEST(RSAckermann_Compensation, column_agrees_with_ray_casting)
+{
+    RNG& rng = theRNG();
+    int compared = 0;
+    for (int i = 0; i < 10000; i++)
+    {
+        const RandomScene scene(rng);
+        const Vec3d bearing(rng.uniform(-0.6, 0.6), rng.uniform(-0.4, 0.4), 1);
+        const double t = rng.uniform(-0.25, 0.25);
+        for (int plane = simulation::LEFT; plane <= simulation::RIGHT; plane++)
+        {
+            double expected;
+            if (!trueColumn(scene, Surface(plane), bearing, t, expected))
+                continue;
+            const double scale = plane == simulation::LEFT ? 1 : -scene.model[P_LAMBDA];
+            const double length = rng.uniform(0.5, 2.);
+            const TurnedBearing turned(Point2d(bearing[0], bearing[2]) * length, RowMotion(scene.model[P_ALPHA], scene.heading, t));
+            const double B = scale * scene.model[P_B], D = scale * scene.model[P_D];
+            ASSERT_NEAR(expected, turned.column(B, D), 1e-12 * (1 + expected * expected));
+            compared++;
+        }
+    }
+    EXPECT_GT(compared, 5000);
+}
+
+// The residual is the difference of the true columns, on the wall that the segment is seen on.
+TEST(RSAckermann_Compensation, residual_agrees_with_ray_casting)
+{
+    RNG& rng = theRNG();
+    int compared[4] = {0, 0, 0, 0};
+    for (int i = 0; i < 20000; i++)
+    {
+        const RandomScene scene(rng);
+        const Candidate candidate = randomCandidate(rng);
+        AckermannMotion tilt;
+        tilt.rollCorrection = scene.model[P_ROLL];
+        tilt.pitchCorrection = scene.model[P_PITCH];
+        const Matx33d R = tilt.uprightRotation(RollingShutterCamera::fromFocal(Size(640, 380)));
+        const Vec3d u = R * candidate.u, v = R * candidate.v;
+        for (int plane = simulation::LEFT; plane <= simulation::RIGHT; plane++)
+        {
+            double a, b;
+            if (!trueColumn(scene, Surface(plane), u, candidate.timeU, a) || !trueColumn(scene, Surface(plane), v, candidate.timeV, b))
+                continue;
+            int wall = -1;
+            const double residual = verticalResidual(candidate, scene.model, scene.heading, wall, 0);
+            ASSERT_EQ(plane, wall);
+            ASSERT_NEAR(a - b, residual, 1e-12 * (1 + a * a + b * b));
+            compared[plane]++;
+        }
+    }
+    EXPECT_GT(compared[simulation::LEFT], 1000);
+    EXPECT_GT(compared[simulation::RIGHT], 1000);
+}
+
+// Central differences of the fourth order.
+double difference(const Candidate& candidate, Model model, double heading, Parameter parameter, bool& sameWall)
+{
+    const double h = 1e-3, at = model[parameter];
+    const double weights[] = {1. / 12, -2. / 3, 0, 2. / 3, -1. / 12};
+    int wall, first = -1;
+    verticalResidual(candidate, model, heading, first, 0);
+    double sum = 0;
+    for (int k = -2; k <= 2; k++)
+    {
+        model[parameter] = at + k * h;
+        sum += weights[k + 2] * verticalResidual(candidate, model, heading, wall, 0);
+        sameWall = sameWall && wall == first;
+    }
+    return sum / h;
+}
+
+TEST(RSAckermann_Compensation, jacobian_agrees_with_differences)
+{
+    RNG& rng = theRNG();
+    int compared[4][PARAMETERS] = {};
+    for (int i = 0; i < 20000; i++)
+    {
+        RandomScene scene(rng);
+        if (rng.uniform(0, 10) == 0)
+            scene.model[P_ALPHA] = 0;
+        const Candidate candidate = randomCandidate(rng);
+        double jacobian[PARAMETERS];
+        int wall;
+        const double residual = verticalResidual(candidate, scene.model, scene.heading, wall, jacobian);
+        // near the line at infinity a step may change the wall; close to the camera the columns run away
+        if (std::abs(residual) > 1)
+            continue;
+        for (int p = 0; p < PARAMETERS; p++)
+        {
+            bool sameWall = true;
+            const double expected = difference(candidate, scene.model, scene.heading, Parameter(p), sameWall);
+            // lambda = 0 stands for an absent wall
+            if (!sameWall || (p == P_LAMBDA && scene.model[P_LAMBDA] == 0))
+                continue;
+            ASSERT_NEAR(expected, jacobian[p], 1e-5 * std::abs(expected) + 1e-10) << "parameter " << p;
+            compared[wall][p]++;
+        }
+    }
+    for (int p = 0; p < PARAMETERS; p++)
+    {
+        EXPECT_GT(compared[simulation::LEFT][p], 1000) << p;
+        EXPECT_GT(compared[simulation::RIGHT][p], 1000) << p;
+    }
+}
+
+// Where no wall is, the residual is that of a pure rotation and says nothing about walls.
+TEST(RSAckermann_Compensation, residual_at_infinity)
+{
+    RNG& rng = theRNG();
+    int seen = 0;
+    for (int i = 0; i < 1000; i++)
+    {
+        RandomScene scene(rng);
+        scene.model[P_LAMBDA] = scene.model[P_ROLL] = scene.model[P_PITCH] = 0;
+        const Candidate c = randomCandidate(rng);
+        double jacobian[PARAMETERS];
+        int wall;
+        const double residual = verticalResidual(c, scene.model, scene.heading, wall, jacobian);
+        if (wall != simulation::NOTHING)
+            continue;
+        const double a = scene.model[P_ALPHA];
+        ASSERT_NEAR(std::tan(std::atan(c.u[0]) + 2 * a * c.timeU) - std::tan(std::atan(c.v[0]) + 2 * a * c.timeV), residual, 1e-14);
+        ASSERT_EQ(0, jacobian[P_B]);
+        ASSERT_EQ(0, jacobian[P_D]);
+        seen++;
+    }
+    EXPECT_GT(seen, 100);
+}
+
+}} // namespace
