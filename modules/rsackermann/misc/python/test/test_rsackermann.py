@@ -19,7 +19,7 @@ SPEED = 15.0  # metres a second
 
 
 def make_camera():
-    camera = cv.rsackermann.RollingShutterCamera_fromFocal(SIZE, FOCAL)
+    camera = cv.rsackermann.RollingShutterCamera.fromFocal(SIZE, FOCAL)
     camera.lineDelay = LINE_DELAY
     camera.height = 1.2
     return camera
@@ -79,7 +79,7 @@ class rsackermann_test(NewOpenCVTests):
 
     def test_motion(self):
         camera = make_camera()
-        motion = cv.rsackermann.AckermannMotion_fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        motion = cv.rsackermann.AckermannMotion.fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
         known, yaw_rate = motion.yawRate(camera)
         self.assertTrue(known)
         self.assertAlmostEqual(yaw_rate, YAW_RATE)
@@ -91,9 +91,9 @@ class rsackermann_test(NewOpenCVTests):
 
     def test_estimator(self):
         camera = make_camera()
-        params = cv.rsackermann.AckermannEstimator_Params()
+        params = cv.rsackermann.AckermannEstimator.Params()
         params.wallDistance = LEFT_WALL
-        estimator = cv.rsackermann.AckermannEstimator_create(camera, params)
+        estimator = cv.rsackermann.AckermannEstimator.create(camera, params)
         self.assertEqual(estimator.getParams().wallDistance, LEFT_WALL)
 
         segments = wall_segments(camera)
@@ -111,8 +111,8 @@ class rsackermann_test(NewOpenCVTests):
 
     def test_maps(self):
         camera = make_camera()
-        generator = cv.rsackermann.WarpMapGenerator_create(camera)
-        motion = cv.rsackermann.AckermannMotion_fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        generator = cv.rsackermann.WarpMapGenerator.create(camera)
+        motion = cv.rsackermann.AckermannMotion.fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
 
         # A point on the left wall: where the maps find it in the raw image is where the simulation puts it.
         column, row = 150, 100
@@ -130,7 +130,7 @@ class rsackermann_test(NewOpenCVTests):
         self.assertAlmostEqual(float(cv.remap(back2, *(np.float32([[v]]) for v in there), cv.INTER_CUBIC)[0, 0]), row, delta=0.05)
 
     def test_corrector(self):
-        corrector = cv.rsackermann.RollingShutterCorrector_create(make_camera())
+        corrector = cv.rsackermann.RollingShutterCorrector.create(make_camera())
         image = np.full((SIZE[1], SIZE[0], 3), 90, np.uint8)
         motion, corrected, mask = corrector.correct(image)
         self.assertEqual(motion.status, cv.rsackermann.MOTION_TOO_FEW_SEGMENTS)
@@ -141,7 +141,7 @@ class rsackermann_test(NewOpenCVTests):
 
     def test_draw(self):
         camera = make_camera()
-        motion = cv.rsackermann.AckermannMotion_fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        motion = cv.rsackermann.AckermannMotion.fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
         segments = wall_segments(camera)
         labels = np.full((len(segments), 1), cv.rsackermann.SEGMENT_OUTLIER, np.uint8)
         image = np.full((SIZE[1], SIZE[0], 3), 90, np.uint8)

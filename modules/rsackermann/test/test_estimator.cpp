@@ -1,0 +1,837 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_simulator.hpp"
+
+namespace opencv_test { namespace {
+
+using simulation::SegmentOptions;
+using simulation::Segments;
+using simulation::Simulator;
+
+typedef AckermannEstimator::Params Params;
+
+const double degree = CV_PI / 180;
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+
+//! A camera that passes a street.
+struct Passage
+{
+    const char* name;
+    double yawRate;       // deg/s
+    double speed;         // m/s
+    double left, right;   // m
+    double heading;       // deg, also the direction of the walls
+    double roll, pitch;   // deg
+    int scanDirection;
+    bool distorted;
+
+    Simulator simulator() const
+    {
+        RollingShutterCamera camera = simulation::paperCamera();
+        camera.heading = heading * degree;
+        camera.setRollPitch(roll * degree, pitch * degree);
+        camera.scanDirection = scanDirection;
+        if (distorted)
+            camera.distCoeffs = {-0.15, 0.05, 1e-3, -1e-3};
+        return Simulator::fromMetric(camera, yawRate * degree, speed, left, right, camera.heading);
+    }
+};
+
+void PrintTo(const Passage& passage, std::ostream* out) { *out << passage.name; }
+
+const Passage passages[] = {
+    {"two walls", 40, 20, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, false},
+    {"left turn", -50, 15, 3, 2.5, 2, 0, 0, SCAN_TOP_TO_BOTTOM, false},
+    {"reverse", 30, -15, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, false},
+    {"left wall only", 40, 20, 2.5, 0, 10, 0, 0, SCAN_TOP_TO_BOTTOM, false},
+    {"right wall only", -40, 20, 0, 2.5, -10, 0, 0, SCAN_TOP_TO_BOTTOM, false},
+    {"tilted", 40, 20, 2.5, 3, 0, 4, -6, SCAN_TOP_TO_BOTTOM, false},
+    {"looks right", 40, 10, 0, 4, -90, 0, 0, SCAN_TOP_TO_BOTTOM, false},
+    {"looks left", 40, 10, 4, 0, 90, 0, 0, SCAN_TOP_TO_BOTTOM, false},
+    {"looks back", 40, 20, 2.5, 3, 180, 0, 0, SCAN_TOP_TO_BOTTOM, false},
+    {"bottom to top", 40, 20, 2.5, 3, 0, 0, 0, SCAN_BOTTOM_TO_TOP, false},
+    {"distorted lens", 40, 20, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, true},
+};
+
+const Passage& twoWalls = passages[0];
+
+SegmentOptions segmentOptions(int count, double inlierRatio, double noise)
+{
+    SegmentOptions options;
+    options.count = count;
+    options.inlierRatio = inlierRatio;
+    options.noise = noise;
+    return options;
+}
+
+Segments makeSegments(const Simulator& simulator, int count, double inlierRatio, double noise, int seed)
+{
+    RNG rng(seed + 1);
+    return simulation::randomSegments(simulator, segmentOptions(count, inlierRatio, noise), rng);
+}
+
+Params params(const Simulator& simulator)
+{
+    Params p;
+    const Vec3d& normal = simulator.street.normal[simulation::LEFT];
+    const double left = cv::norm(normal);
+    p.wallDistance = 1 / (left > 0 ? left : cv::norm(simulator.street.normal[simulation::RIGHT]));
+    return p;
+}
+
+AckermannMotion estimate(const Simulator& simulator, InputArray segments, OutputArray labels = noArray())
+{
+    return AckermannEstimator::create(simulator.camera, params(simulator))->estimate(segments, labels);
+}
+
+//! Mean pixels that are wrong on the walls after the correction.
+double displacementLeft(const Simulator& truth, const AckermannMotion& motion)
+{
+    return truth.meanDisplacement(Simulator::fromMotion(truth.camera, motion));
+}
+
+double median(std::vector<double> values)
+{
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+}
+
+void expectSame(const AckermannMotion& a, const AckermannMotion& b)
+{
+    EXPECT_EQ(a.status, b.status);
+    EXPECT_EQ(a.model, b.model);
+    EXPECT_EQ(a.alpha, b.alpha);
+    EXPECT_EQ(a.B, b.B);
+    EXPECT_EQ(a.D, b.D);
+    EXPECT_EQ(a.lambda, b.lambda);
+    EXPECT_EQ(a.G, b.G);
+    EXPECT_EQ(a.direction, b.direction);
+    EXPECT_EQ(a.rollCorrection, b.rollCorrection);
+    EXPECT_EQ(a.pitchCorrection, b.pitchCorrection);
+    EXPECT_EQ(a.wallDistance, b.wallDistance);
+    EXPECT_EQ(a.candidates, b.candidates);
+    EXPECT_EQ(a.inliers, b.inliers);
+    EXPECT_EQ(a.rms, b.rms);
+}
+
+/** The least-squares fit on the true inliers, from the truth on, with the simulator's geometry and numerical derivatives:
+what an estimator without outliers, without selection and with the right start can do.
+ */
+AckermannMotion oracle(const Simulator& truth, const Segments& segments)
+{
+    const bool both = cv::norm(truth.street.normal[simulation::LEFT]) > 0 && cv::norm(truth.street.normal[simulation::RIGHT]) > 0;
+    const int unknowns = both ? 4 : 3;
+    const simulation::Surface first = cv::norm(truth.street.normal[simulation::LEFT]) > 0 ? simulation::LEFT : simulation::RIGHT;
+    const Vec3d wall = truth.street.normal[first] * truth.drive.speed;
+
+    AckermannMotion m;
+    m.status = MOTION_OK;
+    m.direction = truth.drive.speed < 0 ? -1 : 1;
+    double p[4] = {truth.drive.yaw / 2, -wall[0], wall[2], both ? cv::norm(truth.street.normal[simulation::RIGHT]) / cv::norm(truth.street.normal[first]) : 0};
+
+    for (int iteration = 0; iteration < 10; iteration++)
+    {
+        Mat J, r;
+        for (int i = 0; i < segments.ends.rows; i++)
+        {
+            if (segments.truth[i] == simulation::NOTHING)
+                continue;
+            const simulation::Surface plane = segments.truth[i] == first ? simulation::LEFT : simulation::RIGHT;
+            double row[4], residual = 0;
+            for (int k = -1; k < unknowns; k++)
+            {
+                double q[4] = {p[0], p[1], p[2], p[3]};
+                const double h = 1e-6;
+                if (k >= 0)
+                    q[k] += h;
+                m.alpha = q[0];
+                m.B = q[1];
+                m.D = q[2];
+                m.lambda = q[3];
+                const double value = Simulator::fromMotion(truth.camera, m).residual(segments.at(i), plane);
+                if (k < 0)
+                    residual = value;
+                else
+                    row[k] = (value - residual) / h;
+            }
+            J.push_back(Mat(1, unknowns, CV_64F, row));
+            r.push_back(residual);
+        }
+        Mat step;
+        cv::solve(J, r, step, DECOMP_SVD);
+        for (int k = 0; k < unknowns; k++)
+            p[k] -= step.at<double>(k);
+    }
+    m.alpha = p[0];
+    m.B = p[1];
+    m.D = p[2];
+    m.lambda = p[3];
+    return m;
+}
+
+//! The label that an inlier on a plane gets.
+int expectedLabel(const Simulator& truth, simulation::Surface plane)
+{
+    const bool onlyRight = cv::norm(truth.street.normal[simulation::LEFT]) == 0;
+    return plane == simulation::LEFT || onlyRight ? SEGMENT_LEFT_WALL : SEGMENT_RIGHT_WALL;
+}
+
+class RSAckermann_EstimatorPassage : public testing::TestWithParam<Passage> {};
+INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorPassage, testing::ValuesIn(passages));
+
+TEST_P(RSAckermann_EstimatorPassage, exact_segments)
+{
+    const Simulator truth = GetParam().simulator();
+    for (int seed = 0; seed < 10; seed++)
+    {
+        const Segments segments = makeSegments(truth, 60, 1, 0, seed);
+        Mat labels;
+        const AckermannMotion m = estimate(truth, segments.ends, labels);
+        ASSERT_EQ(MOTION_OK, m.status) << "seed " << seed;
+        EXPECT_EQ(MODEL_4LA, m.model) << "seed " << seed;
+        EXPECT_LT(displacementLeft(truth, m), 1e-3) << "seed " << seed << ", raw " << truth.meanDisplacement();
+        EXPECT_LT(m.rms, 1e-3);
+        EXPECT_EQ(60, m.candidates);
+        EXPECT_EQ(60, m.inliers);
+        EXPECT_EQ(truth.drive.speed < 0 ? -1 : 1, m.direction);
+        for (int i = 0; i < 60; i++)
+            EXPECT_EQ(expectedLabel(truth, segments.truth[i]), labels.at<uchar>(i)) << "seed " << seed << ", segment " << i;
+        double yawRate = 0, speed = 0;
+        EXPECT_TRUE(m.yawRate(truth.camera, yawRate));
+        EXPECT_TRUE(m.speed(truth.camera, speed));
+        EXPECT_NEAR(GetParam().yawRate * degree, yawRate, 0.01 * degree) << "seed " << seed;
+        EXPECT_NEAR(GetParam().speed, speed, 0.01) << "seed " << seed;
+    }
+}
+
+// With noise the estimate is about as good as a fit that knows the inliers and starts at the truth.
+TEST_P(RSAckermann_EstimatorPassage, noisy_segments)
+{
+    const Simulator truth = GetParam().simulator();
+    std::vector<double> left, best;
+    for (int seed = 0; seed < 21; seed++)
+    {
+        const Segments segments = makeSegments(truth, 80, 0.75, 0.15, seed);
+        const AckermannMotion m = estimate(truth, segments.ends);
+        EXPECT_EQ(MOTION_OK, m.status) << "seed " << seed;
+        left.push_back(displacementLeft(truth, m));
+        best.push_back(displacementLeft(truth, oracle(truth, segments)));
+    }
+    RecordProperty("displacement_left", format("%.3f", median(left)));
+    RecordProperty("displacement_left_by_oracle", format("%.3f", median(best)));
+    RecordProperty("displacement_raw", format("%.3f", truth.meanDisplacement()));
+    EXPECT_LT(median(left), 1.5 * median(best));
+    EXPECT_LT(median(left), 0.25 * truth.meanDisplacement());
+}
+
+class RSAckermann_EstimatorInliers : public testing::TestWithParam<int /* percent */> {};
+INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorInliers, testing::Values(100, 90, 80, 70, 60, 50, 40, 30));
+
+TEST_P(RSAckermann_EstimatorInliers, finds_the_motion)
+{
+    const Simulator truth = twoWalls.simulator();
+    std::vector<double> left, best;
+    int ok = 0;
+    const int runs = 21;
+    for (int seed = 0; seed < runs; seed++)
+    {
+        // 60 inliers in all cases
+        const double ratio = GetParam() / 100.;
+        const Segments segments = makeSegments(truth, cvRound(60 / ratio), ratio, 0.15, seed);
+        Mat labels;
+        const AckermannMotion m = estimate(truth, segments.ends, labels);
+        left.push_back(displacementLeft(truth, m));
+        best.push_back(displacementLeft(truth, oracle(truth, segments)));
+        ok += m.status == MOTION_OK;
+
+        ASSERT_EQ(segments.ends.rows, labels.rows);
+        ASSERT_EQ(1, labels.cols);
+        ASSERT_EQ(CV_8UC1, labels.type());
+        int found = 0, inliers = 0, candidates = 0;
+        for (int i = 0; i < labels.rows; i++)
+        {
+            const int label = labels.at<uchar>(i);
+            ASSERT_LE(label, SEGMENT_RIGHT_WALL);
+            candidates += label != SEGMENT_REJECTED;
+            if (label != SEGMENT_LEFT_WALL && label != SEGMENT_RIGHT_WALL)
+                continue;
+            inliers++;
+            found += label == int(segments.truth[i]);
+            // an outlier may agree with the motion by chance; then it is an inlier
+            const simulation::Surface plane = label == SEGMENT_LEFT_WALL ? simulation::LEFT : simulation::RIGHT;
+            if (m.status == MOTION_OK)
+            {
+                EXPECT_LT(std::abs(truth.residual(segments.at(i), plane)), 1.5) << "seed " << seed << ", segment " << i;
+            }
+        }
+        EXPECT_EQ(inliers, m.inliers);
+        EXPECT_EQ(candidates, m.candidates);
+        if (m.status == MOTION_OK)
+        {
+            EXPECT_GT(found, 45) << "seed " << seed << ": of 60 inliers";
+            EXPECT_LT(m.rms, 0.5);
+        }
+    }
+    RecordProperty("displacement_left", format("%.3f", median(left)));
+    RecordProperty("displacement_left_by_oracle", format("%.3f", median(best)));
+    EXPECT_GE(ok, 0.9 * runs);
+    EXPECT_LT(median(left), 1.5 * median(best));
+}
+
+TEST(RSAckermann_Estimator, same_result_for_all_numbers_of_threads)
+{
+    const Simulator truth = twoWalls.simulator();
+    const int before = getNumThreads();
+    for (int seed = 0; seed < 5; seed++)
+    {
+        const Segments segments = makeSegments(truth, 150, 0.5, 0.3, seed);
+        Mat labels, others;
+        setNumThreads(1);
+        const AckermannMotion m = estimate(truth, segments.ends, labels);
+        for (int threads = 2; threads <= 4; threads += 2)
+        {
+            setNumThreads(threads);
+            expectSame(m, estimate(truth, segments.ends, others));
+            EXPECT_EQ(0, cvtest::norm(labels, others, NORM_INF));
+        }
+    }
+    setNumThreads(before);
+}
+
+TEST(RSAckermann_Estimator, one_object_serves_many_threads)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(truth.camera, params(truth));
+    std::vector<Segments> segments;
+    std::vector<AckermannMotion> expected, motions(16);
+    for (int i = 0; i < 16; i++)
+    {
+        segments.push_back(makeSegments(truth, 60, 0.7, 0.2, i));
+        expected.push_back(estimator->estimate(segments[i].ends));
+    }
+    parallel_for_(Range(0, 16), [&](const Range& range) {
+        for (int i = range.start; i < range.end; i++)
+            motions[i] = estimator->estimate(segments[i].ends);
+    }, 16);
+    for (int i = 0; i < 16; i++)
+        expectSame(expected[i], motions[i]);
+}
+
+// Another seed finds another path to the same motion.
+TEST(RSAckermann_Estimator, seeds_agree)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 100, 0.6, 0.15, 0);
+    Params p = params(truth);
+    const AckermannMotion m = AckermannEstimator::create(truth.camera, p)->estimate(segments.ends);
+    ASSERT_EQ(MOTION_OK, m.status);
+    for (p.seed = 1; p.seed <= 20; p.seed++)
+    {
+        const AckermannMotion other = AckermannEstimator::create(truth.camera, p)->estimate(segments.ends);
+        ASSERT_EQ(MOTION_OK, other.status) << "seed " << p.seed;
+        EXPECT_LT(Simulator::fromMotion(truth.camera, m).meanDisplacement(Simulator::fromMotion(truth.camera, other)), 0.1) << "seed " << p.seed;
+    }
+}
+
+TEST(RSAckermann_Estimator, types_of_segments)
+{
+    const Simulator truth = twoWalls.simulator();
+    // coordinates that are the same in both precisions
+    Mat ends32, ends64;
+    makeSegments(truth, 60, 0.8, 0.1, 0).ends.convertTo(ends32, CV_32F);
+    ends32.convertTo(ends64, CV_64F);
+    const AckermannMotion m = estimate(truth, ends64);
+    ASSERT_EQ(MOTION_OK, m.status);
+    expectSame(m, estimate(truth, ends32));
+    expectSame(m, estimate(truth, ends32.reshape(4)));
+    expectSame(m, estimate(truth, ends64.reshape(4)));
+    std::vector<Vec4f> list(ends32.rows);
+    for (int i = 0; i < ends32.rows; i++)
+        list[i] = *ends32.ptr<Vec4f>(i);
+    expectSame(m, estimate(truth, list));
+    // rows of a wider matrix aren't contiguous
+    Mat wide(ends32.rows, 9, CV_32F, Scalar(NaN));
+    ends32.copyTo(wide.colRange(2, 6));
+    expectSame(m, estimate(truth, wide.colRange(2, 6)));
+    UMat device;
+    ends32.copyTo(device);
+    expectSame(m, estimate(truth, device));
+}
+
+TEST(RSAckermann_Estimator, order_of_ends_does_not_matter)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 60, 1, 0.15, 0);
+    Mat turned(60, 4, CV_64F);
+    segments.ends.colRange(0, 2).copyTo(turned.colRange(2, 4));
+    segments.ends.colRange(2, 4).copyTo(turned.colRange(0, 2));
+    const AckermannMotion a = estimate(truth, segments.ends), b = estimate(truth, turned);
+    ASSERT_EQ(MOTION_OK, a.status);
+    EXPECT_EQ(a.model, b.model);
+    EXPECT_EQ(a.inliers, b.inliers);
+    EXPECT_NEAR(a.alpha, b.alpha, 1e-6);
+    EXPECT_NEAR(a.B, b.B, 1e-5);
+    EXPECT_NEAR(a.D, b.D, 1e-5);
+}
+
+// What can't be the image of a vertical line changes nothing.
+TEST(RSAckermann_Estimator, gates)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 60, 0.8, 0.15, 0);
+    Mat labels, labelsOfAll;
+    const AckermannMotion m = estimate(truth, segments.ends, labels);
+    ASSERT_EQ(MOTION_OK, m.status);
+
+    Mat all = segments.ends.clone();
+    const double bad[][4] = {
+        {100, 100, 300, 100},           // horizontal
+        {100, 100, 300, 130},
+        {100, 100, 200, 200},           // diagonal
+        {300, 50, 350, 150},            // slant 0.5
+        {320, 100, 320, 130},           // short
+        {320, 100, 320, 100},           // a point
+        {NaN, 100, 320, 200}, {320, NaN, 320, 200}, {320, 100, NaN, 200}, {320, 100, 320, NaN},
+        {infinity, 100, 320, 200}, {320, -infinity, 320, 200}, {320, 100, -infinity, 200}, {320, 100, 320, infinity},
+        {NaN, NaN, NaN, NaN}, {infinity, infinity, infinity, infinity},
+        {1e300, 0, 1e300, 1e300}, {-1e300, -1e300, 1e300, 1e300},
+    };
+    const int count = int(sizeof(bad) / sizeof(bad[0]));
+    all.push_back(Mat(count, 4, CV_64F, const_cast<double*>(bad[0])));
+    RNG& rng = theRNG();
+    for (int i = 0; i < 100; i++)
+    {
+        const double x = rng.uniform(0., 500.), y = rng.uniform(0., 370.);
+        all.push_back(Mat(Matx14d(x, y, x + rng.uniform(40., 130.), y + rng.uniform(-10., 10.))));
+    }
+    expectSame(m, estimate(truth, all, labelsOfAll));
+    ASSERT_EQ(all.rows, labelsOfAll.rows);
+    EXPECT_EQ(0, cvtest::norm(labels, labelsOfAll.rowRange(0, 60), NORM_INF));
+    EXPECT_EQ(0, countNonZero(labelsOfAll.rowRange(60, all.rows)));
+}
+
+TEST(RSAckermann_Estimator, minLength_and_maxSlant)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 60, 1, 0.15, 0);
+    Params p = params(truth);
+    p.minLength = 80;
+    Mat labels;
+    AckermannEstimator::create(truth.camera, p)->estimate(segments.ends, labels);
+    for (int i = 0; i < 60; i++)
+    {
+        const Vec4d s = segments.at(i);
+        EXPECT_EQ(std::hypot(s[0] - s[2], s[1] - s[3]) < 80, labels.at<uchar>(i) == SEGMENT_REJECTED) << s;
+    }
+
+    p = params(truth);
+    p.maxSlant = 0.02;
+    AckermannEstimator::create(truth.camera, p)->estimate(segments.ends, labels);
+    for (int i = 0; i < 60; i++)
+    {
+        const Vec4d s = segments.at(i);
+        if (std::abs(s[0] - s[2]) > 0.021 * std::abs(s[1] - s[3]))
+        {
+            EXPECT_EQ(SEGMENT_REJECTED, labels.at<uchar>(i)) << s;
+        }
+    }
+}
+
+TEST(RSAckermann_Estimator, camera_at_rest)
+{
+    for (int tilted = 0; tilted < 2; tilted++)
+    {
+        Passage passage = passages[tilted ? 5 : 0];
+        passage.yawRate = passage.speed = 0;
+        const Simulator truth = passage.simulator();
+        int harm = 0;
+        const int runs = 40;
+        for (int seed = 0; seed < runs; seed++)
+        {
+            const Segments segments = makeSegments(truth, 80, 0.75, 0.2, seed);
+            const AckermannMotion m = estimate(truth, segments.ends);
+            harm += m.status == MOTION_OK;
+            if (m.status != MOTION_OK)
+            {
+                EXPECT_EQ(MODEL_NONE, m.model);
+                EXPECT_EQ(0, m.alpha);
+                EXPECT_EQ(0, m.B);
+                EXPECT_EQ(0, m.D);
+            }
+        }
+        EXPECT_LE(harm, runs / 20) << passage.name;
+    }
+}
+
+TEST(RSAckermann_Estimator, camera_at_rest_without_noise)
+{
+    Passage passage = twoWalls;
+    passage.yawRate = passage.speed = 0;
+    const Simulator truth = passage.simulator();
+    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, estimate(truth, makeSegments(truth, 60, 1, 0, 0).ends).status);
+}
+
+// Segments in all directions within the gates: no motion explains them.
+TEST(RSAckermann_Estimator, scene_without_verticals)
+{
+    const Simulator truth = twoWalls.simulator();
+    int harm = 0;
+    const int runs = 40;
+    for (int seed = 0; seed < runs; seed++)
+    {
+        Mat labels;
+        const AckermannMotion m = estimate(truth, makeSegments(truth, 80, 0, 0, seed).ends, labels);
+        EXPECT_EQ(80, labels.rows);
+        harm += m.status == MOTION_OK;
+    }
+    EXPECT_LE(harm, runs / 10);
+}
+
+TEST(RSAckermann_Estimator, few_segments)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 12, 1, 0.1, 0);
+    for (int n = 0; n <= 12; n++)
+    {
+        Mat labels;
+        const AckermannMotion m = estimate(truth, segments.ends.rowRange(0, n), labels);
+        EXPECT_EQ(n, labels.rows);
+        EXPECT_EQ(n, m.candidates);
+        if (n < Params().minCandidates)
+        {
+            EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, m.status) << n;
+        }
+    }
+    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, estimate(truth, Mat()).status);
+    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, estimate(truth, std::vector<Vec4f>()).status);
+    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, estimate(truth, Mat(50, 4, CV_32F, Scalar(NaN))).status);
+}
+
+// The same segment again and again says as much as one.
+TEST(RSAckermann_Estimator, degenerate_segments)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 2, 1, 0, 0);
+    for (int distinct = 1; distinct <= 2; distinct++)
+    {
+        const Mat copies = cv::repeat(segments.ends.rowRange(0, distinct), 40, 1);
+        Mat labels;
+        const AckermannMotion m = estimate(truth, copies, labels);
+        EXPECT_EQ(copies.rows, labels.rows);
+        EXPECT_NE(MODEL_4LA, m.model);
+        EXPECT_LT(displacementLeft(truth, m), 1e3) << "finite";
+    }
+}
+
+TEST(RSAckermann_Estimator, column_shutter)
+{
+    Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 60, 1, 0, 0);
+    for (int scan = SCAN_LEFT_TO_RIGHT; scan <= SCAN_RIGHT_TO_LEFT; scan++)
+    {
+        truth.camera.scanDirection = scan;
+        Mat labels;
+        EXPECT_EQ(MOTION_NOT_OBSERVABLE, estimate(truth, segments.ends, labels).status);
+        EXPECT_EQ(60, labels.rows);
+    }
+}
+
+TEST(RSAckermann_Estimator, unknown_line_delay)
+{
+    Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 60, 1, 0.1, 0);
+    truth.camera.lineDelay = 0;
+    const AckermannMotion m = estimate(truth, segments.ends);
+    EXPECT_EQ(MOTION_OK, m.status);
+    EXPECT_LT(displacementLeft(truth, m), 0.3 * truth.meanDisplacement());
+}
+
+struct Choice { double yawRate, speed; int model; };
+class RSAckermann_EstimatorModel : public testing::TestWithParam<Choice> {};
+void PrintTo(const Choice& choice, std::ostream* out) { *out << choice.yawRate << " deg/s, " << choice.speed << " m/s"; }
+const Choice choices[] = {{40, 0, MODEL_1LA}, {-25, 0, MODEL_1LA}, {0, 20, MODEL_3LA}, {0, -10, MODEL_3LA}, {40, 20, MODEL_4LA}, {-30, 25, MODEL_4LA}};
+INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorModel, testing::ValuesIn(choices));
+
+TEST_P(RSAckermann_EstimatorModel, is_chosen)
+{
+    Passage passage = twoWalls;
+    passage.yawRate = GetParam().yawRate;
+    passage.speed = GetParam().speed;
+    const Simulator truth = passage.simulator();
+    const int runs = 40;
+    int right = 0;
+    for (int seed = 0; seed < runs; seed++)
+    {
+        const AckermannMotion m = estimate(truth, makeSegments(truth, 100, 0.8, 0.15, seed).ends);
+        right += m.status == MOTION_OK && m.model == GetParam().model;
+    }
+    EXPECT_GE(right, 0.9 * runs);
+}
+
+TEST(RSAckermann_Estimator, fixed_model)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 60, 1, 0.1, 0);
+    Params p = params(truth);
+    const int models[] = {MODEL_NONE, MODEL_1LA, MODEL_3LA, MODEL_4LA};
+    for (int i = 0; i < 4; i++)
+    {
+        p.model = models[i];
+        const AckermannMotion m = AckermannEstimator::create(truth.camera, p)->estimate(segments.ends);
+        if (m.status == MOTION_OK)
+        {
+            EXPECT_EQ(p.model, m.model);
+        }
+        EXPECT_EQ(p.model == MODEL_NONE, m.status == MOTION_NOT_SIGNIFICANT) << p.model;
+        EXPECT_EQ(p.model == MODEL_1LA || p.model == MODEL_4LA, m.alpha != 0) << p.model;
+        EXPECT_EQ(p.model == MODEL_3LA || p.model == MODEL_4LA, m.B != 0 || m.D != 0) << p.model;
+    }
+}
+
+TEST(RSAckermann_Estimator, limits_of_the_motion)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 60, 1, 0.1, 0);
+    Params p = params(truth);
+    p.maxYawRate = 10 * degree;
+    p.maxSpeed = 5;
+    const AckermannMotion m = AckermannEstimator::create(truth.camera, p)->estimate(segments.ends);
+    double yawRate, speed;
+    ASSERT_TRUE(m.yawRate(truth.camera, yawRate));
+    m.speed(truth.camera, speed);
+    EXPECT_LE(std::abs(yawRate), p.maxYawRate * 1.001);
+    EXPECT_LE(std::abs(speed), p.maxSpeed * 1.001);
+}
+
+TEST(RSAckermann_Estimator, bad_segments_throw)
+{
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
+    EXPECT_THROW(estimator->estimate(Mat::zeros(10, 3, CV_32F)), cv::Exception);
+    EXPECT_THROW(estimator->estimate(Mat::zeros(10, 5, CV_64F)), cv::Exception);
+    EXPECT_THROW(estimator->estimate(Mat::zeros(10, 4, CV_32S)), cv::Exception);
+    EXPECT_THROW(estimator->estimate(Mat::zeros(10, 4, CV_8U)), cv::Exception);
+    EXPECT_THROW(estimator->estimate(Mat::zeros(10, 4, CV_32FC4)), cv::Exception);
+    EXPECT_THROW(estimator->estimate(Mat::zeros(10, 1, CV_32FC2)), cv::Exception);
+    EXPECT_THROW(estimator->estimate(std::vector<Vec4i>(10)), cv::Exception);
+}
+
+TEST(RSAckermann_Estimator, bad_images_throw)
+{
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
+    EXPECT_THROW(estimator->estimateFromImage(Mat()), cv::Exception);
+    EXPECT_THROW(estimator->estimateFromImage(Mat::zeros(380, 641, CV_8U)), cv::Exception);
+    EXPECT_THROW(estimator->estimateFromImage(Mat::zeros(380, 640, CV_32F)), cv::Exception);
+    EXPECT_THROW(estimator->estimateFromImage(Mat::zeros(380, 640, CV_8UC2)), cv::Exception);
+}
+
+TEST(RSAckermann_Estimator, bad_camera_throws)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(camera);
+    camera.lineDelay = -1;
+    EXPECT_THROW(AckermannEstimator::create(camera), cv::Exception);
+    EXPECT_THROW(AckermannEstimator::create(RollingShutterCamera()), cv::Exception);
+    EXPECT_THROW(estimator->setCamera(camera), cv::Exception);
+    EXPECT_EQ(simulation::paperCamera().lineDelay, estimator->getCamera().lineDelay);
+}
+
+TEST(RSAckermann_Estimator, black_image)
+{
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
+    Mat segments, labels;
+    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, estimator->estimateFromImage(Mat::zeros(380, 640, CV_8UC3), segments, labels).status);
+    EXPECT_EQ(0, segments.rows);
+    EXPECT_EQ(0, labels.rows);
+}
+
+// Bars between the simulated segments, drawn with subpixel ends.
+TEST(RSAckermann_Estimator, drawn_image)
+{
+    const Simulator truth = twoWalls.simulator();
+    Mat image(380, 640, CV_8U, Scalar(100));
+    RNG rng(1);
+    for (int i = 0; i < 70; i++)
+    {
+        Vec4d s;
+        simulation::Surface plane;
+        SegmentOptions options;
+        options.minLength = 70;
+        if (!simulation::randomVertical(truth, options, rng, s, plane))
+            continue;
+        if (s[1] > s[3])
+            s = Vec4d(s[2], s[3], s[0], s[1]);
+        Point quad[4];
+        const double width = 12, scale = 256;
+        const double x[] = {s[0], s[0] + width, s[2] + width, s[2]}, y[] = {s[1], s[1], s[3], s[3]};
+        for (int k = 0; k < 4; k++)
+            quad[k] = Point(cvRound(x[k] * scale), cvRound(y[k] * scale));
+        cv::fillConvexPoly(image, quad, 4, Scalar(rng.uniform(0, 2) ? rng.uniform(0, 60) : rng.uniform(150, 255)), LINE_AA, 8);
+    }
+    Mat segments, labels;
+    const AckermannMotion m = AckermannEstimator::create(truth.camera, params(truth))->estimateFromImage(image, segments, labels);
+    EXPECT_EQ(MOTION_OK, m.status);
+    EXPECT_LT(displacementLeft(truth, m), 0.5 * truth.meanDisplacement());
+    EXPECT_EQ(CV_32FC1, segments.type());
+    EXPECT_EQ(4, segments.cols);
+    EXPECT_EQ(segments.rows, labels.rows);
+}
+
+Params exampleParams()
+{
+    Params p;
+    p.model = MODEL_3LA;
+    p.detector = DETECTOR_FLD;
+    p.minLength = 21;
+    p.maxSlant = 0.4;
+    p.slantTolerance = 0.07;
+    p.minCandidates = 9;
+    p.threshold = 0.7;
+    p.confidence = 0.95;
+    p.maxIterations = 77;
+    p.seed = 5;
+    p.maxYawRate = 1.25;
+    p.maxSpeed = 33;
+    p.wallDistance = 4.5;
+    return p;
+}
+
+void expectSame(const Params& a, const Params& b)
+{
+    EXPECT_EQ(a.model, b.model);
+    EXPECT_EQ(a.detector, b.detector);
+    EXPECT_EQ(a.minLength, b.minLength);
+    EXPECT_EQ(a.maxSlant, b.maxSlant);
+    EXPECT_EQ(a.slantTolerance, b.slantTolerance);
+    EXPECT_EQ(a.minCandidates, b.minCandidates);
+    EXPECT_EQ(a.threshold, b.threshold);
+    EXPECT_EQ(a.confidence, b.confidence);
+    EXPECT_EQ(a.maxIterations, b.maxIterations);
+    EXPECT_EQ(a.seed, b.seed);
+    EXPECT_EQ(a.maxYawRate, b.maxYawRate);
+    EXPECT_EQ(a.maxSpeed, b.maxSpeed);
+    EXPECT_EQ(a.wallDistance, b.wallDistance);
+}
+
+TEST(RSAckermann_EstimatorParams, defaults)
+{
+    const Params p;
+    EXPECT_EQ(MODEL_AUTO, p.model);
+    EXPECT_EQ(DETECTOR_LSD, p.detector);
+    EXPECT_EQ(35, p.minLength);
+    EXPECT_EQ(0.5, p.threshold);
+    EXPECT_EQ(0.99, p.confidence);
+    EXPECT_EQ(0, p.seed);
+    EXPECT_NEAR(90 * degree, p.maxYawRate, 1e-12);
+    EXPECT_NEAR(200 / 3.6, p.maxSpeed, 1e-12);
+    EXPECT_EQ(0, p.wallDistance);
+    EXPECT_NO_THROW(p.check());
+    EXPECT_NO_THROW(exampleParams().check());
+}
+
+TEST(RSAckermann_EstimatorParams, storage_round_trip)
+{
+    const char* const formats[] = {".yml", ".xml", ".json"};
+    for (int i = 0; i < 3; i++)
+    {
+        FileStorage out(formats[i], FileStorage::WRITE | FileStorage::MEMORY);
+        out << "params" << "{";
+        exampleParams().write(out);
+        out << "}";
+        const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+        Params restored;
+        restored.read(in["params"]);
+        expectSame(exampleParams(), restored);
+    }
+}
+
+TEST(RSAckermann_EstimatorParams, storage_missing_keys_keep_values)
+{
+    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    out << "threshold" << 0.25;
+    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+    Params p = exampleParams(), expected = p;
+    p.read(in.root());
+    expected.threshold = 0.25;
+    expectSame(expected, p);
+    p.read(in["no such node"]);
+    expectSame(expected, p);
+}
+
+TEST(RSAckermann_EstimatorParams, algorithm_storage)
+{
+    const Ptr<AckermannEstimator> saved = AckermannEstimator::create(simulation::paperCamera(), exampleParams());
+    EXPECT_FALSE(saved->getDefaultName().empty());
+    EXPECT_NE("my_object", saved->getDefaultName());
+    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    out << "estimator" << "{";
+    saved->write(out);
+    out << "}";
+    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+    const Ptr<AckermannEstimator> restored = AckermannEstimator::create(simulation::paperCamera());
+    restored->read(in["estimator"]);
+    expectSame(exampleParams(), restored->getParams());
+}
+
+TEST(RSAckermann_EstimatorParams, set_and_get)
+{
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
+    expectSame(Params(), estimator->getParams());
+    estimator->setParams(exampleParams());
+    expectSame(exampleParams(), estimator->getParams());
+}
+
+typedef void (*Spoil)(Params&);
+typedef std::pair<const char*, Spoil> BadField;
+class RSAckermann_EstimatorParamsCheck : public testing::TestWithParam<BadField> {};
+const BadField badFields[] = {
+    BadField("model", [](Params& p) { p.model = 2; }),
+    BadField("model", [](Params& p) { p.model = -2; }),
+    BadField("detector", [](Params& p) { p.detector = 3; }),
+    BadField("detector", [](Params& p) { p.detector = -1; }),
+    BadField("minLength", [](Params& p) { p.minLength = -1; }),
+    BadField("minLength", [](Params& p) { p.minLength = NaN; }),
+    BadField("maxSlant", [](Params& p) { p.maxSlant = 0; }),
+    BadField("maxSlant", [](Params& p) { p.maxSlant = infinity; }),
+    BadField("slantTolerance", [](Params& p) { p.slantTolerance = -0.1; }),
+    BadField("slantTolerance", [](Params& p) { p.slantTolerance = NaN; }),
+    BadField("minCandidates", [](Params& p) { p.minCandidates = -1; }),
+    BadField("threshold", [](Params& p) { p.threshold = 0; }),
+    BadField("threshold", [](Params& p) { p.threshold = NaN; }),
+    BadField("confidence", [](Params& p) { p.confidence = -0.1; }),
+    BadField("confidence", [](Params& p) { p.confidence = 1.5; }),
+    BadField("confidence", [](Params& p) { p.confidence = NaN; }),
+    BadField("maxIterations", [](Params& p) { p.maxIterations = -1; }),
+    BadField("maxYawRate", [](Params& p) { p.maxYawRate = -1; }),
+    BadField("maxYawRate", [](Params& p) { p.maxYawRate = NaN; }),
+    BadField("maxSpeed", [](Params& p) { p.maxSpeed = -1; }),
+    BadField("maxSpeed", [](Params& p) { p.maxSpeed = NaN; }),
+    BadField("wallDistance", [](Params& p) { p.wallDistance = -1; }),
+    BadField("wallDistance", [](Params& p) { p.wallDistance = NaN; }),
+};
+INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorParamsCheck, testing::ValuesIn(badFields));
+
+TEST_P(RSAckermann_EstimatorParamsCheck, names_the_field)
+{
+    Params p = exampleParams();
+    GetParam().second(p);
+    std::string message;
+    try
+    {
+        p.check();
+    }
+    catch (const cv::Exception& e)
+    {
+        message = e.err;
+    }
+    EXPECT_NE(std::string::npos, message.find(GetParam().first)) << message;
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
+    EXPECT_THROW(estimator->setParams(p), cv::Exception);
+    EXPECT_THROW(AckermannEstimator::create(simulation::paperCamera(), p), cv::Exception);
+    expectSame(Params(), estimator->getParams());
+}
+
+}} // namespace
