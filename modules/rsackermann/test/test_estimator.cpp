@@ -260,7 +260,7 @@ TEST_P(RSAckermann_EstimatorInliers, finds_the_motion)
             if (label != SEGMENT_LEFT_WALL && label != SEGMENT_RIGHT_WALL)
                 continue;
             inliers++;
-            found += label == int(segments.truth[i]);
+            found += segments.truth[i] != simulation::NOTHING && label == expectedLabel(truth, segments.truth[i]);
             // an outlier may agree with the motion by chance; then it is an inlier
             const simulation::Surface plane = label == SEGMENT_LEFT_WALL ? simulation::LEFT : simulation::RIGHT;
             if (m.status == MOTION_OK)

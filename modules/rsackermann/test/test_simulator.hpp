@@ -5,6 +5,7 @@
 #ifndef OPENCV_TEST_RSACKERMANN_SIMULATOR_HPP
 #define OPENCV_TEST_RSACKERMANN_SIMULATOR_HPP
 
+#include <limits>
 #include "opencv2/calib3d.hpp"
 #include "opencv2/rsackermann.hpp"
 
@@ -149,15 +150,17 @@ public:
         {
             // Newton's method on the lens model that lens() evaluates
             const Point2d want(ray[0], ray[1]);
+            const double h = 1e-6;
             Point2d p = want;
-            for (int i = 0; i < 50; i++)
+            for (int i = 0; i < 20; i++)
             {
-                const double h = 1e-6;
-                const Point2d f = lens(p) - want;
-                const Point2d dx = (lens(p + Point2d(h, 0)) - lens(p - Point2d(h, 0))) * (0.5 / h);
-                const Point2d dy = (lens(p + Point2d(0, h)) - lens(p - Point2d(0, h))) * (0.5 / h);
+                std::vector<Point2d> f = {p, p + Point2d(h, 0), p - Point2d(h, 0), p + Point2d(0, h), p - Point2d(0, h)};
+                lens(f);
+                const Point2d error = f[0] - want, dx = (f[1] - f[2]) * (0.5 / h), dy = (f[3] - f[4]) * (0.5 / h);
                 const double det = dx.x * dy.y - dx.y * dy.x;
-                p -= Point2d(f.x * dy.y - f.y * dy.x, dx.x * f.y - dx.y * f.x) * (1 / det);
+                p -= Point2d(error.x * dy.y - error.y * dy.x, dx.x * error.y - dx.y * error.x) * (1 / det);
+                if (cv::norm(error) < 1e-12)
+                    break;
             }
             ray = Vec3d(p.x, p.y, 1);
         }
@@ -170,9 +173,10 @@ public:
         const Vec3d P = camera.uprightRotation.t() * inCamera;
         if (!(P[2] > 1e-9))
             return false;
-        const Point2d q = lens(Point2d(P[0] / P[2], P[1] / P[2]));
+        std::vector<Point2d> q(1, Point2d(P[0] / P[2], P[1] / P[2]));
+        lens(q);
         const Matx33d& K = camera.cameraMatrix;
-        pixel = Point2d(K(0, 0) * q.x + K(0, 2), K(1, 1) * q.y + K(1, 2));
+        pixel = Point2d(K(0, 0) * q[0].x + K(0, 2), K(1, 1) * q[0].y + K(1, 2));
         return true;
     }
 
@@ -276,18 +280,18 @@ private:
     }
 
     //! The lens on normalised coordinates, by OpenCV's projection functions.
-    Point2d lens(const Point2d& p) const
+    void lens(std::vector<Point2d>& points) const
     {
         if (camera.distCoeffs.empty())
-            return p;
-        const std::vector<Point3d> object(1, Point3d(p.x, p.y, 1));
-        std::vector<Point2d> image;
+            return;
+        std::vector<Point3d> object;
+        for (size_t i = 0; i < points.size(); i++)
+            object.push_back(Point3d(points[i].x, points[i].y, 1));
         const Mat zero = Mat::zeros(3, 1, CV_64F);
         if (camera.lensModel == cv::rsackermann::LENS_FISHEYE)
-            cv::fisheye::projectPoints(object, image, zero, zero, Matx33d::eye(), camera.distCoeffs);
+            cv::fisheye::projectPoints(object, points, zero, zero, Matx33d::eye(), camera.distCoeffs);
         else
-            cv::projectPoints(object, zero, zero, Matx33d::eye(), camera.distCoeffs, image);
-        return image[0];
+            cv::projectPoints(object, zero, zero, Matx33d::eye(), camera.distCoeffs, points);
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../scene.hpp"
+#include "../segments.hpp"
 #include "selection.hpp"
 #include "vertical_residual.hpp"
 
@@ -40,7 +41,7 @@ public:
     AckermannMotion estimate(InputArray segments, OutputArray labels) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        return run(toRows(segments), labels);
+        return run(segmentRows(segments), labels);
     }
 
     AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels) const CV_OVERRIDE
@@ -53,7 +54,7 @@ public:
         detectSegments(image, found, params.detector, params.minLength);
         if (segments.needed())
             found.copyTo(segments);
-        return run(toRows(found), labels);
+        return run(segmentRows(found), labels);
     }
 
     void write(FileStorage& fs) const CV_OVERRIDE
@@ -72,28 +73,12 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann.AckermannEstimator"; }
 
 private:
-    static Mat toRows(InputArray segments);
     AckermannMotion run(const Mat& segments, OutputArray labels) const;
     void report(const RefinementProblem& problem, const Fit& fit, AckermannMotion& motion, Mat& labels) const;
 
     RollingShutterCamera camera;
     Params params;
 };
-
-// The segments as N x 4, CV_64F.
-Mat AckermannEstimatorImpl::toRows(InputArray segments)
-{
-    if (segments.empty())
-        return Mat(0, 4, CV_64F);
-    Mat in = segments.getMat();
-    const bool fourColumns = in.channels() == 1 && in.cols == 4, fourChannels = in.channels() == 4 && (in.cols == 1 || in.rows == 1);
-    if ((in.depth() != CV_32F && in.depth() != CV_64F) || in.dims != 2 || (!fourColumns && !fourChannels))
-        CV_Error(Error::StsBadArg, format("segments is a %d x %d matrix of type %s; N x 4 with one channel or N x 1 with four channels, "
-                                          "CV_32F or CV_64F, is expected", in.rows, in.cols, typeToString(in.type()).c_str()));
-    Mat rows;
-    in.convertTo(rows, CV_64F);
-    return rows.isContinuous() ? rows.reshape(1, (int)(rows.total() * rows.channels() / 4)) : rows;
-}
 
 AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_) const
 {

@@ -1,0 +1,27 @@
+# The library: the sources of the module that ocv_define_module() takes, too.
+
+include(cmake/RsackermannDispatch.cmake)
+
+set(RSACKERMANN_MODULE_DIR "${PROJECT_SOURCE_DIR}/modules/rsackermann")
+file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/src/*.cpp")
+
+add_library(opencv_rsackermann ${library_sources})
+add_library(rsackermann::rsackermann ALIAS opencv_rsackermann)
+rsackermann_add_dispatched_files(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}/src")
+
+set_target_properties(opencv_rsackermann PROPERTIES
+  VERSION ${PROJECT_VERSION}
+  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+  EXPORT_NAME rsackermann)
+target_compile_features(opencv_rsackermann PUBLIC cxx_std_11)
+target_compile_definitions(opencv_rsackermann PRIVATE CVAPI_EXPORTS)
+set(RSACKERMANN_INSTALL_INCLUDEDIR "${CMAKE_INSTALL_INCLUDEDIR}/opencv${OpenCV_VERSION_MAJOR}")
+target_include_directories(opencv_rsackermann
+  PUBLIC "$<BUILD_INTERFACE:${RSACKERMANN_MODULE_DIR}/include>" "$<INSTALL_INTERFACE:${RSACKERMANN_INSTALL_INCLUDEDIR}>")
+target_link_libraries(opencv_rsackermann
+  PUBLIC opencv_core opencv_imgproc opencv_calib3d
+  PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
+# opencv2/opencv_modules.hpp defines HAVE_OPENCV_XIMGPROC where OpenCV has this module.
+if(TARGET opencv_ximgproc)
+  target_link_libraries(opencv_rsackermann PRIVATE opencv_ximgproc)
+endif()

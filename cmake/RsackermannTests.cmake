@@ -1,0 +1,40 @@
+# opencv_ts, OpenCV's test framework, and the module's test programs. OpenCV doesn't install opencv_ts, so it is built from
+# the source of the same version.
+
+set(ts_dir "${OPENCV_TS_SOURCE_DIR}/modules/ts")
+if(NOT OPENCV_TS_SOURCE_DIR OR NOT EXISTS "${ts_dir}/include/opencv2/ts.hpp")
+  message(FATAL_ERROR "The tests need OPENCV_TS_SOURCE_DIR, the source tree of OpenCV ${OpenCV_VERSION}: "
+    "-DOPENCV_TS_SOURCE_DIR=\"$(scripts/get_opencv_source.sh)\"")
+endif()
+
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio highgui)
+find_package(Threads REQUIRED)
+find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS} PATH_SUFFIXES opencv4/opencv2 opencv2)
+
+file(GLOB ts_sources "${ts_dir}/src/*.cpp")
+add_library(opencv_ts STATIC ${ts_sources})
+target_compile_options(opencv_ts PRIVATE -w)
+target_include_directories(opencv_ts SYSTEM
+  PUBLIC "${ts_dir}/include" "${OPENCV_CVCONFIG_DIR}"
+  PRIVATE "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")
+target_link_libraries(opencv_ts PUBLIC opencv_core opencv_imgproc opencv_imgcodecs opencv_videoio opencv_highgui Threads::Threads)
+
+# The programs write their results there; they don't make directories.
+set(RSACKERMANN_TEST_RESULTS_DIR "${PROJECT_BINARY_DIR}/test-results")
+file(MAKE_DIRECTORY "${RSACKERMANN_TEST_RESULTS_DIR}")
+
+# Adds the program NAME from the sources in the module's folder, and a test of that name with the arguments given.
+function(rsackermann_add_ts_program name folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/${folder}/*.cpp")
+  add_executable(${name} ${sources})
+  target_include_directories(${name} PRIVATE "${RSACKERMANN_MODULE_DIR}/${folder}")
+  target_link_libraries(${name} PRIVATE opencv_rsackermann opencv_ts Eigen3::Eigen)
+  add_test(NAME ${name} COMMAND ${name} "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/${name}.xml" ${ARGN})
+endfunction()
+
+if(BUILD_TESTING)
+  rsackermann_add_ts_program(opencv_test_rsackermann test)
+endif()
+if(BUILD_PERF_TESTS)
+  rsackermann_add_ts_program(opencv_perf_rsackermann perf --perf_min_samples=1 --perf_force_samples=1 --perf_verify_sanity)
+endif()

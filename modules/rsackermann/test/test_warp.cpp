@@ -1,0 +1,590 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_warp_cameras.hpp"
+
+namespace opencv_test { namespace {
+
+const float FAR_OUTSIDE = -16384;
+
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+
+AckermannMotion exampleMotion(const RollingShutterCamera& camera)
+{
+    return AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, camera.heading);
+}
+
+//! Largest difference of two maps over pixels whose mask isn't 0.
+double maxDifference(const Mat& a, const Mat& b, const Mat& mask = Mat())
+{
+    return cvtest::norm(a, b, NORM_INF, mask);
+}
+
+//! Every coordinate is a number, and none is farther off than what fits into CV_16SC2.
+void expectAddressable(const Mat& map)
+{
+    EXPECT_TRUE(cv::checkRange(map, true, 0, -SHRT_MAX - 1., SHRT_MAX + 1.));
+}
+
+//////////////////////////////////////////////// inverse of one another ////////////////////////////////////////////////
+
+typedef testing::TestWithParam<int> WarpLens; // TestLens
+
+//! Bilinear interpolation of a map in the pixel cell that begins at (i, j).
+float interpolate(const Mat& map, int i, int j, float u, float v)
+{
+    const float* m0 = map.ptr<float>(j) + i;
+    const float* m1 = map.ptr<float>(j + 1) + i;
+    return (1 - v) * ((1 - u) * m0[0] + u * m0[1]) + v * ((1 - u) * m1[0] + u * m1[1]);
+}
+
+//! Whether the corners of a pixel cell show different planes; there the distort map has a crease that isn't interpolated well.
+bool isCrease(const simulation::Simulator& simulator, int i, int j)
+{
+    const simulation::Surface first = simulator.surface(Point2d(i, j));
+    return simulator.surface(Point2d(i + 1, j)) != first || simulator.surface(Point2d(i, j + 1)) != first ||
+           simulator.surface(Point2d(i + 1, j + 1)) != first;
+}
+
+TEST_P(WarpLens, rectify_then_distort_is_identity)
+{
+    RNG rng(99);
+    for (int round = 0; round < 20; round++)
+    {
+        RollingShutterCamera camera = lensCamera(GetParam());
+        mountAtRandom(camera, rng);
+        camera.scanDirection = rng.uniform(0, 4);
+        const AckermannMotion motion = randomMotion(camera, rng);
+        const simulation::Simulator simulator = simulation::Simulator::fromMotion(camera, motion);
+        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+        Mat toRaw[2], toGlobal[2], mask;
+        generator->initRectifyMap(motion, toRaw[0], toRaw[1], CV_32FC1, mask);
+        generator->initDistortMap(motion, toGlobal[0], toGlobal[1]);
+
+        double worst = 0, worstCrease = 0;
+        int compared = 0, creases = 0;
+        for (int y = 0; y < mask.rows; y++)
+            for (int x = 0; x < mask.cols; x++)
+            {
+                const float u = toRaw[0].at<float>(y, x), v = toRaw[1].at<float>(y, x);
+                const int i = cvFloor(u), j = cvFloor(v);
+                if (i < 0 || j < 0 || i + 1 >= mask.cols || j + 1 >= mask.rows)
+                    continue;
+                const double error = std::max(std::abs(interpolate(toGlobal[0], i, j, u - i, v - j) - x),
+                                              std::abs(interpolate(toGlobal[1], i, j, u - i, v - j) - y));
+                compared++;
+                if (error > 0.01 && isCrease(simulator, i, j))
+                {
+                    worstCrease = std::max(worstCrease, error);
+                    creases++;
+                }
+                else
+                    worst = std::max(worst, error);
+            }
+        EXPECT_LE(worst, 0.01) << "round " << round;
+        EXPECT_LE(worstCrease, 0.1) << "round " << round;
+        EXPECT_LE(creases, 2000) << "round " << round;
+        EXPECT_GE(compared, 100000) << "round " << round;
+    }
+}
+
+TEST_P(WarpLens, no_motion_equals_OpenCV)
+{
+    const RollingShutterCamera camera = lensCamera(GetParam());
+    const Matx33d newMatrices[] = {camera.cameraMatrix, Matx33d(700, 0, 330, 0, 690, 200, 0, 0, 1)};
+    for (int i = 0; i < 2; i++)
+    {
+        WarpMapGenerator::Params params;
+        params.newCameraMatrix = newMatrices[i];
+        params.newSize = i ? Size(650, 391) : Size();
+        const Size size = i ? params.newSize : camera.imageSize;
+        AckermannMotion motion;
+        for (int ok = 0; ok < 2; ok++)
+        {
+            // a moving camera that doesn't move takes the other way through the code
+            motion.status = ok ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+            Mat map1, map2, expected1, expected2;
+            WarpMapGenerator::create(camera, params)->initRectifyMap(motion, map1, map2);
+            if (GetParam() == FISHEYE_LENS)
+                cv::fisheye::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), newMatrices[i], size, CV_32FC1,
+                                                     expected1, expected2);
+            else
+                cv::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), newMatrices[i], size, CV_32FC1, expected1,
+                                            expected2);
+            EXPECT_LE(maxDifference(map1, expected1), 1e-3);
+            EXPECT_LE(maxDifference(map2, expected2), 1e-3);
+        }
+    }
+}
+
+TEST_P(WarpLens, motion_without_status_OK_is_ignored)
+{
+    const RollingShutterCamera camera = lensCamera(GetParam());
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    AckermannMotion motion = exampleMotion(camera);
+    Mat expected1, expected2, map1, map2;
+    for (int distort = 0; distort < 2; distort++)
+        for (int status = MOTION_NOT_SIGNIFICANT; status <= MOTION_NOT_OBSERVABLE; status++)
+        {
+            motion.status = status;
+            if (distort)
+            {
+                generator->initDistortMap(AckermannMotion(), expected1, expected2);
+                generator->initDistortMap(motion, map1, map2);
+            }
+            else
+            {
+                generator->initRectifyMap(AckermannMotion(), expected1, expected2);
+                generator->initRectifyMap(motion, map1, map2);
+            }
+            EXPECT_EQ(0, maxDifference(expected1, map1));
+            EXPECT_EQ(0, maxDifference(expected2, map2));
+        }
+}
+
+TEST_P(WarpLens, absurd_motion_gives_no_NaN)
+{
+    RNG rng(5);
+    const double magnitudes[] = {1, 10, 1e3, 1e9, 1e200};
+    for (int round = 0; round < 60; round++)
+    {
+        RollingShutterCamera camera = lensCamera(GetParam());
+        mountAtRandom(camera, rng);
+        camera.scanDirection = rng.uniform(0, 4);
+        camera.imageSize = Size(61, 37);
+        const double magnitude = magnitudes[round % 5];
+        AckermannMotion motion;
+        motion.status = MOTION_OK;
+        motion.alpha = rng.uniform(-1., 1.) * magnitude;
+        motion.B = rng.uniform(-1., 1.) * magnitude;
+        motion.D = rng.uniform(-1., 1.) * magnitude;
+        motion.lambda = rng.uniform(-0.2, 2.);
+        motion.G = rng.uniform(-1., 1.) * magnitude;
+        motion.direction = rng.uniform(0, 2) ? 1 : -1;
+        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+        for (int distort = 0; distort < 2; distort++)
+        {
+            Mat map1, map2, mask;
+            if (distort)
+                generator->initDistortMap(motion, map1, map2, CV_32FC1, mask);
+            else
+                generator->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
+            expectAddressable(map1);
+            expectAddressable(map2);
+            const Mat none = map1 == FAR_OUTSIDE;
+            EXPECT_EQ(0, maxDifference(none, map2 == FAR_OUTSIDE));
+            EXPECT_EQ(0, cv::countNonZero(mask & none));
+        }
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, WarpLens, testing::Values(ALL_LENSES));
+
+//////////////////////////////////////////////// where nothing is seen /////////////////////////////////////////////////
+
+TEST(RSAckermann_Warp, walls_that_are_passed_show_nothing)
+{
+    // A wall across the road, which the camera reaches in the middle of the second half of its read-out.
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.referenceRow = 0;
+    const double passedRow = 300;
+    AckermannMotion motion;
+    motion.status = MOTION_OK;
+    motion.D = 1 / camera.rowTime(Point2d(0, passedRow));
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    Mat map1, map2, mask;
+    generator->initDistortMap(motion, map1, map2, CV_32FC1, mask);
+    for (int y = 0; y < mask.rows; y++)
+    {
+        const int none = cv::countNonZero(map1.row(y) == FAR_OUTSIDE);
+        EXPECT_EQ(y > passedRow ? mask.cols : 0, none) << "row " << y;
+    }
+    EXPECT_EQ(mask.cols, cv::countNonZero(mask.row(0)));
+    EXPECT_EQ(0, cv::countNonZero(mask.rowRange((int)passedRow + 1, mask.rows)));
+
+    generator->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
+    double last;
+    cv::minMaxLoc(map2, 0, &last);
+    EXPECT_LE(last, passedRow);
+}
+
+TEST(RSAckermann_Warp, nearest_plane_is_seen)
+{
+    // Where two planes meet their depths agree: the distort map is continuous there and follows the nearer one elsewhere.
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const AckermannMotion motion = exampleMotion(camera);
+    AckermannMotion onlyLeft = motion;
+    onlyLeft.lambda = onlyLeft.G = 0;
+    AckermannMotion onlyRoad = motion;
+    onlyRoad.B = onlyRoad.D = onlyRoad.lambda = 0;
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    Mat all[2], left[2], road[2];
+    generator->initDistortMap(motion, all[0], all[1]);
+    generator->initDistortMap(onlyLeft, left[0], left[1]);
+    generator->initDistortMap(onlyRoad, road[0], road[1]);
+    const Point onWall(5, 100), onRoad(320, 370);
+    for (int k = 0; k < 2; k++)
+    {
+        EXPECT_EQ(all[k].at<float>(onWall), left[k].at<float>(onWall));
+        EXPECT_EQ(all[k].at<float>(onRoad), road[k].at<float>(onRoad));
+        EXPECT_NE(left[k].at<float>(onRoad), road[k].at<float>(onRoad));
+    }
+}
+
+TEST(RSAckermann_Warp, lens_model_ends_where_it_turns_back)
+{
+    // r (1 - 0.5 r^2) grows up to r = sqrt(2 / 3); beyond it the polynomial would show the scene a second time.
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.cameraMatrix = Matx33d(200, 0, 319.5, 0, 200, 189.5, 0, 0, 1);
+    camera.distCoeffs = std::vector<double>(4, 0.);
+    camera.distCoeffs[0] = -0.5;
+    Mat map1, map2, mask;
+    WarpMapGenerator::create(camera)->initRectifyMap(AckermannMotion(), map1, map2, CV_32FC1, mask);
+    const double limit = std::sqrt(2. / 3) * 200;
+    for (int y = 0; y < mask.rows; y += 7)
+        for (int x = 0; x < mask.cols; x += 7)
+        {
+            const double r = std::hypot(x - 319.5, y - 189.5);
+            if (std::abs(r - limit) < 1)
+                continue;
+            EXPECT_EQ(r > limit, map1.at<float>(y, x) == FAR_OUTSIDE) << x << ", " << y;
+            EXPECT_EQ(r < limit ? 255 : 0, mask.at<uchar>(y, x)) << x << ", " << y;
+        }
+
+    // Nor has a raw pixel beyond the largest distorted radius a ray.
+    WarpMapGenerator::create(camera)->initDistortMap(AckermannMotion(), map1, map2, CV_32FC1, mask);
+    const double rawLimit = limit * (1 - 1. / 3);
+    for (int y = 0; y < mask.rows; y += 7)
+        for (int x = 0; x < mask.cols; x += 7)
+        {
+            const double r = std::hypot(x - 319.5, y - 189.5);
+            if (r > rawLimit + 1)
+            {
+                EXPECT_EQ(FAR_OUTSIDE, map1.at<float>(y, x)) << x << ", " << y;
+            }
+            else if (r < 0.9 * rawLimit)
+            {
+                EXPECT_EQ(255, mask.at<uchar>(y, x)) << x << ", " << y;
+            }
+        }
+}
+
+TEST(RSAckermann_Warp, pole_of_the_lens_model)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.distCoeffs = std::vector<double>(8, 0.);
+    camera.distCoeffs[5] = -25; // 1 - 25 r^2 is 0 at r = 0.2
+    Mat map1, map2, mask;
+    AckermannMotion motion = exampleMotion(camera);
+    for (int moving = 0; moving < 2; moving++)
+    {
+        motion.status = moving ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+        WarpMapGenerator::create(camera)->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
+        expectAddressable(map1);
+        expectAddressable(map2);
+        EXPECT_EQ(FAR_OUTSIDE, map1.at<float>(0, 0));
+        EXPECT_GT(cv::countNonZero(mask), 0);
+    }
+}
+
+TEST(RSAckermann_Warp, mask_tells_what_the_raw_image_shows)
+{
+    const RollingShutterCamera camera = lensCamera(BROWN_5);
+    Mat map1, map2, mask;
+    WarpMapGenerator::create(camera)->initRectifyMap(exampleMotion(camera), map1, map2, CV_32FC1, mask);
+    ASSERT_EQ(CV_8UC1, mask.type());
+    Mat corrected;
+    cv::remap(Mat(camera.imageSize, CV_8U, Scalar(200)), corrected, map1, map2, INTER_LINEAR, BORDER_CONSTANT, Scalar(0));
+    EXPECT_EQ(0, maxDifference(mask == 255, corrected == 200));
+    EXPECT_GT(cv::countNonZero(mask == 0), 0);
+
+    WarpMapGenerator::create(simulation::paperCamera())->initRectifyMap(AckermannMotion(), map1, map2, CV_32FC1, mask);
+    EXPECT_EQ(mask.size().area(), cv::countNonZero(mask));
+}
+
+//////////////////////////////////////////////////// map contract //////////////////////////////////////////////////////
+
+TEST(RSAckermann_Warp, sizes)
+{
+    // The pixels of a small image are those of a large one with the same camera matrix.
+    RollingShutterCamera camera = lensCamera(BROWN_5);
+    camera.cameraMatrix(0, 2) = 33;
+    camera.cameraMatrix(1, 2) = 4;
+    camera.referenceRow = 4;
+    const AckermannMotion motion = exampleMotion(camera);
+    Mat rectify[2], distort[2];
+    WarpMapGenerator::create(camera)->initRectifyMap(motion, rectify[0], rectify[1]);
+    WarpMapGenerator::create(camera)->initDistortMap(motion, distort[0], distort[1]);
+    for (int height = 1; height <= 9; height++)
+        for (int width = 1; width <= 67; width++)
+        {
+            camera.imageSize = Size(width, height);
+            const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+            const Rect part(Point(), camera.imageSize);
+            Mat map1, map2, whole, fraction, expectedWhole, expectedFraction;
+            for (int d = 0; d < 2; d++)
+            {
+                if (d)
+                    generator->initDistortMap(motion, map1, map2);
+                else
+                    generator->initRectifyMap(motion, map1, map2);
+                ASSERT_EQ(camera.imageSize, map1.size());
+                EXPECT_EQ(0, maxDifference(map1, (d ? distort : rectify)[0](part))) << camera.imageSize;
+                EXPECT_EQ(0, maxDifference(map2, (d ? distort : rectify)[1](part))) << camera.imageSize;
+
+                if (d)
+                    generator->initDistortMap(motion, whole, fraction, CV_16SC2);
+                else
+                    generator->initRectifyMap(motion, whole, fraction, CV_16SC2);
+                cv::convertMaps(map1, map2, expectedWhole, expectedFraction, CV_16SC2);
+                EXPECT_EQ(0, maxDifference(whole, expectedWhole)) << camera.imageSize;
+                EXPECT_EQ(0, maxDifference(fraction, expectedFraction)) << camera.imageSize;
+            }
+        }
+}
+
+TEST(RSAckermann_Warp, fixed_point_far_outside)
+{
+    // Coordinates beyond the range of a short, and none at all, both in the columns that vectors take and in the rest.
+    RollingShutterCamera camera = simulation::paperCamera();
+    WarpMapGenerator::Params params;
+    params.newCameraMatrix = Matx33d(1e-2, 0, 33, 0, 1e-2, 2, 0, 0, 1);
+    params.newSize = Size(67, 5);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera, params);
+    Mat map1, map2, whole, fraction, mask;
+    generator->initRectifyMap(AckermannMotion(), map1, map2);
+    generator->initRectifyMap(AckermannMotion(), whole, fraction, CV_16SC2, mask);
+    for (int y = 0; y < map1.rows; y++)
+        for (int x = 0; x < map1.cols; x++)
+        {
+            const bool center = x == 33 && y == 2;
+            EXPECT_EQ(center ? 320 : FAR_OUTSIDE, cvRound(map1.at<float>(y, x))) << x << ", " << y;
+            EXPECT_EQ(center ? Vec2s(319, 189) : Vec2s::all((short)FAR_OUTSIDE), whole.at<Vec2s>(y, x)) << x << ", " << y;
+            EXPECT_EQ(center ? 255 : 0, mask.at<uchar>(y, x)) << x << ", " << y;
+        }
+}
+
+typedef testing::TestWithParam<bool> WarpContract; // rectify or distort
+
+class Maps
+{
+public:
+    explicit Maps(bool distort_) : distort(distort_), camera(lensCamera(BROWN_5)), generator(WarpMapGenerator::create(camera)) {}
+
+    void make(OutputArray map1, OutputArray map2, int m1type, OutputArray mask = noArray()) const
+    {
+        const AckermannMotion motion = exampleMotion(camera);
+        if (distort)
+            generator->initDistortMap(motion, map1, map2, m1type, mask);
+        else
+            generator->initRectifyMap(motion, map1, map2, m1type, mask);
+    }
+
+    bool distort;
+    RollingShutterCamera camera;
+    Ptr<WarpMapGenerator> generator;
+};
+
+TEST_P(WarpContract, types)
+{
+    const Maps maps(GetParam());
+    Mat columns, rows, xy, none(3, 3, CV_32F), whole, fraction;
+    maps.make(columns, rows, CV_32FC1);
+    EXPECT_EQ(CV_32FC1, columns.type());
+    EXPECT_EQ(CV_32FC1, rows.type());
+
+    maps.make(xy, none, CV_32FC2);
+    EXPECT_EQ(CV_32FC2, xy.type());
+    EXPECT_TRUE(none.empty());
+    Mat split[2];
+    cv::split(xy, split);
+    EXPECT_EQ(0, maxDifference(columns, split[0]));
+    EXPECT_EQ(0, maxDifference(rows, split[1]));
+
+    Mat expectedWhole, expectedFraction;
+    cv::convertMaps(columns, rows, expectedWhole, expectedFraction, CV_16SC2);
+    const int fixedPoint[] = {CV_16SC2, 0, -1};
+    for (int i = 0; i < 3; i++)
+    {
+        maps.make(whole, fraction, fixedPoint[i]);
+        EXPECT_EQ(CV_16SC2, whole.type());
+        EXPECT_EQ(CV_16UC1, fraction.type());
+        EXPECT_EQ(0, maxDifference(whole, expectedWhole));
+        EXPECT_EQ(0, maxDifference(fraction, expectedFraction));
+    }
+}
+
+TEST_P(WarpContract, bad_types)
+{
+    const Maps maps(GetParam());
+    Mat map1, map2;
+    const int bad[] = {CV_32FC3, CV_64FC1, CV_16SC1, CV_8UC2, CV_64FC2};
+    for (size_t i = 0; i < sizeof(bad) / sizeof(bad[0]); i++)
+        EXPECT_THROW(maps.make(map1, map2, bad[i]), cv::Exception) << bad[i];
+}
+
+TEST_P(WarpContract, preallocated_outputs_are_reused)
+{
+    const Maps maps(GetParam());
+    Mat map1, map2, mask;
+    const int types[] = {CV_32FC1, CV_16SC2};
+    for (int i = 0; i < 2; i++)
+    {
+        maps.make(map1, map2, types[i], mask);
+        const uchar* const data[] = {map1.data, map2.data, mask.data};
+        const Mat copy1 = map1.clone(), copy2 = map2.clone(), copyMask = mask.clone();
+        map1.setTo(7);
+        map2.setTo(7);
+        mask.setTo(7);
+        maps.make(map1, map2, types[i], mask);
+        EXPECT_EQ(data[0], map1.data);
+        EXPECT_EQ(data[1], map2.data);
+        EXPECT_EQ(data[2], mask.data);
+        EXPECT_EQ(0, maxDifference(copy1, map1));
+        EXPECT_EQ(0, maxDifference(copy2, map2));
+        EXPECT_EQ(0, maxDifference(copyMask, mask));
+    }
+}
+
+TEST_P(WarpContract, parts_of_larger_matrices)
+{
+    const Maps maps(GetParam());
+    Mat map1, map2;
+    maps.make(map1, map2, CV_32FC1);
+    const Size size = map1.size();
+    Mat large1(size.height + 4, size.width + 6, CV_32F, Scalar(1)), large2 = large1.clone();
+    Mat part1 = large1(Rect(Point(2, 3), size)), part2 = large2(Rect(Point(2, 3), size));
+    maps.make(part1, part2, CV_32FC1);
+    EXPECT_EQ(0, maxDifference(map1, large1(Rect(Point(2, 3), size))));
+    EXPECT_EQ(0, maxDifference(map2, large2(Rect(Point(2, 3), size))));
+    EXPECT_EQ(large1.cols, cv::countNonZero(large1.row(0) == 1));
+    EXPECT_EQ(large1.rows, cv::countNonZero(large1.col(1) == 1));
+}
+
+TEST_P(WarpContract, same_for_any_number_of_threads)
+{
+    const Maps maps(GetParam());
+    const int threads = cv::getNumThreads();
+    Mat map1, map2, one1, one2;
+    maps.make(map1, map2, CV_32FC1);
+    cv::setNumThreads(1);
+    maps.make(one1, one2, CV_32FC1);
+    cv::setNumThreads(threads);
+    EXPECT_EQ(0, maxDifference(map1, one1));
+    EXPECT_EQ(0, maxDifference(map2, one2));
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, WarpContract, testing::Bool());
+
+TEST(RSAckermann_Warp, new_camera)
+{
+    // A new camera of half the size shows every second pixel.
+    const RollingShutterCamera camera = lensCamera(BROWN_8);
+    const AckermannMotion motion = exampleMotion(camera);
+    Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    Mat full[2], half[2], fullBack[2], halfBack[2];
+    generator->initRectifyMap(motion, full[0], full[1]);
+    generator->initDistortMap(motion, fullBack[0], fullBack[1]);
+    WarpMapGenerator::Params params;
+    const Matx33d& K = camera.cameraMatrix;
+    params.newCameraMatrix = Matx33d(K(0, 0) / 2, 0, K(0, 2) / 2, 0, K(1, 1) / 2, K(1, 2) / 2, 0, 0, 1);
+    params.newSize = Size(320, 190);
+    generator->setParams(params);
+    generator->initRectifyMap(motion, half[0], half[1]);
+    generator->initDistortMap(motion, halfBack[0], halfBack[1]);
+    ASSERT_EQ(params.newSize, half[0].size());
+    ASSERT_EQ(camera.imageSize, halfBack[0].size());
+    for (int k = 0; k < 2; k++)
+    {
+        for (int y = 0; y < 190; y += 13)
+            for (int x = 0; x < 320; x += 13)
+                EXPECT_NEAR(full[k].at<float>(2 * y, 2 * x), half[k].at<float>(y, x), 2e-3) << x << ", " << y;
+        EXPECT_LE(maxDifference(fullBack[k], halfBack[k] * 2), 1e-3);
+    }
+}
+
+/////////////////////////////////////////////// parameters and arguments ///////////////////////////////////////////////
+
+TEST(RSAckermann_Warp, bad_arguments)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    EXPECT_THROW(WarpMapGenerator::create(RollingShutterCamera()), cv::Exception);
+    EXPECT_THROW(generator->setCamera(RollingShutterCamera()), cv::Exception);
+    EXPECT_EQ(camera.imageSize, generator->getCamera().imageSize);
+
+    WarpMapGenerator::Params params;
+    params.newCameraMatrix(0, 0) = 5;
+    EXPECT_THROW(generator->setParams(params), cv::Exception);
+    params = WarpMapGenerator::Params();
+    params.newCameraMatrix = Matx33d(500, 0, NaN, 0, 500, 100, 0, 0, 1);
+    EXPECT_THROW(generator->setParams(params), cv::Exception);
+    params = WarpMapGenerator::Params();
+    params.newSize = Size(100, 0);
+    EXPECT_THROW(generator->setParams(params), cv::Exception);
+    params = WarpMapGenerator::Params();
+    params.maxIterations = 0;
+    EXPECT_THROW(generator->setParams(params), cv::Exception);
+    params = WarpMapGenerator::Params();
+    params.tolerance = 0;
+    EXPECT_THROW(generator->setParams(params), cv::Exception);
+    params.tolerance = NaN;
+    EXPECT_THROW(generator->setParams(params), cv::Exception);
+
+    Mat map1, map2;
+    AckermannMotion motion = exampleMotion(camera);
+    double AckermannMotion::*const fields[] = {&AckermannMotion::alpha, &AckermannMotion::B, &AckermannMotion::D, &AckermannMotion::lambda,
+                                               &AckermannMotion::G, &AckermannMotion::rollCorrection, &AckermannMotion::pitchCorrection};
+    for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++)
+    {
+        AckermannMotion bad = motion;
+        bad.*fields[i] = i % 2 ? NaN : std::numeric_limits<double>::infinity();
+        EXPECT_THROW(generator->initRectifyMap(bad, map1, map2), cv::Exception) << i;
+        EXPECT_THROW(generator->initDistortMap(bad, map1, map2), cv::Exception) << i;
+    }
+}
+
+TEST(RSAckermann_Warp, params_are_written_and_read)
+{
+    WarpMapGenerator::Params params;
+    params.newCameraMatrix = Matx33d(500, 0, 300, 0, 510, 200, 0, 0, 1);
+    params.newSize = Size(601, 401);
+    params.maxIterations = 17;
+    params.tolerance = 1e-5;
+    const RollingShutterCamera camera = simulation::paperCamera();
+    FileStorage fs("warp.yml", FileStorage::WRITE | FileStorage::MEMORY);
+    WarpMapGenerator::create(camera, params)->write(fs);
+    const std::string text = fs.releaseAndGetString();
+
+    const Ptr<WarpMapGenerator> other = WarpMapGenerator::create(camera);
+    other->read(FileStorage(text, FileStorage::READ | FileStorage::MEMORY).root());
+    const WarpMapGenerator::Params got = other->getParams();
+    EXPECT_EQ(params.newCameraMatrix, got.newCameraMatrix);
+    EXPECT_EQ(params.newSize, got.newSize);
+    EXPECT_EQ(params.maxIterations, got.maxIterations);
+    EXPECT_EQ(params.tolerance, got.tolerance);
+}
+
+TEST(RSAckermann_Warp, missing_keys_keep_values)
+{
+    WarpMapGenerator::Params params;
+    params.newCameraMatrix = Matx33d(500, 0, 300, 0, 510, 200, 0, 0, 1);
+    params.newSize = Size(601, 401);
+    params.maxIterations = 17;
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(simulation::paperCamera(), params);
+    generator->read(FileStorage("%YAML:1.0\n---\ntolerance: 0.5\n", FileStorage::READ | FileStorage::MEMORY).root());
+    const WarpMapGenerator::Params got = generator->getParams();
+    EXPECT_EQ(params.newCameraMatrix, got.newCameraMatrix);
+    EXPECT_EQ(params.newSize, got.newSize);
+    EXPECT_EQ(17, got.maxIterations);
+    EXPECT_EQ(0.5, got.tolerance);
+}
+
+TEST(RSAckermann_Warp, default_name)
+{
+    EXPECT_EQ("rsackermann.WarpMapGenerator", WarpMapGenerator::create(simulation::paperCamera())->getDefaultName());
+}
+
+}} // namespace opencv_test::

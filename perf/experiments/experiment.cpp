@@ -1,0 +1,103 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "experiment.hpp"
+#include "map_distance.hpp"
+
+#include "opencv2/imgproc.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace experiments {
+
+using namespace cv::rsackermann;
+
+namespace {
+
+const double NOT_KNOWN = std::numeric_limits<double>::quiet_NaN();
+
+bool isAtRest(const street::StreetScene& scene)
+{
+    return scene.speed == 0 && scene.yawRate == 0;
+}
+
+// The camera as the estimator is told of it.
+RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowledge& knowledge, unsigned seed)
+{
+    cv::RNG rng(seed * 7717u + 1);
+    street::StreetCamera told = truth;
+    told.roll += rng.gaussian(knowledge.gravitySigma);
+    told.pitch += rng.gaussian(knowledge.gravitySigma);
+    told.fx *= 1 + knowledge.focalError;
+    told.fy *= 1 + knowledge.focalError;
+    return samples::libraryCamera(told);
+}
+
+} // namespace
+
+cv::Mat makeImage(const Case& c)
+{
+    if (c.photo.empty())
+        return street::StreetRenderer(c.camera, c.scene).rollingShutter();
+    if (isAtRest(c.scene))
+        return c.photo;
+    cv::Mat columns, rows, image;
+    WarpMapGenerator::create(samples::libraryCamera(c.camera))->initDistortMap(samples::libraryMotion(c.camera, c.scene), columns, rows);
+    // A black border would show false edges: what the photograph doesn't show is mirrored.
+    cv::remap(c.photo, image, columns, rows, cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
+    return image;
+}
+
+Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::Params& params, const Knowledge& knowledge, unsigned seed)
+{
+    const RollingShutterCamera camera = toldCamera(c.camera, knowledge, seed);
+    const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimateFromImage(image);
+
+    cv::Mat identity[2], truth[2], estimated[2], mask;
+    samples::identityMaps(c.camera.size, identity[0], identity[1]);
+    street::StreetRenderer(c.camera, c.scene).rectifyMap(truth[0], truth[1], mask);
+    WarpMapGenerator::create(camera)->initRectifyMap(motion, estimated[0], estimated[1]);
+
+    Result result;
+    result.status = motion.status;
+    result.model = motion.model;
+    result.candidates = motion.candidates;
+    result.inliers = motion.inliers;
+    result.raw = samples::meanDistance(identity[0], identity[1], truth[0], truth[1], mask);
+    result.left = samples::meanDistance(estimated[0], estimated[1], truth[0], truth[1], mask);
+
+    double yawRate = 0, speed = 0;
+    const bool ok = motion.status == MOTION_OK;
+    result.yawRateError = motion.yawRate(camera, yawRate) ? (yawRate - c.scene.yawRate) * 180 / CV_PI : NOT_KNOWN;
+    result.speedError = !ok ? -c.scene.speed * 3.6 : motion.speed(camera, speed) ? (speed - c.scene.speed) * 3.6 : NOT_KNOWN;
+    result.deltaError = ok && motion.B != 0 ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx : NOT_KNOWN;
+    return result;
+}
+
+double quantile(std::vector<double> values, double fraction)
+{
+    values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }), values.end());
+    if (values.empty())
+        return NOT_KNOWN;
+    std::sort(values.begin(), values.end());
+    const double at = fraction * (values.size() - 1);
+    const size_t i = size_t(at), next = std::min(i + 1, values.size() - 1);
+    return values[i] + (at - i) * (values[next] - values[i]);
+}
+
+double mean(const std::vector<double>& values)
+{
+    double sum = 0;
+    int count = 0;
+    for (double v : values)
+        if (!std::isnan(v))
+        {
+            sum += v;
+            count++;
+        }
+    return count ? sum / count : NOT_KNOWN;
+}
+
+} // namespace experiments

@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_PERF_EXPERIMENT_HPP
+#define RSACKERMANN_PERF_EXPERIMENT_HPP
+
+#include "street_model.hpp"
+
+namespace experiments {
+
+//! What differs between what the estimator is told of the camera and what is true.
+struct Knowledge
+{
+    double gravitySigma; //!< radians of error in roll and pitch each
+    double focalError;   //!< of the focal length: 0.1 for 10 % too long
+
+    Knowledge() : gravitySigma(0), focalError(0) {}
+};
+
+//! One rolling-shutter image with known truth.
+struct Case
+{
+    std::string name;
+    street::StreetCamera camera;
+    street::StreetScene scene;
+    cv::Mat photo; //!< global-shutter image to be distorted; empty: the street is rendered
+
+    Case(const std::string& caseName, const street::StreetCamera& c, const street::StreetScene& s) : name(caseName), camera(c), scene(s) {}
+};
+
+struct Result
+{
+    int status, model, candidates, inliers;
+    double raw, left;           //!< mean displacement in pixels before and after
+    double yawRateError;        //!< degrees per second
+    double speedError;          //!< km/h; NaN where the speed isn't known
+    double deltaError;          //!< pixels; NaN where there are no walls
+};
+
+//! The rolling-shutter image of a case.
+cv::Mat makeImage(const Case& c);
+
+/** Estimates the motion from an image and compares the map with the true one.
+@param seed of the errors in what the estimator is told. */
+Result evaluate(const Case& c, const cv::Mat& image, const cv::rsackermann::AckermannEstimator::Params& params,
+                const Knowledge& knowledge, unsigned seed);
+
+//! Quantile of the numbers among the values, NaN where there is none.
+double quantile(std::vector<double> values, double fraction);
+double mean(const std::vector<double>& values);
+
+} // namespace experiments
+
+#endif // RSACKERMANN_PERF_EXPERIMENT_HPP

@@ -1,0 +1,26 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_CAMERA_FILE_HPP
+#define RSACKERMANN_SAMPLES_CAMERA_FILE_HPP
+
+#include "camera_settings.hpp"
+
+namespace samples {
+
+/** Reads a camera file.
+
+Known are OpenCV's calibration files (YAML, XML or JSON of cv::FileStorage), camera_info files of ROS and camchain files of
+Kalibr (the first camera). Each may have these keys besides: line_delay or readout (seconds), scan, reference, roll, pitch,
+heading (degrees), camera_height (metres).
+Throws UsageError with what is wrong.
+*/
+void readCameraFile(const std::string& path, CameraSettings& settings);
+
+//! Writes a camera file that readCameraFile() reads, in OpenCV's format.
+void writeCameraFile(const std::string& path, const CameraSettings& settings);
+
+} // namespace samples
+
+#endif // RSACKERMANN_SAMPLES_CAMERA_FILE_HPP

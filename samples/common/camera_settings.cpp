@@ -1,0 +1,92 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "camera_settings.hpp"
+#include "camera_file.hpp"
+
+namespace samples {
+
+using namespace cv::rsackermann;
+
+const std::vector<std::string> SCAN_WORDS = {"top_to_bottom", "bottom_to_top", "left_to_right", "right_to_left"};
+
+const char* const CAMERA_KEYS =
+    "{camera     |        | file with the camera's calibration: of OpenCV, ROS (camera_info) or Kalibr (camchain)}"
+    "{focal      |        | focal length in pixels, where there is no calibration (default 0.9 times the longer side)}"
+    "{line_delay |        | seconds between two lines; without it there are no metric results}"
+    "{readout    |        | seconds between the first and the last line's end, instead of --line_delay}"
+    "{scan       |        | order of the lines: top_to_bottom (default), bottom_to_top, left_to_right or right_to_left}"
+    "{reference  |        | line at whose instant the corrected image is taken: first, middle (default) or last to be read, or "
+    "its number}"
+    "{roll       |        | degrees, positive where the camera is turned clockwise seen from behind it}"
+    "{pitch      |        | degrees, positive where the camera looks down}"
+    "{heading    |        | degrees from the optical axis to the vehicle's forward direction, positive to the right}"
+    "{height     |        | metres of the camera above the road}";
+
+CameraSettings::CameraSettings()
+    : calibrated(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0), readOut(0), scan(SCAN_TOP_TO_BOTTOM),
+      reference("middle"), roll(0), pitch(0), heading(0), height(0)
+{
+}
+
+RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
+{
+    if (size.area() > 0 && size != imageSize)
+        throw InputError(cv::format("the image has %d x %d pixels, but the camera file is for %d x %d", imageSize.width, imageSize.height,
+                                    size.width, size.height));
+    RollingShutterCamera camera = calibrated ? RollingShutterCamera(imageSize, K, lens, lensModel) : RollingShutterCamera::fromFocal(imageSize, focal);
+    camera.scanDirection = scan;
+    const int lines = camera.isRowShutter() ? imageSize.height : imageSize.width;
+    camera.lineDelay = readOut > 0 ? readOut / lines : lineDelay;
+    const bool upwards = scan == SCAN_BOTTOM_TO_TOP || scan == SCAN_RIGHT_TO_LEFT;
+    if (reference == "middle")
+        camera.referenceRow = (lines - 1) / 2.;
+    else if (reference == "first")
+        camera.referenceRow = upwards ? lines - 1 : 0;
+    else if (reference == "last")
+        camera.referenceRow = upwards ? 0 : lines - 1;
+    else
+        camera.referenceRow = parseNumber(reference, "reference");
+    camera.setRollPitch(roll * CV_PI / 180, pitch * CV_PI / 180);
+    camera.heading = heading * CV_PI / 180;
+    camera.height = height;
+    return camera;
+}
+
+CameraSettings readCameraOptions(const Options& options)
+{
+    CameraSettings s;
+    if (options.given("camera"))
+    {
+        if (options.given("focal"))
+            throw UsageError("--camera and --focal exclude each other");
+        readCameraFile(options.text("camera"), s);
+    }
+    if (options.given("focal"))
+        s.focal = options.number("focal", 0, 1e7, false);
+    if (options.given("line_delay") && options.given("readout"))
+        throw UsageError("--line_delay and --readout exclude each other");
+    if (options.given("line_delay") || options.given("readout"))
+    {
+        s.lineDelay = options.given("line_delay") ? options.number("line_delay", 0, 1, false) : 0;
+        s.readOut = options.given("readout") ? options.number("readout", 0, 100, false) : 0;
+    }
+    if (options.given("scan"))
+        s.scan = options.choice("scan", SCAN_WORDS);
+    if (options.given("reference"))
+        s.reference = options.text("reference");
+    if (s.reference != "first" && s.reference != "middle" && s.reference != "last")
+        parseNumber(s.reference, "option --reference (first, middle, last or a line's number)");
+    if (options.given("roll"))
+        s.roll = options.number("roll", -180, 180);
+    if (options.given("pitch"))
+        s.pitch = options.number("pitch", -89, 89);
+    if (options.given("heading"))
+        s.heading = options.number("heading", -180, 180);
+    if (options.given("height"))
+        s.height = options.number("height", 0, 1000, false);
+    return s;
+}
+
+} // namespace samples

@@ -1,0 +1,46 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_CAMERA_SETTINGS_HPP
+#define RSACKERMANN_SAMPLES_CAMERA_SETTINGS_HPP
+
+#include "opencv2/rsackermann/camera.hpp"
+#include "options.hpp"
+
+namespace samples {
+
+//! What files and options say about a camera; what depends on the image's size is left open until an image is there.
+struct CameraSettings
+{
+    bool calibrated;           //!< whether K, lens and lensModel are known
+    cv::Size size;             //!< of the calibration; 0 x 0: unknown
+    cv::Matx33d K;
+    std::vector<double> lens;
+    int lensModel;
+    double focal;              //!< pixels, of an uncalibrated camera; 0: 0.9 times the longer side
+    double lineDelay, readOut; //!< seconds; 0: unknown
+    int scan;
+    std::string reference;     //!< first, middle or last line to be read, or a line's number
+    double roll, pitch, heading; //!< degrees
+    double height;             //!< metres; 0: unknown
+
+    CameraSettings();
+
+    /** The camera for an image.
+    Throws InputError where the image hasn't the size of the calibration. */
+    cv::rsackermann::RollingShutterCamera makeCamera(const cv::Size& imageSize) const;
+};
+
+//! The words for cv::rsackermann::ScanDirection, in its order.
+extern const std::vector<std::string> SCAN_WORDS;
+
+//! Keys of the options that readCameraOptions() takes.
+extern const char* const CAMERA_KEYS;
+
+//! Reads --camera and the other options for a camera, which go before the file.
+CameraSettings readCameraOptions(const Options& options);
+
+} // namespace samples
+
+#endif // RSACKERMANN_SAMPLES_CAMERA_SETTINGS_HPP

@@ -1,0 +1,190 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "options.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+namespace samples {
+
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, separator);)
+        parts.push_back(part);
+    return parts;
+}
+
+// The names in the keys of a cv::CommandLineParser: "{name | default | help}".
+bool isKnown(const std::string& keys, const std::string& name)
+{
+    for (size_t at = keys.find('{'); at != std::string::npos; at = keys.find('{', at + 1))
+    {
+        const size_t first = keys.find_first_not_of(" ", at + 1);
+        if (keys.compare(first, name.size(), name) == 0 && keys.find_first_of(" |", first) == first + name.size())
+            return true;
+    }
+    return false;
+}
+
+// Checks the arguments and gives back the options only: cv::CommandLineParser would skip unknown ones and lose arguments.
+std::vector<const char*> sortArguments(int argc, const char* const* argv, const std::string& keys,
+                                       std::map<std::string, std::string>& given, std::vector<std::string>& arguments)
+{
+    std::vector<const char*> options(1, argv[0]);
+    for (int i = 1; i < argc; i++)
+    {
+        const std::string argument = argv[i];
+        if (argument.size() < 2 || argument[0] != '-')
+        {
+            arguments.push_back(argument);
+            continue;
+        }
+        const size_t equals = argument.find('=');
+        const std::string name = argument.substr(0, equals).substr(argument[1] == '-' ? 2 : 1);
+        if (argument[1] != '-' || name.empty() || name[0] == '@' || !isKnown(keys, name))
+            throw UsageError("unknown option " + argument.substr(0, equals));
+        if (given.count(name))
+            throw UsageError("option --" + name + " is given twice");
+        given[name] = equals == std::string::npos ? "" : argument.substr(equals + 1);
+        options.push_back(argv[i]);
+    }
+    return options;
+}
+
+std::string printed(double value)
+{
+    std::ostringstream stream;
+    stream << value;
+    return stream.str();
+}
+
+} // namespace
+
+double parseNumber(const std::string& text, const std::string& source)
+{
+    char* end = 0;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end || std::isspace((unsigned char)text[0]) || !std::isfinite(value))
+        throw UsageError(source + ": '" + text + "' is not a number");
+    return value;
+}
+
+int parseInteger(const std::string& text, const std::string& source, int low, int high)
+{
+    const double value = parseNumber(text, source);
+    if (value != std::floor(value) || value < low || value > high)
+        throw UsageError(source + ": '" + text + "' is not a whole number from " + printed(low) + " to " + printed(high));
+    return int(value);
+}
+
+int parseWord(const std::string& word, const std::string& source, const std::vector<std::string>& words)
+{
+    std::string list;
+    for (size_t i = 0; i < words.size(); i++)
+    {
+        if (words[i] == word)
+            return int(i);
+        list += (i ? ", " : "") + words[i];
+    }
+    throw UsageError(source + ": '" + word + "' is none of " + list);
+}
+
+std::vector<double> parseNumbers(const std::string& text, const std::string& source)
+{
+    std::vector<double> values;
+    for (const std::string& part : split(text, ','))
+        values.push_back(parseNumber(part, source));
+    if (values.empty() || text.back() == ',')
+        throw UsageError(source + ": '" + text + "' is not a list of numbers with commas between");
+    return values;
+}
+
+Options::Options(int argc, const char* const* argv, const std::string& keys)
+    : parser_(1, argv, keys)
+{
+    const std::vector<const char*> options = sortArguments(argc, argv, keys, given_, arguments_);
+    parser_ = cv::CommandLineParser(int(options.size()), options.data(), keys);
+}
+
+std::string Options::text(const std::string& name) const
+{
+    const std::map<std::string, std::string>::const_iterator it = given_.find(name);
+    if (it == given_.end())
+        return parser_.get<cv::String>(name);
+    if (it->second.empty())
+        throw UsageError("option --" + name + " needs a value: --" + name + "=VALUE");
+    return it->second;
+}
+
+double Options::number(const std::string& name) const
+{
+    return parseNumber(text(name), "option --" + name);
+}
+
+double Options::number(const std::string& name, double low, double high, bool inclusive) const
+{
+    const double value = number(name);
+    if (value < low || value > high || (!inclusive && value == low))
+        throw UsageError("option --" + name + ": " + text(name) + " is not " + (inclusive ? "from " : "above ") + printed(low) +
+                         (inclusive ? " to " : " and up to ") + printed(high));
+    return value;
+}
+
+int Options::integer(const std::string& name, int low, int high) const
+{
+    return parseInteger(text(name), "option --" + name, low, high);
+}
+
+std::vector<double> Options::numbers(const std::string& name) const
+{
+    return parseNumbers(text(name), "option --" + name);
+}
+
+bool Options::flag(const std::string& name) const
+{
+    const std::map<std::string, std::string>::const_iterator it = given_.find(name);
+    if (it == given_.end())
+        return false;
+    if (!it->second.empty() && it->second != "true" && it->second != "false")
+        throw UsageError("option --" + name + " is either given or not: '" + it->second + "' is no value for it");
+    return it->second != "false";
+}
+
+int Options::choice(const std::string& name, const std::vector<std::string>& words) const
+{
+    return parseWord(text(name), "option --" + name, words);
+}
+
+void Options::printHelp(const std::string& about)
+{
+    parser_.about(about);
+    parser_.printMessage();
+}
+
+int runProgram(int (*program)(int, const char* const*), int argc, const char* const* argv)
+{
+    try
+    {
+        return program(argc, argv);
+    }
+    catch (const UsageError& e)
+    {
+        std::cerr << argv[0] << ": " << e.what() << " (see --help)" << std::endl;
+        return 2;
+    }
+    catch (const std::exception& e)
+    {
+        std::cerr << argv[0] << ": " << e.what() << std::endl;
+        return 1;
+    }
+}
+
+} // namespace samples

@@ -1,0 +1,72 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_OPTIONS_HPP
+#define RSACKERMANN_SAMPLES_OPTIONS_HPP
+
+#include "opencv2/core.hpp"
+#include "opencv2/core/utility.hpp"
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace samples {
+
+//! The program was called in a way that it doesn't understand: exit code 2.
+struct UsageError : std::runtime_error
+{
+    explicit UsageError(const std::string& message) : std::runtime_error(message) {}
+};
+
+//! A file can't be read, written or understood: exit code 1, or the next input.
+struct InputError : std::runtime_error
+{
+    explicit InputError(const std::string& message) : std::runtime_error(message) {}
+};
+
+//! A number that fills the whole text; throws UsageError which names its source otherwise.
+double parseNumber(const std::string& text, const std::string& source);
+//! A whole number in [low, high].
+int parseInteger(const std::string& text, const std::string& source, int low, int high);
+//! The position of a word among the words.
+int parseWord(const std::string& word, const std::string& source, const std::vector<std::string>& words);
+//! Numbers with commas between.
+std::vector<double> parseNumbers(const std::string& text, const std::string& source);
+
+/** Options of the form --key=value, and arguments without a dash.
+
+A cv::CommandLineParser that refuses what it doesn't know instead of ignoring it.
+*/
+class Options
+{
+public:
+    //! @param keys as for cv::CommandLineParser, without aliases.
+    Options(int argc, const char* const* argv, const std::string& keys);
+
+    bool given(const std::string& name) const { return given_.count(name) > 0; }
+    std::string text(const std::string& name) const;
+    double number(const std::string& name) const;
+    //! A number in (low, high], or [low, high] where the lower limit is inclusive.
+    double number(const std::string& name, double low, double high, bool inclusive = true) const;
+    int integer(const std::string& name, int low, int high) const;
+    std::vector<double> numbers(const std::string& name) const;
+    bool flag(const std::string& name) const;
+    //! The position of the value among the words.
+    int choice(const std::string& name, const std::vector<std::string>& words) const;
+    const std::vector<std::string>& arguments() const { return arguments_; }
+    void printHelp(const std::string& about);
+
+private:
+    std::map<std::string, std::string> given_;
+    std::vector<std::string> arguments_;
+    cv::CommandLineParser parser_;
+};
+
+/** Runs a program and turns its exceptions into messages and exit codes: 2 for UsageError, 1 for everything else. */
+int runProgram(int (*program)(int, const char* const*), int argc, const char* const* argv);
+
+} // namespace samples
+
+#endif // RSACKERMANN_SAMPLES_OPTIONS_HPP

@@ -1,0 +1,79 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "truth_file.hpp"
+#include "options.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace samples {
+
+namespace {
+
+const double DEGREE = CV_PI / 180, KMH = 1 / 3.6;
+
+} // namespace
+
+std::string truthText(const Truth& truth)
+{
+    const street::StreetCamera& c = truth.camera;
+    const street::StreetScene& s = truth.scene;
+    nlohmann::ordered_json json;
+    json["yaw_rate_deg_s"] = s.yawRate / DEGREE;
+    json["speed_km_h"] = s.speed / KMH;
+    json["left_wall_m"] = s.left;
+    json["right_wall_m"] = s.right;
+    json["wall_direction_deg"] = s.wallDirection / DEGREE;
+    json["height_m"] = c.height;
+    json["width"] = c.size.width;
+    json["height"] = c.size.height;
+    json["fx"] = c.fx;
+    json["fy"] = c.fy;
+    json["cx"] = c.cx;
+    json["cy"] = c.cy;
+    json["lens"] = c.lens;
+    json["line_delay_s"] = c.lineDelay;
+    json["scan"] = c.scan;
+    json["reference"] = c.reference;
+    json["roll_deg"] = c.roll / DEGREE;
+    json["pitch_deg"] = c.pitch / DEGREE;
+    json["heading_deg"] = c.heading / DEGREE;
+    return json.dump(2) + "\n";
+}
+
+Truth readTruth(const std::string& path)
+try
+{
+    std::ifstream file(path.c_str());
+    if (!file)
+        throw InputError(path + " can't be read");
+    const nlohmann::json json = nlohmann::json::parse(file);
+    Truth truth = {street::StreetCamera(cv::Size(json.at("width"), json.at("height")), 1, json.at("line_delay_s"), json.at("height_m")),
+                   street::StreetScene()};
+    street::StreetCamera& c = truth.camera;
+    street::StreetScene& s = truth.scene;
+    s.yawRate = json.at("yaw_rate_deg_s").get<double>() * DEGREE;
+    s.speed = json.at("speed_km_h").get<double>() * KMH;
+    s.left = json.at("left_wall_m");
+    s.right = json.at("right_wall_m");
+    s.wallDirection = json.at("wall_direction_deg").get<double>() * DEGREE;
+    c.fx = json.at("fx");
+    c.fy = json.at("fy");
+    c.cx = json.at("cx");
+    c.cy = json.at("cy");
+    c.lens = json.at("lens").get<std::vector<double> >();
+    c.scan = json.at("scan");
+    c.reference = json.at("reference");
+    c.roll = json.at("roll_deg").get<double>() * DEGREE;
+    c.pitch = json.at("pitch_deg").get<double>() * DEGREE;
+    c.heading = json.at("heading_deg").get<double>() * DEGREE;
+    return truth;
+}
+catch (const nlohmann::json::exception& e)
+{
+    throw InputError(path + ": " + e.what());
+}
+
+} // namespace samples

@@ -1,0 +1,26 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_TRUTH_FILE_HPP
+#define RSACKERMANN_SAMPLES_TRUTH_FILE_HPP
+
+#include "street_renderer.hpp"
+
+namespace samples {
+
+//! What a simulated image was made with.
+struct Truth
+{
+    street::StreetCamera camera;
+    street::StreetScene scene;
+};
+
+//! The truth as JSON, with angles in degrees and the speed in km/h; lens, motion and walls suffice to make the true map.
+std::string truthText(const Truth& truth);
+//! Reads what truthText() has written from a file; throws InputError.
+Truth readTruth(const std::string& path);
+
+} // namespace samples
+
+#endif // RSACKERMANN_SAMPLES_TRUTH_FILE_HPP

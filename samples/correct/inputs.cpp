@@ -1,0 +1,159 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "inputs.hpp"
+#include "files.hpp"
+#include "options.hpp"
+
+#include "opencv2/core/utils/filesystem.hpp"
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+namespace samples {
+
+namespace {
+
+namespace fs = cv::utils::fs;
+
+bool isOneOf(const std::string& word, const std::vector<std::string>& words)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::vector<std::string> filesOf(const std::string& folder)
+{
+    std::vector<cv::String> paths;
+    fs::glob(folder, "*", paths, false, false);
+    std::sort(paths.begin(), paths.end());
+    return std::vector<std::string>(paths.begin(), paths.end());
+}
+
+std::vector<std::string> imagesOf(const std::string& folder)
+{
+    static const std::vector<std::string> known = {".png", ".jpg", ".jpeg", ".jpe", ".bmp", ".dib", ".tif", ".tiff", ".webp", ".jp2",
+                                                   ".pgm", ".ppm", ".pbm", ".pnm", ".pxm", ".sr", ".ras", ".exr", ".hdr", ".pic"};
+    std::vector<std::string> images;
+    for (const std::string& path : filesOf(folder))
+        if (isOneOf(extension(path), known))
+            images.push_back(path);
+    return images;
+}
+
+// A pattern with one %d or %0Nd.
+struct NumberPattern
+{
+    std::string before, after;
+    size_t digits; // at least
+
+    // False where the text is no such pattern.
+    bool parse(const std::string& text)
+    {
+        const size_t percent = text.find('%'), d = text.find('d', percent);
+        if (percent == std::string::npos || d == std::string::npos)
+            return false;
+        const std::string width = text.substr(percent + 1, d - percent - 1);
+        if (width.find_first_not_of("0123456789") != std::string::npos || width.size() > 3)
+            return false;
+        before = text.substr(0, percent);
+        after = text.substr(d + 1);
+        digits = width.empty() ? 1 : size_t(std::stoi(width));
+        return true;
+    }
+
+    // The number in a name; false where the name doesn't match.
+    bool match(const std::string& name, long& number) const
+    {
+        if (name.size() <= before.size() + after.size() || name.compare(0, before.size(), before) != 0 ||
+            name.compare(name.size() - after.size(), after.size(), after) != 0)
+            return false;
+        const std::string middle = name.substr(before.size(), name.size() - before.size() - after.size());
+        if (middle.find_first_not_of("0123456789") != std::string::npos || middle.size() < digits || middle.size() > 15)
+            return false;
+        number = std::stol(middle);
+        return true;
+    }
+};
+
+std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::string& folder)
+{
+    std::map<long, std::string> found;
+    for (const std::string& path : filesOf(folder.empty() ? "." : folder))
+    {
+        long number = 0;
+        if (pattern.match(fileName(path), number))
+            found[number] = folder + fileName(path);
+    }
+    std::vector<std::string> images;
+    for (const std::pair<const long, std::string>& entry : found)
+        images.push_back(entry.second);
+    return images;
+}
+
+std::vector<std::string> linesOf(const std::string& path)
+{
+    std::ifstream file(path.c_str());
+    if (!file)
+        throw InputError("the list can't be read");
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);)
+    {
+        if (!line.empty() && line.back() == '\r')
+            line.pop_back();
+        if (!line.empty())
+            lines.push_back(line);
+    }
+    return lines;
+}
+
+std::vector<std::string> expand(const std::string& argument)
+{
+    static const std::vector<std::string> videos = {".mp4", ".avi", ".mov", ".mkv", ".m4v", ".mpg", ".mpeg", ".webm", ".wmv", ".mjpeg"};
+    if (fs::isDirectory(argument))
+        return imagesOf(argument);
+    if (fs::exists(argument))
+    {
+        if (isOneOf(extension(argument), videos))
+            throw UsageError("videos are not read: " + argument);
+        return std::vector<std::string>(1, argument);
+    }
+    if (argument[0] == '@')
+        return linesOf(argument.substr(1));
+    NumberPattern pattern;
+    const std::string name = fileName(argument);
+    if (pattern.parse(name))
+        return imagesOf(pattern, argument.substr(0, argument.size() - name.size()));
+    throw InputError("there is no such file");
+}
+
+} // namespace
+
+InputList listInputs(const std::vector<std::string>& arguments)
+{
+    InputList list;
+    list.single = arguments.size() == 1 && !fs::isDirectory(arguments[0]) && fs::exists(arguments[0]);
+    for (const std::string& argument : arguments)
+        try
+        {
+            const std::vector<std::string> images = expand(argument);
+            if (images.empty())
+                throw InputError("there are no images");
+            list.images.insert(list.images.end(), images.begin(), images.end());
+        }
+        catch (const InputError& e)
+        {
+            list.failures.push_back(std::make_pair(argument, std::string(e.what())));
+        }
+    return list;
+}
+
+void keepShard(std::vector<std::string>& inputs, int shard, int count)
+{
+    std::vector<std::string> kept;
+    for (size_t i = size_t(shard % count); i < inputs.size(); i += size_t(count))
+        kept.push_back(inputs[i]);
+    inputs.swap(kept);
+}
+
+} // namespace samples

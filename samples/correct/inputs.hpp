@@ -1,0 +1,32 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_INPUTS_HPP
+#define RSACKERMANN_SAMPLES_INPUTS_HPP
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace samples {
+
+//! The images that the arguments of a program stand for.
+struct InputList
+{
+    std::vector<std::string> images;
+    std::vector<std::pair<std::string, std::string> > failures; //!< arguments that stand for nothing, and why
+    bool single;                                                //!< there is one argument and it is the name of an image
+};
+
+/** Lists the images: an argument is an image, a directory (its images, by name), a printf pattern as frame_%04d.png (by
+number) or @FILE with a name a line.
+Throws UsageError for a video. */
+InputList listInputs(const std::vector<std::string>& arguments);
+
+//! Keeps every count-th input, beginning with the one that shard stands for.
+void keepShard(std::vector<std::string>& inputs, int shard, int count);
+
+} // namespace samples
+
+#endif // RSACKERMANN_SAMPLES_INPUTS_HPP

@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_JOB_HPP
+#define RSACKERMANN_SAMPLES_JOB_HPP
+
+#include "camera_settings.hpp"
+#include "inputs.hpp"
+#include "opencv2/rsackermann.hpp"
+
+namespace samples {
+
+//! What rsackermann_correct is asked to do.
+struct Job
+{
+    InputList inputs;
+    CameraSettings camera;
+    cv::rsackermann::RollingShutterCorrector::Params params;
+    bool linesGiven;
+    cv::Mat lines;                              //!< segments of the only input
+    std::string output, overlay, maps, report;  //!< file or folder, empty: not wanted
+    bool outputIsFolder, overlayIsFolder;
+    bool skipExisting, overwrite;
+};
+
+extern const char* const JOB_KEYS;
+
+//! Reads the command line; throws UsageError.
+Job readJob(const Options& options);
+
+//! Where the result for an input goes; empty where it isn't wanted.
+std::string resultPath(const std::string& target, bool isFolder, const std::string& input);
+
+} // namespace samples
+
+#endif // RSACKERMANN_SAMPLES_JOB_HPP

@@ -1,0 +1,80 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Undoes the rolling shutter of images that a car's camera has taken.
+
+#include "correct/frame_corrector.hpp"
+
+#include "opencv2/core/utils/filesystem.hpp"
+#include <iostream>
+
+namespace {
+
+using namespace samples;
+
+const char* const ABOUT =
+    "Undoes the rolling shutter of images that a car's camera has taken.\n"
+    "usage: rsackermann_correct INPUT... [--option=value]...\n"
+    "INPUT is an image, a folder, a printf pattern of image names or @FILE with a name a line.\n"
+    "Exit code: 0 all is done, 1 some inputs failed, 2 the command line isn't understood.\n";
+
+void complain(const std::string& input, const std::string& message)
+{
+    std::cerr << "rsackermann_correct: " << input << ": " << message << std::endl;
+}
+
+// An existing report is refused before any work is done.
+std::unique_ptr<ReportFile> openReport(const Job& job)
+{
+    if (job.report.empty())
+        return nullptr;
+    if (job.report != "-" && !job.overwrite && !job.skipExisting && cv::utils::fs::exists(job.report))
+        throw InputError(job.report + " exists (--overwrite replaces it)");
+    return std::unique_ptr<ReportFile>(new ReportFile(job.report, job.skipExisting));
+}
+
+int run(int argc, const char* const* argv)
+{
+    Options options(argc, argv, std::string(JOB_KEYS) + CAMERA_KEYS);
+    if (options.given("help"))
+    {
+        options.printHelp(ABOUT);
+        return 0;
+    }
+    const Job job = readJob(options);
+    const std::unique_ptr<ReportFile> report = openReport(job);
+    FrameCorrector corrector(job);
+    size_t failed = job.inputs.failures.size();
+    for (const std::pair<std::string, std::string>& failure : job.inputs.failures)
+        complain(failure.first, failure.second);
+    for (const std::string& input : job.inputs.images)
+        try
+        {
+            if (corrector.isDone(input))
+                continue;
+            const FrameReport frame = corrector.process(input);
+            if (report)
+                report->add(reportLine(frame));
+        }
+        catch (const cv::Exception& e)
+        {
+            complain(input, e.err);
+            failed++;
+        }
+        catch (const std::exception& e)
+        {
+            complain(input, e.what());
+            failed++;
+        }
+    if (report)
+        report->commit();
+    return failed ? 1 : 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return samples::runProgram(run, argc, argv);
+}

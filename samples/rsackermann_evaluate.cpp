@@ -1,0 +1,104 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Compares what rsackermann_correct has found with the truth of rsackermann_simulate.
+
+#include "map_distance.hpp"
+#include "options.hpp"
+#include "truth_file.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace samples;
+
+const char* const ABOUT =
+    "Compares the results of rsackermann_correct with the truth of rsackermann_simulate: motion, and mean displacement of the\n"
+    "pixels before and after the correction.\n"
+    "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
+
+const char* const KEYS =
+    "{help   | | print this message}"
+    "{truth  | | truth.json of rsackermann_simulate}"
+    "{maps   | | maps of rsackermann_correct}"
+    "{report | | report of rsackermann_correct; its last line counts}";
+
+nlohmann::json lastLine(const std::string& path)
+{
+    std::ifstream file(path.c_str());
+    std::string last;
+    for (std::string line; std::getline(file, line);)
+        last = line;
+    const nlohmann::json json = nlohmann::json::parse(last, nullptr, false);
+    if (!json.is_object())
+        throw InputError(path + " is not a report");
+    return json;
+}
+
+void readMaps(const std::string& path, const cv::Size& size, cv::Mat& map1, cv::Mat& map2)
+{
+    cv::FileStorage fs(path, cv::FileStorage::READ);
+    if (fs.isOpened())
+    {
+        fs["map1"] >> map1;
+        fs["map2"] >> map2;
+    }
+    if (map1.size() != size || map2.size() != size || map1.type() != CV_32FC1 || map2.type() != CV_32FC1)
+        throw InputError(path + " holds no maps of the truth's size");
+}
+
+void printRow(const char* what, double truth, const nlohmann::json& estimated)
+{
+    std::printf("%-26s %10.3f ", what, truth);
+    if (estimated.is_number())
+        std::printf("%10.3f\n", estimated.get<double>());
+    else
+        std::printf("%10s\n", "-");
+}
+
+int run(int argc, const char* const* argv)
+{
+    Options options(argc, argv, KEYS);
+    if (options.given("help"))
+    {
+        options.printHelp(ABOUT);
+        return 0;
+    }
+    if (!options.arguments().empty())
+        throw UsageError("unknown argument " + options.arguments()[0]);
+    for (const char* name : {"truth", "maps", "report"})
+        if (!options.given(name))
+            throw UsageError(std::string("--") + name + " is missing");
+
+    const Truth truth = readTruth(options.text("truth"));
+    const nlohmann::json report = lastLine(options.text("report"));
+    cv::Mat estimated[2], identity[2], exact[2], mask;
+    readMaps(options.text("maps"), truth.camera.size, estimated[0], estimated[1]);
+    identityMaps(truth.camera.size, identity[0], identity[1]);
+    street::StreetRenderer(truth.camera, truth.scene).rectifyMap(exact[0], exact[1], mask);
+
+    std::printf("status %s, model %s, %d of %d candidates agree\n\n", report.value("status", "?").c_str(), report.value("model", "?").c_str(),
+                report.value("inliers", 0), report.value("candidates", 0));
+    std::printf("%-26s %10s %10s\n", "", "true", "estimated");
+    printRow("yaw rate, deg/s", truth.scene.yawRate * 180 / CV_PI, report.value("yaw_rate_deg_s", nlohmann::json()));
+    printRow("speed, km/h", truth.scene.speed * 3.6, report.value("speed_km_h", nlohmann::json()));
+    printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx,
+             report.value("delta", nlohmann::json()).is_number() ? nlohmann::json(report["delta"].get<double>() * truth.camera.fx) : nlohmann::json());
+    printRow("wall distances, left/right", truth.scene.left / truth.scene.right, report.value("lambda", nlohmann::json()));
+    std::printf("\n%-26s %10s %10s\n", "", "before", "after");
+    std::printf("%-26s %10.3f %10.3f\n", "mean displacement, px", meanDistance(identity[0], identity[1], exact[0], exact[1], mask),
+                meanDistance(estimated[0], estimated[1], exact[0], exact[1], mask));
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return samples::runProgram(run, argc, argv);
+}

@@ -1,0 +1,180 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Makes rolling-shutter images with known truth: renders a street, or distorts a given global-shutter image of one.
+
+#include "camera_file.hpp"
+#include "files.hpp"
+#include "street_model.hpp"
+#include "truth_file.hpp"
+
+#include "opencv2/core/utils/filesystem.hpp"
+#include "opencv2/imgproc.hpp"
+#include <fstream>
+
+namespace {
+
+using namespace samples;
+
+const char* const ABOUT =
+    "Makes a rolling-shutter image with known truth: renders a street, or distorts a global-shutter image of one.\n"
+    "Writes rolling.png, global.png (what a global shutter sees, without a lens), truth.json and camera.yml (for\n"
+    "rsackermann_correct --camera) to a folder.\n"
+    "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
+
+const char* const KEYS =
+    "{help       |         | print this message}"
+    "{output     |         | folder for the results, made if missing}"
+    "{overwrite  |         | replace existing files}"
+    "{image      |         | global-shutter image to be distorted instead of a rendered street}"
+    "{size       | 640x380 | of a rendered image, pixels}"
+    "{focal      |         | focal length, pixels (default 816; with --image 0.9 times the longer side)}"
+    "{lens       |         | 4, 5 or 8 coefficients of cv::projectPoints, with commas between}"
+    "{line_delay |         | seconds between two lines}"
+    "{readout    |         | seconds between the first and the last line's end (default 0.013333), instead of --line_delay}"
+    "{scan       | top_to_bottom | order of the lines: top_to_bottom, bottom_to_top, left_to_right or right_to_left}"
+    "{reference  | middle  | line at whose instant the global-shutter image is taken: first, middle, last or its number}"
+    "{roll       | 0       | degrees, positive where the camera is turned clockwise seen from behind it}"
+    "{pitch      | 0       | degrees, positive where the camera looks down}"
+    "{heading    | 0       | degrees from the optical axis to the vehicle's forward direction, positive to the right}"
+    "{height     | 1.2     | metres of the camera above the road}"
+    "{speed      | 60      | km/h, negative in reverse}"
+    "{yaw_rate   | 40      | deg/s, positive where the car turns to the right}"
+    "{left       | 2.5     | metres to the left wall}"
+    "{right      | 3       | metres to the right wall}"
+    "{wall_direction |     | degrees from the optical axis to the direction along the walls (default: the heading)}"
+    "{clutter    | 0       | share of slanted lines in the rendered street, 0..1}"
+    "{noise      | 1       | of the rendered image, grey levels}"
+    "{samples    | 3       | rays across and down a pixel}"
+    "{seed       | 0       | of the rendered street}"
+    "{threads    |         | largest number of threads}";
+
+const double DEGREE = CV_PI / 180, KMH = 1 / 3.6;
+
+cv::Size readSize(const std::string& text)
+{
+    const size_t x = text.find('x');
+    if (x == std::string::npos)
+        throw UsageError("option --size: '" + text + "' is not WIDTHxHEIGHT");
+    return cv::Size(parseInteger(text.substr(0, x), "option --size", 2, 20000), parseInteger(text.substr(x + 1), "option --size", 2, 20000));
+}
+
+CameraSettings readSettings(const Options& options, const cv::Size& size, double defaultFocal)
+{
+    if (options.given("line_delay") && options.given("readout"))
+        throw UsageError("--line_delay and --readout exclude each other");
+    CameraSettings s;
+    s.size = size;
+    s.calibrated = true;
+    const double focal = options.given("focal") ? options.number("focal", 0, 1e7, false) : defaultFocal;
+    s.K = cv::Matx33d(focal, 0, (size.width - 1) / 2., 0, focal, (size.height - 1) / 2., 0, 0, 1);
+    if (options.given("lens"))
+        s.lens = options.numbers("lens");
+    if (!s.lens.empty() && s.lens.size() != 4 && s.lens.size() != 5 && s.lens.size() != 8)
+        throw UsageError("option --lens: there are 4, 5 or 8 coefficients");
+    s.scan = options.choice("scan", SCAN_WORDS);
+    if (options.given("line_delay"))
+        s.lineDelay = options.number("line_delay", 0, 1, false);
+    else
+        s.readOut = options.given("readout") ? options.number("readout", 0, 100, false) : 0.4 / 30;
+    s.reference = options.text("reference");
+    s.roll = options.number("roll", -180, 180);
+    s.pitch = options.number("pitch", -89, 89);
+    s.heading = options.number("heading", -180, 180);
+    s.height = options.number("height", 0, 1000, false);
+    return s;
+}
+
+Truth readTruthOptions(const Options& options, const CameraSettings& settings)
+{
+    const cv::rsackermann::RollingShutterCamera camera = settings.makeCamera(settings.size);
+    Truth truth = {street::StreetCamera(settings.size, settings.K(0, 0), camera.lineDelay, settings.height), street::StreetScene()};
+    truth.camera.lens = settings.lens;
+    truth.camera.scan = settings.scan;
+    truth.camera.reference = camera.referenceRow;
+    truth.camera.roll = settings.roll * DEGREE;
+    truth.camera.pitch = settings.pitch * DEGREE;
+    truth.camera.heading = settings.heading * DEGREE;
+
+    street::StreetScene& scene = truth.scene;
+    scene.speed = options.number("speed", -500, 500) * KMH;
+    scene.yawRate = options.number("yaw_rate", -360, 360) * DEGREE;
+    scene.left = options.number("left", 0, 1000, false);
+    scene.right = options.number("right", 0, 1000, false);
+    scene.wallDirection = (options.given("wall_direction") ? options.number("wall_direction", -180, 180) : settings.heading) * DEGREE;
+    scene.clutter = options.number("clutter", 0, 1);
+    scene.noise = options.number("noise", 0, 100);
+    scene.seed = unsigned(options.integer("seed", 0, 1 << 30));
+    return truth;
+}
+
+// The rolling-shutter image of a global-shutter one; what it doesn't show is mirrored, since a border would be an edge.
+cv::Mat distort(const cv::Mat& image, const Truth& truth)
+{
+    using namespace cv::rsackermann;
+    AckermannMotion motion = libraryMotion(truth.camera, truth.scene);
+    cv::Mat map1, map2, distorted;
+    WarpMapGenerator::create(libraryCamera(truth.camera))->initDistortMap(motion, map1, map2);
+    cv::remap(image, distorted, map1, map2, cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
+    return distorted;
+}
+
+void writeText(const std::string& path, const std::string& text)
+{
+    AtomicFile file(path);
+    std::ofstream stream(file.temporaryName().c_str(), std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream)
+        throw InputError(path + " can't be written");
+    file.commit();
+}
+
+int run(int argc, const char* const* argv)
+{
+    Options options(argc, argv, KEYS);
+    if (options.given("help"))
+    {
+        options.printHelp(ABOUT);
+        return 0;
+    }
+    if (!options.arguments().empty())
+        throw UsageError("unknown argument " + options.arguments()[0]);
+    if (!options.given("output"))
+        throw UsageError("--output is missing");
+    if (options.given("image"))
+        for (const char* name : {"size", "clutter", "noise", "samples", "seed"})
+            if (options.given(name))
+                throw UsageError(std::string("--") + name + " is for rendered streets, not for --image");
+    if (options.given("threads"))
+        cv::setNumThreads(options.integer("threads", 1, 4096));
+
+    const cv::Mat image = options.given("image") ? readImage(options.text("image")) : cv::Mat();
+    const cv::Size size = image.empty() ? readSize(options.text("size")) : image.size();
+    const CameraSettings settings = readSettings(options, size, image.empty() ? 816 : 0.9 * std::max(size.width, size.height));
+    const Truth truth = readTruthOptions(options, settings);
+    const int samples = options.integer("samples", 1, 16);
+
+    const std::string folder = options.text("output") + "/";
+    const std::string rolling = folder + "rolling.png", global = folder + "global.png", truthFile = folder + "truth.json", camera = folder + "camera.yml";
+    for (const std::string& path : {rolling, global, truthFile, camera})
+        if (!options.flag("overwrite") && cv::utils::fs::exists(path))
+            throw InputError(path + " exists (--overwrite replaces it)");
+
+    const street::StreetRenderer renderer(truth.camera, truth.scene);
+    writeImage(rolling, image.empty() ? renderer.rollingShutter(samples) : distort(image, truth));
+    writeImage(global, image.empty() ? renderer.globalShutter(samples) : image);
+    writeText(truthFile, truthText(truth));
+    AtomicFile cameraFile(camera);
+    writeCameraFile(cameraFile.temporaryName(), settings);
+    cameraFile.commit();
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return samples::runProgram(run, argc, argv);
+}

@@ -1,0 +1,237 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "street_renderer.hpp"
+#include "lens.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace street {
+
+namespace {
+
+const double HAZE = 150; // metres after which a third of the colour is left
+
+// Rotation whose rows are the axes of the upright frame: y along gravity, z the optical axis made horizontal.
+cv::Matx33d uprightFrom(double roll, double pitch)
+{
+    cv::Vec3d down(std::sin(roll), std::cos(roll) * std::cos(pitch), std::sin(pitch));
+    down *= 1 / cv::norm(down);
+    cv::Vec3d ahead = cv::Vec3d(0, 0, 1) - down * down[2];
+    ahead *= 1 / cv::norm(ahead);
+    const cv::Vec3d right = down.cross(ahead);
+    return cv::Matx33d(right[0], right[1], right[2], down[0], down[1], down[2], ahead[0], ahead[1], ahead[2]);
+}
+
+cv::Vec3d turned(double c, double s, const cv::Vec3d& v)
+{
+    return cv::Vec3d(c * v[0] + s * v[2], v[1], c * v[2] - s * v[0]);
+}
+
+} // namespace
+
+StreetCamera::StreetCamera(const cv::Size& imageSize, double focal, double delay, double metres)
+    : size(imageSize), fx(focal), fy(focal), cx((imageSize.width - 1) / 2.), cy((imageSize.height - 1) / 2.), lineDelay(delay), scan(0),
+      reference((imageSize.height - 1) / 2.), roll(0), pitch(0), heading(0), height(metres)
+{
+}
+
+StreetScene::StreetScene() : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), seed(0), clutter(0), noise(1)
+{
+}
+
+StreetRenderer::StreetRenderer(const StreetCamera& camera, const StreetScene& scene)
+    : camera_(camera), scene_(scene), upright_(uprightFrom(camera.roll, camera.pitch)),
+      along_(std::sin(scene.wallDirection), 0, std::cos(scene.wallDirection)),
+      across_(std::cos(scene.wallDirection), 0, -std::sin(scene.wallDirection)), leftFacade_(2 * scene.seed, scene.clutter, 1.05),
+      rightFacade_(2 * scene.seed + 1, scene.clutter, 0.85)
+{
+    CV_Assert(scene.left > 0 && scene.right > 0 && camera.height > 0);
+    CV_Assert(camera.scan >= 0 && camera.scan <= 3);
+}
+
+double StreetRenderer::secondsAt(double line) const
+{
+    const double sign = camera_.scan == 1 || camera_.scan == 3 ? -1 : 1;
+    return sign * (line - camera_.reference) * camera_.lineDelay;
+}
+
+StreetRenderer::Pose StreetRenderer::poseAt(double seconds) const
+{
+    const double yaw = scene_.yawRate * seconds, half = yaw / 2;
+    const double arc = scene_.speed * seconds, chord = std::abs(half) < 1e-8 ? arc : arc * std::sin(half) / half;
+    const double direction = half + camera_.heading;
+    const Pose pose = {std::cos(yaw), std::sin(yaw), cv::Vec3d(chord * std::sin(direction), 0, chord * std::cos(direction))};
+    return pose;
+}
+
+cv::Vec3d StreetRenderer::uprightRay(const cv::Point2d& pixel, bool throughLens) const
+{
+    cv::Point2d p((pixel.x - camera_.cx) / camera_.fx, (pixel.y - camera_.cy) / camera_.fy);
+    if (throughLens)
+        p = undistortPoint(camera_.lens, p);
+    return upright_ * cv::Vec3d(p.x, p.y, 1);
+}
+
+bool StreetRenderer::project(const cv::Vec3d& upright, bool throughLens, cv::Point2d& pixel) const
+{
+    const cv::Vec3d v = upright_.t() * upright;
+    if (v[2] <= 1e-9)
+        return false;
+    cv::Point2d p(v[0] / v[2], v[1] / v[2]);
+    if (throughLens)
+        p = distortPoint(camera_.lens, p);
+    pixel = cv::Point2d(p.x * camera_.fx + camera_.cx, p.y * camera_.fy + camera_.cy);
+    return true;
+}
+
+StreetRenderer::Hit StreetRenderer::cast(const cv::Vec3d& origin, const cv::Vec3d& ray) const
+{
+    const double side = across_.dot(origin), sideways = across_.dot(ray);
+    const double gap[3] = {-scene_.left - side, scene_.right - side, camera_.height - origin[1]};
+    const double rate[3] = {sideways, sideways, ray[1]};
+    Hit hit = {0, 0};
+    for (int i = 0; i < 3; i++)
+    {
+        const double distance = gap[i] / rate[i];
+        if (distance > 0 && distance < 1e9 && (hit.plane == 0 || distance < hit.distance))
+        {
+            hit.plane = i + 1;
+            hit.distance = distance;
+        }
+    }
+    return hit;
+}
+
+cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) const
+{
+    const double elevation = -ray[1] / std::sqrt(ray[0] * ray[0] + ray[2] * ray[2]);
+    const cv::Vec3f sky = cv::Vec3f(235, 225, 215) - cv::Vec3f(20, 60, 90) * std::min(1., std::max(0., elevation * 1.5));
+    const Hit hit = cast(origin, ray);
+    if (!hit.plane)
+        return sky;
+    const cv::Vec3d place = origin + ray * hit.distance;
+    const double u = along_.dot(place), v = camera_.height - place[1];
+    const double metres = hit.distance * cv::norm(ray), footprint = metres / camera_.fx;
+    cv::Vec3f paint;
+    if (hit.plane == 3)
+        paint = sampleRoad(u, across_.dot(place) + scene_.left, scene_.left + scene_.right, footprint);
+    else if (!(hit.plane == 1 ? leftFacade_ : rightFacade_).sample(u, v, footprint, paint))
+        return sky;
+    const double clear = std::exp(-metres / HAZE);
+    return paint * clear + sky * (1 - clear);
+}
+
+cv::Mat StreetRenderer::render(bool moving, int samples) const
+{
+    CV_Assert(samples > 0);
+    cv::Mat image(camera_.size, CV_32FC3);
+    const bool byRow = camera_.scan < 2;
+    cv::parallel_for_(cv::Range(0, image.rows), [&](const cv::Range& range) {
+        for (int y = range.start; y < range.end; y++)
+            for (int x = 0; x < image.cols; x++)
+            {
+                // All of a line is read at one instant.
+                const Pose pose = poseAt(moving ? secondsAt(byRow ? y : x) : 0);
+                cv::Vec3f sum(0, 0, 0);
+                for (int i = 0; i < samples; i++)
+                    for (int j = 0; j < samples; j++)
+                    {
+                        const cv::Point2d p(x + (j + 0.5) / samples - 0.5, y + (i + 0.5) / samples - 0.5);
+                        sum += colour(pose.centre, turned(pose.c, pose.s, uprightRay(p, moving)));
+                    }
+                image.at<cv::Vec3f>(y, x) = sum * (1.f / (samples * samples));
+            }
+    });
+    if (scene_.noise > 0)
+    {
+        cv::Mat noise(image.size(), image.type());
+        cv::RNG rng(scene_.seed * 7919u + (moving ? 1 : 2));
+        rng.fill(noise, cv::RNG::NORMAL, 0, scene_.noise);
+        image += noise;
+    }
+    cv::Mat result;
+    image.convertTo(result, CV_8U);
+    return result;
+}
+
+cv::Mat StreetRenderer::rollingShutter(int samples) const
+{
+    return render(true, samples);
+}
+
+cv::Mat StreetRenderer::globalShutter(int samples) const
+{
+    return render(false, samples);
+}
+
+bool StreetRenderer::toGlobal(const cv::Point2d& rolling, cv::Point2d& global) const
+{
+    const Pose pose = poseAt(secondsAt(lineOf(rolling)));
+    const cv::Vec3d ray = turned(pose.c, pose.s, uprightRay(rolling, true));
+    const Hit hit = cast(pose.centre, ray);
+    // Where no plane is met the scene is infinitely far away, and only the rotation counts.
+    return project(hit.plane ? pose.centre + ray * hit.distance : ray, false, global);
+}
+
+bool StreetRenderer::toRolling(const cv::Point2d& global, cv::Point2d& rolling) const
+{
+    const cv::Vec3d ray = uprightRay(global, false);
+    const Hit hit = cast(cv::Vec3d(0, 0, 0), ray);
+    const cv::Vec3d place = hit.plane ? ray * hit.distance : ray;
+
+    // The instant is found where the line at which the point is seen is the line being read: bisection.
+    auto miss = [&](double line, double& value) {
+        const Pose pose = poseAt(secondsAt(line));
+        if (!project(turned(pose.c, -pose.s, hit.plane ? place - pose.centre : place), true, rolling))
+            return false;
+        value = lineOf(rolling) - line;
+        return true;
+    };
+    const double reach = 2. * std::max(camera_.size.width, camera_.size.height);
+    double low = lineOf(global), high = low, value = 0;
+    for (double step = 2; ; step *= 2)
+    {
+        if (step > reach)
+            return false;
+        low = lineOf(global) - step;
+        high = lineOf(global) + step;
+        double above = 0, below = 0;
+        if (!miss(low, above) || !miss(high, below))
+            return false;
+        if (above >= 0 && below <= 0)
+            break;
+    }
+    while (high - low > 1e-7)
+    {
+        const double middle = (low + high) / 2;
+        if (!miss(middle, value))
+            return false;
+        (value > 0 ? low : high) = middle;
+    }
+    return true;
+}
+
+void StreetRenderer::rectifyMap(cv::Mat& columns, cv::Mat& rows, cv::Mat& mask) const
+{
+    columns.create(camera_.size, CV_32FC1);
+    rows.create(camera_.size, CV_32FC1);
+    mask.create(camera_.size, CV_8UC1);
+    cv::parallel_for_(cv::Range(0, camera_.size.height), [&](const cv::Range& range) {
+        for (int y = range.start; y < range.end; y++)
+            for (int x = 0; x < camera_.size.width; x++)
+            {
+                cv::Point2d p;
+                if (!toRolling(cv::Point2d(x, y), p))
+                    p = cv::Point2d(-1e4, -1e4);
+                columns.at<float>(y, x) = float(p.x);
+                rows.at<float>(y, x) = float(p.y);
+                const bool inside = p.x >= 0 && p.y >= 0 && p.x <= camera_.size.width - 1 && p.y <= camera_.size.height - 1;
+                mask.at<uchar>(y, x) = inside ? 255 : 0;
+            }
+    });
+}
+
+} // namespace street

@@ -1,0 +1,97 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_STREET_RENDERER_HPP
+#define RSACKERMANN_SAMPLES_STREET_RENDERER_HPP
+
+#include "facade.hpp"
+
+namespace street {
+
+//! A camera with a rolling shutter; the conventions are those of cv::rsackermann::RollingShutterCamera.
+struct StreetCamera
+{
+    cv::Size size;
+    double fx, fy, cx, cy;
+    std::vector<double> lens;  //!< 0, 4, 5 or 8 coefficients of the model of cv::projectPoints
+    double lineDelay;          //!< seconds between two lines
+    int scan;                  //!< 0 down, 1 up, 2 to the right, 3 to the left
+    double reference;          //!< line at whose instant the global-shutter image is taken
+    double roll, pitch;        //!< radians
+    double heading;            //!< radians from the optical axis to the direction of driving
+    double height;             //!< metres above the road
+
+    //! A camera at a given height that looks ahead, with its principal point and reference at the image's centre.
+    StreetCamera(const cv::Size& size, double focal, double lineDelay, double height);
+};
+
+//! Where the car drives and how.
+struct StreetScene
+{
+    double yawRate;            //!< radians per second, positive to the right
+    double speed;              //!< metres per second, negative in reverse
+    double left, right;        //!< metres to the walls
+    double wallDirection;      //!< radians from the optical axis to the direction along the walls
+    unsigned seed;             //!< of the facades and the noise
+    double clutter;            //!< share of slanted lines, 0..1
+    double noise;              //!< standard deviation of the image noise in grey levels
+
+    StreetScene();
+};
+
+/** Renders a street and knows the true correspondence of rolling and global shutter.
+
+Every line of the image is cast with the pose that the camera has at that line's instant: yaw 2 alpha t about the vertical,
+position on the chord of the circle that the car drives. Nothing here is shared with the library, which is measured by it.
+*/
+class StreetRenderer
+{
+public:
+    StreetRenderer(const StreetCamera& camera, const StreetScene& scene);
+
+    //! What the rolling-shutter camera sees, through its lens; each pixel is the mean of samples x samples rays.
+    cv::Mat rollingShutter(int samples = 3) const;
+    //! What a global-shutter camera without lens distortion sees at the reference line's instant.
+    cv::Mat globalShutter(int samples = 3) const;
+
+    //! Place in the rolling-shutter image of a point of the global-shutter image; false where there is none.
+    bool toRolling(const cv::Point2d& global, cv::Point2d& rolling) const;
+    //! Place in the global-shutter image of a point of the rolling-shutter image; false where there is none.
+    bool toGlobal(const cv::Point2d& rolling, cv::Point2d& global) const;
+
+    //! toRolling() of every pixel (CV_32FC1 each) and, as mask, whether the place lies in the rolling-shutter image.
+    void rectifyMap(cv::Mat& columns, cv::Mat& rows, cv::Mat& mask) const;
+
+private:
+    struct Pose
+    {
+        double c, s;      // of the yaw
+        cv::Vec3d centre; // metres
+    };
+
+    struct Hit
+    {
+        int plane;       // 0 none, 1 left wall, 2 right wall, 3 road
+        double distance; // in lengths of the ray
+    };
+
+    cv::Mat render(bool moving, int samples) const;
+    cv::Vec3f colour(const cv::Vec3d& origin, const cv::Vec3d& ray) const;
+    Pose poseAt(double seconds) const;
+    double secondsAt(double line) const;
+    double lineOf(const cv::Point2d& p) const { return camera_.scan < 2 ? p.y : p.x; }
+    cv::Vec3d uprightRay(const cv::Point2d& pixel, bool throughLens) const;
+    bool project(const cv::Vec3d& upright, bool throughLens, cv::Point2d& pixel) const;
+    Hit cast(const cv::Vec3d& origin, const cv::Vec3d& ray) const;
+
+    StreetCamera camera_;
+    StreetScene scene_;
+    cv::Matx33d upright_; // turns the camera frame upright
+    cv::Vec3d along_, across_;
+    Facade leftFacade_, rightFacade_;
+};
+
+} // namespace street
+
+#endif // RSACKERMANN_SAMPLES_STREET_RENDERER_HPP

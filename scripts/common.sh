@@ -1,0 +1,62 @@
+# Parts that the scripts share: sourced, not run.
+
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/rsackermann
+
+# What each task needs on Debian 12.
+packages_build=(g++ cmake ninja-build ccache libopencv-dev libeigen3-dev nlohmann-json3-dev libyaml-cpp-dev)
+packages_test=(dpkg-dev python3-dev python3-numpy libjpeg-dev libpng-dev zlib1g-dev)
+
+die()
+{
+    echo "$(basename "$0"): $*" >&2
+    exit 1
+}
+
+step()
+{
+    echo "== $*"
+}
+
+# Runs a command with its output in a log file; shows the log's end where the command fails.
+# usage: logged LOG COMMAND...
+logged()
+{
+    local log=$1
+    shift
+    mkdir -p "$(dirname "$log")"
+    if ! "$@" >"$log" 2>&1 </dev/null; then
+        tail -n 60 "$log" >&2
+        die "'$*' failed; all of its output is in $log"
+    fi
+}
+
+as_root()
+{
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    else
+        sudo "$@"
+    fi
+}
+
+is_installed()
+{
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# usage: install_packages LOG PACKAGE...
+install_packages()
+{
+    local log=$1 package missing=()
+    shift
+    for package in "$@"; do
+        is_installed "$package" || missing+=("$package")
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+    step "Installing ${missing[*]}"
+    logged "$log.update" as_root apt-get update
+    logged "$log" as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
+}

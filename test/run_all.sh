@@ -1,0 +1,94 @@
+#!/bin/bash
+# Installs what is needed on Debian 12, builds everything in both ways and runs all tests:
+# - the library against the installed OpenCV, with samples, tests and performance tests (one sample each),
+# - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests.
+# Prints the number of test cases as its last line and fails if one of them failed.
+# usage: run_all.sh [BUILD_DIRECTORY]
+
+. "$(dirname "$0")/../scripts/common.sh"
+build=${1:-$root/build-test}
+logs=$build/logs
+results=$build/test-results
+
+passed=0
+failed=0
+finished=no
+
+closing_line()
+{
+    # An end on the way is a failure, too.
+    [ $finished = yes ] || failed=$((failed + 1))
+    echo "$passed passed, $failed failed"
+    [ $failed -eq 0 ] || exit 1
+}
+trap closing_line EXIT
+
+# Adds up the results of a program that has run.
+# usage: count TITLE EXIT_STATUS LOG ARGUMENTS_OF_COUNT_RESULTS...
+count()
+{
+    local title=$1 status=$2 log=$3 counts
+    shift 3
+    read -ra counts < <("$root/test/count_results.py" "$@") || counts=(0 0)
+    if [ "$status" -ne 0 ]; then
+        tail -n 60 "$log" >&2
+        # A program that crashes fails without a failed case.
+        [ "${counts[1]}" -gt 0 ] || counts[1]=1
+    elif [ "${counts[0]}" -eq 0 ]; then
+        echo "$title: no test has passed, see $log" >&2
+        [ "${counts[1]}" -gt 0 ] || counts[1]=1
+    fi
+    echo "$title: ${counts[0]} passed, ${counts[1]} failed"
+    grep -h 'SKIPSTAT' "$log" || true
+    passed=$((passed + counts[0]))
+    failed=$((failed + counts[1]))
+}
+
+# Runs a program of opencv_ts.
+# usage: run_ts TITLE PROGRAM ARGUMENTS...
+run_ts()
+{
+    local title=$1 program=$2 status=0
+    local name=in-tree-$(basename "$program")
+    shift 2
+    "$program" "--gtest_output=xml:$results/$name.xml" "$@" >"$logs/$name.log" 2>&1 || status=$?
+    count "$title" $status "$logs/$name.log" gtest "$results/$name.xml"
+}
+
+mkdir -p "$logs"
+rm -rf "$results"
+mkdir -p "$results"
+install_packages "$logs/apt-install.log" "${packages_build[@]}" "${packages_test[@]}"
+step "Getting the source of OpenCV"
+opencv_source=$("$root/scripts/get_opencv_source.sh")
+
+step "Building against the installed OpenCV in $build"
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+logged "$logs/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DENABLE_WERROR=ON \
+    -DBUILD_SAMPLES=ON -DBUILD_TESTING=ON -DBUILD_PERF_TESTS=ON "-DOPENCV_TS_SOURCE_DIR=$opencv_source"
+logged "$logs/build.log" cmake --build "$build"
+
+step "Testing"
+status=0
+ctest --test-dir "$build" --output-on-failure --output-junit "$results/ctest.junit" >"$logs/ctest.log" 2>&1 || status=$?
+count "Against the installed OpenCV" $status "$logs/ctest.log" ctest "$results/ctest.junit" "$results"
+
+# OpenCV itself is built once: this directory stays. One run at a time uses it.
+in_tree=$cache/in-tree-$(basename "$opencv_source")
+mkdir -p "$in_tree"
+exec 9>"$in_tree/lock"
+flock 9
+step "Building inside of OpenCV in $in_tree"
+"$root/scripts/build_in_tree.sh" "$in_tree/build" "$in_tree/checkout" "$logs"
+
+step "Testing"
+run_ts "Inside of OpenCV" "$in_tree/build/bin/opencv_test_rsackermann"
+run_ts "Inside of OpenCV, performance tests" "$in_tree/build/bin/opencv_perf_rsackermann" \
+    --perf_min_samples=1 --perf_force_samples=1 --perf_verify_sanity
+status=0
+PYTHONPATH=$in_tree/build/python_loader:$opencv_source/modules/python/test \
+    /usr/bin/python3 -B -m unittest discover -v -s "$root/modules/rsackermann/misc/python/test" \
+    >"$logs/in-tree-python.log" 2>&1 || status=$?
+count "Inside of OpenCV, Python" $status "$logs/in-tree-python.log" unittest "$logs/in-tree-python.log"
+
+finished=yes
