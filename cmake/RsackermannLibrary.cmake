@@ -1,6 +1,7 @@
 # The library: the sources of the module that ocv_define_module() takes, too.
 
 include(cmake/RsackermannDispatch.cmake)
+include(cmake/RsackermannOpenCL.cmake)
 
 set(RSACKERMANN_MODULE_DIR "${PROJECT_SOURCE_DIR}/modules/rsackermann")
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/src/*.cpp")
@@ -8,6 +9,7 @@ file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/s
 add_library(opencv_rsackermann ${library_sources})
 add_library(rsackermann::rsackermann ALIAS opencv_rsackermann)
 rsackermann_add_dispatched_files(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}/src")
+rsackermann_embed_opencl(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}/src/opencl")
 
 set_target_properties(opencv_rsackermann PROPERTIES
   VERSION ${PROJECT_VERSION}

@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace samples;
+using namespace rsackermann_samples;
 
 const char* const ABOUT =
     "Undoes the rolling shutter of images that a car's camera has taken.\n"
@@ -76,5 +76,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return samples::runProgram(run, argc, argv);
+    return rsackermann_samples::runProgram(run, argc, argv);
 }

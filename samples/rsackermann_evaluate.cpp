@@ -15,7 +15,7 @@
 
 namespace {
 
-using namespace samples;
+using namespace rsackermann_samples;
 
 const char* const ABOUT =
     "Compares the results of rsackermann_correct with the truth of rsackermann_simulate: motion, and mean displacement of the\n"
@@ -100,5 +100,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return samples::runProgram(run, argc, argv);
+    return rsackermann_samples::runProgram(run, argc, argv);
 }

@@ -15,7 +15,7 @@
 
 namespace {
 
-using namespace samples;
+using namespace rsackermann_samples;
 
 const char* const ABOUT =
     "Makes a rolling-shutter image with known truth: renders a street, or distorts a global-shutter image of one.\n"
@@ -176,5 +176,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return samples::runProgram(run, argc, argv);
+    return rsackermann_samples::runProgram(run, argc, argv);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Counts test cases in result files and prints "PASSED FAILED".
+"""Counts test cases in result files and prints "PASSED FAILED"; describes the failed ones on the error output.
 
 usage: count_results.py gtest FILE            a file of --gtest_output=xml:
        count_results.py ctest FILE DIRECTORY  a file of ctest --output-junit; where the directory has a gtest file of a
@@ -13,26 +13,39 @@ import sys
 import xml.etree.ElementTree
 
 
+def describe(name, text):
+    print("FAILED: %s\n%s" % (name, (text or "").strip()[:2000]), file=sys.stderr)
+
+
+def test_cases(path):
+    return xml.etree.ElementTree.parse(path).getroot().iter("testcase")
+
+
 def count_gtest(path):
     passed = failed = 0
-    for case in xml.etree.ElementTree.parse(path).getroot().iter("testcase"):
+    for case in test_cases(path):
         if case.get("status") == "run":
-            if case.find("failure") is None:
-                passed += 1
-            else:
+            failures = case.findall("failure")
+            if failures:
                 failed += 1
+                describe("%s.%s" % (case.get("classname"), case.get("name")), "\n".join(f.text or "" for f in failures))
+            else:
+                passed += 1
     return passed, failed
 
 
 def count_ctest(path, gtest_directory):
     passed = failed = 0
-    for test in xml.etree.ElementTree.parse(path).getroot().iter("testcase"):
+    for test in test_cases(path):
         ok = test.get("status") == "run"
         cases = os.path.join(gtest_directory, test.get("name") + ".xml")
         counts = count_gtest(cases) if os.path.exists(cases) else (int(ok), 0)
         passed += counts[0]
-        # A program that crashes fails without a failed case.
-        failed += counts[1] if ok else max(counts[1], 1)
+        failed += counts[1]
+        if counts[1] == 0 and (not ok or counts[0] == 0):
+            # Not a program with cases, or one that has crashed, or one without any case.
+            failed += 1
+            describe(test.get("name"), test.findtext("system-out"))
     return passed, failed
 
 
@@ -43,6 +56,8 @@ def count_unittest(path):
     status = re.findall(r"^(?:OK|FAILED)(?: \((.*)\))?$", text, re.MULTILINE)[-1]
     other = dict((key, int(value)) for key, value in re.findall(r"([a-z ]+)=(\d+)", status))
     failed = other.get("failures", 0) + other.get("errors", 0)
+    if failed:
+        describe(path, text)
     return run - failed - other.get("skipped", 0), failed
 
 

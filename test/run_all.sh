@@ -30,13 +30,16 @@ count()
     local title=$1 status=$2 log=$3 counts
     shift 3
     read -ra counts < <("$root/test/count_results.py" "$@") || counts=(0 0)
-    if [ "$status" -ne 0 ]; then
-        tail -n 60 "$log" >&2
-        # A program that crashes fails without a failed case.
-        [ "${counts[1]}" -gt 0 ] || counts[1]=1
-    elif [ "${counts[0]}" -eq 0 ]; then
-        echo "$title: no test has passed, see $log" >&2
-        [ "${counts[1]}" -gt 0 ] || counts[1]=1
+    if [ "${counts[1]}" -eq 0 ]; then
+        if [ "$status" -ne 0 ]; then
+            # It has crashed, or could not start.
+            tail -n 60 "$log" >&2
+            echo "$title: ended with exit status $status, see $log" >&2
+            counts[1]=1
+        elif [ "${counts[0]}" -eq 0 ]; then
+            echo "$title: there is no test, see $log" >&2
+            counts[1]=1
+        fi
     fi
     echo "$title: ${counts[0]} passed, ${counts[1]} failed"
     grep -h 'SKIPSTAT' "$log" || true

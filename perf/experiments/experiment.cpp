@@ -24,15 +24,30 @@ bool isAtRest(const street::StreetScene& scene)
 }
 
 // The camera as the estimator is told of it.
-RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowledge& knowledge, unsigned seed)
+RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowledge& knowledge, cv::RNG& rng)
 {
-    cv::RNG rng(seed * 7717u + 1);
     street::StreetCamera told = truth;
-    told.roll += rng.gaussian(knowledge.gravitySigma);
-    told.pitch += rng.gaussian(knowledge.gravitySigma);
+    told.roll += rng.gaussian(knowledge.gravityNoise);
+    told.pitch += rng.gaussian(knowledge.gravityNoise);
     told.fx *= 1 + knowledge.focalError;
     told.fy *= 1 + knowledge.focalError;
-    return samples::libraryCamera(told);
+    return rsackermann_samples::libraryCamera(told);
+}
+
+// The motion as the estimator is told of it.
+MotionPrior toldMotion(const street::StreetScene& truth, const Knowledge& knowledge, cv::RNG& rng)
+{
+    MotionPrior prior;
+    prior.speed = truth.speed + rng.gaussian(knowledge.speedSigma);
+    prior.speedSigma = knowledge.speedSigma;
+    prior.yawRate = truth.yawRate + rng.gaussian(knowledge.yawRateSigma);
+    prior.yawRateSigma = knowledge.yawRateSigma;
+    return prior;
+}
+
+double sigmaOf(double variance, double unit)
+{
+    return variance > 0 ? std::sqrt(variance) / unit : NOT_KNOWN;
 }
 
 } // namespace
@@ -44,7 +59,7 @@ cv::Mat makeImage(const Case& c)
     if (isAtRest(c.scene))
         return c.photo;
     cv::Mat columns, rows, image;
-    WarpMapGenerator::create(samples::libraryCamera(c.camera))->initDistortMap(samples::libraryMotion(c.camera, c.scene), columns, rows);
+    WarpMapGenerator::create(rsackermann_samples::libraryCamera(c.camera))->initDistortMap(rsackermann_samples::libraryMotion(c.camera, c.scene), columns, rows);
     // A black border would show false edges: what the photograph doesn't show is mirrored.
     cv::remap(c.photo, image, columns, rows, cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
     return image;
@@ -52,11 +67,13 @@ cv::Mat makeImage(const Case& c)
 
 Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::Params& params, const Knowledge& knowledge, unsigned seed)
 {
-    const RollingShutterCamera camera = toldCamera(c.camera, knowledge, seed);
-    const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimateFromImage(image);
+    cv::RNG rng(seed * 7717u + 1);
+    const RollingShutterCamera camera = toldCamera(c.camera, knowledge, rng);
+    const MotionPrior prior = toldMotion(c.scene, knowledge, rng);
+    const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimateFromImage(image, cv::noArray(), cv::noArray(), prior);
 
     cv::Mat identity[2], truth[2], estimated[2], mask;
-    samples::identityMaps(c.camera.size, identity[0], identity[1]);
+    rsackermann_samples::identityMaps(c.camera.size, identity[0], identity[1]);
     street::StreetRenderer(c.camera, c.scene).rectifyMap(truth[0], truth[1], mask);
     WarpMapGenerator::create(camera)->initRectifyMap(motion, estimated[0], estimated[1]);
 
@@ -65,14 +82,17 @@ Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::P
     result.model = motion.model;
     result.candidates = motion.candidates;
     result.inliers = motion.inliers;
-    result.raw = samples::meanDistance(identity[0], identity[1], truth[0], truth[1], mask);
-    result.left = samples::meanDistance(estimated[0], estimated[1], truth[0], truth[1], mask);
+    result.raw = rsackermann_samples::meanDistance(identity[0], identity[1], truth[0], truth[1], mask);
+    result.left = rsackermann_samples::meanDistance(estimated[0], estimated[1], truth[0], truth[1], mask);
 
     double yawRate = 0, speed = 0;
     const bool ok = motion.status == MOTION_OK;
     result.yawRateError = motion.yawRate(camera, yawRate) ? (yawRate - c.scene.yawRate) * 180 / CV_PI : NOT_KNOWN;
     result.speedError = !ok ? -c.scene.speed * 3.6 : motion.speed(camera, speed) ? (speed - c.scene.speed) * 3.6 : NOT_KNOWN;
     result.deltaError = ok && motion.B != 0 ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx : NOT_KNOWN;
+    const cv::Matx44d covariance = motion.metricCovariance(camera);
+    result.yawRateSigma = ok ? sigmaOf(covariance(0, 0), CV_PI / 180) : NOT_KNOWN;
+    result.speedSigma = ok ? sigmaOf(covariance(1, 1), 1 / 3.6) : NOT_KNOWN;
     return result;
 }
 

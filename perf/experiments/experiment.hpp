@@ -9,13 +9,15 @@
 
 namespace experiments {
 
-//! What differs between what the estimator is told of the camera and what is true.
+//! What the estimator is told besides the image, and how wrong that is.
 struct Knowledge
 {
-    double gravitySigma; //!< radians of error in roll and pitch each
-    double focalError;   //!< of the focal length: 0.1 for 10 % too long
+    double gravityNoise;  //!< standard deviation in radians of the errors of roll and pitch
+    double focalError;    //!< of the focal length: 0.1 for 10 % too long
+    double speedSigma;    //!< metres per second, of the error of a known speed; 0: it isn't known
+    double yawRateSigma;  //!< radians per second, of the error of a known yaw rate; 0: it isn't known
 
-    Knowledge() : gravitySigma(0), focalError(0) {}
+    Knowledge() : gravityNoise(0), focalError(0), speedSigma(0), yawRateSigma(0) {}
 };
 
 //! One rolling-shutter image with known truth.
@@ -34,7 +36,9 @@ struct Result
     int status, model, candidates, inliers;
     double raw, left;           //!< mean displacement in pixels before and after
     double yawRateError;        //!< degrees per second
+    double yawRateSigma;        //!< its standard deviation as the estimator sees it; NaN where there is none
     double speedError;          //!< km/h; NaN where the speed isn't known
+    double speedSigma;          //!< its standard deviation as the estimator sees it; NaN where there is none
     double deltaError;          //!< pixels; NaN where there are no walls
 };
 

@@ -34,6 +34,10 @@ const char* const KEYS =
     "{clutter    | 0      | share of slanted lines in the rendered streets, 0..1}"
     "{noise      | 1      | of the rendered images, grey levels}"
     "{gravity_noise | 0   | standard deviation of the errors of the roll and the pitch that the estimator is told, degrees}"
+    "{gravity_sigma |     | what the estimator is told of these errors, degrees (default: the truth, or the estimator's default "
+    "where there are none)}"
+    "{speed_sigma | 0     | km/h; the estimator is told the speed with errors of this standard deviation; 0: it isn't told}"
+    "{yaw_rate_sigma | 0  | deg/s; the same for the yaw rate}"
     "{focal_error | 0     | of the focal length that the estimator is told, percent}"
     "{model      | auto   | auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | lsd, fld or edlines}"
@@ -44,12 +48,12 @@ const char* const KEYS =
 const double DEGREE = CV_PI / 180, KMH = 1 / 3.6;
 const double READ_OUT = 0.4 / 30; // seconds: 40 % of the time between two frames at 30 frames/s
 
-std::vector<double> numbersOr(const samples::Options& options, const std::string& name, const std::vector<double>& otherwise)
+std::vector<double> numbersOr(const rsackermann_samples::Options& options, const std::string& name, const std::vector<double>& otherwise)
 {
     return options.given(name) ? options.numbers(name) : otherwise;
 }
 
-std::vector<street::StreetScene> makeMotions(const samples::Options& options, const std::vector<double>& speeds, const std::vector<double>& yawRates)
+std::vector<street::StreetScene> makeMotions(const rsackermann_samples::Options& options, const std::vector<double>& speeds, const std::vector<double>& yawRates)
 {
     std::vector<street::StreetScene> motions;
     if (options.flag("rest"))
@@ -66,7 +70,7 @@ std::vector<street::StreetScene> makeMotions(const samples::Options& options, co
 }
 
 // The paper's camera and street.
-std::vector<Case> renderedCases(const samples::Options& options)
+std::vector<Case> renderedCases(const rsackermann_samples::Options& options)
 {
     street::StreetCamera camera(cv::Size(640, 380), 816, READ_OUT / 380, 1.2);
     camera.roll = options.number("roll") * DEGREE;
@@ -101,24 +105,24 @@ std::vector<std::string> readFields(std::istream& file)
 }
 
 // Walls at 2.5 m and 3 m, camera at 1.6 m, the car follows the street.
-std::vector<Case> photoCases(const samples::Options& options)
+std::vector<Case> photoCases(const rsackermann_samples::Options& options)
 {
     const std::string folder = options.text("photos") + "/";
     std::ifstream list((folder + "frames.csv").c_str());
     static const std::vector<std::string> columns = {"name", "focal_px", "roll_deg", "pitch_deg", "line_at_infinity_px"};
     if (readFields(list) != columns)
-        throw samples::InputError(folder + "frames.csv can't be read or has other columns than name,focal_px,roll_deg,pitch_deg,line_at_infinity_px");
+        throw rsackermann_samples::InputError(folder + "frames.csv can't be read or has other columns than name,focal_px,roll_deg,pitch_deg,line_at_infinity_px");
     std::vector<Case> cases;
     for (std::vector<std::string> fields = readFields(list); !fields.empty(); fields = readFields(list))
     {
         if (fields.size() != columns.size())
-            throw samples::InputError(folder + "frames.csv: a line hasn't five columns");
+            throw rsackermann_samples::InputError(folder + "frames.csv: a line hasn't five columns");
         const cv::Mat photo = cv::imread(folder + fields[0]);
         if (photo.empty())
-            throw samples::InputError(folder + fields[0] + " can't be read");
+            throw rsackermann_samples::InputError(folder + fields[0] + " can't be read");
         double values[4];
         for (int i = 0; i < 4; i++)
-            values[i] = samples::parseNumber(fields[i + 1], "frames.csv");
+            values[i] = rsackermann_samples::parseNumber(fields[i + 1], "frames.csv");
         street::StreetCamera camera(photo.size(), values[0], READ_OUT / photo.rows, 1.6);
         camera.roll = values[1] * DEGREE;
         camera.pitch = values[2] * DEGREE;
@@ -137,19 +141,38 @@ std::vector<Case> photoCases(const samples::Options& options)
 void printCase(const Case& c, const Result& r)
 {
     static const char* const statuses[] = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
-    std::printf("%s\t%.0f\t%.0f\t%s\t%d\t%d\t%d\t%.3f\t%.3f\t%.2f\t%.2f\t%.1f\n", c.name.c_str(), c.scene.speed / KMH, c.scene.yawRate / DEGREE,
-                statuses[r.status], r.model, r.candidates, r.inliers, r.raw, r.left, r.yawRateError, r.speedError, r.deltaError);
+    std::printf("%s\t%.0f\t%.0f\t%s\t%d\t%d\t%d\t%.3f\t%.3f\t%.2f\t%.2f\t%.2f\t%.2f\t%.1f\n", c.name.c_str(), c.scene.speed / KMH,
+                c.scene.yawRate / DEGREE, statuses[r.status], r.model, r.candidates, r.inliers, r.raw, r.left, r.yawRateError, r.yawRateSigma,
+                r.speedError, r.speedSigma, r.deltaError);
+}
+
+// How often the truth lies within two and three of the estimator's standard deviations.
+void printCoverage(const char* name, const std::vector<double>& ratios)
+{
+    int within2 = 0, within3 = 0, known = 0;
+    for (double ratio : ratios)
+        if (!std::isnan(ratio))
+        {
+            known++;
+            within2 += ratio <= 2;
+            within3 += ratio <= 3;
+        }
+    if (known)
+        std::printf("%-28s truth within 2 sigma in %.1f %%, within 3 sigma in %.1f %% of %d cases\n", name, 100. * within2 / known,
+                    100. * within3 / known, known);
 }
 
 void printSummary(const std::vector<Result>& results)
 {
-    std::vector<double> values[5];
+    std::vector<double> values[5], ratios[2];
     int ok = 0, worse = 0;
     for (const Result& r : results)
     {
         const double row[5] = {r.raw, r.left, std::abs(r.yawRateError), std::abs(r.speedError), std::abs(r.deltaError)};
         for (int i = 0; i < 5; i++)
             values[i].push_back(row[i]);
+        ratios[0].push_back(std::abs(r.yawRateError) / r.yawRateSigma);
+        ratios[1].push_back(std::abs(r.speedError) / r.speedSigma);
         ok += r.status == MOTION_OK;
         worse += r.left > r.raw + 1e-6;
     }
@@ -160,30 +183,38 @@ void printSummary(const std::vector<Result>& results)
     for (int i = 0; i < 5; i++)
         std::printf("%-28s %8.3f %8.3f %8.3f %8.3f\n", names[i], quantile(values[i], 0.5), quantile(values[i], 0.9), mean(values[i]),
                     quantile(values[i], 1));
+    printCoverage("yaw rate", ratios[0]);
+    printCoverage("speed", ratios[1]);
 }
 
 int run(int argc, const char* const* argv)
 {
-    samples::Options options(argc, argv, KEYS);
+    rsackermann_samples::Options options(argc, argv, KEYS);
     if (options.given("help"))
     {
         options.printHelp(ABOUT);
         return 0;
     }
     if (!options.arguments().empty())
-        throw samples::UsageError("unknown argument " + options.arguments()[0]);
+        throw rsackermann_samples::UsageError("unknown argument " + options.arguments()[0]);
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const std::vector<Case> cases = options.given("photos") ? photoCases(options) : renderedCases(options);
 
     Knowledge knowledge;
-    knowledge.gravitySigma = options.number("gravity_noise", 0, 45) * DEGREE;
+    knowledge.gravityNoise = options.number("gravity_noise", 0, 45) * DEGREE;
+    knowledge.speedSigma = options.number("speed_sigma", 0, 1000) * KMH;
+    knowledge.yawRateSigma = options.number("yaw_rate_sigma", 0, 1000) * DEGREE;
     knowledge.focalError = options.number("focal_error", -90, 1000) / 100;
     AckermannEstimator::Params params;
     static const int models[] = {MODEL_AUTO, MODEL_4LA, MODEL_3LA, MODEL_1LA, MODEL_NONE};
     params.model = models[options.choice("model", {"auto", "4la", "3la", "1la", "none"})];
     params.detector = options.choice("detector", {"lsd", "fld", "edlines"});
     params.wallDistance = cases.empty() ? 0 : cases[0].scene.left;
+    if (options.given("gravity_sigma"))
+        params.gravitySigma = options.number("gravity_sigma", 0, 45) * DEGREE;
+    else if (knowledge.gravityNoise > 0)
+        params.gravitySigma = knowledge.gravityNoise;
     const unsigned seed = unsigned(options.integer("seed", 0, 1 << 20));
     const std::string save = options.given("save") ? options.text("save") + "/" : "";
 
@@ -200,7 +231,8 @@ int run(int argc, const char* const* argv)
 
     if (!options.flag("quiet"))
     {
-        std::printf("case\tspeed\tyaw_rate\tstatus\tmodel\tcandidates\tinliers\traw_px\tleft_px\tyaw_rate_error\tspeed_error\tdelta_error_px\n");
+        std::printf("case\tspeed\tyaw_rate\tstatus\tmodel\tcandidates\tinliers\traw_px\tleft_px\tyaw_rate_error\tyaw_rate_sigma\tspeed_error\t"
+                    "speed_sigma\tdelta_error_px\n");
         for (size_t i = 0; i < cases.size(); i++)
             printCase(cases[i], results[i]);
     }
@@ -212,5 +244,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return samples::runProgram(run, argc, argv);
+    return rsackermann_samples::runProgram(run, argc, argv);
 }

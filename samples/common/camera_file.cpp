@@ -10,7 +10,7 @@
 #include <functional>
 #include <yaml-cpp/yaml.h>
 
-namespace samples {
+namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
 
@@ -215,4 +215,4 @@ void writeCameraFile(const std::string& path, const CameraSettings& s)
     fs << "roll" << s.roll << "pitch" << s.pitch << "heading" << s.heading << "camera_height" << s.height;
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

@@ -7,7 +7,7 @@
 
 #include "camera_settings.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 /** Reads a camera file.
 
@@ -21,6 +21,6 @@ void readCameraFile(const std::string& path, CameraSettings& settings);
 //! Writes a camera file that readCameraFile() reads, in OpenCV's format.
 void writeCameraFile(const std::string& path, const CameraSettings& settings);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_CAMERA_FILE_HPP

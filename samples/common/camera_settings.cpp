@@ -5,7 +5,7 @@
 #include "camera_settings.hpp"
 #include "camera_file.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
 
@@ -89,4 +89,4 @@ CameraSettings readCameraOptions(const Options& options)
     return s;
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

@@ -8,7 +8,7 @@
 #include "opencv2/rsackermann/camera.hpp"
 #include "options.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! What files and options say about a camera; what depends on the image's size is left open until an image is there.
 struct CameraSettings
@@ -41,6 +41,6 @@ extern const char* const CAMERA_KEYS;
 //! Reads --camera and the other options for a camera, which go before the file.
 CameraSettings readCameraOptions(const Options& options);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_CAMERA_SETTINGS_HPP

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace samples {
+namespace rsackermann_samples {
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path), committed_(false)
 {
@@ -139,4 +139,4 @@ bool isSameFile(const std::string& a, const std::string& b)
     return cv::utils::fs::exists(a) && cv::utils::fs::exists(b) && cv::utils::fs::canonical(a) == cv::utils::fs::canonical(b);
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

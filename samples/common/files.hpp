@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace samples {
+namespace rsackermann_samples {
 
 /** A file that appears complete or not at all: it is written under another name in the same folder and renamed at the end. */
 class AtomicFile
@@ -52,6 +52,6 @@ std::string extension(const std::string& path);
 //! Whether both paths lead to the same existing file.
 bool isSameFile(const std::string& a, const std::string& b);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_FILES_HPP

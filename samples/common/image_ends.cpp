@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace samples {
+namespace rsackermann_samples {
 
 namespace {
 
@@ -65,4 +65,4 @@ bool isCutShort(const std::vector<uchar>& bytes)
     return false;
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

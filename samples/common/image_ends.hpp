@@ -8,11 +8,11 @@
 #include "opencv2/core.hpp"
 #include <vector>
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! Whether the bytes are those of a PNG or JPEG image without its end; false for every other format.
 bool isCutShort(const std::vector<uchar>& bytes);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_IMAGE_ENDS_HPP

@@ -4,7 +4,7 @@
 
 #include "map_distance.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 double meanDistance(const cv::Mat& columns1, const cv::Mat& rows1, const cv::Mat& columns2, const cv::Mat& rows2, const cv::Mat& mask)
 {
@@ -25,4 +25,4 @@ void identityMaps(const cv::Size& size, cv::Mat& columns, cv::Mat& rows)
         }
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

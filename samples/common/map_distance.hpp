@@ -7,13 +7,13 @@
 
 #include "opencv2/core.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! Mean distance in pixels between two pairs of CV_32FC1 maps where the mask isn't 0; 0 where it is 0 everywhere.
 double meanDistance(const cv::Mat& columns1, const cv::Mat& rows1, const cv::Mat& columns2, const cv::Mat& rows2, const cv::Mat& mask);
 //! The maps that leave everything in its place.
 void identityMaps(const cv::Size& size, cv::Mat& columns, cv::Mat& rows);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_MAP_DISTANCE_HPP

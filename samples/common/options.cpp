@@ -9,7 +9,7 @@
 #include <iostream>
 #include <sstream>
 
-namespace samples {
+namespace rsackermann_samples {
 
 namespace {
 
@@ -187,4 +187,4 @@ int runProgram(int (*program)(int, const char* const*), int argc, const char* co
     }
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

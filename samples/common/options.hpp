@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! The program was called in a way that it doesn't understand: exit code 2.
 struct UsageError : std::runtime_error
@@ -67,6 +67,6 @@ private:
 /** Runs a program and turns its exceptions into messages and exit codes: 2 for UsageError, 1 for everything else. */
 int runProgram(int (*program)(int, const char* const*), int argc, const char* const* argv);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_OPTIONS_HPP

@@ -4,7 +4,7 @@
 
 #include "street_model.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
 
@@ -25,4 +25,4 @@ AckermannMotion libraryMotion(const street::StreetCamera& camera, const street::
     return AckermannMotion::fromMetric(libraryCamera(camera), scene.yawRate, scene.speed, scene.left, scene.right, scene.wallDirection);
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

@@ -8,13 +8,13 @@
 #include "opencv2/rsackermann.hpp"
 #include "street_renderer.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! The same camera in the library's terms.
 cv::rsackermann::RollingShutterCamera libraryCamera(const street::StreetCamera& camera);
 //! The same motion and walls in the library's terms.
 cv::rsackermann::AckermannMotion libraryMotion(const street::StreetCamera& camera, const street::StreetScene& scene);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_STREET_MODEL_HPP

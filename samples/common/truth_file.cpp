@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-namespace samples {
+namespace rsackermann_samples {
 
 namespace {
 
@@ -76,4 +76,4 @@ catch (const nlohmann::json::exception& e)
     throw InputError(path + ": " + e.what());
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

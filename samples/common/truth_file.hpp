@@ -7,7 +7,7 @@
 
 #include "street_renderer.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! What a simulated image was made with.
 struct Truth
@@ -21,6 +21,6 @@ std::string truthText(const Truth& truth);
 //! Reads what truthText() has written from a file; throws InputError.
 Truth readTruth(const std::string& path);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_TRUTH_FILE_HPP

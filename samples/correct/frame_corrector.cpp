@@ -8,7 +8,7 @@
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgproc.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
 
@@ -87,7 +87,8 @@ FrameReport FrameCorrector::process(const std::string& input)
     corrector_->getSegments(segments, labels);
     corrector_->getMaps(map1, map2);
     report.segments = segments.rows;
-    report.meanShift = meanDistance(map1, map2, lensMap1_, lensMap2_, mask);
+    // Without a motion the maps undo the lens only.
+    report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;
     report.timings = corrector_->getTimings();
 
     if (!job_.overlay.empty())
@@ -121,4 +122,4 @@ void FrameCorrector::writeMaps(const std::string& path, const cv::Mat& map1, con
     file.commit();
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

@@ -8,7 +8,7 @@
 #include "job.hpp"
 #include "report.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! Corrects the inputs of a job one by one and writes their results.
 class FrameCorrector
@@ -33,6 +33,6 @@ private:
     cv::Mat lensMap1_, lensMap2_;                  // undo the lens only
 };
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_FRAME_CORRECTOR_HPP

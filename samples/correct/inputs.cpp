@@ -11,7 +11,7 @@
 #include <fstream>
 #include <map>
 
-namespace samples {
+namespace rsackermann_samples {
 
 namespace {
 
@@ -156,4 +156,4 @@ void keepShard(std::vector<std::string>& inputs, int shard, int count)
     inputs.swap(kept);
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! The images that the arguments of a program stand for.
 struct InputList
@@ -27,6 +27,6 @@ InputList listInputs(const std::vector<std::string>& arguments);
 //! Keeps every count-th input, beginning with the one that shard stands for.
 void keepShard(std::vector<std::string>& inputs, int shard, int count);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_INPUTS_HPP

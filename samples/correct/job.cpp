@@ -8,13 +8,14 @@
 #include "opencv2/core/utils/filesystem.hpp"
 #include <map>
 
-namespace samples {
+namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
 
 const char* const JOB_KEYS =
     "{help       |        | print this message}"
     "{wall       |        | metres to the left (or only) wall; makes the speed metric}"
+    "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default 0.2)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
     "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one input}"
@@ -36,6 +37,8 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
     params.model = models[options.choice("model", {"auto", "4la", "3la", "1la", "none"})];
     params.detector = options.choice("detector", {"lsd", "fld", "edlines"});
     params.seed = options.integer("seed", 0, INT_MAX);
+    if (options.given("gravity_sigma"))
+        params.gravitySigma = options.number("gravity_sigma", 0, 45) * CV_PI / 180;
     if (options.given("wall"))
         params.wallDistance = options.number("wall", 0, 1e5, false);
 }
@@ -121,4 +124,4 @@ std::string resultPath(const std::string& target, bool isFolder, const std::stri
     return target + (target.back() == '/' ? "" : "/") + fileName(input);
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

@@ -9,7 +9,7 @@
 #include "inputs.hpp"
 #include "opencv2/rsackermann.hpp"
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! What rsackermann_correct is asked to do.
 struct Job
@@ -32,6 +32,6 @@ Job readJob(const Options& options);
 //! Where the result for an input goes; empty where it isn't wanted.
 std::string resultPath(const std::string& target, bool isFolder, const std::string& input);
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_JOB_HPP

@@ -5,10 +5,11 @@
 #include "report.hpp"
 #include "options.hpp"
 
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-namespace samples {
+namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
 
@@ -56,8 +57,9 @@ std::string reportLine(const FrameReport& frame)
     line["lambda"] = orNull(ok && m.lambda > 0, m.lambda);
     line["yaw_rate_deg_s"] = orNull(yawRateKnown, yawRate * 180 / CV_PI);
     line["speed_km_h"] = orNull(speedKnown, speed * 3.6);
-    line["yaw_rate_sigma"] = Json();
-    line["speed_sigma"] = Json();
+    const cv::Matx44d covariance = m.metricCovariance(frame.camera);
+    line["yaw_rate_sigma"] = orNull(yawRateKnown && covariance(0, 0) > 0, std::sqrt(covariance(0, 0)) * 180 / CV_PI);
+    line["speed_sigma"] = orNull(speedKnown && covariance(1, 1) > 0, std::sqrt(covariance(1, 1)) * 3.6);
     line["segments"] = frame.segments;
     line["candidates"] = m.candidates;
     line["inliers"] = m.inliers;
@@ -99,4 +101,4 @@ void ReportFile::commit()
     file_->commit();
 }
 
-} // namespace samples
+} // namespace rsackermann_samples

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <memory>
 
-namespace samples {
+namespace rsackermann_samples {
 
 //! What is to be told about a frame.
 struct FrameReport
@@ -40,6 +40,6 @@ private:
     std::ofstream stream_;
 };
 
-} // namespace samples
+} // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_REPORT_HPP

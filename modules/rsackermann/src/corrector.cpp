@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "opencv2/core/ocl.hpp"
 #include "opencv2/imgproc.hpp"
 
 namespace cv {
@@ -69,7 +70,8 @@ class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
 {
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
-        : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp))
+        : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp)),
+          onDevice(false)
     {
         checkInterpolation(params_.interpolation);
         params = params_;
@@ -115,7 +117,7 @@ public:
     void getSegments(OutputArray segments_, OutputArray labels_) const CV_OVERRIDE
     {
         if (segments.empty())
-            Mat(0, 4, CV_32F).copyTo(segments_);
+            segments_.create(0, 4, CV_32F);
         else
             segments.reshape(1, int(segments.total() * segments.channels() / 4)).convertTo(segments_, CV_32F);
         labels.copyTo(labels_);
@@ -125,6 +127,11 @@ public:
     {
         if (copiedSize != Size())
             identityMaps(map1_, map2_);
+        else if (onDevice)
+        {
+            deviceMap1.copyTo(map1_);
+            deviceMap2.copyTo(map2_);
+        }
         else
         {
             map1.copyTo(map1_);
@@ -166,6 +173,7 @@ private:
 
         const bool copied = motion.status != MOTION_OK && isIdentity(generator->getCamera(), params.warp);
         copiedSize = copied ? src.size() : Size();
+        onDevice = !copied && src.isUMat() && ocl::useOpenCL();
         if (copied)
         {
             src.copyTo(dst);
@@ -175,14 +183,20 @@ private:
                 mask.setTo(255);
             }
         }
+        else if (onDevice)
+            warp(motion, src, dst, mask, deviceMap1, deviceMap2, watch);
         else
-            generator->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
-        timings[2] = watch.lap();
-
-        if (!copied)
-            remap(src, dst, map1, map2, params.interpolation);
+            warp(motion, src, dst, mask, map1, map2, watch);
         timings[3] = watch.lap();
         return motion;
+    }
+
+    void warp(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask, InputOutputArray columns,
+              InputOutputArray rows, Stopwatch& watch)
+    {
+        generator->initRectifyMap(motion, columns, rows, CV_32FC1, mask);
+        timings[2] = watch.lap();
+        remap(src, dst, columns, rows, params.interpolation);
     }
 
     void identityMaps(OutputArray map1_, OutputArray map2_) const
@@ -203,6 +217,8 @@ private:
     // of the last image
     Mat segments, labels;
     Mat map1, map2;
+    UMat deviceMap1, deviceMap2;
+    bool onDevice;   // which of the two pairs of maps it was
     Size copiedSize; // where the image was copied: the maps are the identity and haven't been made
     Vec4d timings;
 };

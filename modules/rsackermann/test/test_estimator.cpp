@@ -80,6 +80,7 @@ Params params(const Simulator& simulator)
     const Vec3d& normal = simulator.street.normal[simulation::LEFT];
     const double left = cv::norm(normal);
     p.wallDistance = 1 / (left > 0 ? left : cv::norm(simulator.street.normal[simulation::RIGHT]));
+    p.gravitySigma = 0; // the simulator's camera knows it exactly
     return p;
 }
 
@@ -133,7 +134,7 @@ AckermannMotion oracle(const Simulator& truth, const Segments& segments)
     m.direction = truth.drive.speed < 0 ? -1 : 1;
     double p[4] = {truth.drive.yaw / 2, -wall[0], wall[2], both ? cv::norm(truth.street.normal[simulation::RIGHT]) / cv::norm(truth.street.normal[first]) : 0};
 
-    for (int iteration = 0; iteration < 10; iteration++)
+    for (int iteration = 0; iteration < 5; iteration++)
     {
         Mat J, r;
         for (int i = 0; i < segments.ends.rows; i++)
@@ -186,11 +187,14 @@ INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorPassage, testing::Valu
 TEST_P(RSAckermann_EstimatorPassage, exact_segments)
 {
     const Simulator truth = GetParam().simulator();
+    Params p = params(truth);
+    p.model = MODEL_4LA;
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(truth.camera, p);
     for (int seed = 0; seed < 10; seed++)
     {
         const Segments segments = makeSegments(truth, 60, 1, 0, seed);
         Mat labels;
-        const AckermannMotion m = estimate(truth, segments.ends, labels);
+        const AckermannMotion m = estimator->estimate(segments.ends, labels);
         ASSERT_EQ(MOTION_OK, m.status) << "seed " << seed;
         EXPECT_EQ(MODEL_4LA, m.model) << "seed " << seed;
         EXPECT_LT(displacementLeft(truth, m), 1e-3) << "seed " << seed << ", raw " << truth.meanDisplacement();
@@ -212,20 +216,25 @@ TEST_P(RSAckermann_EstimatorPassage, exact_segments)
 TEST_P(RSAckermann_EstimatorPassage, noisy_segments)
 {
     const Simulator truth = GetParam().simulator();
-    std::vector<double> left, best;
-    for (int seed = 0; seed < 21; seed++)
+    Params p = params(truth);
+    const Ptr<AckermannEstimator> automatic = AckermannEstimator::create(truth.camera, p);
+    p.model = MODEL_4LA;
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(truth.camera, p);
+    std::vector<double> left, leftByChoice, best;
+    for (int seed = 0; seed < 61; seed++)
     {
         const Segments segments = makeSegments(truth, 80, 0.75, 0.15, seed);
-        const AckermannMotion m = estimate(truth, segments.ends);
-        EXPECT_EQ(MOTION_OK, m.status) << "seed " << seed;
-        left.push_back(displacementLeft(truth, m));
+        left.push_back(displacementLeft(truth, estimator->estimate(segments.ends)));
+        leftByChoice.push_back(displacementLeft(truth, automatic->estimate(segments.ends)));
         best.push_back(displacementLeft(truth, oracle(truth, segments)));
     }
     RecordProperty("displacement_left", format("%.3f", median(left)));
+    RecordProperty("displacement_left_with_model_choice", format("%.3f", median(leftByChoice)));
     RecordProperty("displacement_left_by_oracle", format("%.3f", median(best)));
     RecordProperty("displacement_raw", format("%.3f", truth.meanDisplacement()));
     EXPECT_LT(median(left), 1.5 * median(best));
-    EXPECT_LT(median(left), 0.25 * truth.meanDisplacement());
+    // a simpler model is chosen where the difference is within the threshold
+    EXPECT_LT(median(leftByChoice), 0.25 * Params().threshold + median(best));
 }
 
 class RSAckermann_EstimatorInliers : public testing::TestWithParam<int /* percent */> {};
@@ -234,24 +243,22 @@ INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorInliers, testing::Valu
 TEST_P(RSAckermann_EstimatorInliers, finds_the_motion)
 {
     const Simulator truth = twoWalls.simulator();
+    const double ratio = GetParam() / 100.;
+    const int runs = 61, inliers = 60;
     std::vector<double> left, best;
-    int ok = 0;
-    const int runs = 21;
+    int successes = 0;
     for (int seed = 0; seed < runs; seed++)
     {
-        // 60 inliers in all cases
-        const double ratio = GetParam() / 100.;
-        const Segments segments = makeSegments(truth, cvRound(60 / ratio), ratio, 0.15, seed);
+        const Segments segments = makeSegments(truth, cvRound(inliers / ratio), ratio, 0.15, seed);
         Mat labels;
         const AckermannMotion m = estimate(truth, segments.ends, labels);
         left.push_back(displacementLeft(truth, m));
         best.push_back(displacementLeft(truth, oracle(truth, segments)));
-        ok += m.status == MOTION_OK;
 
         ASSERT_EQ(segments.ends.rows, labels.rows);
         ASSERT_EQ(1, labels.cols);
         ASSERT_EQ(CV_8UC1, labels.type());
-        int found = 0, inliers = 0, candidates = 0;
+        int found = 0, wrong = 0, reported = 0, candidates = 0;
         for (int i = 0; i < labels.rows; i++)
         {
             const int label = labels.at<uchar>(i);
@@ -259,26 +266,20 @@ TEST_P(RSAckermann_EstimatorInliers, finds_the_motion)
             candidates += label != SEGMENT_REJECTED;
             if (label != SEGMENT_LEFT_WALL && label != SEGMENT_RIGHT_WALL)
                 continue;
-            inliers++;
+            reported++;
             found += segments.truth[i] != simulation::NOTHING && label == expectedLabel(truth, segments.truth[i]);
             // an outlier may agree with the motion by chance; then it is an inlier
             const simulation::Surface plane = label == SEGMENT_LEFT_WALL ? simulation::LEFT : simulation::RIGHT;
-            if (m.status == MOTION_OK)
-            {
-                EXPECT_LT(std::abs(truth.residual(segments.at(i), plane)), 1.5) << "seed " << seed << ", segment " << i;
-            }
+            wrong += std::abs(truth.residual(segments.at(i), plane)) > 1.5;
         }
-        EXPECT_EQ(inliers, m.inliers);
+        EXPECT_EQ(reported, m.inliers);
         EXPECT_EQ(candidates, m.candidates);
-        if (m.status == MOTION_OK)
-        {
-            EXPECT_GT(found, 45) << "seed " << seed << ": of 60 inliers";
-            EXPECT_LT(m.rms, 0.5);
-        }
+        successes += m.status == MOTION_OK && found >= 0.75 * inliers && wrong == 0 && left.back() < 0.25 * truth.meanDisplacement();
     }
+    RecordProperty("successes", successes);
     RecordProperty("displacement_left", format("%.3f", median(left)));
     RecordProperty("displacement_left_by_oracle", format("%.3f", median(best)));
-    EXPECT_GE(ok, 0.9 * runs);
+    EXPECT_GE(successes, (GetParam() >= 50 ? 0.95 : 0.9) * runs);
     EXPECT_LT(median(left), 1.5 * median(best));
 }
 
@@ -378,8 +379,8 @@ TEST(RSAckermann_Estimator, order_of_ends_does_not_matter)
     EXPECT_NEAR(a.D, b.D, 1e-5);
 }
 
-// What can't be the image of a vertical line changes nothing.
-TEST(RSAckermann_Estimator, gates)
+// Segments that aren't data change nothing.
+TEST(RSAckermann_Estimator, bad_segments_are_ignored)
 {
     const Simulator truth = twoWalls.simulator();
     const Segments segments = makeSegments(truth, 60, 0.8, 0.15, 0);
@@ -389,29 +390,44 @@ TEST(RSAckermann_Estimator, gates)
 
     Mat all = segments.ends.clone();
     const double bad[][4] = {
-        {100, 100, 300, 100},           // horizontal
-        {100, 100, 300, 130},
-        {100, 100, 200, 200},           // diagonal
-        {300, 50, 350, 150},            // slant 0.5
         {320, 100, 320, 130},           // short
         {320, 100, 320, 100},           // a point
         {NaN, 100, 320, 200}, {320, NaN, 320, 200}, {320, 100, NaN, 200}, {320, 100, 320, NaN},
         {infinity, 100, 320, 200}, {320, -infinity, 320, 200}, {320, 100, -infinity, 200}, {320, 100, 320, infinity},
         {NaN, NaN, NaN, NaN}, {infinity, infinity, infinity, infinity},
-        {1e300, 0, 1e300, 1e300}, {-1e300, -1e300, 1e300, 1e300},
+        {1e300, 0, 1e300, 1e300}, {-1e300, -1e300, 1e300, 1e300}, // outside of the image
+        {5000, 0, 5000, 300}, {-100, 0, -100, 300}, {320, -1000, 320, 0}, {320, 0, 320, 1e6},
     };
     const int count = int(sizeof(bad) / sizeof(bad[0]));
     all.push_back(Mat(count, 4, CV_64F, const_cast<double*>(bad[0])));
-    RNG& rng = theRNG();
-    for (int i = 0; i < 100; i++)
-    {
-        const double x = rng.uniform(0., 500.), y = rng.uniform(0., 370.);
-        all.push_back(Mat(Matx14d(x, y, x + rng.uniform(40., 130.), y + rng.uniform(-10., 10.))));
-    }
     expectSame(m, estimate(truth, all, labelsOfAll));
     ASSERT_EQ(all.rows, labelsOfAll.rows);
     EXPECT_EQ(0, cvtest::norm(labels, labelsOfAll.rowRange(0, 60), NORM_INF));
     EXPECT_EQ(0, countNonZero(labelsOfAll.rowRange(60, all.rows)));
+}
+
+// What can't be the image of a vertical line is no candidate and does no harm.
+TEST(RSAckermann_Estimator, slanted_segments_are_no_candidates)
+{
+    const Simulator truth = twoWalls.simulator();
+    const Segments segments = makeSegments(truth, 60, 1, 0.15, 0);
+    const AckermannMotion m = estimate(truth, segments.ends);
+    ASSERT_EQ(MOTION_OK, m.status);
+
+    Mat all = segments.ends.clone(), labels;
+    RNG rng(9);
+    for (int i = 0; i < 100; i++)
+    {
+        const double length = rng.uniform(40., 130.), angle = rng.uniform(-1.2, 1.2); // 0: horizontal
+        const double x = rng.uniform(0., 500.), y = rng.uniform(130., 250.);
+        all.push_back(Mat(Matx14d(x, y, x + length * std::cos(angle), y + length * std::sin(angle))));
+    }
+    const AckermannMotion other = estimate(truth, all, labels);
+    ASSERT_EQ(all.rows, labels.rows);
+    EXPECT_EQ(0, countNonZero(labels.rowRange(60, all.rows)));
+    EXPECT_EQ(m.candidates, other.candidates);
+    EXPECT_EQ(MOTION_OK, other.status);
+    EXPECT_LT(displacementLeft(truth, other), 0.15);
 }
 
 TEST(RSAckermann_Estimator, minLength_and_maxSlant)
@@ -696,6 +712,8 @@ Params exampleParams()
     p.maxYawRate = 1.25;
     p.maxSpeed = 33;
     p.wallDistance = 4.5;
+    p.roadRatio = 1.5;
+    p.gravitySigma = 0.01;
     return p;
 }
 
@@ -714,6 +732,8 @@ void expectSame(const Params& a, const Params& b)
     EXPECT_EQ(a.maxYawRate, b.maxYawRate);
     EXPECT_EQ(a.maxSpeed, b.maxSpeed);
     EXPECT_EQ(a.wallDistance, b.wallDistance);
+    EXPECT_EQ(a.roadRatio, b.roadRatio);
+    EXPECT_EQ(a.gravitySigma, b.gravitySigma);
 }
 
 TEST(RSAckermann_EstimatorParams, defaults)
@@ -811,6 +831,10 @@ const BadField badFields[] = {
     BadField("maxSpeed", [](Params& p) { p.maxSpeed = NaN; }),
     BadField("wallDistance", [](Params& p) { p.wallDistance = -1; }),
     BadField("wallDistance", [](Params& p) { p.wallDistance = NaN; }),
+    BadField("roadRatio", [](Params& p) { p.roadRatio = 0; }),
+    BadField("roadRatio", [](Params& p) { p.roadRatio = NaN; }),
+    BadField("gravitySigma", [](Params& p) { p.gravitySigma = -0.1; }),
+    BadField("gravitySigma", [](Params& p) { p.gravitySigma = infinity; }),
 };
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorParamsCheck, testing::ValuesIn(badFields));
 

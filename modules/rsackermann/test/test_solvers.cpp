@@ -285,7 +285,7 @@ double medianPaperError(Solver solver, bool rollingShutterDepth)
 {
     RNG rng(3);
     std::vector<double> errors;
-    for (int i = 0; i < problems; i++)
+    for (int i = 0; i < 2000; i++)
     {
         Problem problem = paperProblem(rng);
         problem.options.rollingShutterDepth = rollingShutterDepth;

@@ -25,7 +25,7 @@ TEST_P(WarpReference, rectify_map)
 {
     RNG rng(4711);
     int compared = 0;
-    for (int round = 0; round < 12; round++)
+    for (int round = 0; round < 6; round++)
     {
         RollingShutterCamera camera = lensCamera(std::get<0>(GetParam()));
         mountAtRandom(camera, rng);
@@ -41,7 +41,7 @@ TEST_P(WarpReference, rectify_map)
         Mat columns, rows, mask;
         WarpMapGenerator::create(camera, params)->initRectifyMap(motion, columns, rows, CV_32FC1, mask);
         const Simulator simulator = Simulator::fromMotion(camera, motion);
-        for (int i = 0; i < 100; i++)
+        for (int i = 0; i < 60; i++)
         {
             const Point pixel(rng.uniform(0, columns.cols), rng.uniform(0, columns.rows));
             const Point2d got(columns.at<float>(pixel), rows.at<float>(pixel));
@@ -53,14 +53,14 @@ TEST_P(WarpReference, rectify_map)
             compared++;
         }
     }
-    EXPECT_GE(compared, 600);
+    EXPECT_GE(compared, 180);
 }
 
 TEST_P(WarpReference, distort_map)
 {
     RNG rng(815);
     int seen[4] = {0};
-    for (int round = 0; round < 12; round++)
+    for (int round = 0; round < 6; round++)
     {
         RollingShutterCamera camera = lensCamera(std::get<0>(GetParam()));
         mountAtRandom(camera, rng);
@@ -70,7 +70,7 @@ TEST_P(WarpReference, distort_map)
         WarpMapGenerator::create(camera)->initDistortMap(motion, columns, rows);
         const Simulator simulator = Simulator::fromMotion(camera, motion);
         const Matx33d& K = camera.cameraMatrix;
-        for (int i = 0; i < 100; i++)
+        for (int i = 0; i < 60; i++)
         {
             const Point pixel(rng.uniform(0, columns.cols), rng.uniform(0, columns.rows));
             const Point2d got(columns.at<float>(pixel), rows.at<float>(pixel));
@@ -85,7 +85,7 @@ TEST_P(WarpReference, distort_map)
         }
     }
     for (int surface = simulation::LEFT; surface <= simulation::ROAD; surface++)
-        EXPECT_GE(seen[surface], 50) << "surface " << surface;
+        EXPECT_GE(seen[surface], 15) << "surface " << surface;
 }
 
 // The corrections of roll and pitch turn the camera further.

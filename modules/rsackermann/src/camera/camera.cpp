@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../checks.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -73,16 +74,10 @@ bool RollingShutterCamera::isRowShutter() const
     return scanDirection == SCAN_TOP_TO_BOTTOM || scanDirection == SCAN_BOTTOM_TO_TOP;
 }
 
-static void checkFinite(double value, const char* name)
-{
-    if (cvIsNaN(value) || cvIsInf(value))
-        CV_Error(Error::StsBadArg, format("camera.%s is %g; a finite number is expected", name, value));
-}
-
 static void checkIntrinsics(const Matx33d& K)
 {
     for (int i = 0; i < 9; i++)
-        checkFinite(K.val[i], "cameraMatrix");
+        checkFinite(K.val[i], "camera.cameraMatrix");
     if (!(K(0, 0) > 0) || !(K(1, 1) > 0))
         CV_Error(Error::StsBadArg, format("camera.cameraMatrix has focal lengths %g, %g; positive ones are expected", K(0, 0), K(1, 1)));
     if (K(0, 1) != 0 || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1)
@@ -99,13 +94,13 @@ static void checkLens(int lensModel, const std::vector<double>& coefficients)
     if (lensModel == LENS_PINHOLE && n != 0 && n != 4 && n != 5 && n != 8 && n != 12 && n != 14)
         CV_Error(Error::StsBadArg, format("camera.distCoeffs has %d values; 0, 4, 5, 8, 12 or 14 are expected for LENS_PINHOLE", (int)n));
     for (size_t i = 0; i < n; i++)
-        checkFinite(coefficients[i], "distCoeffs");
+        checkFinite(coefficients[i], "camera.distCoeffs");
 }
 
 static void checkRotation(const Matx33d& R)
 {
     for (int i = 0; i < 9; i++)
-        checkFinite(R.val[i], "uprightRotation");
+        checkFinite(R.val[i], "camera.uprightRotation");
     const double error = norm(R * R.t() - Matx33d::eye(), NORM_INF);
     if (error > 1e-6 || determinant(R) < 0)
         CV_Error(Error::StsBadArg, format("camera.uprightRotation is off a rotation by %g; a rotation matrix is expected", error));
@@ -119,15 +114,11 @@ void RollingShutterCamera::check() const
     checkLens(lensModel, distCoeffs);
     if (scanDirection < SCAN_TOP_TO_BOTTOM || scanDirection > SCAN_RIGHT_TO_LEFT)
         CV_Error(Error::StsBadArg, format("camera.scanDirection is %d; one of the ScanDirection values 0 to 3 is expected", scanDirection));
-    checkFinite(lineDelay, "lineDelay");
-    if (lineDelay < 0)
-        CV_Error(Error::StsBadArg, format("camera.lineDelay is %g s; a positive number, or 0 for unknown, is expected", lineDelay));
-    checkFinite(referenceRow, "referenceRow");
+    checkNotNegative(lineDelay, "camera.lineDelay", "unknown");
+    checkFinite(referenceRow, "camera.referenceRow");
     checkRotation(uprightRotation);
-    checkFinite(heading, "heading");
-    checkFinite(height, "height");
-    if (height < 0)
-        CV_Error(Error::StsBadArg, format("camera.height is %g m; a positive number, or 0 for unknown, is expected", height));
+    checkFinite(heading, "camera.heading");
+    checkNotNegative(height, "camera.height", "unknown");
 }
 
 void RollingShutterCamera::write(FileStorage& fs) const

@@ -77,4 +77,79 @@ Lens<T>::Lens(const RollingShutterCamera& camera)
 template struct Lens<double>;
 template struct Lens<float>;
 
+// Newton's method on the angle, which stays within the growing part of the radial model.
+static bool unprojectFisheye(const Lens<double>& lens, const Point2d& distorted, Point2d& ray)
+{
+    const double* k = lens.k;
+    const double radius = norm(distorted), limit = std::atan(std::sqrt(lens.maxRadius2));
+    double theta = std::min(radius, limit), error = 0;
+    for (int i = 0; i < 30; i++)
+    {
+        const double t2 = theta * theta;
+        error = fisheyeRadius(k, theta) - radius;
+        const double slope = 1 + t2 * (3 * k[0] + t2 * (5 * k[1] + t2 * (7 * k[2] + t2 * 9 * k[3])));
+        if (std::abs(error) < 1e-15 || !(slope > 0))
+            break;
+        theta = std::min(std::max(theta - error / slope, 0.), limit);
+    }
+    ray = radius > 0 ? distorted * (std::tan(theta) / radius) : Point2d();
+    return std::abs(error) < 1e-10;
+}
+
+// Newton's method from the distorted point; steps that don't come nearer are halved.
+static bool unprojectBrown(const Lens<double>& lens, const Point2d& raw, const Point2d& distorted, Point2d& ray)
+{
+    const double target = 1e-10, h = 1e-7; // pixels; step of the numeric derivatives
+    ray = distorted;
+    const double size2 = ray.dot(ray);
+    if (size2 > lens.maxRadius2)
+        ray *= 0.99 * std::sqrt(lens.maxRadius2 / size2);
+    Point2d at, dx, dy;
+    if (!lens.project(ray.x, ray.y, at.x, at.y))
+        return false;
+    for (int i = 0; i < 30; i++)
+    {
+        const Point2d error = at - raw;
+        const double length = norm(error);
+        if (length < target)
+            break;
+        if (!lens.project(ray.x + h, ray.y, dx.x, dx.y) || !lens.project(ray.x, ray.y + h, dy.x, dy.y))
+            break;
+        dx = (dx - at) * (1 / h);
+        dy = (dy - at) * (1 / h);
+        const double det = dx.cross(dy);
+        if (det == 0)
+            break;
+        Point2d step = Point2d(error.cross(dy), dx.cross(error)) * (1 / det);
+        bool nearer = false;
+        for (int halvings = 0; halvings < 10 && !nearer; halvings++, step *= 0.5)
+        {
+            Point2d next;
+            nearer = lens.project(ray.x - step.x, ray.y - step.y, next.x, next.y) && norm(next - raw) < length;
+            if (nearer)
+            {
+                ray -= step;
+                at = next;
+            }
+        }
+        if (!nearer)
+            break;
+    }
+    return norm(at - raw) < 1e-7;
+}
+
+bool unproject(const Lens<double>& lens, const Point2d& raw, Point2d& ray)
+{
+    ray = Point2d((raw.x - lens.cx) / lens.fx, (raw.y - lens.cy) / lens.fy);
+    if (!(ray.dot(ray) < DBL_MAX))
+    {
+        ray = Point2d();
+        return false;
+    }
+    if (lens.kind == Lens<double>::NONE)
+        return true;
+    const Point2d distorted = ray;
+    return lens.kind == Lens<double>::FISHEYE ? unprojectFisheye(lens, distorted, ray) : unprojectBrown(lens, raw, distorted, ray);
+}
+
 }} // namespace cv::rsackermann

@@ -84,6 +84,11 @@ private:
     }
 };
 
+/** The inverse of Lens::project.
+@return false where the lens model shows no ray at that pixel; then the ray is only near.
+*/
+bool unproject(const Lens<double>& lens, const Point2d& raw, Point2d& ray);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_CAMERA_LENS_HPP

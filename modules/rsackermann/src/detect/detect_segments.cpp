@@ -61,12 +61,13 @@ void detectSegments(InputArray image_, OutputArray segments_, int detector, doub
             detectEDLines(gray, minLength, found);
     }
 
-    Mat kept(0, 4, CV_32F);
-    kept.reserve(found.size());
+    std::vector<Vec4f> kept;
     for (size_t i = 0; i < found.size(); i++)
         if (std::hypot(found[i][2] - found[i][0], found[i][3] - found[i][1]) >= minLength)
-            kept.push_back(Mat(found[i]).reshape(1, 1));
-    kept.copyTo(segments_);
+            kept.push_back(found[i]);
+    segments_.create(int(kept.size()), 4, CV_32F);
+    if (!kept.empty())
+        Mat(kept).reshape(1).copyTo(segments_);
 }
 
 }} // namespace cv::rsackermann

@@ -12,7 +12,7 @@ namespace rsackermann {
 MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
     maxAlpha = params.maxSlant / 2;
-    maxSpeed = 4 * params.maxSlant;
+    maxSpeed = maxRightSpeed = 4 * params.maxSlant;
     const double unit = camera.secondsPerUnitTime();
     if (unit > 0)
     {
@@ -22,6 +22,13 @@ MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEs
     }
 }
 
+bool MotionLimits::allow(const Model& m) const
+{
+    const double maxTilt = 0.3, speed = std::hypot(m[P_B], m[P_D]);
+    return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxSpeed && m[P_LAMBDA] >= 0 && m[P_LAMBDA] * speed <= maxRightSpeed &&
+           std::abs(m[P_ROLL]) < maxTilt && std::abs(m[P_PITCH]) < maxTilt;
+}
+
 double MotionLimits::maxSlant(double x, double heading) const
 {
     const double turning = 2 * maxAlpha * (1 + x * x);
@@ -29,10 +36,13 @@ double MotionLimits::maxSlant(double x, double heading) const
     return turning + passing;
 }
 
-static bool isFinite(const double* segment)
+// Whether both ends are in the image or, by the inaccuracy of a detector, just outside; never for NaN.
+static bool isInImage(const double* segment, const Size& size)
 {
-    for (int i = 0; i < 4; i++)
-        if (cvIsNaN(segment[i]) || cvIsInf(segment[i]))
+    const double margin = 2;
+    for (int i = 0; i < 4; i += 2)
+        if (!(segment[i] >= -margin && segment[i] <= size.width - 1 + margin && segment[i + 1] >= -margin &&
+              segment[i + 1] <= size.height - 1 + margin))
             return false;
     return true;
 }
@@ -54,15 +64,16 @@ static bool isLeft(const Candidate& a, const Candidate& b)
 }
 
 void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                      std::vector<Candidate>& candidates)
+                      std::vector<Candidate>& verticals, std::vector<Candidate>& others)
 {
-    candidates.clear();
+    verticals.clear();
+    others.clear();
     std::vector<Point2d> ends, rays;
     std::vector<int> indices;
     for (int i = 0; i < segments.rows; i++)
     {
         const double* s = segments.ptr<double>(i);
-        if (!isFinite(s) || !(std::hypot(s[0] - s[2], s[1] - s[3]) >= params.minLength))
+        if (!isInImage(s, camera.imageSize) || !(std::hypot(s[0] - s[2], s[1] - s[3]) >= params.minLength))
             continue;
         ends.push_back(Point2d(s[0], s[1]));
         ends.push_back(Point2d(s[2], s[3]));
@@ -82,10 +93,10 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
         c.index = indices[k];
         const double dx = std::abs(c.u[0] - c.v[0]), dt = std::abs(c.timeU - c.timeV);
         const double possible = limits.maxSlant((c.u[0] + c.v[0]) / 2, camera.heading) + params.slantTolerance;
-        if (dt > 0 && dx <= std::min(possible, params.maxSlant) * dt)
-            candidates.push_back(c);
+        const bool isVertical = dt > 0 && dx <= std::min(possible, params.maxSlant) * dt;
+        (isVertical ? verticals : others).push_back(c);
     }
-    std::sort(candidates.begin(), candidates.end(), isLeft);
+    std::sort(verticals.begin(), verticals.end(), isLeft);
 }
 
 }} // namespace cv::rsackermann

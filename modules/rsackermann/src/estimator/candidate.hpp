@@ -6,11 +6,12 @@
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_CANDIDATE_HPP
 
 #include "opencv2/rsackermann/estimator.hpp"
+#include "model.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-//! A segment that may be the image of a vertical line.
+//! A segment of the image in the upright frame.
 struct Candidate
 {
     Vec3d u, v;          // upright bearings of the ends, with z = 1
@@ -26,19 +27,26 @@ Metric limits count where they can be expressed; the largest slant of a candidat
 struct MotionLimits
 {
     double maxAlpha;
-    double maxSpeed; // of sqrt(B^2 + D^2)
+    double maxSpeed;      // of sqrt(B^2 + D^2)
+    double maxRightSpeed; // of lambda sqrt(B^2 + D^2), which the right wall has in the place of it
 
     MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+
+    bool allow(const Model& model) const;
 
     //! Largest |dx/dt| of the image of a vertical line at the column x (doc/theory.md, "Estimation").
     double maxSlant(double x, double heading) const;
 };
 
-/** The candidates among the segments, from left to right.
-@param segments N x 4, CV_64F. Segments with coordinates that aren't finite are never candidates.
+/** Sorts the segments into those that may be images of vertical lines and the others.
+
+Segments that are too short, behind the camera, outside of the image or with coordinates that aren't finite are left out.
+@param segments N x 4, CV_64F.
+@param verticals candidates for images of vertical lines, from left to right.
+@param others the rest in the order of segments: candidates for lines along the street or across it.
 */
 void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                      std::vector<Candidate>& candidates);
+                      std::vector<Candidate>& verticals, std::vector<Candidate>& others);
 
 }} // namespace cv::rsackermann
 

@@ -11,11 +11,11 @@ namespace cv {
 namespace rsackermann {
 
 CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const Structure& structure_, double threshold_)
-    : problem(problem_), structure(structure_), threshold(threshold_), verticals(problem_.candidates->size())
+    : problem(problem_), structure(structure_), threshold(threshold_), verticals(problem_.verticals.size())
 {
     for (size_t i = 0; i < verticals.size(); i++)
     {
-        const Candidate& c = (*problem.candidates)[i];
+        const Candidate& c = problem.verticals[i];
         verticals[i].u = Point2d(c.u[0], c.u[2]);
         verticals[i].v = Point2d(c.v[0], c.v[2]);
         verticals[i].timeU = c.timeU;
@@ -28,7 +28,7 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
     SolverOptions options;
     options.heading = problem.heading;
     options.maxAlpha = problem.limits.maxAlpha;
-    options.maxSpeed = problem.limits.maxSpeed;
+    options.maxSpeed = problem.limits.maxRightSpeed; // either wall may be the first one
     options.rollingShutterDepth = false;
     const bool twoWalls = structure.walls == 2;
     switch (structure.motion)
@@ -44,6 +44,17 @@ int CandidateConsensus::directionOf(const MinimalSolution& s, const VerticalSegm
 {
     const TurnedBearing u(left.u, RowMotion(s.alpha, problem.heading, left.timeU));
     return s.D - s.B * u.column(s.B, s.D) > 0 ? 1 : -1;
+}
+
+// Two walls can be described in two ways; the left one is to the left of the vehicle's forward direction.
+static void nameWalls(double heading, Model& m)
+{
+    if (m[P_LAMBDA] > 0 && m.direction * (m[P_B] * std::cos(heading) + m[P_D] * std::sin(heading)) < 0)
+    {
+        m[P_B] *= -m[P_LAMBDA];
+        m[P_D] *= -m[P_LAMBDA];
+        m[P_LAMBDA] = 1 / m[P_LAMBDA];
+    }
 }
 
 int CandidateConsensus::generate(const int* sample, Model* models)
@@ -66,11 +77,12 @@ int CandidateConsensus::generate(const int* sample, Model* models)
             m[P_ALPHA] = s.alpha;
             if (structure.translates())
                 m.direction = directionOf(s, segments[0]);
-            // The other wall of a mirrored solution is the left one.
-            const double scale = mirrored ? -s.lambda : 1;
-            m[P_B] = scale * s.B;
-            m[P_D] = scale * s.D;
-            m[P_LAMBDA] = mirrored ? 1 / s.lambda : s.lambda;
+            m[P_B] = s.B;
+            m[P_D] = s.D;
+            m[P_LAMBDA] = s.lambda;
+            nameWalls(problem.heading, m);
+            if (!problem.limits.allow(m))
+                count--;
         }
     }
     return count;
@@ -81,10 +93,10 @@ double CandidateConsensus::score(const Model& model, double best, int& inliers) 
     const double limit = threshold * threshold;
     double sum = 0;
     inliers = 0;
-    for (size_t i = 0; i < problem.candidates->size() && sum < best; i++)
+    for (size_t i = 0; i < problem.verticals.size() && sum < best; i++)
     {
         int wall;
-        const double r = problem.focal * verticalResidual((*problem.candidates)[i], model, problem.heading, wall, 0);
+        const double r = problem.focal * verticalResidual(problem.verticals[i], model, problem.heading, wall, 0);
         inliers += r * r < limit;
         sum += std::min(r * r, limit);
     }
@@ -93,7 +105,7 @@ double CandidateConsensus::score(const Model& model, double best, int& inliers) 
 
 void CandidateConsensus::optimize(Model& model) const
 {
-    refine(problem, structure, 4, model);
+    refine(problem, structure, VERTICALS_ONLY, 4, model);
 }
 
 }} // namespace cv::rsackermann

@@ -25,7 +25,7 @@ public:
     //! @param candidates from left to right.
     CandidateConsensus(const RefinementProblem& problem, const Structure& structure, double threshold);
 
-    int size() const { return (int)problem.candidates->size(); }
+    int size() const { return (int)problem.verticals.size(); }
     int sampleSize() const { return structure.sampleSize(); }
     int generate(const int* sample, Model* models);
     double score(const Model& model, double best, int& inliers) const;

@@ -11,6 +11,7 @@
 namespace cv {
 namespace rsackermann {
 
+static double E(const char*n,double d){const char*v=getenv(n);return v?atof(v):d;}
 namespace {
 
 class AckermannEstimatorImpl CV_FINAL : public AckermannEstimator
@@ -38,13 +39,13 @@ public:
 
     Params getParams() const CV_OVERRIDE { return params; }
 
-    AckermannMotion estimate(InputArray segments, OutputArray labels) const CV_OVERRIDE
+    AckermannMotion estimate(InputArray segments, OutputArray labels, const MotionPrior& prior) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        return run(segmentRows(segments), labels);
+        return run(segmentRows(segments), labels, prior);
     }
 
-    AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels) const CV_OVERRIDE
+    AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels, const MotionPrior& prior) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         if (image.size() != camera.imageSize)
@@ -54,7 +55,7 @@ public:
         detectSegments(image, found, params.detector, params.minLength);
         if (segments.needed())
             found.copyTo(segments);
-        return run(segmentRows(found), labels);
+        return run(segmentRows(found), labels, prior);
     }
 
     void write(FileStorage& fs) const CV_OVERRIDE
@@ -73,31 +74,45 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann.AckermannEstimator"; }
 
 private:
-    AckermannMotion run(const Mat& segments, OutputArray labels) const;
+    AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
+    RefinementProblem makeProblem(const MotionPrior& prior) const;
     void report(const RefinementProblem& problem, const Fit& fit, AckermannMotion& motion, Mat& labels) const;
 
     RollingShutterCamera camera;
     Params params;
 };
 
-AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_) const
+RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionPrior& prior) const
 {
+    const MotionLimits limits(camera, params);
+    RefinementProblem problem(limits);
+    problem.prior = PriorTerms(prior, camera, params, limits);
+    problem.heading = camera.heading;
+    problem.focal = camera.cameraMatrix(0, 0);
+    problem.sigma = E("S",0.5);
+    problem.directionSigma = E("DS",1);
+    problem.lossScale = E("LS",2);
+    const bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
+    problem.roadRatio = knowsRoad ? params.wallDistance / camera.height : params.roadRatio;
+    problem.gravitySigma = E("GS",params.gravitySigma*57.2957795)/57.2957795;
+    return problem;
+}
+
+AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const
+{
+    prior.check();
     AckermannMotion motion;
     Mat labels(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
-    std::vector<Candidate> candidates;
     if (!camera.isRowShutter())
         motion.status = MOTION_NOT_OBSERVABLE;
     else
     {
-        selectCandidates(segments, camera, params, candidates);
-        for (size_t i = 0; i < candidates.size(); i++)
-            labels.at<uchar>(candidates[i].index) = SEGMENT_OUTLIER;
-        motion.candidates = (int)candidates.size();
-        RefinementProblem problem(candidates, MotionLimits(camera, params));
-        problem.heading = camera.heading;
-        problem.focal = camera.cameraMatrix(0, 0);
-        problem.sigma = params.threshold;
-        problem.lossScale = 2;
+        RefinementProblem problem = makeProblem(prior);
+        selectCandidates(segments, camera, params, problem.verticals, problem.others);
+        if (E("NOLINES",0)>0) problem.others.clear();
+        for (size_t i = 0; i < problem.verticals.size(); i++)
+            labels.at<uchar>(problem.verticals[i].index) = SEGMENT_OUTLIER;
+        motion.candidates = (int)problem.verticals.size();
         if (motion.candidates < params.minCandidates)
             motion.status = MOTION_TOO_FEW_SEGMENTS;
         else
@@ -111,9 +126,9 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
 void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Fit& fit, AckermannMotion& motion, Mat& labels) const
 {
     double sum = 0;
-    for (size_t i = 0; i < problem.candidates->size(); i++)
+    for (size_t i = 0; i < problem.verticals.size(); i++)
     {
-        const Candidate& c = (*problem.candidates)[i];
+        const Candidate& c = problem.verticals[i];
         int wall;
         const double r = problem.focal * verticalResidual(c, fit.model, problem.heading, wall, 0);
         if (!(std::abs(r) < params.threshold))
@@ -135,8 +150,14 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Fit&
     motion.rollCorrection = fit.model[P_ROLL];
     motion.pitchCorrection = fit.model[P_PITCH];
     motion.wallDistance = fit.structure.translates() ? params.wallDistance : 0;
-    if (motion.wallDistance > 0 && camera.height > 0)
-        motion.G = motion.direction * std::hypot(motion.B, motion.D) * motion.wallDistance / camera.height;
+    const bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
+    if (knowsRoad || fit.structure.walls == 2)
+        motion.G = motion.direction * std::hypot(motion.B, motion.D) * problem.roadRatio;
+    for (int i = P_ALPHA; i <= P_LAMBDA; i++)
+        for (int j = P_ALPHA; j <= P_LAMBDA; j++)
+            motion.covariance(i, j) = fit.covariance(i, j);
+    const double variances = fit.covariance(P_ALPHA, P_ALPHA) * fit.covariance(P_ROLL, P_ROLL);
+    motion.rollYawAmbiguous = variances > 0 && std::abs(fit.covariance(P_ALPHA, P_ROLL)) > 0.9 * std::sqrt(variances);
 }
 
 } // namespace

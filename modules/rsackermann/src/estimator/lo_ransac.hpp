@@ -18,18 +18,19 @@ struct RansacOptions
     uint64 seed;
 };
 
-/** Smallest number of samples after which one without outliers has been drawn with the given confidence.
+/** Smallest number of samples after which a useful one has been drawn with the given confidence.
+
+Only one in ten samples without outliers is counted on: the others fall on the walls in another arrangement than the solver
+takes, or noise spoils what they say.
 @return at most maxIterations.
 */
 inline int requiredIterations(int inliers, int size, int sampleSize, double confidence, int maxIterations)
 {
-    double clean = 1; // probability of a sample without outliers, drawn without replacement
+    double useful = 0.1; // probability of a useful sample, drawn without replacement
     for (int i = 0; i < sampleSize; i++)
-        clean *= std::max(inliers - i, 0) / double(size - i);
-    if (clean >= 1)
-        return 1;
-    const double needed = std::log(1 - std::min(confidence, 1 - 1e-12)) / std::log1p(-clean);
-    return clean > 0 && needed < maxIterations ? std::max(1, cvCeil(needed)) : maxIterations;
+        useful *= std::max(inliers - i, 0) / double(size - i);
+    const double needed = std::log(1 - std::min(confidence, 1 - 1e-12)) / std::log1p(-useful);
+    return useful > 0 && needed < maxIterations ? std::max(1, cvCeil(needed)) : maxIterations;
 }
 
 /** Locally optimised RANSAC (algorithm 2 of @cite purkait2018minimal with local optimisation).

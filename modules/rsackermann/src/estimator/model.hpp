@@ -11,7 +11,17 @@ namespace cv {
 namespace rsackermann {
 
 //! The unknowns of the refinement and their places in Jacobians and covariances.
-enum Parameter { P_ALPHA, P_B, P_D, P_LAMBDA, P_ROLL, P_PITCH, PARAMETERS };
+enum Parameter
+{
+    P_ALPHA,
+    P_B,
+    P_D,
+    P_LAMBDA,
+    P_ROLL,   // corrections of gravity, radians
+    P_PITCH,
+    P_STREET, // azimuth of the street where there is no translation to tell it
+    PARAMETERS
+};
 
 //! A motion while it is being estimated: AckermannMotion without what verticals can't tell.
 struct Model

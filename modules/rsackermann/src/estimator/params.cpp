@@ -3,13 +3,15 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../checks.hpp"
 
 namespace cv {
 namespace rsackermann {
 
 AckermannEstimator::Params::Params()
     : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6), threshold(0.5),
-      confidence(0.99), maxIterations(1000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0)
+      confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0), roadRatio(2),
+      gravitySigma(0.2 * CV_PI / 180)
 {
 }
 
@@ -19,6 +21,7 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "max_slant" << maxSlant << "slant_tolerance" << slantTolerance << "min_candidates" << minCandidates;
     fs << "threshold" << threshold << "confidence" << confidence << "max_iterations" << maxIterations << "seed" << seed;
     fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
+    fs << "road_ratio" << roadRatio << "gravity_sigma" << gravitySigma;
 }
 
 void AckermannEstimator::Params::read(const FileNode& fn)
@@ -36,12 +39,8 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     cv::read(fn["max_yaw_rate"], maxYawRate, maxYawRate);
     cv::read(fn["max_speed"], maxSpeed, maxSpeed);
     cv::read(fn["wall_distance"], wallDistance, wallDistance);
-}
-
-static void checkPositive(double value, const char* name)
-{
-    if (!(value > 0) || cvIsInf(value))
-        CV_Error(Error::StsBadArg, format("params.%s is %g; a positive number is expected", name, value));
+    cv::read(fn["road_ratio"], roadRatio, roadRatio);
+    cv::read(fn["gravity_sigma"], gravitySigma, gravitySigma);
 }
 
 void AckermannEstimator::Params::check() const
@@ -50,21 +49,21 @@ void AckermannEstimator::Params::check() const
         CV_Error(Error::StsBadArg, format("params.model is %d; one of the MotionModel values -1, 0, 1, 3, 4 is expected", model));
     if (detector < DETECTOR_LSD || detector > DETECTOR_EDLINES)
         CV_Error(Error::StsBadArg, format("params.detector is %d; one of the SegmentDetector values 0 to 2 is expected", detector));
-    checkPositive(minLength, "minLength");
-    checkPositive(maxSlant, "maxSlant");
-    if (!(slantTolerance >= 0) || cvIsInf(slantTolerance))
-        CV_Error(Error::StsBadArg, format("params.slantTolerance is %g; a number of 0 or more is expected", slantTolerance));
+    checkPositive(minLength, "params.minLength");
+    checkPositive(maxSlant, "params.maxSlant");
+    checkNotNegative(slantTolerance, "params.slantTolerance", "none");
     if (minCandidates < 1)
         CV_Error(Error::StsBadArg, format("params.minCandidates is %d; a number of 1 or more is expected", minCandidates));
-    checkPositive(threshold, "threshold");
+    checkPositive(threshold, "params.threshold");
     if (!(confidence > 0 && confidence < 1))
         CV_Error(Error::StsBadArg, format("params.confidence is %g; a number between 0 and 1 is expected", confidence));
     if (maxIterations < 1)
         CV_Error(Error::StsBadArg, format("params.maxIterations is %d; a number of 1 or more is expected", maxIterations));
-    checkPositive(maxYawRate, "maxYawRate");
-    checkPositive(maxSpeed, "maxSpeed");
-    if (!(wallDistance >= 0) || cvIsInf(wallDistance))
-        CV_Error(Error::StsBadArg, format("params.wallDistance is %g m; a positive number, or 0 for unknown, is expected", wallDistance));
+    checkPositive(maxYawRate, "params.maxYawRate");
+    checkPositive(maxSpeed, "params.maxSpeed");
+    checkNotNegative(wallDistance, "params.wallDistance", "unknown");
+    checkPositive(roadRatio, "params.roadRatio");
+    checkNotNegative(gravitySigma, "params.gravitySigma", "exact");
 }
 
 }} // namespace cv::rsackermann

@@ -3,7 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "direction_residual.hpp"
 #include "refinement.hpp"
+#include "robust_loss.hpp"
 #include "vertical_residual.hpp"
 #include <Eigen/Cholesky>
 
@@ -13,96 +15,132 @@ namespace rsackermann {
 typedef Eigen::Matrix<double, PARAMETERS, PARAMETERS> Hessian;
 typedef Eigen::Matrix<double, PARAMETERS, 1> Gradient;
 
-static bool isWithin(const MotionLimits& limits, const Model& m)
-{
-    return std::abs(m[P_ALPHA]) <= limits.maxAlpha && std::hypot(m[P_B], m[P_D]) <= limits.maxSpeed && m[P_LAMBDA] >= 0;
-}
+namespace {
 
-double refinementCost(const RefinementProblem& problem, const Model& model)
+// Sums the cost and, where wanted, the weighted normal equations.
+struct NormalEquations
+{
+    Hessian hessian;
+    Gradient gradient;
+    double cost;
+    bool wanted;
+
+    explicit NormalEquations(bool wanted_) : hessian(Hessian::Zero()), gradient(Gradient::Zero()), cost(0), wanted(wanted_) {}
+
+    // A residual r with the derivatives scale * jacobian.
+    void add(double r, const double* jacobian, double scale, double loss, double weight)
+    {
+        cost += loss;
+        if (!wanted)
+            return;
+        const Eigen::Map<const Gradient> J(jacobian);
+        hessian.noalias() += (weight * scale * scale) * J * J.transpose();
+        gradient.noalias() += (weight * scale * r) * J;
+    }
+};
+
+} // namespace
+
+static void evaluate(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const Model& model, NormalEquations& sum)
 {
     const RobustLoss loss(problem.lossScale);
     const double scale = problem.focal / problem.sigma;
-    double cost = 0;
-    for (size_t i = 0; i < problem.candidates->size(); i++)
+    double jacobian[PARAMETERS];
+    for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         int wall;
-        const double r = scale * verticalResidual((*problem.candidates)[i], model, problem.heading, wall, 0);
-        cost += loss(r * r);
+        const double r = scale * verticalResidual(problem.verticals[i], model, problem.heading, wall, sum.wanted ? jacobian : 0);
+        sum.add(r, jacobian, scale, loss(r * r), loss.weight(r * r));
     }
-    return cost;
-}
-
-// Adds the weighted normal equations of all residuals; returns the cost.
-static double accumulate(const RefinementProblem& problem, const Model& model, Hessian& hessian, Gradient& gradient)
-{
-    const RobustLoss loss(problem.lossScale);
-    const double scale = problem.focal / problem.sigma;
-    double cost = 0;
-    hessian.setZero();
-    gradient.setZero();
-    Gradient jacobian;
-    for (size_t i = 0; i < problem.candidates->size(); i++)
+    if (evidence == ALL_SEGMENTS)
     {
-        int wall;
-        const double r = scale * verticalResidual((*problem.candidates)[i], model, problem.heading, wall, jacobian.data());
-        const double weight = loss.weight(r * r) * scale;
-        hessian.noalias() += (weight * scale) * jacobian * jacobian.transpose();
-        gradient.noalias() += (weight * r) * jacobian;
-        cost += loss(r * r);
+        const double directionScale = problem.focal / problem.directionSigma;
+        for (size_t i = 0; i < problem.others.size(); i++)
+        {
+            const Jet jet = directionResidual(problem.others[i], model, problem.heading, problem.roadRatio, structure.translates());
+            const double r = directionScale * jet.value;
+            sum.add(r, jet.derivative, directionScale, loss(r * r), loss.weight(r * r));
+        }
     }
-    return cost;
+    Jet prior[PriorTerms::MAX_RESIDUALS];
+    const int n = problem.prior.evaluate(model, structure, prior);
+    for (int i = 0; i < n; i++)
+        sum.add(prior[i].value, prior[i].derivative, 1, prior[i].value * prior[i].value, 1);
+    if (problem.gravitySigma > 0)
+        for (int p = P_ROLL; p <= P_PITCH; p++)
+        {
+            const Jet tilt = Jet::variable(model.value[p] / problem.gravitySigma, Parameter(p));
+            sum.add(tilt.value, tilt.derivative, 1 / problem.gravitySigma, tilt.value * tilt.value, 1);
+        }
 }
 
-// The free unknowns keep their rows and columns, the others become fixed.
-static void fixUnknowns(const Structure& structure, Hessian& hessian, Gradient& gradient)
+double refinementCost(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const Model& model)
 {
-    bool isFree[PARAMETERS] = {structure.turns(), structure.translates(), structure.translates(), structure.walls == 2, false, false};
+    NormalEquations sum(false);
+    evaluate(problem, structure, evidence, model, sum);
+    return sum.cost;
+}
+
+// Where an unknown is fixed its row and column are those of the identity and its gradient is 0.
+static void fixUnknowns(const RefinementProblem& problem, const Structure& structure, Evidence evidence, bool isFree[PARAMETERS], NormalEquations& sum)
+{
+    isFree[P_ALPHA] = structure.turns();
+    isFree[P_B] = isFree[P_D] = structure.translates();
+    isFree[P_LAMBDA] = structure.walls == 2;
+    isFree[P_ROLL] = isFree[P_PITCH] = problem.gravitySigma > 0;
+    isFree[P_STREET] = !structure.translates() && evidence == ALL_SEGMENTS && !problem.others.empty();
     for (int i = 0; i < PARAMETERS; i++)
     {
         if (isFree[i])
             continue;
-        hessian.row(i).setZero();
-        hessian.col(i).setZero();
-        hessian(i, i) = 1;
-        gradient[i] = 0;
+        sum.hessian.row(i).setZero();
+        sum.hessian.col(i).setZero();
+        sum.hessian(i, i) = 1;
+        sum.gradient[i] = 0;
     }
 }
 
-double refine(const RefinementProblem& problem, const Structure& structure, int maxIterations, Model& model)
+double refine(const RefinementProblem& problem, const Structure& structure, Evidence evidence, int maxIterations, Model& model,
+              Matx<double, PARAMETERS, PARAMETERS>* covariance)
 {
-    Hessian hessian;
-    Gradient gradient;
-    double cost = accumulate(problem, model, hessian, gradient);
+    NormalEquations sum(true);
+    evaluate(problem, structure, evidence, model, sum);
+    bool isFree[PARAMETERS];
     double damping = 1e-3;
-    for (int iteration = 0; iteration < maxIterations; iteration++)
+    for (int iteration = 0; iteration < maxIterations && damping < 1e8; iteration++)
     {
-        fixUnknowns(structure, hessian, gradient);
-        Hessian damped = hessian;
+        fixUnknowns(problem, structure, evidence, isFree, sum);
+        Hessian damped = sum.hessian;
         damped.diagonal() *= 1 + damping;
         damped.diagonal().array() += 1e-9;
-        const Gradient step = damped.ldlt().solve(-gradient);
+        const Gradient step = damped.ldlt().solve(-sum.gradient);
         Model next = model;
         for (int i = 0; i < PARAMETERS; i++)
             next.value[i] += step[i];
-        const bool allowed = step.allFinite() && isWithin(problem.limits, next);
-        const double nextCost = allowed ? refinementCost(problem, next) : DBL_MAX;
-        if (nextCost < cost)
-        {
-            const double gain = cost - nextCost;
-            model = next;
-            damping = std::max(damping * 0.2, 1e-9);
-            cost = accumulate(problem, model, hessian, gradient);
-            if (gain < 1e-6 * (cost + 1e-6))
-                break;
-        }
-        else
+        const bool allowed = step.allFinite() && problem.limits.allow(next);
+        if (!allowed || !(refinementCost(problem, structure, evidence, next) < sum.cost))
         {
             damping *= 8;
-            if (damping > 1e8)
-                break;
+            continue;
         }
+        const double before = sum.cost;
+        model = next;
+        damping = std::max(damping * 0.2, 1e-9);
+        sum = NormalEquations(true);
+        evaluate(problem, structure, evidence, model, sum);
+        if (before - sum.cost < 1e-6 * (sum.cost + 1e-6))
+            break;
     }
-    return cost;
+    if (covariance)
+    {
+        fixUnknowns(problem, structure, evidence, isFree, sum);
+        sum.hessian.diagonal().array() += 1e-9;
+        const Hessian inverse = sum.hessian.ldlt().solve(Hessian::Identity());
+        for (int i = 0; i < PARAMETERS; i++)
+            for (int j = 0; j < PARAMETERS; j++)
+                (*covariance)(i, j) = isFree[i] && isFree[j] ? inverse(i, j) : 0;
+    }
+    return sum.cost;
 }
 
 }} // namespace cv::rsackermann

@@ -7,33 +7,46 @@
 
 #include "candidate.hpp"
 #include "model.hpp"
-#include "robust_loss.hpp"
+#include "prior_residuals.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-//! The data of the refinement; the candidates are not copied.
+//! The data of the refinement.
 struct RefinementProblem
 {
-    const std::vector<Candidate>* candidates;
-    double heading;
-    double focal;       // pixels
-    double sigma;       // pixels, of a residual
-    double lossScale;   // of the robust loss, in sigmas
+    std::vector<Candidate> verticals; // from left to right
+    std::vector<Candidate> others;    // may point along the street or across it
     MotionLimits limits;
+    PriorTerms prior;
+    double heading;
+    double focal;          // pixels
+    double sigma;          // pixels, of the residual of a vertical
+    double directionSigma; // pixels, of the residual of another segment
+    double lossScale;      // of the robust loss, in sigmas
+    double roadRatio;      // distance of the left (or only) wall over the height of the camera
+    double gravitySigma;   // radians, 0: exact
 
-    RefinementProblem(const std::vector<Candidate>& c, const MotionLimits& l) : candidates(&c), heading(0), focal(1), sigma(1), lossScale(1), limits(l) {}
+    explicit RefinementProblem(const MotionLimits& l)
+        : limits(l), heading(0), focal(1), sigma(1), directionSigma(1), lossScale(1), roadRatio(1), gravitySigma(0)
+    {
+    }
 };
 
-//! Robust cost of a model: the sum of the losses of all residuals, in units of sigma^2.
-double refinementCost(const RefinementProblem& problem, const Model& model);
+//! Which residuals count.
+enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
+
+//! Robust cost of a model: the sum of the losses of all residuals in units of their variances.
+double refinementCost(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const Model& model);
 
 /** Levenberg-Marquardt with the exact model on all candidates (doc/theory.md, "Estimation").
 @param structure which unknowns are free.
 @param model start and result.
+@param covariance receives, unless it is null, the covariance of all parameters; 0 for those that aren't free.
 @return cost of the result.
 */
-double refine(const RefinementProblem& problem, const Structure& structure, int maxIterations, Model& model);
+double refine(const RefinementProblem& problem, const Structure& structure, Evidence evidence, int maxIterations, Model& model,
+              Matx<double, PARAMETERS, PARAMETERS>* covariance = 0);
 
 }} // namespace cv::rsackermann
 

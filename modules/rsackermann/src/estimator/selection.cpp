@@ -5,6 +5,8 @@
 #include "../precomp.hpp"
 #include "lo_ransac.hpp"
 #include "selection.hpp"
+#include "street_direction.hpp"
+#include "vertical_residual.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -35,29 +37,51 @@ static std::vector<Structure> allowedStructures(int model, double heading)
     return structures;
 }
 
-static void fit(const RefinementProblem& problem, const AckermannEstimator::Params& params, Fit& result)
+// The best model of a structure for the verticals alone. Returns false where there is none.
+static bool fitVerticals(const RefinementProblem& problem, const AckermannEstimator::Params& params, Fit& fit)
 {
+    if (fit.structure.motion == MODEL_NONE)
+        return true;
     RansacOptions options;
     options.confidence = params.confidence;
     options.maxIterations = params.maxIterations;
     options.seed = (uint64)params.seed;
-    CandidateConsensus consensus(problem, result.structure, params.threshold);
+    CandidateConsensus consensus(problem, fit.structure, params.threshold);
     double score;
-    if (!loRansac(consensus, options, result.model, score))
-        return;
-    result.cost = refine(problem, result.structure, 30, result.model);
-    result.criterion = result.cost + result.structure.unknowns() * std::log((double)problem.candidates->size());
+    if (!loRansac(consensus, options, fit.model, score))
+        return false;
+    refine(problem, fit.structure, VERTICALS_ONLY, 20, fit.model);
+    return true;
+}
+
+// Joint refinement from the direction of the street that the verticals tell and from the one that the other segments tell.
+static void fitAllSegments(const RefinementProblem& problem, Fit& fit)
+{
+    Model fromLines = fit.model;
+    const bool hasLines = startFromStreetDirection(problem, fit.structure, fromLines);
+    fit.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, fit.model, &fit.covariance);
+    if (hasLines)
+    {
+        Fit other = fit;
+        other.model = fromLines;
+        other.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, other.model, &other.covariance);
+        if (other.cost < fit.cost)
+            fit = other;
+    }
+    fit.criterion = fit.cost + fit.structure.unknowns() * std::log((double)problem.verticals.size());
 }
 
 Fit selectMotion(const RefinementProblem& problem, const AckermannEstimator::Params& params)
 {
-    Fit best(Structure(MODEL_NONE, 0));
-    best.cost = best.criterion = refinementCost(problem, best.model);
-    const std::vector<Structure> structures = allowedStructures(params.model, problem.heading);
+    std::vector<Structure> structures = allowedStructures(params.model, problem.heading);
+    structures.insert(structures.begin(), Structure(MODEL_NONE, 0));
+    Fit best(structures[0]);
     for (size_t i = 0; i < structures.size(); i++)
     {
         Fit next(structures[i]);
-        fit(problem, params, next);
+        if (!fitVerticals(problem, params, next))
+            continue;
+        fitAllSegments(problem, next);
         if (next.criterion < best.criterion)
             best = next;
     }

@@ -17,6 +17,7 @@ struct Fit
     Model model;
     double cost;      // robust, in units of sigma^2
     double criterion; // information criterion; the lower the better
+    Matx<double, PARAMETERS, PARAMETERS> covariance;
 
     explicit Fit(const Structure& s) : structure(s), cost(DBL_MAX), criterion(DBL_MAX) {}
 };

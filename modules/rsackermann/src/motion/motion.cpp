@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../camera/axis_rotations.hpp"
+#include "../checks.hpp"
 #include "../compensation.hpp"
 
 namespace cv {
@@ -11,21 +12,8 @@ namespace rsackermann {
 
 AckermannMotion::AckermannMotion()
     : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), B(0), D(0), lambda(0), G(0), direction(1), rollCorrection(0),
-      pitchCorrection(0), wallDistance(0), candidates(0), inliers(0), rms(0)
+      pitchCorrection(0), wallDistance(0), covariance(Matx44d::zeros()), rollYawAmbiguous(false), candidates(0), inliers(0), rms(0)
 {
-}
-
-static void checkFinite(double value, const char* name)
-{
-    if (cvIsNaN(value) || cvIsInf(value))
-        CV_Error(Error::StsBadArg, format("%s is %g; a finite number is expected", name, value));
-}
-
-static void checkDistance(double value, const char* name)
-{
-    checkFinite(value, name);
-    if (value < 0)
-        CV_Error(Error::StsBadArg, format("%s is %g m; a positive number, or 0 for no wall, is expected", name, value));
 }
 
 AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, double yawRate, double speed, double leftDistance,
@@ -36,8 +24,8 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
         CV_Error(Error::StsBadArg, format("camera.lineDelay is %g s; metric values need a positive one", camera.lineDelay));
     checkFinite(yawRate, "yawRate");
     checkFinite(speed, "speed");
-    checkDistance(leftDistance, "leftDistance");
-    checkDistance(rightDistance, "rightDistance");
+    checkNotNegative(leftDistance, "leftDistance", "no left wall");
+    checkNotNegative(rightDistance, "rightDistance", "no right wall");
     checkFinite(wallDirection, "wallDirection");
 
     // doc/theory.md, "Depth": the wall along (sin, cos) of wallDirection has the normal (-cos, sin) on the left.
@@ -81,6 +69,27 @@ bool AckermannMotion::speed(const RollingShutterCamera& camera, double& metresPe
     return known;
 }
 
+Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) const
+{
+    // Derivatives of (yaw rate, speed, delta, lambda) by (alpha, B, D, lambda).
+    const double unit = camera.secondsPerUnitTime(), size = std::hypot(B, D);
+    Matx44d J = Matx44d::zeros();
+    if (unit > 0)
+        J(0, 0) = 2 / unit;
+    if (unit > 0 && wallDistance > 0 && size > 0)
+    {
+        J(1, 1) = direction * B / size * wallDistance / unit;
+        J(1, 2) = direction * D / size * wallDistance / unit;
+    }
+    if (std::abs(B) > 1e-9 * std::abs(D))
+    {
+        J(2, 1) = -D / (B * B);
+        J(2, 2) = 1 / B;
+    }
+    J(3, 3) = 1;
+    return J * covariance * J.t();
+}
+
 Matx33d AckermannMotion::uprightRotation(const RollingShutterCamera& camera) const
 {
     return rollRotation(rollCorrection) * pitchRotation(pitchCorrection) * camera.uprightRotation;
@@ -102,6 +111,7 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "status" << status << "model" << model;
     fs << "alpha" << alpha << "B" << B << "D" << D << "lambda" << lambda << "G" << G << "direction" << direction;
     fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance" << wallDistance;
+    fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
 }
 
@@ -118,6 +128,8 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["roll_correction"], rollCorrection, rollCorrection);
     cv::read(fn["pitch_correction"], pitchCorrection, pitchCorrection);
     cv::read(fn["wall_distance"], wallDistance, wallDistance);
+    cv::read(fn["covariance"], covariance, covariance);
+    cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);
     cv::read(fn["candidates"], candidates, candidates);
     cv::read(fn["inliers"], inliers, inliers);
     cv::read(fn["rms"], rms, rms);

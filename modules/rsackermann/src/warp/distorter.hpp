@@ -5,7 +5,6 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_DISTORTER_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_DISTORTER_HPP
 
-#include "../camera/rays.hpp"
 #include "shutter.hpp"
 
 namespace cv {
@@ -20,28 +19,13 @@ nothing.
 class Distorter
 {
 public:
-    Distorter(const RollingShutterCamera& camera_, const Shutter& shutter_) : camera(camera_), shutter(shutter_) {}
-
-    //! Rays of raw pixels; (NaN, NaN) where the lens has none.
-    void undistort(const std::vector<Point2d>& raw, std::vector<Point2d>& rays) const
-    {
-        undistortedRays(camera, raw, rays);
-        if (shutter.lens.kind == Lens<double>::NONE)
-            return;
-        // The inverse of the lens model is found by iteration, which goes astray outside of the image of the lens.
-        const double tolerance = 1e-3;
-        for (size_t i = 0; i < raw.size(); i++)
-        {
-            Point2d back;
-            if (!shutter.project(Vec3d(rays[i].x, rays[i].y, 1), back) || !(norm(back - raw[i]) < tolerance))
-                rays[i] = Point2d(NAN, NAN);
-        }
-    }
+    explicit Distorter(const Shutter& shutter_) : shutter(shutter_) {}
 
     //! Ray of the global-shutter camera to the point of the planes that a raw pixel sees; false where there is none.
-    bool solve(const Point2d& raw, const Point2d& rawRay, Vec3d& ray) const
+    bool solve(const Point2d& raw, Vec3d& ray) const
     {
-        ray = Vec3d(rawRay.x, rawRay.y, 1);
+        if (!undistort(raw, ray))
+            return false;
         if (shutter.moving)
         {
             const RowMotion m = shutter.motionAt(shutter.rowTime(raw));
@@ -56,14 +40,14 @@ public:
 
     /** The same for a point of known depth.
     @param raw pixel.
-    @param rawRay its ray.
     @param inverseDepth of the point along the optical axis of the global-shutter camera, times the way per unit of row
     time; negative in reverse.
     @param ray receives the ray.
     */
-    bool solve(const Point2d& raw, const Point2d& rawRay, double inverseDepth, Vec3d& ray) const
+    bool solve(const Point2d& raw, double inverseDepth, Vec3d& ray) const
     {
-        ray = Vec3d(rawRay.x, rawRay.y, 1);
+        if (!undistort(raw, ray))
+            return false;
         if (!shutter.moving)
             return true;
         // The depth of the bearing a + w tau (s2, 0, c2) is w / inverseDepth, which is linear in w.
@@ -78,7 +62,14 @@ public:
     }
 
 private:
-    const RollingShutterCamera& camera;
+    bool undistort(const Point2d& raw, Vec3d& ray) const
+    {
+        Point2d p;
+        const bool found = unproject(shutter.lens, raw, p);
+        ray = Vec3d(p.x, p.y, 1);
+        return found;
+    }
+
     const Shutter& shutter;
 };
 

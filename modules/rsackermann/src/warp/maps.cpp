@@ -71,20 +71,16 @@ public:
 
     void operator()(const Range& range) const CV_OVERRIDE
     {
-        std::vector<Point2d> raw(writer.size().width), rays;
         for (int y = range.start; y < range.end; y++)
         {
-            for (size_t x = 0; x < raw.size(); x++)
-                raw[x] = Point2d(double(x), y);
-            distorter.undistort(raw, rays);
             MapWriter::Row row(writer, y);
-            for (size_t x = 0; x < raw.size(); x++)
+            for (int x = 0; x < writer.size().width; x++)
             {
                 Vec3d ray;
-                if (distorter.solve(raw[x], rays[x], ray))
-                    row.set(int(x), pixelOf(matrix, ray));
+                if (distorter.solve(Point2d(x, y), ray))
+                    row.set(x, pixelOf(matrix, ray));
                 else
-                    row.setNone(int(x));
+                    row.setNone(x);
             }
             row.write();
         }
@@ -110,7 +106,7 @@ void writeDistortMap(const RollingShutterCamera& camera, const WarpMapGenerator:
                      MapWriter& writer)
 {
     const Shutter shutter(camera, motion);
-    const Distorter distorter(camera, shutter);
+    const Distorter distorter(shutter);
     const GlobalCamera global(camera, params);
     forEachRow(writer.size(), DistortRows(distorter, global.matrix, writer));
 }

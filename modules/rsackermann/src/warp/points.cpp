@@ -53,15 +53,13 @@ void correctPoints(const RollingShutterCamera& camera, const Matx33d& matrix, co
                    const std::vector<Point2d>& raw, const std::vector<double>& depths, std::vector<Place>& places)
 {
     const Shutter shutter(camera, motion);
-    const Distorter distorter(camera, shutter);
+    const Distorter distorter(shutter);
     const InverseDepths inverseDepths(camera, motion, depths);
-    std::vector<Point2d> rays;
-    distorter.undistort(raw, rays);
     places.assign(raw.size(), Place());
     for (size_t i = 0; i < raw.size(); i++)
     {
         Vec3d ray;
-        if (inverseDepths.known(i) ? distorter.solve(raw[i], rays[i], inverseDepths[i], ray) : distorter.solve(raw[i], rays[i], ray))
+        if (inverseDepths.known(i) ? distorter.solve(raw[i], inverseDepths[i], ray) : distorter.solve(raw[i], ray))
             setPlace(pixelOf(matrix, ray), places[i]);
     }
 }

@@ -6,6 +6,7 @@
 #include "maps.hpp"
 #include "pixels.hpp"
 #include "points.hpp"
+#include "rectify_ocl.hpp"
 #include "valid_area.hpp"
 
 namespace cv {
@@ -159,7 +160,9 @@ public:
     {
         CV_INSTRUMENT_REGION();
         checkMotion(motion);
-        MapWriter writer(GlobalCamera(camera, params).size, camera.imageSize, normalizedMapType(m1type), map1, map2, mask);
+        m1type = normalizedMapType(m1type);
+        CV_OCL_RUN(map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2), oclRectifyMap(camera, params, motion, m1type, map1, map2, mask))
+        MapWriter writer(GlobalCamera(camera, params).size, camera.imageSize, m1type, map1, map2, mask);
         writeRectifyMap(camera, params, motion, writer);
     }
 

@@ -43,7 +43,8 @@ CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int det
 Vertical lines of the scene (walls, posts, windows) are slanted and bent by the motion. The estimator
 -# keeps the segments that can be images of vertical lines within the limits of motion,
 -# finds a consensus with minimal solvers (solve1LA, solve3LA, solve4LA, solve4LAExact) in a locally optimised RANSAC,
--# refines the motion with the exact model and a robust loss on all candidates,
+-# refines the motion with the exact model and a robust loss on all candidates; the other segments say where the street goes
+    and, with the candidates, what is wrong with gravity; the prior counts as further measurements,
 -# chooses the model by an information criterion; a motion that isn't significant is reported as none.
 
 The result is the same for the same seed, whatever the number of threads.
@@ -63,11 +64,13 @@ public:
         CV_PROP_RW int minCandidates;     //!< with fewer candidates no motion is estimated, default 6
         CV_PROP_RW double threshold;      //!< pixels; a candidate with a smaller residual is an inlier, default 0.5
         CV_PROP_RW double confidence;     //!< probability with which RANSAC has found the best consensus, default 0.99
-        CV_PROP_RW int maxIterations;     //!< largest number of minimal samples, default 1000
+        CV_PROP_RW int maxIterations;     //!< largest number of minimal samples, default 5000
         CV_PROP_RW int seed;              //!< of the random numbers, default 0
         CV_PROP_RW double maxYawRate;     //!< radians per second, default 90 degrees per second; used where lineDelay is known
         CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used where lineDelay and the wall's distance are known
         CV_PROP_RW double wallDistance;   //!< metres to the left (or only) wall; 0: unknown (default)
+        CV_PROP_RW double roadRatio;      //!< distance of the left (or only) wall over the camera's height, assumed where one of them is unknown, default 2
+        CV_PROP_RW double gravitySigma;   //!< radians; standard deviation of the camera's roll and pitch, 0: exact, default 0.2 degrees
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;
@@ -93,17 +96,21 @@ public:
     @param segments N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x1, y1, x2, y2) in pixels of the raw
     image; vector<Vec4f> for short.
     @param labels receives an N x 1 matrix CV_8U with one of #SegmentLabel for each segment.
+    @param prior what is known from elsewhere.
     @return the motion; see AckermannMotion::status.
      */
-    CV_WRAP virtual AckermannMotion estimate(InputArray segments, OutputArray labels = noArray()) const = 0;
+    CV_WRAP virtual AckermannMotion estimate(InputArray segments, OutputArray labels = noArray(),
+                                             const MotionPrior& prior = MotionPrior()) const = 0;
 
     /** @brief Detects line segments and estimates the motion.
     @param image raw image of the camera's size, see detectSegments.
     @param segments receives the N x 4 matrix CV_32F of the detected segments.
     @param labels as in estimate().
+    @param prior as in estimate().
      */
     CV_WRAP virtual AckermannMotion estimateFromImage(InputArray image, OutputArray segments = noArray(),
-                                                      OutputArray labels = noArray()) const = 0;
+                                                      OutputArray labels = noArray(),
+                                                      const MotionPrior& prior = MotionPrior()) const = 0;
 };
 
 //! @}

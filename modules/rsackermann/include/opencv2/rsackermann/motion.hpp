@@ -80,6 +80,13 @@ public:
      */
     CV_WRAP void pose(const RollingShutterCamera& camera, double time, CV_OUT Matx33d& R, CV_OUT Vec3d& T) const;
 
+    /** @brief Covariance of the metric values yaw rate (rad/s), speed (m/s), delta and lambda, in this order.
+
+    It includes what isn't known of gravity. Rows and columns of values that are unknown or not part of the model are 0.
+    @param camera the camera with which the motion was estimated.
+     */
+    CV_WRAP Matx44d metricCovariance(const RollingShutterCamera& camera) const;
+
     //! The camera's upright rotation with this motion's corrections of roll and pitch.
     CV_WRAP Matx33d uprightRotation(const RollingShutterCamera& camera) const;
 
@@ -101,9 +108,36 @@ public:
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
     CV_PROP_RW double wallDistance;    //!< metres to the left (or only) wall; 0: unknown
 
+    CV_PROP_RW Matx44d covariance;     //!< of (alpha, B, D, lambda), including what isn't known of gravity; 0 for what isn't part of the model
+    CV_PROP_RW bool rollYawAmbiguous;  //!< whether roll and yaw rate can't be told apart: what isn't known of the roll decides the yaw rate
+
     CV_PROP_RW int candidates; //!< segments that passed the gates
     CV_PROP_RW int inliers;    //!< candidates that agree with the motion
     CV_PROP_RW double rms;     //!< root mean square residual of the inliers in pixels
+};
+
+/** @brief What is known of the motion from elsewhere: the car's bus, a gyro, calibration, the frame before.
+
+Each piece is used where its standard deviation is positive.
+ */
+class CV_EXPORTS_W_SIMPLE MotionPrior
+{
+public:
+    //! Nothing is known.
+    CV_WRAP MotionPrior();
+
+    //! Throws cv::Exception with the name and value of the first field that is out of range.
+    CV_WRAP void check() const;
+
+    CV_PROP_RW double speed;        //!< metres per second, negative in reverse; needs AckermannEstimator::Params::wallDistance and RollingShutterCamera::lineDelay
+    CV_PROP_RW double speedSigma;   //!< standard deviation of speed; 0 (default): not known
+    CV_PROP_RW double yawRate;      //!< radians per second, positive to the right; needs RollingShutterCamera::lineDelay
+    CV_PROP_RW double yawRateSigma; //!< standard deviation of yawRate; 0 (default): not known
+    CV_PROP_RW double wallDirection;      //!< azimuth of the line at infinity of the walls in the upright frame, radians; its column is the tangent
+    CV_PROP_RW double wallDirectionSigma; //!< standard deviation of wallDirection; 0 (default): not known
+
+    CV_PROP_RW AckermannMotion previous; //!< motion of the frame before; used where its status is #MOTION_OK and previousNoise is positive
+    CV_PROP_RW double previousNoise;     //!< standard deviation of the change from frame to frame, as a fraction of the limits of yaw rate and of the values of speed and walls; 0 (default): no previous frame
 };
 
 //! @}

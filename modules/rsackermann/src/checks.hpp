@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_CHECKS_HPP
+#define OPENCV_RSACKERMANN_SRC_CHECKS_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! Throws unless the value is finite.
+inline void checkFinite(double value, const char* name)
+{
+    if (cvIsNaN(value) || cvIsInf(value))
+        CV_Error(Error::StsBadArg, format("%s is %g; a finite number is expected", name, value));
+}
+
+//! Throws unless the value is finite and greater than 0.
+inline void checkPositive(double value, const char* name)
+{
+    if (!(value > 0) || cvIsInf(value))
+        CV_Error(Error::StsBadArg, format("%s is %g; a positive number is expected", name, value));
+}
+
+//! Throws unless the value is finite and 0 or greater; 0 has the given meaning.
+inline void checkNotNegative(double value, const char* name, const char* meaningOfZero)
+{
+    if (!(value >= 0) || cvIsInf(value))
+        CV_Error(Error::StsBadArg, format("%s is %g; a positive number, or 0 for %s, is expected", name, value, meaningOfZero));
+}
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_CHECKS_HPP

@@ -1,0 +1,78 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "prior_residuals.hpp"
+#include <Eigen/Cholesky>
+
+namespace cv {
+namespace rsackermann {
+
+PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                       const MotionLimits& limits)
+    : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma), hasPrevious(false)
+{
+    const double unit = camera.secondsPerUnitTime();
+    if (unit > 0 && prior.yawRateSigma > 0)
+    {
+        alpha = prior.yawRate * unit / 2;
+        alphaSigma = prior.yawRateSigma * unit / 2;
+    }
+    if (unit > 0 && prior.speedSigma > 0 && params.wallDistance > 0)
+    {
+        size = prior.speed * unit / params.wallDistance;
+        sizeSigma = prior.speedSigma * unit / params.wallDistance;
+    }
+    const AckermannMotion& m = prior.previous;
+    if (!(prior.previousNoise > 0) || m.status != MOTION_OK)
+        return;
+    // The covariance of the previous estimate and what may have changed since.
+    const double values[4] = {m.alpha, m.B, m.D, m.lambda};
+    const double wall = std::hypot(m.B, m.D);
+    const double ranges[4] = {limits.maxAlpha, wall, wall, m.lambda};
+    Eigen::Matrix4d covariance;
+    for (int i = 0; i < 4; i++)
+    {
+        for (int j = 0; j < 4; j++)
+            covariance(i, j) = m.covariance(i, j);
+        covariance(i, i) += std::pow(prior.previousNoise * std::max(ranges[i], 1e-3), 2);
+        previous[i] = values[i];
+    }
+    const Eigen::LLT<Eigen::Matrix4d> factor(covariance);
+    if (factor.info() != Eigen::Success)
+        return;
+    const Eigen::Matrix4d whitening = factor.matrixL().solve(Eigen::Matrix4d::Identity());
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            previousInformation(i, j) = whitening(i, j);
+    hasPrevious = true;
+}
+
+int PriorTerms::evaluate(const Model& model, const Structure& structure, Jet residuals[MAX_RESIDUALS]) const
+{
+    int n = 0;
+    const Jet a = Jet::variable(model[P_ALPHA], P_ALPHA), B = Jet::variable(model[P_B], P_B), D = Jet::variable(model[P_D], P_D);
+    if (alphaSigma > 0)
+        residuals[n++] = (1 / alphaSigma) * (a - alpha);
+    if (sizeSigma > 0)
+        residuals[n++] = (1 / sizeSigma) * (double(model.direction) * hypot(B, D) - size);
+    if (streetSigma > 0 && structure.translates())
+        residuals[n++] = (1 / streetSigma) * (std::cos(street) * D - std::sin(street) * B) / (hypot(B, D) + 1e-12);
+    else if (streetSigma > 0)
+        residuals[n++] = (1 / streetSigma) * (Jet::variable(model[P_STREET], P_STREET) - street);
+    if (hasPrevious)
+    {
+        const Jet change[4] = {a - previous[0], B - previous[1], D - previous[2], Jet::variable(model[P_LAMBDA], P_LAMBDA) - previous[3]};
+        for (int i = 0; i < 4; i++)
+        {
+            Jet& r = residuals[n++];
+            r = Jet();
+            for (int j = 0; j <= i; j++)
+                r = r + previousInformation(i, j) * change[j];
+        }
+    }
+    return n;
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_PRIOR_RESIDUALS_HPP
+#define OPENCV_RSACKERMANN_SRC_ESTIMATOR_PRIOR_RESIDUALS_HPP
+
+#include "candidate.hpp"
+#include "jet.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+/** What is known of the motion from elsewhere, in the units of the estimation, as residuals in units of their standard
+deviations (doc/theory.md, "Estimation"). A sigma of 0: not known.
+*/
+struct PriorTerms
+{
+    double alpha, alphaSigma;
+    double size, sizeSigma;       // of sqrt(B^2 + D^2), with the sign of the direction
+    double street, streetSigma;   // azimuth of the street
+    double previous[4];           // alpha, B, D, lambda
+    Matx44d previousInformation;  // square root of the information of previous; 0: not known
+    bool hasPrevious;
+
+    PriorTerms() : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(0), streetSigma(0), hasPrevious(false) {}
+    PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+               const MotionLimits& limits);
+
+    enum { MAX_RESIDUALS = 7 };
+    //! @return number of residuals.
+    int evaluate(const Model& model, const Structure& structure, Jet residuals[MAX_RESIDUALS]) const;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_ESTIMATOR_PRIOR_RESIDUALS_HPP

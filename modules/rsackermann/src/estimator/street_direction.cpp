@@ -1,0 +1,58 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "direction_residual.hpp"
+#include "robust_loss.hpp"
+#include "street_direction.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+// The model with walls along an azimuth.
+static Model turnStreet(const Model& model, const Structure& structure, double azimuth)
+{
+    Model turned = model;
+    turned[P_STREET] = azimuth;
+    if (structure.translates())
+    {
+        // Along or against the azimuth: the walls stay on the side on which they are.
+        const double size = std::hypot(model[P_B], model[P_D]);
+        const double sign = model[P_B] * std::cos(azimuth) + model[P_D] * std::sin(azimuth) < 0 ? -1 : 1;
+        turned[P_B] = sign * size * std::cos(azimuth);
+        turned[P_D] = sign * size * std::sin(azimuth);
+    }
+    return turned;
+}
+
+bool startFromStreetDirection(const RefinementProblem& problem, const Structure& structure, Model& model)
+{
+    const size_t minSegments = 5;
+    if (problem.others.size() < minSegments)
+        return false;
+    // Far wider than the noise: the motion, and with it the compensation, is still inexact.
+    const double coarseness = 4, step = 0.01, range = 0.8;
+    const RobustLoss loss(1);
+    const double scale = problem.focal / (coarseness * problem.directionSigma);
+    double bestCost = DBL_MAX, best = 0;
+    for (double offset = -range; offset <= range; offset += step)
+    {
+        const Model turned = turnStreet(model, structure, problem.heading + offset);
+        double cost = 0;
+        for (size_t i = 0; i < problem.others.size(); i++)
+        {
+            const double r = scale * directionResidual(problem.others[i], turned, problem.heading, problem.roadRatio, structure.translates()).value;
+            cost += loss(r * r);
+        }
+        if (cost < bestCost)
+        {
+            bestCost = cost;
+            best = problem.heading + offset;
+        }
+    }
+    model = turnStreet(model, structure, best);
+    return true;
+}
+
+}} // namespace cv::rsackermann

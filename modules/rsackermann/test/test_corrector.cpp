@@ -1,0 +1,346 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "opencv2/core/ocl.hpp"
+#include "test_simulator.hpp"
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+Mat noiseImage(const Size& size, int type)
+{
+    Mat image(size, type);
+    theRNG().fill(image, RNG::UNIFORM, 0, CV_MAT_DEPTH(type) == CV_16U ? 65536 : 256);
+    return image;
+}
+
+Mat streetSegments(const RollingShutterCamera& camera, double yawRate, double speed)
+{
+    RNG rng(11);
+    const Simulator simulator = Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, camera.heading);
+    return simulation::randomSegments(simulator, simulation::SegmentOptions(), rng).ends;
+}
+
+typedef testing::TestWithParam<int> CorrectorTypes; // type of the image
+
+TEST_P(CorrectorTypes, image_without_lines_is_copied)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Mat src(camera.imageSize, GetParam(), Scalar::all(77));
+    Mat dst, mask, segments, labels, map1, map2;
+    const AckermannMotion motion = corrector->correct(src, dst, mask);
+    EXPECT_NE(MOTION_OK, motion.status);
+    ASSERT_EQ(src.type(), dst.type());
+    EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
+    EXPECT_NE(src.data, dst.data);
+    EXPECT_EQ(CV_8UC1, mask.type());
+    EXPECT_EQ(camera.imageSize.area(), cv::countNonZero(mask == 255));
+
+    corrector->getSegments(segments, labels);
+    EXPECT_EQ(0, segments.rows);
+    EXPECT_EQ(0, labels.rows);
+    corrector->getMaps(map1, map2);
+    ASSERT_EQ(camera.imageSize, map1.size());
+    Mat remapped;
+    cv::remap(src, remapped, map1, map2, INTER_LINEAR);
+    EXPECT_EQ(0, cvtest::norm(src, remapped, NORM_INF));
+}
+
+TEST_P(CorrectorTypes, moving_camera)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Mat src = noiseImage(camera.imageSize, GetParam()), segments = streetSegments(camera, 0.6, 20);
+    Mat dst, mask, map1, map2, expected;
+    const AckermannMotion motion = corrector->correctWithSegments(src, segments, dst, mask);
+    ASSERT_EQ(MOTION_OK, motion.status);
+
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    Mat expected1, expected2, expectedMask;
+    generator->initRectifyMap(motion, expected1, expected2, CV_32FC1, expectedMask);
+    cv::remap(src, expected, expected1, expected2, INTER_LINEAR, BORDER_CONSTANT);
+    EXPECT_EQ(0, cvtest::norm(expected, dst, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(expectedMask, mask, NORM_INF));
+    corrector->getMaps(map1, map2);
+    EXPECT_EQ(0, cvtest::norm(expected1, map1, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(expected2, map2, NORM_INF));
+    EXPECT_GT(cvtest::norm(src, dst, NORM_INF), 0);
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, CorrectorTypes, testing::Values(CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1, CV_16UC3));
+
+//! Mean pixels between where the maps put what they take from the raw image and where it belongs, over the walls.
+double meanDisplacement(const Simulator& simulator, const Mat& map1, const Mat& map2)
+{
+    double sum = 0;
+    int n = 0;
+    for (int y = 10; y < map1.rows; y += 20)
+        for (int x = 10; x < map1.cols; x += 20)
+        {
+            const Point2d raw(map1.at<float>(y, x), map2.at<float>(y, x));
+            if (!simulator.inside(raw))
+                continue;
+            const simulation::Surface surface = simulator.surface(raw);
+            Vec3d P;
+            if (surface != simulation::LEFT && surface != simulation::RIGHT)
+                continue;
+            simulator.locate(raw, surface, P);
+            P = simulator.camera.cameraMatrix * (simulator.camera.uprightRotation.t() * P);
+            sum += cv::norm(Point2d(x, y) - Point2d(P[0] / P[2], P[1] / P[2]));
+            n++;
+        }
+    EXPECT_GE(n, 100);
+    return sum / n;
+}
+
+TEST(RSAckermann_Corrector, corrects_what_the_simulator_distorts)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Simulator simulator = Simulator::fromMetric(camera, 0.6, 20, 2.5, 3, 0);
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    Mat dst, map1, map2, rest1, rest2;
+    corrector->correctWithSegments(noiseImage(camera.imageSize, CV_8UC1), streetSegments(camera, 0.6, 20), dst);
+    corrector->getMaps(map1, map2);
+    WarpMapGenerator::create(camera)->initRectifyMap(AckermannMotion(), rest1, rest2);
+    EXPECT_LT(meanDisplacement(simulator, map1, map2), 0.02 * meanDisplacement(simulator, rest1, rest2));
+}
+
+// The segments of a distorted image are as good as those of an undistorted one.
+TEST(RSAckermann_Corrector, lens_and_shutter)
+{
+    const RollingShutterCamera plain = simulation::paperCamera();
+    RollingShutterCamera distorted = plain;
+    distorted.distCoeffs = {-0.28, 0.09, 8e-4, -6e-4, -0.012};
+    simulation::SegmentOptions options;
+    options.noise = 0.3;
+    double left[2] = {0, 0}, raw = 0;
+    RNG rng(61);
+    for (int round = 0; round < 20; round++)
+    {
+        const double yawRate = rng.uniform(-1.2, 1.2), speed = rng.uniform(5., 38.);
+        for (int lens = 0; lens < 2; lens++)
+        {
+            const RollingShutterCamera& camera = lens ? distorted : plain;
+            const Simulator simulator = Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, 0);
+            const Mat segments = simulation::randomSegments(simulator, options, rng).ends;
+            const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+            Mat dst, map1, map2;
+            corrector->correctWithSegments(Mat(camera.imageSize, CV_8U, Scalar(0)), segments, dst);
+            corrector->getMaps(map1, map2);
+            left[lens] += meanDisplacement(simulator, map1, map2) / 20;
+            if (lens)
+                continue;
+            WarpMapGenerator::create(camera)->initRectifyMap(AckermannMotion(), map1, map2);
+            raw += meanDisplacement(simulator, map1, map2) / 20;
+        }
+    }
+    EXPECT_LT(left[0], 0.3 * raw);
+    EXPECT_LE(left[1], 1.3 * left[0]);
+}
+
+TEST(RSAckermann_Corrector, lens_of_a_camera_at_rest)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.distCoeffs = std::vector<double>(5, 0.);
+    camera.distCoeffs[0] = -0.3;
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Mat src = noiseImage(camera.imageSize, CV_8UC3);
+    Mat dst, expected, none(0, 4, CV_32F);
+    const AckermannMotion motion = corrector->correctWithSegments(src, none, dst);
+    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, motion.status);
+    cv::undistort(src, expected, camera.cameraMatrix, camera.distCoeffs);
+    // remap rounds coordinates to 1/32 pixel, in either direction where they lie between
+    EXPECT_LE(cvtest::norm(dst, expected, NORM_L1) / src.total() / 3, 0.05);
+
+    // coefficients that are all 0 are no lens
+    camera.distCoeffs[0] = 0;
+    corrector->setCamera(camera);
+    corrector->correctWithSegments(src, none, dst);
+    EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
+}
+
+TEST(RSAckermann_Corrector, new_camera_of_a_camera_at_rest)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    RollingShutterCorrector::Params params;
+    params.warp.newCameraMatrix = Matx33d(408, 0, 159.5, 0, 408, 94.5, 0, 0, 1);
+    params.warp.newSize = Size(320, 190);
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+    Mat dst, mask;
+    corrector->correct(Mat(camera.imageSize, CV_8UC1, Scalar(9)), dst, mask);
+    EXPECT_EQ(params.warp.newSize, dst.size());
+    EXPECT_EQ(params.warp.newSize, mask.size());
+}
+
+TEST(RSAckermann_Corrector, column_shutter_is_not_observable)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    const Mat segments = streetSegments(camera, 0.6, 20);
+    camera.scanDirection = SCAN_LEFT_TO_RIGHT;
+    const Mat src = noiseImage(camera.imageSize, CV_8UC1);
+    Mat dst;
+    EXPECT_EQ(MOTION_NOT_OBSERVABLE, RollingShutterCorrector::create(camera)->correctWithSegments(src, segments, dst).status);
+    EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
+}
+
+TEST(RSAckermann_Corrector, tiny_images)
+{
+    const Size sizes[] = {Size(1, 1), Size(7, 1), Size(1, 9), Size(5, 5), Size(17, 16)};
+    for (int i = 0; i < 5; i++)
+    {
+        const Mat src = noiseImage(sizes[i], CV_8UC3);
+        Mat dst, mask;
+        const AckermannMotion motion = RollingShutterCorrector::create(RollingShutterCamera::fromFocal(sizes[i]))->correct(src, dst, mask);
+        EXPECT_NE(MOTION_OK, motion.status);
+        EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
+        EXPECT_EQ(sizes[i].area(), cv::countNonZero(mask));
+    }
+}
+
+TEST(RSAckermann_Corrector, steady_state_reuses_buffers)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Mat src = noiseImage(camera.imageSize, CV_8UC1), segments = streetSegments(camera, 0.6, 20);
+    Mat dst, mask, again;
+    corrector->correctWithSegments(src, segments, dst, mask);
+    dst.copyTo(again);
+    const uchar* const data[] = {dst.data, mask.data};
+    corrector->correctWithSegments(src, segments, dst, mask);
+    EXPECT_EQ(data[0], dst.data);
+    EXPECT_EQ(data[1], mask.data);
+    EXPECT_EQ(0, cvtest::norm(again, dst, NORM_INF));
+}
+
+TEST(RSAckermann_Corrector, in_place)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Mat src = noiseImage(camera.imageSize, CV_8UC1), segments = streetSegments(camera, 0.6, 20);
+    Mat dst, image = src.clone();
+    corrector->correctWithSegments(src, segments, dst);
+    corrector->correctWithSegments(image, segments, image);
+    EXPECT_EQ(0, cvtest::norm(image, dst, NORM_INF));
+}
+
+TEST(RSAckermann_Corrector, OpenCL)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Mat src = noiseImage(camera.imageSize, CV_8UC1), segments = streetSegments(camera, 0.6, 20);
+    Mat dst;
+    corrector->correctWithSegments(src, segments, dst);
+    Mat map1, map2, deviceMap1, deviceMap2, hostMask;
+    corrector->getMaps(map1, map2);
+
+    UMat device, mask;
+    corrector->correctWithSegments(src.getUMat(ACCESS_READ), segments, device, mask);
+    corrector->getMaps(deviceMap1, deviceMap2);
+    corrector->correctWithSegments(src.getUMat(ACCESS_READ), segments, device, hostMask);
+    EXPECT_EQ(0, cvtest::norm(mask.getMat(ACCESS_READ), hostMask, NORM_INF));
+    EXPECT_LE(cvtest::norm(map1, deviceMap1, NORM_INF, hostMask), 1e-3);
+    EXPECT_LE(cvtest::norm(map2, deviceMap2, NORM_INF, hostMask), 1e-3);
+    // OpenCL's remap doesn't round coordinates to 1/32 pixel, and white noise is the worst that can be interpolated
+    EXPECT_LE(cvtest::norm(device.getMat(ACCESS_READ), dst, NORM_L1) / src.total(), 4);
+    if (!cv::ocl::useOpenCL())
+    {
+        EXPECT_EQ(0, cvtest::norm(device.getMat(ACCESS_READ), dst, NORM_INF));
+    }
+}
+
+TEST(RSAckermann_Corrector, segments_labels_and_timings)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    EXPECT_EQ(Vec4d(), corrector->getTimings());
+    const Mat segments = streetSegments(camera, 0.6, 20);
+    Mat dst, gotSegments, labels, expected;
+    const AckermannMotion motion = corrector->correctWithSegments(noiseImage(camera.imageSize, CV_8UC1), segments, dst);
+    corrector->getSegments(gotSegments, labels);
+    segments.convertTo(expected, CV_32F);
+    ASSERT_EQ(expected.size(), gotSegments.size());
+    EXPECT_EQ(0, cvtest::norm(expected, gotSegments, NORM_INF));
+    Mat expectedLabels;
+    const AckermannMotion alone = AckermannEstimator::create(camera)->estimate(segments, expectedLabels);
+    EXPECT_EQ(0, cvtest::norm(expectedLabels, labels, NORM_INF));
+    EXPECT_EQ(alone.alpha, motion.alpha);
+    const Vec4d timings = corrector->getTimings();
+    EXPECT_EQ(0, timings[0]);
+    for (int i = 1; i < 4; i++)
+        EXPECT_GT(timings[i], 0);
+
+    // four-channel segments of another type
+    const Mat column = expected.reshape(4);
+    EXPECT_EQ(MOTION_OK, corrector->correctWithSegments(noiseImage(camera.imageSize, CV_8UC1), column, dst).status);
+    corrector->getSegments(gotSegments, labels);
+    EXPECT_EQ(expected.size(), gotSegments.size());
+}
+
+TEST(RSAckermann_Corrector, bad_arguments)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    Mat dst;
+    EXPECT_THROW(RollingShutterCorrector::create(RollingShutterCamera()), cv::Exception);
+    EXPECT_THROW(corrector->correct(Mat(), dst), cv::Exception);
+    EXPECT_THROW(corrector->correct(noiseImage(Size(380, 640), CV_8UC1), dst), cv::Exception);
+    EXPECT_THROW(corrector->correct(Mat(camera.imageSize, CV_8UC2, Scalar(0)), dst), cv::Exception);
+    EXPECT_THROW(corrector->correctWithSegments(noiseImage(camera.imageSize, CV_8UC1), Mat(5, 3, CV_32F, Scalar(1)), dst), cv::Exception);
+
+    RollingShutterCorrector::Params params;
+    params.interpolation = INTER_AREA;
+    EXPECT_THROW(corrector->setParams(params), cv::Exception);
+    params = RollingShutterCorrector::Params();
+    params.warp.tolerance = -1;
+    EXPECT_THROW(corrector->setParams(params), cv::Exception);
+    params = RollingShutterCorrector::Params();
+    params.estimator.threshold = -1;
+    EXPECT_THROW(corrector->setParams(params), cv::Exception);
+}
+
+TEST(RSAckermann_Corrector, params_are_written_and_read)
+{
+    RollingShutterCorrector::Params params;
+    params.interpolation = INTER_CUBIC;
+    params.estimator.threshold = 0.75;
+    params.estimator.model = MODEL_3LA;
+    params.warp.newSize = Size(400, 300);
+    const RollingShutterCamera camera = simulation::paperCamera();
+    FileStorage fs("corrector.yml", FileStorage::WRITE | FileStorage::MEMORY);
+    RollingShutterCorrector::create(camera, params)->write(fs);
+    const std::string text = fs.releaseAndGetString();
+
+    const Ptr<RollingShutterCorrector> other = RollingShutterCorrector::create(camera);
+    other->read(FileStorage(text, FileStorage::READ | FileStorage::MEMORY).root());
+    const RollingShutterCorrector::Params got = other->getParams();
+    EXPECT_EQ(INTER_CUBIC, got.interpolation);
+    EXPECT_EQ(0.75, got.estimator.threshold);
+    EXPECT_EQ(MODEL_3LA, got.estimator.model);
+    EXPECT_EQ(Size(400, 300), got.warp.newSize);
+}
+
+TEST(RSAckermann_Corrector, missing_keys_keep_values)
+{
+    RollingShutterCorrector::Params params;
+    params.interpolation = INTER_CUBIC;
+    params.estimator.threshold = 0.75;
+    params.warp.maxIterations = 3;
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(simulation::paperCamera(), params);
+    corrector->read(FileStorage("%YAML:1.0\n---\nestimator:\n   seed: 5\n", FileStorage::READ | FileStorage::MEMORY).root());
+    const RollingShutterCorrector::Params got = corrector->getParams();
+    EXPECT_EQ(INTER_CUBIC, got.interpolation);
+    EXPECT_EQ(0.75, got.estimator.threshold);
+    EXPECT_EQ(5, got.estimator.seed);
+    EXPECT_EQ(3, got.warp.maxIterations);
+}
+
+TEST(RSAckermann_Corrector, default_name)
+{
+    EXPECT_EQ("rsackermann.RollingShutterCorrector", RollingShutterCorrector::create(simulation::paperCamera())->getDefaultName());
+}
+
+}} // namespace opencv_test::

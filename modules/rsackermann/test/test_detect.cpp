@@ -1,0 +1,161 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "opencv2/opencv_modules.hpp"
+
+namespace opencv_test { namespace {
+
+//! A bright quadrilateral with slightly slanted sides on dark ground, drawn with subpixel accuracy.
+Mat quadrilateral(int type)
+{
+    Mat image(240, 320, CV_8U, Scalar(60));
+    const int shift = 4, one = 1 << shift;
+    const Point corners[] = {Point(80 * one, 40 * one), Point(220 * one, 45 * one), Point(230 * one, 200 * one), Point(90 * one, 195 * one)};
+    fillConvexPoly(image, corners, 4, Scalar(180), LINE_AA, shift);
+    Mat blurred, result;
+    GaussianBlur(image, blurred, Size(5, 5), 0.8);
+    blurred.convertTo(result, CV_MAT_DEPTH(type), CV_MAT_DEPTH(type) == CV_16U ? 20 : 1, CV_MAT_DEPTH(type) == CV_16U ? 3000 : 0);
+    if (CV_MAT_CN(type) > 1)
+        cvtColor(result, result, CV_MAT_CN(type) == 3 ? COLOR_GRAY2BGR : COLOR_GRAY2BGRA);
+    return result;
+}
+
+//! Whether a segment covers most of the line from a to b and lies within a pixel of it.
+bool covers(const Mat& segments, const Point2d& a, const Point2d& b)
+{
+    const Point2d along = (b - a) * (1 / cv::norm(b - a));
+    for (int i = 0; i < segments.rows; i++)
+    {
+        const float* s = segments.ptr<float>(i);
+        const Point2d p = Point2d(s[0], s[1]) - a, q = Point2d(s[2], s[3]) - a;
+        if (std::abs(along.cross(p)) < 1 && std::abs(along.cross(q)) < 1 && std::abs(along.dot(p - q)) > 0.8 * cv::norm(b - a))
+            return true;
+    }
+    return false;
+}
+
+typedef testing::TestWithParam<int> Detectors;
+
+TEST_P(Detectors, finds_the_sides_in_images_of_every_type)
+{
+    const int types[] = {CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1, CV_16UC3, CV_16UC4};
+    for (size_t i = 0; i < sizeof(types) / sizeof(types[0]); i++)
+    {
+        const Mat image = quadrilateral(types[i]), before = image.clone();
+        Mat segments;
+        detectSegments(image, segments, GetParam());
+        ASSERT_EQ(CV_32FC1, segments.type());
+        ASSERT_EQ(4, segments.cols);
+        EXPECT_TRUE(covers(segments, Point2d(80, 40), Point2d(90, 195))) << types[i];
+        EXPECT_TRUE(covers(segments, Point2d(220, 45), Point2d(230, 200))) << types[i];
+        EXPECT_LE(segments.rows, 16) << types[i];
+        EXPECT_EQ(0, cvtest::norm(image, before, NORM_INF)) << types[i];
+    }
+}
+
+TEST_P(Detectors, part_of_a_larger_image)
+{
+    const Mat image = quadrilateral(CV_8UC1);
+    Mat large(400, 500, CV_8U, Scalar(0));
+    Mat part = large(Rect(Point(51, 33), image.size()));
+    image.copyTo(part);
+    Mat segments, expected;
+    detectSegments(part, segments, GetParam());
+    detectSegments(image, expected, GetParam());
+    ASSERT_EQ(expected.size(), segments.size());
+    EXPECT_EQ(0, cvtest::norm(expected, segments, NORM_INF));
+}
+
+TEST_P(Detectors, minimum_length)
+{
+    const Mat image = quadrilateral(CV_8UC1);
+    Mat all, lengthy, none;
+    detectSegments(image, all, GetParam(), 0);
+    detectSegments(image, lengthy, GetParam(), 100);
+    detectSegments(image, none, GetParam(), 1000);
+    EXPECT_GE(all.rows, lengthy.rows);
+    EXPECT_GE(lengthy.rows, 2);
+    for (int i = 0; i < lengthy.rows; i++)
+        EXPECT_GE(std::hypot(lengthy.at<float>(i, 2) - lengthy.at<float>(i, 0), lengthy.at<float>(i, 3) - lengthy.at<float>(i, 1)), 100);
+    EXPECT_EQ(0, none.rows);
+    EXPECT_EQ(4, none.cols);
+    EXPECT_EQ(CV_32FC1, none.type());
+}
+
+TEST_P(Detectors, tiny_images)
+{
+    RNG rng(1);
+    for (int height = 1; height <= 40; height += height < 20 ? 1 : 7)
+        for (int width = 1; width <= 40; width += width < 20 ? 1 : 7)
+        {
+            Mat noise(height, width, CV_8U), segments;
+            rng.fill(noise, RNG::UNIFORM, 0, 256);
+            EXPECT_NO_THROW(detectSegments(noise, segments, GetParam(), 5)) << noise.size();
+            EXPECT_EQ(4, segments.cols);
+            if (height == 1 || width == 1)
+            {
+                EXPECT_EQ(0, segments.rows);
+            }
+        }
+}
+
+TEST_P(Detectors, images_without_lines)
+{
+    const int types[] = {CV_8UC1, CV_8UC3, CV_16UC1};
+    const double values[] = {0, 128, 65535};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+        {
+            Mat segments;
+            detectSegments(Mat(120, 160, types[i], Scalar::all(values[j])), segments, GetParam());
+            EXPECT_EQ(0, segments.rows);
+        }
+}
+
+// One chain of edge pixels that winds through the whole image.
+TEST_P(Detectors, serpentine)
+{
+    Mat image(400, 400, CV_8U, Scalar(0));
+    for (int y = 20, side = 0; y < 380; y += 12, side = 1 - side)
+    {
+        rectangle(image, Rect(20, y, 360, 6), Scalar(255), FILLED);
+        rectangle(image, Rect(side ? 20 : 374, y, 6, 18), Scalar(255), FILLED);
+    }
+    Mat segments;
+    detectSegments(image, segments, GetParam(), 100);
+    EXPECT_GE(segments.rows, 30);
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, Detectors, testing::Values(
+    DETECTOR_LSD
+#ifdef HAVE_OPENCV_XIMGPROC
+    , DETECTOR_FLD, DETECTOR_EDLINES
+#endif
+));
+
+TEST(RSAckermann_Detect, bad_arguments)
+{
+    const Mat image(100, 100, CV_8U, Scalar(0));
+    Mat segments;
+    EXPECT_THROW(detectSegments(Mat(), segments), cv::Exception);
+    EXPECT_THROW(detectSegments(Mat(100, 100, CV_32F, Scalar(0)), segments), cv::Exception);
+    EXPECT_THROW(detectSegments(Mat(100, 100, CV_8UC2, Scalar(0)), segments), cv::Exception);
+    EXPECT_THROW(detectSegments(Mat(100, 100, CV_8S, Scalar(0)), segments), cv::Exception);
+    EXPECT_THROW(detectSegments(image, segments, 3), cv::Exception);
+    EXPECT_THROW(detectSegments(image, segments, -1), cv::Exception);
+    EXPECT_THROW(detectSegments(image, segments, DETECTOR_LSD, -1), cv::Exception);
+    EXPECT_THROW(detectSegments(image, segments, DETECTOR_LSD, std::numeric_limits<double>::quiet_NaN()), cv::Exception);
+}
+
+#ifndef HAVE_OPENCV_XIMGPROC
+TEST(RSAckermann_Detect, detectors_of_ximgproc_are_missing)
+{
+    Mat segments;
+    EXPECT_THROW(detectSegments(Mat(100, 100, CV_8U, Scalar(0)), segments, DETECTOR_FLD), cv::Exception);
+    EXPECT_THROW(detectSegments(Mat(100, 100, CV_8U, Scalar(0)), segments, DETECTOR_EDLINES), cv::Exception);
+}
+#endif
+
+}} // namespace opencv_test::

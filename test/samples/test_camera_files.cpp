@@ -1,0 +1,140 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+#include "camera_file.hpp"
+#include "options.hpp"
+
+namespace opencv_test { namespace {
+
+const char* const OPENCV_YAML = "%YAML:1.0\n---\nimage_width: 640\nimage_height: 380\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                                "   data: [ 816., 0., 319.5, 0., 815., 189.5, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 5\n"
+                                "   cols: 1\n   dt: d\n   data: [ -0.1, 0.02, 0.001, -0.002, 0.003 ]\n";
+const char* const OPENCV_XML = "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>640</image_width>\n<image_height>380</image_height>\n"
+                               "<camera_matrix type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt>\n"
+                               "<data>816. 0. 319.5 0. 815. 189.5 0. 0. 1.</data></camera_matrix>\n"
+                               "<distortion_coefficients type_id=\"opencv-matrix\"><rows>1</rows><cols>5</cols><dt>d</dt>\n"
+                               "<data>-0.1 0.02 0.001 -0.002 0.003</data></distortion_coefficients>\n</opencv_storage>\n";
+const char* const ROS = "image_width: 640\nimage_height: 380\ncamera_name: front\ncamera_matrix:\n  rows: 3\n  cols: 3\n"
+                        "  data: [816, 0, 319.5, 0, 815, 189.5, 0, 0, 1]\ndistortion_model: plumb_bob\ndistortion_coefficients:\n  rows: 1\n  cols: 5\n"
+                        "  data: [-0.1, 0.02, 0.001, -0.002, 0.003]\n";
+const char* const ROS_MESSAGE = "height: 380\nwidth: 640\ndistortion_model: plumb_bob\nD: [-0.1, 0.02, 0.001, -0.002, 0.003]\n"
+                                "K: [816, 0, 319.5, 0, 815, 189.5, 0, 0, 1]\n";
+const char* const KALIBR = "cam0:\n  camera_model: pinhole\n  intrinsics: [816, 815, 319.5, 189.5]\n  distortion_model: radtan\n"
+                           "  distortion_coeffs: [-0.1, 0.02, 0.001, -0.002]\n  resolution: [640, 380]\n"
+                           "cam1:\n  camera_model: pinhole\n  intrinsics: [1, 1, 1, 1]\n";
+
+rsackermann_samples::CameraSettings read(const std::string& content)
+{
+    const TemporaryFolder folder;
+    writeContent(folder / "camera", content);
+    rsackermann_samples::CameraSettings settings;
+    rsackermann_samples::readCameraFile(folder / "camera", settings);
+    return settings;
+}
+
+class CameraFile : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(CameraFile, intrinsics)
+{
+    const rsackermann_samples::CameraSettings s = read(GetParam());
+    EXPECT_TRUE(s.calibrated);
+    EXPECT_EQ(cv::Size(640, 380), s.size);
+    EXPECT_EQ(cv::Matx33d(816, 0, 319.5, 0, 815, 189.5, 0, 0, 1), s.K);
+    const double lens[] = {-0.1, 0.02, 0.001, -0.002, 0.003};
+    ASSERT_EQ(GetParam() == KALIBR ? 4u : 5u, s.lens.size());
+    for (size_t i = 0; i < s.lens.size(); i++)
+        EXPECT_EQ(lens[i], s.lens[i]);
+    EXPECT_EQ(cv::rsackermann::LENS_PINHOLE, s.lensModel);
+}
+
+INSTANTIATE_TEST_CASE_P(Samples, CameraFile, testing::Values(OPENCV_YAML, OPENCV_XML, ROS, ROS_MESSAGE, KALIBR));
+
+TEST(CameraFiles, shutter_and_mounting)
+{
+    for (const char* content : {OPENCV_YAML, ROS})
+    {
+        const rsackermann_samples::CameraSettings s = read(std::string(content) + "line_delay: 3.5e-5\nscan: bottom_to_top\nreference: 17\nroll: 1.5\npitch: -2\n"
+                                                                      "heading: 90\ncamera_height: 1.25\n");
+        EXPECT_EQ(3.5e-5, s.lineDelay);
+        EXPECT_EQ(cv::rsackermann::SCAN_BOTTOM_TO_TOP, s.scan);
+        const cv::rsackermann::RollingShutterCamera camera = s.makeCamera(s.size);
+        EXPECT_EQ(17, camera.referenceRow);
+        EXPECT_EQ(3.5e-5, camera.lineDelay);
+        EXPECT_DOUBLE_EQ(CV_PI / 2, camera.heading);
+        EXPECT_EQ(1.25, camera.height);
+        EXPECT_EQ(1.5, s.roll);
+        EXPECT_EQ(-2, s.pitch);
+    }
+    const rsackermann_samples::CameraSettings s = read(std::string(ROS) + "readout: 0.019\nreference: last\n");
+    EXPECT_DOUBLE_EQ(0.019 / 380, s.makeCamera(s.size).lineDelay);
+    EXPECT_EQ(379, s.makeCamera(s.size).referenceRow);
+}
+
+TEST(CameraFiles, fisheye)
+{
+    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read("width: 640\nheight: 380\ndistortion_model: equidistant\nd: [0.1, 0, 0, 0]\n"
+                                                  "k: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n").lensModel);
+    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read("cam0:\n  camera_model: pinhole\n  intrinsics: [500, 500, 319.5, 189.5]\n"
+                                                  "  distortion_model: equidistant\n  distortion_coeffs: [0.1, 0, 0, 0]\n").lensModel);
+}
+
+TEST(CameraFiles, broken)
+{
+    const std::string opencv = OPENCV_YAML, ros = ROS;
+    for (const std::string& content : std::vector<std::string>{
+             "", "hello", "a: [1, 2", "image_width: 640\n", "%YAML:1.0\n---\nx: 1\n", opencv.substr(0, opencv.size() / 2), "cam0:\n  camera_model: omni\n  intrinsics: [1, 1, 1, 1]\n",
+             "cam0:\n  camera_model: pinhole\n  intrinsics: [1, 1]\n", "camera_matrix: {data: [1, 2, 3]}\n", "camera_matrix: {data: [a, b, c]}\n",
+             ros + "scan: sideways\n", ros + "line_delay: 1e-5\nreadout: 0.01\n", ros + "line_delay: -1\n", ros + "roll: much\n", opencv + "roll: much\n",
+             ros + "reference: half\n", "width: 640\nheight: 380\ndistortion_model: magic\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n",
+             "width: 640\nheight: 380\nK: [-500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n", "width: 640\nheight: 380\nD: [1]\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n"})
+        EXPECT_THROW(read(content), rsackermann_samples::UsageError) << content;
+}
+
+TEST(CameraFiles, written_and_read)
+{
+    rsackermann_samples::CameraSettings s = read(OPENCV_YAML);
+    s.readOut = 0.0123;
+    s.scan = cv::rsackermann::SCAN_RIGHT_TO_LEFT;
+    s.reference = "first";
+    s.roll = 1;
+    s.pitch = 2;
+    s.heading = 3;
+    s.height = 4;
+    const TemporaryFolder folder;
+    rsackermann_samples::writeCameraFile(folder / "camera.yml", s);
+    rsackermann_samples::CameraSettings r;
+    rsackermann_samples::readCameraFile(folder / "camera.yml", r);
+    EXPECT_EQ(s.K, r.K);
+    EXPECT_EQ(s.lens, r.lens);
+    EXPECT_EQ(s.size, r.size);
+    EXPECT_EQ(s.readOut, r.readOut);
+    EXPECT_EQ(s.scan, r.scan);
+    EXPECT_EQ(s.reference, r.reference);
+    EXPECT_EQ(s.roll, r.roll);
+    EXPECT_EQ(s.pitch, r.pitch);
+    EXPECT_EQ(s.heading, r.heading);
+    EXPECT_EQ(s.height, r.height);
+}
+
+TEST(CameraFiles, options_go_before_the_file)
+{
+    const Outcome file = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--report=-"});
+    const Outcome option = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--report=-", "--readout=0.0266666666666"});
+    const nlohmann::json a = nlohmann::json::parse(file.output), b = nlohmann::json::parse(option.output);
+    EXPECT_NEAR(a["yaw_rate_deg_s"].get<double>() / 2, b["yaw_rate_deg_s"].get<double>(), 3);
+}
+
+TEST(CameraFiles, for_another_size)
+{
+    const TemporaryFolder folder;
+    cv::imwrite(folder / "small.png", cv::Mat::zeros(100, 100, CV_8U));
+    const Outcome outcome = correct({folder / "small.png", "--camera=" + streetFolder() + "/camera.yml", "--report=-"});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("640 x 380")) << outcome.messages;
+}
+
+}} // namespace

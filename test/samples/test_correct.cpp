@@ -1,0 +1,294 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+#include "map_distance.hpp"
+#include "truth_file.hpp"
+
+#include "opencv2/calib3d.hpp"
+#include "opencv2/imgproc.hpp"
+
+namespace opencv_test { namespace {
+
+typedef nlohmann::ordered_json Json;
+
+Arguments streetArguments()
+{
+    return {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--wall=2.5"};
+}
+
+Arguments operator+(Arguments a, const Arguments& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+// The only line of a report.
+Json reportOf(const std::string& path)
+{
+    const std::vector<std::string> lines = linesOf(path);
+    EXPECT_EQ(1u, lines.size());
+    return lines.empty() ? Json() : Json::parse(lines[0]);
+}
+
+bool isSame(const cv::Mat& a, const cv::Mat& b)
+{
+    return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
+}
+
+TEST(Correct, street_with_known_motion)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = correct(streetArguments() + Arguments{"--output=" + (folder / "out.png"), "--overlay=" + (folder / "overlay.png"),
+                                                                  "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_EQ((std::vector<std::string>{"maps.yml", "out.png", "overlay.png", "report.jsonl"}), namesIn(folder.path()));
+
+    const Json report = reportOf(folder / "report.jsonl");
+    EXPECT_EQ("ok", report["status"]);
+    EXPECT_EQ("4la", report["model"]);
+    EXPECT_NEAR(40, report["yaw_rate_deg_s"].get<double>(), 8);
+    EXPECT_NEAR(60, report["speed_km_h"].get<double>(), 20);
+    EXPECT_GT(report["yaw_rate_sigma"].get<double>(), 0);
+    EXPECT_GT(report["speed_sigma"].get<double>(), 0);
+
+    // The maps are those that made the picture, and they undo most of the displacement.
+    cv::Mat map1, map2, again;
+    cv::FileStorage fs(folder / "maps.yml", cv::FileStorage::READ);
+    fs["map1"] >> map1;
+    fs["map2"] >> map2;
+    ASSERT_EQ(CV_32FC1, map1.type());
+    ASSERT_EQ(CV_32FC1, map2.type());
+    cv::remap(streetImage(), again, map1, map2, cv::INTER_LINEAR);
+    EXPECT_TRUE(isSame(again, cv::imread(folder / "out.png")));
+
+    const rsackermann_samples::Truth truth = rsackermann_samples::readTruth(streetFolder() + "/truth.json");
+    cv::Mat exact[2], identity[2], mask;
+    street::StreetRenderer(truth.camera, truth.scene).rectifyMap(exact[0], exact[1], mask);
+    rsackermann_samples::identityMaps(truth.camera.size, identity[0], identity[1]);
+    const double before = rsackermann_samples::meanDistance(identity[0], identity[1], exact[0], exact[1], mask);
+    const double after = rsackermann_samples::meanDistance(map1, map2, exact[0], exact[1], mask);
+    EXPECT_GT(before, 2);
+    EXPECT_LT(after, 0.45);
+    EXPECT_NEAR(before, report["mean_shift_px"].get<double>(), 0.45);
+
+    const cv::Mat overlay = cv::imread(folder / "overlay.png");
+    EXPECT_EQ(truth.camera.size, overlay.size());
+    EXPECT_FALSE(isSame(overlay, streetImage()));
+}
+
+TEST(Correct, report_keys)
+{
+    const char* const keys[] = {"input", "status", "model", "alpha", "beta", "delta", "lambda", "yaw_rate_deg_s", "speed_km_h", "yaw_rate_sigma",
+                                "speed_sigma", "segments", "candidates", "inliers", "rms_px", "mean_shift_px", "ms_detect", "ms_estimate", "ms_map",
+                                "ms_remap"};
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--focal=816", "--report=" + (folder / "report.jsonl")}).exitCode);
+    const Json report = reportOf(folder / "report.jsonl");
+    size_t i = 0;
+    ASSERT_EQ(sizeof keys / sizeof *keys, report.size());
+    for (Json::const_iterator it = report.begin(); it != report.end(); ++it)
+        EXPECT_EQ(keys[i++], it.key());
+    EXPECT_EQ(streetFolder() + "/rolling.png", report["input"]);
+    // Neither the line delay nor the wall's distance is known.
+    EXPECT_TRUE(report["yaw_rate_deg_s"].is_null());
+    EXPECT_TRUE(report["speed_km_h"].is_null());
+    EXPECT_TRUE(report["alpha"].is_number());
+    for (const char* key : {"segments", "candidates", "inliers"})
+        EXPECT_TRUE(report[key].is_number_integer()) << key;
+}
+
+TEST(Correct, report_on_standard_output)
+{
+    const Outcome outcome = correct(streetArguments() + Arguments{"--report=-"});
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_EQ("ok", Json::parse(outcome.output)["status"]);
+}
+
+TEST(Correct, same_result_whatever_the_number_of_threads)
+{
+    std::string first;
+    for (const char* threads : {"--threads=1", "--threads=2", "--threads=7"})
+    {
+        Json report = Json::parse(correct(streetArguments() + Arguments{"--report=-", "--seed=5", threads}).output);
+        for (const char* key : {"ms_detect", "ms_estimate", "ms_map", "ms_remap"})
+            report.erase(key);
+        if (first.empty())
+            first = report.dump();
+        EXPECT_EQ(first, report.dump());
+    }
+}
+
+TEST(Correct, segments_from_a_file)
+{
+    const TemporaryFolder folder;
+    writeContent(folder / "lines.txt", "# x1 y1 x2 y2\n10,20,11,90\n\n 300 100 302 180 # a comment\n");
+    const Json report = Json::parse(correct(streetArguments() + Arguments{"--report=-", "--lines=" + (folder / "lines.txt")}).output);
+    EXPECT_EQ(2, report["segments"]);
+    EXPECT_EQ("too_few_segments", report["status"]);
+}
+
+TEST(Correct, columnwise_shutter_is_not_observable)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = correct({streetFolder() + "/rolling.png", "--scan=left_to_right", "--report=-", "--output=" + (folder / "out.png")});
+    EXPECT_EQ(0, outcome.exitCode);
+    const Json report = Json::parse(outcome.output);
+    EXPECT_EQ("not_observable", report["status"]);
+    EXPECT_EQ("none", report["model"]);
+    EXPECT_TRUE(report["alpha"].is_null());
+    EXPECT_EQ(0, report["mean_shift_px"]);
+    EXPECT_TRUE(isSame(streetImage(), cv::imread(folder / "out.png")));
+}
+
+TEST(Correct, model_none_leaves_the_image_alone)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, correct(streetArguments() + Arguments{"--model=none", "--output=" + (folder / "out.png")}).exitCode);
+    EXPECT_EQ(contentOf(streetFolder() + "/rolling.png"), contentOf(folder / "out.png"));
+}
+
+// Images in which there is nothing to be found: the output is the input.
+class CorrectDoesNoHarm : public testing::TestWithParam<const char*>
+{
+public:
+    static cv::Mat make(const std::string& name)
+    {
+        cv::RNG rng(1);
+        cv::Mat image;
+        if (name == "black")
+            image = cv::Mat::zeros(240, 320, CV_8UC3);
+        else if (name == "one_pixel")
+            image = cv::Mat(1, 1, CV_8UC3, cv::Scalar(10, 200, 30));
+        else if (name == "one_row")
+            image = cv::Mat(1, 300, CV_8UC1, cv::Scalar(50));
+        else if (name == "one_column")
+            image = cv::Mat(300, 1, CV_8UC1, cv::Scalar(50));
+        else if (name == "horizontal_lines")
+        {
+            image = cv::Mat::zeros(240, 320, CV_8UC1);
+            for (int y = 10; y < 240; y += 20)
+                image.rowRange(y, y + 10).setTo(200);
+        }
+        else
+        {
+            image.create(240, 320, name == "noise_16_bit" ? CV_16UC1 : CV_8UC3);
+            rng.fill(image, cv::RNG::UNIFORM, 0, name == "noise_16_bit" ? 65536 : 256);
+        }
+        return image;
+    }
+};
+
+TEST_P(CorrectDoesNoHarm, output_is_input)
+{
+    const TemporaryFolder folder;
+    const cv::Mat image = make(GetParam());
+    cv::imwrite(folder / "in.png", image);
+    const Outcome outcome = correct({folder / "in.png", "--output=" + (folder / "out.png"), "--report=-"});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_NE("ok", Json::parse(outcome.output)["status"]);
+    EXPECT_TRUE(isSame(image, cv::imread(folder / "out.png", cv::IMREAD_UNCHANGED)));
+}
+
+INSTANTIATE_TEST_CASE_P(Correct, CorrectDoesNoHarm,
+                        testing::Values("black", "one_pixel", "one_row", "one_column", "horizontal_lines", "noise", "noise_16_bit"));
+
+TEST(Correct, jpeg_without_motion_is_not_coded_again)
+{
+    const TemporaryFolder folder;
+    cv::imwrite(folder / "in.jpg", CorrectDoesNoHarm::make("noise"));
+    ASSERT_EQ(0, correct({folder / "in.jpg", "--output=" + (folder / "out.jpg")}).exitCode);
+    EXPECT_EQ(contentOf(folder / "in.jpg"), contentOf(folder / "out.jpg"));
+}
+
+TEST(Correct, without_motion_the_lens_is_corrected)
+{
+    const TemporaryFolder folder;
+    const cv::Mat image = CorrectDoesNoHarm::make("noise");
+    cv::imwrite(folder / "in.png", image);
+    const cv::Matx33d K(300, 0, 160, 0, 310, 118, 0, 0, 1);
+    const cv::Mat lens = (cv::Mat_<double>(1, 5) << -0.28, 0.07, 1e-3, -5e-4, 0.01);
+    cv::FileStorage fs(folder / "camera.yml", cv::FileStorage::WRITE);
+    fs << "image_width" << 320 << "image_height" << 240 << "camera_matrix" << cv::Mat(K) << "distortion_coefficients" << lens;
+    fs.release();
+    const Outcome outcome = correct({folder / "in.png", "--camera=" + (folder / "camera.yml"), "--output=" + (folder / "out.png"), "--report=-",
+                                     "--maps=" + (folder / "maps.yml")});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    ASSERT_NE("ok", Json::parse(outcome.output)["status"]);
+    EXPECT_EQ(0, Json::parse(outcome.output)["mean_shift_px"]);
+    cv::Mat expected1, expected2, map1, map2;
+    cv::initUndistortRectifyMap(K, lens, cv::noArray(), K, image.size(), CV_32FC1, expected1, expected2);
+    fs.open(folder / "maps.yml", cv::FileStorage::READ);
+    fs["map1"] >> map1;
+    fs["map2"] >> map2;
+    EXPECT_LT(cv::norm(map1, expected1, cv::NORM_INF), 1e-3);
+    EXPECT_LT(cv::norm(map2, expected2, cv::NORM_INF), 1e-3);
+}
+
+// The type of an image is kept, and what is seen in it is the same.
+class CorrectKeeps : public testing::TestWithParam<int>
+{
+public:
+    static cv::Mat convert(const cv::Mat& image, int type)
+    {
+        cv::Mat result = image.clone();
+        if (CV_MAT_CN(type) == 1)
+            cv::cvtColor(result, result, cv::COLOR_BGR2GRAY);
+        else if (CV_MAT_CN(type) == 4)
+            cv::cvtColor(result, result, cv::COLOR_BGR2BGRA);
+        if (CV_MAT_DEPTH(type) == CV_16U)
+            result.convertTo(result, CV_16U, 257);
+        return result;
+    }
+};
+
+TEST_P(CorrectKeeps, type)
+{
+    const TemporaryFolder folder;
+    const cv::Mat image = convert(streetImage(), GetParam());
+    cv::imwrite(folder / "in.png", image);
+    Arguments arguments = streetArguments() + Arguments{"--output=" + (folder / "out.png"), "--overlay=" + (folder / "overlay.png"), "--report=-",
+                                                        "--maps=" + (folder / "maps.yml")};
+    arguments[0] = folder / "in.png";
+    const Outcome outcome = correct(arguments);
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_EQ("ok", Json::parse(outcome.output)["status"]);
+    cv::Mat map1, map2, expected;
+    cv::FileStorage fs(folder / "maps.yml", cv::FileStorage::READ);
+    fs["map1"] >> map1;
+    fs["map2"] >> map2;
+    cv::remap(image, expected, map1, map2, cv::INTER_LINEAR);
+    EXPECT_TRUE(isSame(expected, cv::imread(folder / "out.png", cv::IMREAD_UNCHANGED)));
+    EXPECT_EQ(CV_8UC3, cv::imread(folder / "overlay.png", cv::IMREAD_UNCHANGED).type());
+}
+
+INSTANTIATE_TEST_CASE_P(Correct, CorrectKeeps, testing::Values(CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1, CV_16UC3, CV_16UC4));
+
+TEST(Correct, format_that_cannot_hold_the_type)
+{
+    const TemporaryFolder folder;
+    cv::imwrite(folder / "in.png", CorrectKeeps::convert(streetImage(), CV_16UC3));
+    for (const char* name : {"out.jpg", "out.bmp", "out.xyz", "out"})
+        EXPECT_EQ(1, correct({folder / "in.png", "--output=" + (folder / name)}).exitCode) << name;
+    EXPECT_EQ(std::vector<std::string>{"in.png"}, namesIn(folder.path()));
+}
+
+TEST(Evaluate, compares_with_the_truth)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, correct(streetArguments() + Arguments{"--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")}).exitCode);
+    const Outcome outcome = evaluate({"--truth=" + streetFolder() + "/truth.json", "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    double before = 0, after = 0;
+    const size_t at = outcome.output.find("mean displacement, px");
+    ASSERT_NE(std::string::npos, at);
+    ASSERT_EQ(2, std::sscanf(outcome.output.c_str() + at, "mean displacement, px %lf %lf", &before, &after));
+    EXPECT_GT(before, 2);
+    EXPECT_LT(after, 0.45);
+    EXPECT_EQ(2, evaluate({"--truth=x"}).exitCode);
+    EXPECT_EQ(1, evaluate({"--truth=/no/such", "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")}).exitCode);
+    EXPECT_EQ(1, evaluate({"--truth=" + streetFolder() + "/truth.json", "--report=" + (folder / "maps.yml"), "--maps=" + (folder / "maps.yml")}).exitCode);
+}
+
+}} // namespace

@@ -1,0 +1,210 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+
+#include "opencv2/imgproc.hpp"
+#include <set>
+
+namespace opencv_test { namespace {
+
+// Good images under some names.
+void putImages(const TemporaryFolder& folder, const std::vector<std::string>& names)
+{
+    for (const std::string& name : names)
+        cv::imwrite(folder / name, streetImage());
+}
+
+std::vector<std::string> inputsOf(const std::string& report)
+{
+    std::vector<std::string> inputs;
+    for (const std::string& line : linesOf(report))
+    {
+        const std::string input = nlohmann::json::parse(line)["input"];
+        inputs.push_back(input.substr(input.find_last_of('/') + 1));
+    }
+    return inputs;
+}
+
+typedef std::vector<std::string> Names;
+
+// Files that can't be read: exit code 1, the message names the file, nothing is written.
+TEST(CorrectInputs, files_that_cannot_be_read)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"good.png", "good.jpg", "good.bmp", "good.ppm", "good.tiff"});
+    cutShort(in / "good.png", in / "half.png", 0.5);
+    cutShort(in / "good.png", in / "without_end.png", 0.9999);
+    cutShort(in / "good.jpg", in / "half.jpg", 0.5);
+    cutShort(in / "good.jpg", in / "without_end.jpg", 0.9999);
+    cutShort(in / "good.bmp", in / "half.bmp", 0.5);
+    cutShort(in / "good.ppm", in / "half.ppm", 0.5);
+    cutShort(in / "good.tiff", in / "half.tiff", 0.5);
+    writeContent(in / "text.png", "This is no image.\n");
+    writeContent(in / "empty.png", "");
+    for (const char* name : {"half.png", "without_end.png", "half.jpg", "without_end.jpg", "half.bmp", "half.ppm", "half.tiff", "text.png",
+                             "empty.png", "missing.png"})
+    {
+        const Outcome outcome = correct({in / name, "--output=" + (out / "out.png")});
+        EXPECT_EQ(1, outcome.exitCode) << name;
+        EXPECT_NE(std::string::npos, outcome.messages.find(name)) << outcome.messages;
+        EXPECT_TRUE(namesIn(out.path()).empty()) << name;
+    }
+    for (const char* name : {"good.png", "good.jpg", "good.bmp", "good.ppm", "good.tiff"})
+        EXPECT_EQ(0, correct({in / name, "--output=" + (out / "out.png"), "--overwrite"}).exitCode) << name;
+}
+
+TEST(CorrectInputs, jpeg_with_a_thumbnail_that_is_complete)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"good.jpg"});
+    cv::Mat small;
+    cv::resize(streetImage(), small, cv::Size(80, 48));
+    std::vector<uchar> thumbnail;
+    cv::imencode(".jpg", small, thumbnail);
+    // An application segment, as Exif is one, that holds a whole JPEG image.
+    std::string segment = {'\xFF', '\xE5', char((thumbnail.size() + 2) >> 8), char((thumbnail.size() + 2) & 255)};
+    segment.append(thumbnail.begin(), thumbnail.end());
+    std::string content = contentOf(in / "good.jpg");
+    content.insert(2, segment);
+    writeContent(in / "whole.jpg", content);
+    writeContent(in / "half.jpg", content.substr(0, content.size() / 2));
+    EXPECT_EQ(0, correct({in / "whole.jpg", "--output=" + (out / "whole.png")}).exitCode);
+    EXPECT_EQ(1, correct({in / "half.jpg", "--output=" + (out / "half.png")}).exitCode);
+}
+
+TEST(CorrectInputs, one_broken_image_among_good_ones)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png", "b.png", "d.PNG", "e.jpg"});
+    cutShort(in / "a.png", in / "c.png", 0.7);
+    writeContent(in / "notes.txt", "no image\n");
+    cv::utils::fs::createDirectories(in / "folder.png");
+    const Outcome outcome = correct({in.path(), "--output=" + (out / "results"), "--overlay=" + (out / "overlays"), "--report=" + (out / "report.jsonl")});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("c.png"));
+    const Names good = {"a.png", "b.png", "d.PNG", "e.jpg"};
+    EXPECT_EQ(good, namesIn(out / "results"));
+    EXPECT_EQ(good, namesIn(out / "overlays"));
+    EXPECT_EQ(good, inputsOf(out / "report.jsonl"));
+    EXPECT_EQ((Names{"overlays", "report.jsonl", "results"}), namesIn(out.path()));
+}
+
+TEST(CorrectInputs, empty_folder_and_missing_folder)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png"});
+    cv::utils::fs::createDirectories(in / "empty");
+    const Outcome outcome = correct({in / "empty", in / "missing", in / "a.png", "--output=" + out.path()});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("empty"));
+    EXPECT_NE(std::string::npos, outcome.messages.find("missing"));
+    EXPECT_EQ(Names{"a.png"}, namesIn(out.path()));
+}
+
+TEST(CorrectInputs, images_of_several_sizes)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png", "c.png"});
+    cv::imwrite(in / "b.png", cv::Mat(1, 1, CV_8U, cv::Scalar(7)));
+    EXPECT_EQ(0, correct({in.path(), "--output=" + out.path()}).exitCode);
+    EXPECT_EQ(cv::Size(1, 1), cv::imread(out / "b.png").size());
+    EXPECT_EQ(contentOf(out / "a.png"), contentOf(out / "c.png"));
+}
+
+TEST(CorrectInputs, existing_results)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png", "b.png"});
+    writeContent(out / "a.png", "precious");
+    const Outcome refused = correct({in.path(), "--output=" + out.path()});
+    EXPECT_EQ(1, refused.exitCode);
+    EXPECT_NE(std::string::npos, refused.messages.find("a.png"));
+    EXPECT_EQ("precious", contentOf(out / "a.png"));
+    EXPECT_TRUE(cv::utils::fs::exists(out / "b.png"));
+
+    const Outcome skipped = correct({in.path(), "--output=" + out.path(), "--skip_existing"});
+    EXPECT_EQ(0, skipped.exitCode);
+    EXPECT_EQ("precious", contentOf(out / "a.png"));
+
+    EXPECT_EQ(0, correct({in.path(), "--output=" + out.path(), "--overwrite"}).exitCode);
+    EXPECT_EQ(contentOf(out / "b.png"), contentOf(out / "a.png"));
+}
+
+TEST(CorrectInputs, existing_report)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png", "b.png"});
+    const std::string report = "--report=" + (out / "report.jsonl"), results = "--output=" + (out / "results");
+    EXPECT_EQ(0, correct({in / "a.png", results + "/", report}).exitCode);
+    EXPECT_EQ(1, correct({in / "b.png", report}).exitCode);
+    EXPECT_EQ(Names{"a.png"}, inputsOf(out / "report.jsonl"));
+    // A run that was stopped is continued.
+    EXPECT_EQ(0, correct({in.path(), results, report, "--skip_existing"}).exitCode);
+    EXPECT_EQ((Names{"a.png", "b.png"}), inputsOf(out / "report.jsonl"));
+    EXPECT_EQ(0, correct({in / "b.png", report, "--overwrite"}).exitCode);
+    EXPECT_EQ(Names{"b.png"}, inputsOf(out / "report.jsonl"));
+}
+
+TEST(CorrectInputs, inputs_are_never_replaced)
+{
+    const TemporaryFolder in;
+    putImages(in, {"a.png"});
+    const std::string before = contentOf(in / "a.png");
+    EXPECT_EQ(1, correct({in / "a.png", "--output=" + in.path(), "--overwrite"}).exitCode);
+    EXPECT_EQ(1, correct({in / "a.png", "--output=" + (in / "a.png"), "--overwrite"}).exitCode);
+    EXPECT_EQ(1, correct({in / "a.png", "--overlay=" + (in / "./a.png"), "--overwrite"}).exitCode);
+    EXPECT_EQ(before, contentOf(in / "a.png"));
+    EXPECT_EQ(Names{"a.png"}, namesIn(in.path()));
+}
+
+TEST(CorrectInputs, results_that_cannot_be_written)
+{
+    const TemporaryFolder in;
+    putImages(in, {"a.png"});
+    writeContent(in / "file", "");
+    EXPECT_EQ(1, correct({in / "a.png", "--output=" + (in / "file/out.png")}).exitCode);
+    EXPECT_EQ(1, correct({in / "a.png", "--output=" + (in / "out.png"), "--overlay=" + (in / "out.png")}).exitCode);
+    EXPECT_EQ((Names{"a.png", "file"}), namesIn(in.path()));
+}
+
+TEST(CorrectInputs, shards_are_all_inputs_once)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png", "b.png", "c.png", "d.png", "e.png"});
+    std::multiset<std::string> done;
+    for (const char* shard : {"1/3", "2/3", "3/3"})
+    {
+        EXPECT_EQ(0, correct({in.path(), "--report=" + (out / "report.jsonl"), "--overwrite", std::string("--shard=") + shard}).exitCode);
+        for (const std::string& input : inputsOf(out / "report.jsonl"))
+            done.insert(input);
+    }
+    EXPECT_EQ((std::multiset<std::string>{"a.png", "b.png", "c.png", "d.png", "e.png"}), done);
+}
+
+TEST(CorrectInputs, lists_and_patterns)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"frame_9.png", "frame_10.png", "frame_x.png", "shot_0007.png", "shot_12.png"});
+    const std::string report = out / "report.jsonl";
+    EXPECT_EQ(0, correct({in / "frame_%d.png", "--report=" + report, "--overwrite"}).exitCode);
+    EXPECT_EQ((Names{"frame_9.png", "frame_10.png"}), inputsOf(report));
+    EXPECT_EQ(0, correct({in / "shot_%04d.png", "--report=" + report, "--overwrite"}).exitCode);
+    EXPECT_EQ(Names{"shot_0007.png"}, inputsOf(report));
+    EXPECT_EQ(1, correct({in / "none_%d.png", "--report=" + report, "--overwrite"}).exitCode);
+
+    writeContent(in / "list.txt", (in / "shot_12.png") + "\r\n\n" + (in / "frame_x.png") + "\n");
+    EXPECT_EQ(0, correct({"@" + (in / "list.txt"), "--report=" + report, "--overwrite"}).exitCode);
+    EXPECT_EQ((Names{"shot_12.png", "frame_x.png"}), inputsOf(report));
+    EXPECT_EQ(1, correct({"@" + (in / "missing.txt"), "--report=" + report, "--overwrite"}).exitCode);
+}
+
+TEST(CorrectInputs, videos_are_refused)
+{
+    const TemporaryFolder in;
+    writeContent(in / "drive.mp4", "");
+    EXPECT_EQ(2, correct({in / "drive.mp4", "--report=-"}).exitCode);
+}
+
+}} // namespace

@@ -1,0 +1,96 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+
+namespace opencv_test { namespace {
+
+TEST(CorrectUsage, help_names_every_option)
+{
+    const Outcome outcome = correct({"--help"});
+    EXPECT_EQ(0, outcome.exitCode);
+    for (const char* name : {"camera", "focal", "line_delay", "readout", "scan", "reference", "roll", "pitch", "heading", "height", "gravity_sigma", "wall",
+                             "model", "detector", "lines", "seed", "threads", "output", "overlay", "report", "maps", "shard", "skip_existing",
+                             "overwrite"})
+        EXPECT_NE(std::string::npos, outcome.output.find(std::string("--") + name)) << name;
+}
+
+// Every command line here is refused: exit code 2, the message names what is wrong, nothing is written.
+class CorrectRefuses : public testing::TestWithParam<std::pair<const char*, const char*> >
+{
+};
+
+TEST_P(CorrectRefuses, command_line)
+{
+    const TemporaryFolder folder;
+    const std::string option = GetParam().first, named = GetParam().second;
+    const Outcome outcome = correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"), "--report=" + (folder / "report.jsonl"), option});
+    EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.messages.find(named)) << outcome.messages;
+    EXPECT_TRUE(namesIn(folder.path()).empty());
+}
+
+const std::pair<const char*, const char*> refused[] = {
+    {"--outptu=x.png", "--outptu"}, {"--gravity=0", "--gravity"}, {"-v", "-v"}, {"-focal=500", "-focal"}, {"--", "--"},
+    {"--focal=abc", "abc"}, {"--focal=500px", "500px"}, {"--focal=", "--focal"}, {"--focal", "--focal"}, {"--focal=nan", "nan"},
+    {"--focal=inf", "inf"}, {"--focal=0", "--focal"}, {"--focal=-816", "--focal"}, {"--focal=1e999", "1e999"},
+    {"--line_delay=0", "--line_delay"}, {"--readout=x", "--readout"}, {"--scan=sideways", "sideways"}, {"--reference=half", "half"},
+    {"--roll=1,5", "--roll"}, {"--pitch=90", "--pitch"}, {"--heading=200", "--heading"}, {"--height=0", "--height"}, {"--wall=-1", "--wall"},
+    {"--gravity_sigma=-1", "--gravity_sigma"},
+    {"--model=5la", "5la"}, {"--detector=canny", "canny"}, {"--seed=1.5", "--seed"}, {"--seed=-1", "--seed"}, {"--threads=0", "--threads"},
+    {"--shard=3", "--shard"}, {"--shard=5/4", "--shard"}, {"--shard=1/0", "--shard"}, {"--skip_existing=perhaps", "--skip_existing"},
+    {"--camera=/no/such/file.yml", "/no/such/file.yml"}, {"--lines=/no/such/file.txt", "/no/such/file.txt"},
+    {"--output=again.png", "--output"}};
+
+INSTANTIATE_TEST_CASE_P(Usage, CorrectRefuses, testing::ValuesIn(refused));
+
+TEST(CorrectUsage, options_that_exclude_each_other)
+{
+    const std::string image = streetFolder() + "/rolling.png", camera = "--camera=" + streetFolder() + "/camera.yml";
+    EXPECT_EQ(2, correct({image, "--report=-", "--line_delay=1e-5", "--readout=0.01"}).exitCode);
+    EXPECT_EQ(2, correct({image, "--report=-", "--focal=800", camera}).exitCode);
+    EXPECT_EQ(2, correct({image, "--output=/tmp/never-written.png", "--skip_existing", "--overwrite"}).exitCode);
+    EXPECT_EQ(2, correct({image, "--report=-", "--skip_existing"}).exitCode);
+}
+
+TEST(CorrectUsage, something_to_read_and_something_to_write)
+{
+    EXPECT_EQ(2, correct({}).exitCode);
+    EXPECT_EQ(2, correct({"--report=-"}).exitCode);
+    EXPECT_EQ(2, correct({streetFolder() + "/rolling.png"}).exitCode);
+}
+
+TEST(CorrectUsage, maps_and_lines_are_for_one_input)
+{
+    const TemporaryFolder folder;
+    const std::string a = streetFolder() + "/rolling.png", b = streetFolder() + "/global.png";
+    EXPECT_EQ(2, correct({a, b, "--maps=" + (folder / "maps.yml")}).exitCode);
+    writeContent(folder / "lines.txt", "1 2 3 4\n");
+    EXPECT_EQ(2, correct({a, b, "--report=-", "--lines=" + (folder / "lines.txt")}).exitCode);
+}
+
+TEST(CorrectUsage, broken_lines_file)
+{
+    const TemporaryFolder folder;
+    for (const char* content : {"1 2 3\n", "1 2 3 4 5\n", "1 2 3 x\n"})
+    {
+        writeContent(folder / "lines.txt", content);
+        const Outcome outcome = correct({streetFolder() + "/rolling.png", "--report=-", "--lines=" + (folder / "lines.txt")});
+        EXPECT_EQ(2, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find("line 1 of")) << outcome.messages;
+    }
+}
+
+TEST(CorrectUsage, results_of_the_same_name)
+{
+    const TemporaryFolder folder;
+    cv::utils::fs::createDirectories(folder / "a");
+    cv::utils::fs::createDirectories(folder / "b");
+    cv::imwrite(folder / "a/x.png", streetImage());
+    cv::imwrite(folder / "b/x.png", streetImage());
+    EXPECT_EQ(2, correct({folder / "a/x.png", folder / "b/x.png", "--output=" + (folder / "out")}).exitCode);
+    EXPECT_FALSE(cv::utils::fs::exists(folder / "out"));
+}
+
+}} // namespace

@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+#include "truth_file.hpp"
+
+#include "opencv2/imgproc.hpp"
+
+namespace opencv_test { namespace {
+
+TEST(Simulate, writes_images_truth_and_camera)
+{
+    EXPECT_EQ((std::vector<std::string>{"camera.yml", "global.png", "rolling.png", "truth.json"}), namesIn(streetFolder()));
+    const rsackermann_samples::Truth truth = rsackermann_samples::readTruth(streetFolder() + "/truth.json");
+    EXPECT_NEAR(60 / 3.6, truth.scene.speed, 1e-12);
+    EXPECT_NEAR(40 * CV_PI / 180, truth.scene.yawRate, 1e-12);
+    EXPECT_EQ(cv::Size(640, 380), truth.camera.size);
+    EXPECT_NEAR(0.4 / 30 / 380, truth.camera.lineDelay, 1e-15);
+}
+
+TEST(Simulate, refuses_what_it_does_not_know)
+{
+    const TemporaryFolder folder;
+    const std::string output = "--output=" + (folder / "out");
+    for (const char* option : {"--sped=3", "--speed=fast", "--size=640", "--size=0x3", "--left=0", "--lens=1,2", "--lens=1,2,x,4", "--clutter=2",
+                               "--samples=0", "--scan=x", "--line_delay=1e-5,", "street.png"})
+        EXPECT_EQ(2, simulate({output, option}).exitCode) << option;
+    EXPECT_EQ(2, simulate({}).exitCode);
+    EXPECT_EQ(2, simulate({output, "--image=" + streetFolder() + "/global.png", "--clutter=1"}).exitCode);
+    EXPECT_EQ(1, simulate({output, "--image=/no/such.png"}).exitCode);
+    EXPECT_TRUE(namesIn(folder.path()).empty());
+    EXPECT_EQ(0, simulate({"--help"}).exitCode);
+}
+
+TEST(Simulate, does_not_replace_existing_files)
+{
+    const TemporaryFolder folder;
+    writeContent(folder / "truth.json", "precious");
+    const Arguments arguments = {"--output=" + folder.path(), "--size=64x38", "--focal=82"};
+    EXPECT_EQ(1, simulate(arguments).exitCode);
+    EXPECT_EQ("precious", contentOf(folder / "truth.json"));
+    EXPECT_EQ(1u, namesIn(folder.path()).size());
+}
+
+TEST(Simulate, same_seed_same_picture)
+{
+    const TemporaryFolder folder;
+    Arguments arguments = {"--output=" + (folder / "a"), "--size=128x76", "--focal=160", "--seed=8"};
+    ASSERT_EQ(0, simulate(arguments).exitCode);
+    arguments[0] = "--output=" + (folder / "b");
+    ASSERT_EQ(0, simulate(arguments).exitCode);
+    EXPECT_EQ(contentOf(folder / "a/rolling.png"), contentOf(folder / "b/rolling.png"));
+    arguments[0] = "--output=" + (folder / "c");
+    arguments[3] = "--seed=9";
+    ASSERT_EQ(0, simulate(arguments).exitCode);
+    EXPECT_NE(contentOf(folder / "a/rolling.png"), contentOf(folder / "c/rolling.png"));
+}
+
+TEST(Simulate, at_rest_both_shutters_see_the_same)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, simulate({"--output=" + folder.path(), "--speed=0", "--yaw_rate=0", "--noise=0", "--size=128x76", "--focal=160"}).exitCode);
+    EXPECT_EQ(0, cv::norm(cv::imread(folder / "rolling.png"), cv::imread(folder / "global.png"), cv::NORM_INF));
+}
+
+TEST(Simulate, distorts_a_given_image)
+{
+    const TemporaryFolder folder;
+    const Arguments motion = {"--speed=60", "--yaw_rate=40", "--focal=816", "--height=1.2"};
+    Arguments arguments = motion;
+    arguments.push_back("--output=" + (folder / "again"));
+    arguments.push_back("--image=" + streetFolder() + "/global.png");
+    const Outcome outcome = simulate(arguments);
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const cv::Mat global = cv::imread(streetFolder() + "/global.png"), rendered = streetImage(), distorted = cv::imread(folder / "again/rolling.png");
+    EXPECT_EQ(contentOf(streetFolder() + "/truth.json"), contentOf(folder / "again/truth.json"));
+    // Away from the border both ways of simulation show the same.
+    const cv::Rect inner(20, 20, global.cols - 40, global.rows - 40);
+    const double raw = cv::norm(rendered(inner), global(inner), cv::NORM_L1), left = cv::norm(rendered(inner), distorted(inner), cv::NORM_L1);
+    EXPECT_LT(left, 0.4 * raw);
+}
+
+}} // namespace
