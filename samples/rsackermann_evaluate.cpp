@@ -87,8 +87,10 @@ int run(int argc, const char* const* argv)
     std::printf("%-26s %10s %10s\n", "", "true", "estimated");
     printRow("yaw rate, deg/s", truth.scene.yawRate * 180 / CV_PI, report.value("yaw_rate_deg_s", nlohmann::json()));
     printRow("speed, km/h", truth.scene.speed * 3.6, report.value("speed_km_h", nlohmann::json()));
-    printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx,
-             report.value("delta", nlohmann::json()).is_number() ? nlohmann::json(report["delta"].get<double>() * truth.camera.fx) : nlohmann::json());
+    nlohmann::json lineAtInfinity = report.value("delta", nlohmann::json());
+    if (lineAtInfinity.is_number())
+        lineAtInfinity = lineAtInfinity.get<double>() * truth.camera.fx;
+    printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, lineAtInfinity);
     printRow("wall distances, left/right", truth.scene.left / truth.scene.right, report.value("lambda", nlohmann::json()));
     std::printf("\n%-26s %10s %10s\n", "", "before", "after");
     std::printf("%-26s %10.3f %10.3f\n", "mean displacement, px", meanDistance(identity[0], identity[1], exact[0], exact[1], mask),

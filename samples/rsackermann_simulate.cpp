@@ -79,7 +79,7 @@ CameraSettings readSettings(const Options& options, const cv::Size& size, double
     else
         s.readOut = options.given("readout") ? options.number("readout", 0, 100, false) : 0.4 / 30;
     s.reference = options.text("reference");
-    s.roll = options.number("roll", -180, 180);
+    s.roll = options.number("roll", -89, 89);
     s.pitch = options.number("pitch", -89, 89);
     s.heading = options.number("heading", -180, 180);
     s.height = options.number("height", 0, 1000, false);
@@ -113,7 +113,7 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
 cv::Mat distort(const cv::Mat& image, const Truth& truth)
 {
     using namespace cv::rsackermann;
-    AckermannMotion motion = libraryMotion(truth.camera, truth.scene);
+    const AckermannMotion motion = libraryMotion(truth.camera, truth.scene);
     cv::Mat map1, map2, distorted;
     WarpMapGenerator::create(libraryCamera(truth.camera))->initDistortMap(motion, map1, map2);
     cv::remap(image, distorted, map1, map2, cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
@@ -157,7 +157,8 @@ int run(int argc, const char* const* argv)
     const int samples = options.integer("samples", 1, 16);
 
     const std::string folder = options.text("output") + "/";
-    const std::string rolling = folder + "rolling.png", global = folder + "global.png", truthFile = folder + "truth.json", camera = folder + "camera.yml";
+    const std::string rolling = folder + "rolling.png", global = folder + "global.png";
+    const std::string truthFile = folder + "truth.json", camera = folder + "camera.yml";
     for (const std::string& path : {rolling, global, truthFile, camera})
         if (!options.flag("overwrite") && cv::utils::fs::exists(path))
             throw InputError(path + " exists (--overwrite replaces it)");

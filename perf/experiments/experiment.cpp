@@ -13,6 +13,7 @@
 namespace experiments {
 
 using namespace cv::rsackermann;
+using namespace rsackermann_samples;
 
 namespace {
 
@@ -31,7 +32,7 @@ RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowled
     told.pitch += rng.gaussian(knowledge.gravityNoise);
     told.fx *= 1 + knowledge.focalError;
     told.fy *= 1 + knowledge.focalError;
-    return rsackermann_samples::libraryCamera(told);
+    return libraryCamera(told);
 }
 
 // The motion as the estimator is told of it.
@@ -59,7 +60,8 @@ cv::Mat makeImage(const Case& c)
     if (isAtRest(c.scene))
         return c.photo;
     cv::Mat columns, rows, image;
-    WarpMapGenerator::create(rsackermann_samples::libraryCamera(c.camera))->initDistortMap(rsackermann_samples::libraryMotion(c.camera, c.scene), columns, rows);
+    const AckermannMotion motion = libraryMotion(c.camera, c.scene);
+    WarpMapGenerator::create(libraryCamera(c.camera))->initDistortMap(motion, columns, rows);
     // A black border would show false edges: what the photograph doesn't show is mirrored.
     cv::remap(c.photo, image, columns, rows, cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
     return image;
@@ -73,7 +75,7 @@ Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::P
     const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimateFromImage(image, cv::noArray(), cv::noArray(), prior);
 
     cv::Mat identity[2], truth[2], estimated[2], mask;
-    rsackermann_samples::identityMaps(c.camera.size, identity[0], identity[1]);
+    identityMaps(c.camera.size, identity[0], identity[1]);
     street::StreetRenderer(c.camera, c.scene).rectifyMap(truth[0], truth[1], mask);
     WarpMapGenerator::create(camera)->initRectifyMap(motion, estimated[0], estimated[1]);
 
@@ -82,8 +84,8 @@ Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::P
     result.model = motion.model;
     result.candidates = motion.candidates;
     result.inliers = motion.inliers;
-    result.raw = rsackermann_samples::meanDistance(identity[0], identity[1], truth[0], truth[1], mask);
-    result.left = rsackermann_samples::meanDistance(estimated[0], estimated[1], truth[0], truth[1], mask);
+    result.raw = meanDistance(identity[0], identity[1], truth[0], truth[1], mask);
+    result.left = meanDistance(estimated[0], estimated[1], truth[0], truth[1], mask);
 
     double yawRate = 0, speed = 0;
     const bool ok = motion.status == MOTION_OK;

@@ -13,6 +13,7 @@
 
 using namespace cv::rsackermann;
 using namespace experiments;
+using namespace rsackermann_samples;
 
 namespace {
 
@@ -48,12 +49,13 @@ const char* const KEYS =
 const double DEGREE = CV_PI / 180, KMH = 1 / 3.6;
 const double READ_OUT = 0.4 / 30; // seconds: 40 % of the time between two frames at 30 frames/s
 
-std::vector<double> numbersOr(const rsackermann_samples::Options& options, const std::string& name, const std::vector<double>& otherwise)
+std::vector<double> numbersOr(const Options& options, const std::string& name, const std::vector<double>& otherwise)
 {
     return options.given(name) ? options.numbers(name) : otherwise;
 }
 
-std::vector<street::StreetScene> makeMotions(const rsackermann_samples::Options& options, const std::vector<double>& speeds, const std::vector<double>& yawRates)
+std::vector<street::StreetScene> makeMotions(const Options& options, const std::vector<double>& speeds,
+                                             const std::vector<double>& yawRates)
 {
     std::vector<street::StreetScene> motions;
     if (options.flag("rest"))
@@ -70,7 +72,7 @@ std::vector<street::StreetScene> makeMotions(const rsackermann_samples::Options&
 }
 
 // The paper's camera and street.
-std::vector<Case> renderedCases(const rsackermann_samples::Options& options)
+std::vector<Case> renderedCases(const Options& options)
 {
     street::StreetCamera camera(cv::Size(640, 380), 816, READ_OUT / 380, 1.2);
     camera.roll = options.number("roll") * DEGREE;
@@ -105,24 +107,25 @@ std::vector<std::string> readFields(std::istream& file)
 }
 
 // Walls at 2.5 m and 3 m, camera at 1.6 m, the car follows the street.
-std::vector<Case> photoCases(const rsackermann_samples::Options& options)
+std::vector<Case> photoCases(const Options& options)
 {
     const std::string folder = options.text("photos") + "/";
     std::ifstream list((folder + "frames.csv").c_str());
     static const std::vector<std::string> columns = {"name", "focal_px", "roll_deg", "pitch_deg", "line_at_infinity_px"};
     if (readFields(list) != columns)
-        throw rsackermann_samples::InputError(folder + "frames.csv can't be read or has other columns than name,focal_px,roll_deg,pitch_deg,line_at_infinity_px");
+        throw InputError(folder + "frames.csv can't be read or has other columns than name,focal_px,roll_deg,pitch_deg,"
+                                  "line_at_infinity_px");
     std::vector<Case> cases;
     for (std::vector<std::string> fields = readFields(list); !fields.empty(); fields = readFields(list))
     {
         if (fields.size() != columns.size())
-            throw rsackermann_samples::InputError(folder + "frames.csv: a line hasn't five columns");
+            throw InputError(folder + "frames.csv: a line hasn't five columns");
         const cv::Mat photo = cv::imread(folder + fields[0]);
         if (photo.empty())
-            throw rsackermann_samples::InputError(folder + fields[0] + " can't be read");
+            throw InputError(folder + fields[0] + " can't be read");
         double values[4];
         for (int i = 0; i < 4; i++)
-            values[i] = rsackermann_samples::parseNumber(fields[i + 1], "frames.csv");
+            values[i] = parseNumber(fields[i + 1], "frames.csv");
         street::StreetCamera camera(photo.size(), values[0], READ_OUT / photo.rows, 1.6);
         camera.roll = values[1] * DEGREE;
         camera.pitch = values[2] * DEGREE;
@@ -189,14 +192,14 @@ void printSummary(const std::vector<Result>& results)
 
 int run(int argc, const char* const* argv)
 {
-    rsackermann_samples::Options options(argc, argv, KEYS);
+    Options options(argc, argv, KEYS);
     if (options.given("help"))
     {
         options.printHelp(ABOUT);
         return 0;
     }
     if (!options.arguments().empty())
-        throw rsackermann_samples::UsageError("unknown argument " + options.arguments()[0]);
+        throw UsageError("unknown argument " + options.arguments()[0]);
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const std::vector<Case> cases = options.given("photos") ? photoCases(options) : renderedCases(options);
@@ -244,5 +247,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return rsackermann_samples::runProgram(run, argc, argv);
+    return runProgram(run, argc, argv);
 }

@@ -35,7 +35,8 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     if (size.area() > 0 && size != imageSize)
         throw InputError(cv::format("the image has %d x %d pixels, but the camera file is for %d x %d", imageSize.width, imageSize.height,
                                     size.width, size.height));
-    RollingShutterCamera camera = calibrated ? RollingShutterCamera(imageSize, K, lens, lensModel) : RollingShutterCamera::fromFocal(imageSize, focal);
+    RollingShutterCamera camera = calibrated ? RollingShutterCamera(imageSize, K, lens, lensModel)
+                                             : RollingShutterCamera::fromFocal(imageSize, focal);
     camera.scanDirection = scan;
     const int lines = camera.isRowShutter() ? imageSize.height : imageSize.width;
     camera.lineDelay = readOut > 0 ? readOut / lines : lineDelay;
@@ -79,7 +80,7 @@ CameraSettings readCameraOptions(const Options& options)
     if (s.reference != "first" && s.reference != "middle" && s.reference != "last")
         parseNumber(s.reference, "option --reference (first, middle, last or a line's number)");
     if (options.given("roll"))
-        s.roll = options.number("roll", -180, 180);
+        s.roll = options.number("roll", -89, 89);
     if (options.given("pitch"))
         s.pitch = options.number("pitch", -89, 89);
     if (options.given("heading"))

@@ -47,20 +47,18 @@ bool FrameCorrector::isDone(const std::string& input) const
 
 void FrameCorrector::checkTargets(const std::string& input) const
 {
-    const std::string targets[3] = {resultPath(job_.output, job_.outputIsFolder, input), resultPath(job_.overlay, job_.overlayIsFolder, input), job_.maps};
-    for (int i = 0; i < 3; i++)
+    const std::string output = resultPath(job_.output, job_.outputIsFolder, input);
+    const std::string overlay = resultPath(job_.overlay, job_.overlayIsFolder, input);
+    for (const std::string& path : {output, overlay, job_.maps})
     {
-        if (targets[i].empty())
+        if (path.empty())
             continue;
-        if (isSameFile(targets[i], input))
-            throw InputError("the result " + targets[i] + " would replace the input");
-        for (int j = 0; j < i; j++)
-            if (targets[i] == targets[j])
-                throw InputError("two results would have the name " + targets[i]);
-        if (cv::utils::fs::isDirectory(targets[i]))
-            throw InputError(targets[i] + " is a folder");
-        if (!job_.overwrite && !job_.skipExisting && cv::utils::fs::exists(targets[i]))
-            throw InputError(targets[i] + " exists (--overwrite replaces it)");
+        if (isSameFile(path, input))
+            throw InputError("the result " + path + " would replace the input");
+        if (cv::utils::fs::isDirectory(path))
+            throw InputError(path + " is a folder");
+        if (!job_.overwrite && !job_.skipExisting && cv::utils::fs::exists(path))
+            throw InputError(path + " exists (--overwrite replaces it)");
     }
 }
 
@@ -83,7 +81,8 @@ FrameReport FrameCorrector::process(const std::string& input)
     FrameReport report;
     report.input = input;
     report.camera = camera_;
-    report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, corrected, mask) : corrector_->correct(image, corrected, mask);
+    report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, corrected, mask)
+                                    : corrector_->correct(image, corrected, mask);
     corrector_->getSegments(segments, labels);
     corrector_->getMaps(map1, map2);
     report.segments = segments.rows;

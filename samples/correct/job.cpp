@@ -66,6 +66,19 @@ void checkNames(const InputList& inputs)
     }
 }
 
+// Every result needs a name of its own, and the report must not replace an input.
+void checkTargets(const Job& job)
+{
+    const std::string targets[] = {job.output, job.overlay, job.maps, job.report};
+    for (const std::string& a : targets)
+        for (const std::string& b : targets)
+            if (&a != &b && !a.empty() && a == b)
+                throw UsageError("two results would have the name " + a);
+    for (const std::string& input : job.inputs.images)
+        if (isSameFile(job.report, input))
+            throw UsageError("the report would replace the input " + input);
+}
+
 void readShard(const Options& options, InputList& inputs)
 {
     const std::string text = options.text("shard"), source = "option --shard (i/N)";
@@ -112,6 +125,7 @@ Job readJob(const Options& options)
     job.outputIsFolder = isFolder(job.inputs, job.output);
     job.overlayIsFolder = isFolder(job.inputs, job.overlay);
     checkNames(job.inputs);
+    checkTargets(job);
     if (options.given("shard"))
         readShard(options, job.inputs);
     return job;

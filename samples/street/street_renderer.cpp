@@ -54,12 +54,14 @@ StreetRenderer::StreetRenderer(const StreetCamera& camera, const StreetScene& sc
 
 double StreetRenderer::secondsAt(double line) const
 {
+    // doc/theory.md, "Row time"
     const double sign = camera_.scan == 1 || camera_.scan == 3 ? -1 : 1;
     return sign * (line - camera_.reference) * camera_.lineDelay;
 }
 
 StreetRenderer::Pose StreetRenderer::poseAt(double seconds) const
 {
+    // doc/theory.md, "Motion", in metres and seconds
     const double yaw = scene_.yawRate * seconds, half = yaw / 2;
     const double arc = scene_.speed * seconds, chord = std::abs(half) < 1e-8 ? arc : arc * std::sin(half) / half;
     const double direction = half + camera_.heading;

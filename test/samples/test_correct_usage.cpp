@@ -36,7 +36,7 @@ const std::pair<const char*, const char*> refused[] = {
     {"--focal=abc", "abc"}, {"--focal=500px", "500px"}, {"--focal=", "--focal"}, {"--focal", "--focal"}, {"--focal=nan", "nan"},
     {"--focal=inf", "inf"}, {"--focal=0", "--focal"}, {"--focal=-816", "--focal"}, {"--focal=1e999", "1e999"},
     {"--line_delay=0", "--line_delay"}, {"--readout=x", "--readout"}, {"--scan=sideways", "sideways"}, {"--reference=half", "half"},
-    {"--roll=1,5", "--roll"}, {"--pitch=90", "--pitch"}, {"--heading=200", "--heading"}, {"--height=0", "--height"}, {"--wall=-1", "--wall"},
+    {"--roll=1,5", "--roll"}, {"--roll=180", "--roll"}, {"--pitch=90", "--pitch"}, {"--heading=200", "--heading"}, {"--height=0", "--height"}, {"--wall=-1", "--wall"},
     {"--gravity_sigma=-1", "--gravity_sigma"},
     {"--model=5la", "5la"}, {"--detector=canny", "canny"}, {"--seed=1.5", "--seed"}, {"--seed=-1", "--seed"}, {"--threads=0", "--threads"},
     {"--shard=3", "--shard"}, {"--shard=5/4", "--shard"}, {"--shard=1/0", "--shard"}, {"--skip_existing=perhaps", "--skip_existing"},
@@ -85,6 +85,9 @@ TEST(CorrectUsage, broken_lines_file)
 TEST(CorrectUsage, results_of_the_same_name)
 {
     const TemporaryFolder folder;
+    EXPECT_EQ(2, correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"), "--overlay=" + (folder / "out.png")}).exitCode);
+    EXPECT_EQ(2, correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"), "--report=" + (folder / "out.png")}).exitCode);
+    EXPECT_TRUE(namesIn(folder.path()).empty());
     cv::utils::fs::createDirectories(folder / "a");
     cv::utils::fs::createDirectories(folder / "b");
     cv::imwrite(folder / "a/x.png", streetImage());

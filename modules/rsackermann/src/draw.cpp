@@ -71,7 +71,8 @@ static void drawSegments(Mat& image, const Mat& segments, const Mat& labels, con
         }
 }
 
-/** The line on which a wall w = D - B x meets the road w = G y, as pixels of the global-shutter camera from left to right. */
+/** The line on which a wall w = D - B x meets the road w = G y, as pixels of the global-shutter camera from left to right
+(doc/theory.md, "Depth"). */
 static std::vector<Point2d> roadBorder(double B, double D, const RollingShutterCamera& camera, const AckermannMotion& motion)
 {
     const int steps = 1000;

@@ -55,6 +55,43 @@ TEST_P(Detectors, finds_the_sides_in_images_of_every_type)
     }
 }
 
+//! A slightly slanted edge, column = x + slope (row - 120), each pixel the mean of the area around its centre.
+Mat edge(double x, double slope, bool brightRight)
+{
+    const int samples = 16;
+    Mat image(240, 320, CV_8U), blurred;
+    for (int v = 0; v < image.rows; v++)
+        for (int u = 0; u < image.cols; u++)
+        {
+            double covered = 0;
+            for (int k = 0; k < samples; k++)
+                covered += std::min(std::max(u + 0.5 - x - slope * (v - 0.5 + (k + 0.5) / samples - 120), 0.), 1.) / samples;
+            image.at<uchar>(v, u) = saturate_cast<uchar>(60 + 120 * (brightRight ? covered : 1 - covered));
+        }
+    GaussianBlur(image, blurred, Size(), 0.6);
+    return blurred;
+}
+
+TEST_P(Detectors, pixel_centres_are_at_integers)
+{
+    double sum = 0;
+    int n = 0;
+    for (int i = 0; i < 16; i++)
+    {
+        const double x = 160 + i / 8., slope = 0.004 * (i - 7);
+        Mat segments;
+        detectSegments(edge(x, slope, i % 2 == 0), segments, GetParam(), 100);
+        for (int j = 0; j < segments.rows; j++)
+            for (int end = 0; end < 4; end += 2)
+            {
+                sum += segments.at<float>(j, end) - x - slope * (segments.at<float>(j, end + 1) - 120);
+                n++;
+            }
+    }
+    ASSERT_GE(n, 16);
+    EXPECT_LE(std::abs(sum / n), 0.05);
+}
+
 TEST_P(Detectors, part_of_a_larger_image)
 {
     const Mat image = quadrilateral(CV_8UC1);

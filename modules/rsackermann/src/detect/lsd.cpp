@@ -11,7 +11,14 @@ namespace rsackermann {
 
 void detectLSD(const Mat& gray, std::vector<Vec4f>& segments)
 {
-    createLineSegmentDetector(LSD_REFINE_STD)->detect(gray, segments);
+    const double scale = 0.8; // the detector's default
+    createLineSegmentDetector(LSD_REFINE_STD, scale)->detect(gray, segments);
+
+    // The detector scales coordinates back about the corner of the image instead of the corner of its first pixel, whose
+    // centre is at 0.
+    const float shift = float(0.5 / scale - 0.5);
+    for (size_t i = 0; i < segments.size(); i++)
+        segments[i] += Vec4f::all(shift);
 }
 
 }} // namespace cv::rsackermann

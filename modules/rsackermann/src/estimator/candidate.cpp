@@ -93,8 +93,10 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
         c.index = indices[k];
         const double dx = std::abs(c.u[0] - c.v[0]), dt = std::abs(c.timeU - c.timeV);
         const double possible = limits.maxSlant((c.u[0] + c.v[0]) / 2, camera.heading) + params.slantTolerance;
-        const bool isVertical = dt > 0 && dx <= std::min(possible, params.maxSlant) * dt;
-        (isVertical ? verticals : others).push_back(c);
+        if (dt > 0 && dx <= std::min(possible, params.maxSlant) * dt)
+            verticals.push_back(c);
+        else if (dx > params.maxSlant * dt) // what is only nearly vertical belongs to neither
+            others.push_back(c);
     }
     std::sort(verticals.begin(), verticals.end(), isLeft);
 }

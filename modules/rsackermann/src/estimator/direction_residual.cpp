@@ -9,18 +9,23 @@
 namespace cv {
 namespace rsackermann {
 
+using std::cos;
+using std::hypot;
+using std::sin;
+
 namespace {
 
-struct ModelJets
+// T is double, or Jet where derivatives are wanted.
+template <class T> struct ModelNumbers
 {
-    Jet alpha, B, D, lambda, G, street, cosRoll, sinRoll, cosPitch, sinPitch;
+    T alpha, B, D, lambda, G, street, cosRoll, sinRoll, cosPitch, sinPitch;
     Scene scene;
 
-    ModelJets(const Model& m, double roadRatio)
-        : alpha(Jet::variable(m[P_ALPHA], P_ALPHA)), B(Jet::variable(m[P_B], P_B)), D(Jet::variable(m[P_D], P_D)),
-          lambda(Jet::variable(m[P_LAMBDA], P_LAMBDA)), street(Jet::variable(m[P_STREET], P_STREET))
+    ModelNumbers(const Model& m, double roadRatio)
+        : alpha(makeVariable<T>(m[P_ALPHA], P_ALPHA)), B(makeVariable<T>(m[P_B], P_B)), D(makeVariable<T>(m[P_D], P_D)),
+          lambda(makeVariable<T>(m[P_LAMBDA], P_LAMBDA)), street(makeVariable<T>(m[P_STREET], P_STREET))
     {
-        const Jet roll = Jet::variable(m[P_ROLL], P_ROLL), pitch = Jet::variable(m[P_PITCH], P_PITCH);
+        const T roll = makeVariable<T>(m[P_ROLL], P_ROLL), pitch = makeVariable<T>(m[P_PITCH], P_PITCH);
         cosRoll = cos(roll);
         sinRoll = sin(roll);
         cosPitch = cos(pitch);
@@ -29,33 +34,33 @@ struct ModelJets
         scene.B = m[P_B];
         scene.D = m[P_D];
         scene.lambda = m[P_LAMBDA];
-        scene.G = G.value;
+        scene.G = valueOf(G);
         scene.direction = m.direction < 0 ? -1 : 1;
     }
 };
 
-struct JetPoint
+template <class T> struct PointOf
 {
-    Jet x, y;
+    T x, y;
 };
 
 } // namespace
 
 // The global-shutter point of a bearing on the plane on which it is seen (doc/theory.md, "Compensation").
-static JetPoint compensate(const Vec3d& b, double t, const ModelJets& m, double heading)
+template <class T> static PointOf<T> compensate(const Vec3d& b, double t, const ModelNumbers<T>& m, double heading)
 {
-    const Jet half = t * m.alpha, theta = 2 * half;
-    const Jet c = cos(theta), s = sin(theta), c2 = cos(half + heading), s2 = sin(half + heading);
-    const Jet tau = t * sinc(half);
+    const T half = t * m.alpha, theta = 2 * half;
+    const T c = cos(theta), s = sin(theta), c2 = cos(half + heading), s2 = sin(half + heading);
+    const T tau = t * sinc(half);
 
     // rollRotation() * pitchRotation() * b, turned by theta
-    const Jet yPitched = b[1] * m.cosPitch + b[2] * m.sinPitch, z = b[2] * m.cosPitch - b[1] * m.sinPitch;
-    const Jet x = b[0] * m.cosRoll - m.sinRoll * yPitched, y = b[0] * m.sinRoll + m.cosRoll * yPitched;
-    const Jet N = c * x + s * z, M = c * z - s * x;
-    const Jet g = tau * (M * s2 - N * c2);
+    const T yPitched = b[1] * m.cosPitch + b[2] * m.sinPitch, z = b[2] * m.cosPitch - b[1] * m.sinPitch;
+    const T x = b[0] * m.cosRoll - m.sinRoll * yPitched, y = b[0] * m.sinRoll + m.cosRoll * yPitched;
+    const T N = c * x + s * z, M = c * z - s * x;
+    const T g = tau * (M * s2 - N * c2);
 
-    const double X = N.value / M.value, Y = y.value / M.value;
-    JetPoint p;
+    const double X = valueOf(N) / valueOf(M), Y = valueOf(y) / valueOf(M);
+    PointOf<T> p;
     switch (m.scene.nearest(X, Y))
     {
     case Scene::LEFT_WALL:
@@ -78,19 +83,47 @@ static JetPoint compensate(const Vec3d& b, double t, const ModelJets& m, double 
 }
 
 // Lateral distance between a and b as seen from the vanishing point (vx, 0, vz).
-static Jet lateralDistance(const JetPoint& a, const JetPoint& b, const Jet& vx, const Jet& vz)
+template <class T> static T lateralDistance(const PointOf<T>& a, const PointOf<T>& b, const T& vx, const T& vz)
 {
-    const Jet dx = vx - vz * (0.5 * (a.x + b.x)), dy = -(vz * (0.5 * (a.y + b.y)));
+    const T dx = vx - vz * (0.5 * (a.x + b.x)), dy = -(vz * (0.5 * (a.y + b.y)));
     return ((b.x - a.x) * dy - (b.y - a.y) * dx) / (hypot(dx, dy) + 1e-12);
+}
+
+template <class T> static T nearerDirection(const PointOf<T>& u, const PointOf<T>& v, const T& vx, const T& vz)
+{
+    const T along = lateralDistance<T>(u, v, vx, vz), across = lateralDistance<T>(u, v, -vz, vx);
+    return std::abs(valueOf(along)) < std::abs(valueOf(across)) ? along : across;
+}
+
+template <class T> static T residual(const Candidate& segment, const Model& model, double heading, double roadRatio, bool translates)
+{
+    const ModelNumbers<T> m(model, roadRatio);
+    const PointOf<T> u = compensate(segment.u, segment.timeU, m, heading), v = compensate(segment.v, segment.timeV, m, heading);
+    return nearerDirection<T>(u, v, translates ? m.D : sin(m.street), translates ? m.B : cos(m.street));
 }
 
 Jet directionResidual(const Candidate& segment, const Model& model, double heading, double roadRatio, bool translates)
 {
-    const ModelJets m(model, roadRatio);
-    const JetPoint u = compensate(segment.u, segment.timeU, m, heading), v = compensate(segment.v, segment.timeV, m, heading);
-    const Jet vx = translates ? m.D : sin(m.street), vz = translates ? m.B : cos(m.street);
-    const Jet along = lateralDistance(u, v, vx, vz), across = lateralDistance(u, v, -vz, vx);
-    return std::abs(along.value) < std::abs(across.value) ? along : across;
+    return residual<Jet>(segment, model, heading, roadRatio, translates);
+}
+
+double directionResidualValue(const Candidate& segment, const Model& model, double heading, double roadRatio, bool translates)
+{
+    return residual<double>(segment, model, heading, roadRatio, translates);
+}
+
+CompensatedSegment::CompensatedSegment(const Candidate& segment, const Model& model, double heading, double roadRatio)
+{
+    const ModelNumbers<double> m(model, roadRatio);
+    const PointOf<double> a = compensate(segment.u, segment.timeU, m, heading), b = compensate(segment.v, segment.timeV, m, heading);
+    u = Point2d(a.x, a.y);
+    v = Point2d(b.x, b.y);
+}
+
+double CompensatedSegment::residual(double street) const
+{
+    const PointOf<double> a = {u.x, u.y}, b = {v.x, v.y};
+    return nearerDirection<double>(a, b, std::sin(street), std::cos(street));
 }
 
 }} // namespace cv::rsackermann

@@ -22,6 +22,20 @@ for a focal length of 1 (doc/theory.md, "Estimation").
 */
 Jet directionResidual(const Candidate& segment, const Model& model, double heading, double roadRatio, bool translates);
 
+//! directionResidual() without the derivatives.
+double directionResidualValue(const Candidate& segment, const Model& model, double heading, double roadRatio, bool translates);
+
+//! The ends of a segment as the global-shutter camera sees them.
+struct CompensatedSegment
+{
+    Point2d u, v;
+
+    CompensatedSegment(const Candidate& segment, const Model& model, double heading, double roadRatio);
+
+    //! directionResidual() for a street along the given azimuth.
+    double residual(double street) const;
+};
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_ESTIMATOR_DIRECTION_RESIDUAL_HPP

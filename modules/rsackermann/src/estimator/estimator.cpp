@@ -94,7 +94,7 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionPrior& prior) 
     problem.lossScale = E("LS",2);
     const bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
     problem.roadRatio = knowsRoad ? params.wallDistance / camera.height : params.roadRatio;
-    problem.gravitySigma = E("GS",params.gravitySigma*57.2957795)/57.2957795;
+    problem.gravitySigma = E("GS",E("GSD",0))/57.2957795;
     return problem;
 }
 

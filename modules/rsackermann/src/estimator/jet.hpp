@@ -36,6 +36,14 @@ struct Jet
     }
 };
 
+//! The variable as a number of type T, with or without derivatives.
+template <class T> T makeVariable(double value, Parameter p);
+template <> inline Jet makeVariable<Jet>(double value, Parameter p) { return Jet::variable(value, p); }
+template <> inline double makeVariable<double>(double value, Parameter) { return value; }
+
+inline double valueOf(const Jet& x) { return x.value; }
+inline double valueOf(double x) { return x; }
+
 //! a x + b y of the derivatives, with the given value.
 inline Jet combine(double value, double a, const Jet& x, double b, const Jet& y)
 {

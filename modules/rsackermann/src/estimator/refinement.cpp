@@ -57,7 +57,11 @@ static void evaluate(const RefinementProblem& problem, const Structure& structur
         const double directionScale = problem.focal / problem.directionSigma;
         for (size_t i = 0; i < problem.others.size(); i++)
         {
-            const Jet jet = directionResidual(problem.others[i], model, problem.heading, problem.roadRatio, structure.translates());
+            Jet jet;
+            if (sum.wanted)
+                jet = directionResidual(problem.others[i], model, problem.heading, problem.roadRatio, structure.translates());
+            else
+                jet.value = directionResidualValue(problem.others[i], model, problem.heading, problem.roadRatio, structure.translates());
             const double r = directionScale * jet.value;
             sum.add(r, jet.derivative, directionScale, loss(r * r), loss.weight(r * r));
         }
@@ -79,6 +83,15 @@ double refinementCost(const RefinementProblem& problem, const Structure& structu
     NormalEquations sum(false);
     evaluate(problem, structure, evidence, model, sum);
     return sum.cost;
+}
+
+// Two walls are seen together where the line at infinity lies between their verticals.
+static bool wallsAreSeen(const RefinementProblem& problem, const Structure& structure, const Model& m)
+{
+    if (structure.walls != 2)
+        return true;
+    const double left = m[P_D] - m[P_B] * problem.verticals.front().u[0], right = m[P_D] - m[P_B] * problem.verticals.back().u[0];
+    return left * right < 0;
 }
 
 // Where an unknown is fixed its row and column are those of the identity and its gradient is 0.
@@ -117,7 +130,7 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
         Model next = model;
         for (int i = 0; i < PARAMETERS; i++)
             next.value[i] += step[i];
-        const bool allowed = step.allFinite() && problem.limits.allow(next);
+        const bool allowed = step.allFinite() && problem.limits.allow(next) && wallsAreSeen(problem, structure, next);
         if (!allowed || !(refinementCost(problem, structure, evidence, next) < sum.cost))
         {
             damping *= 8;

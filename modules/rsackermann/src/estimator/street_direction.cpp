@@ -31,6 +31,11 @@ bool startFromStreetDirection(const RefinementProblem& problem, const Structure&
     const size_t minSegments = 5;
     if (problem.others.size() < minSegments)
         return false;
+    std::vector<CompensatedSegment> segments;
+    segments.reserve(problem.others.size());
+    for (size_t i = 0; i < problem.others.size(); i++)
+        segments.push_back(CompensatedSegment(problem.others[i], model, problem.heading, problem.roadRatio));
+
     // Far wider than the noise: the motion, and with it the compensation, is still inexact.
     const double coarseness = 4, step = 0.01, range = 0.8;
     const RobustLoss loss(1);
@@ -38,11 +43,10 @@ bool startFromStreetDirection(const RefinementProblem& problem, const Structure&
     double bestCost = DBL_MAX, best = 0;
     for (double offset = -range; offset <= range; offset += step)
     {
-        const Model turned = turnStreet(model, structure, problem.heading + offset);
         double cost = 0;
-        for (size_t i = 0; i < problem.others.size(); i++)
+        for (size_t i = 0; i < segments.size(); i++)
         {
-            const double r = scale * directionResidual(problem.others[i], turned, problem.heading, problem.roadRatio, structure.translates()).value;
+            const double r = scale * segments[i].residual(problem.heading + offset);
             cost += loss(r * r);
         }
         if (cost < bestCost)
