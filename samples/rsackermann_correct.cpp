@@ -2,9 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Undoes the rolling shutter of images that a car's camera has taken.
+// Undoes the rolling shutter of images and videos that a car's camera has taken.
 
-#include "correct/frame_corrector.hpp"
+#include "correct/image_task.hpp"
+#ifdef RSACKERMANN_WITH_VIDEOIO
+#include "correct/video_task.hpp"
+#endif
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include <iostream>
@@ -14,9 +17,9 @@ namespace {
 using namespace rsackermann_samples;
 
 const char* const ABOUT =
-    "Undoes the rolling shutter of images that a car's camera has taken.\n"
+    "Undoes the rolling shutter of images and videos that a car's camera has taken.\n"
     "usage: rsackermann_correct INPUT... [--option=value]...\n"
-    "INPUT is an image, a folder, a printf pattern of image names or @FILE with a name a line.\n"
+    "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with a name a line.\n"
     "Exit code: 0 all is done, 1 some inputs failed, 2 the command line isn't understood.\n";
 
 void complain(const std::string& input, const std::string& message)
@@ -34,6 +37,23 @@ std::unique_ptr<ReportFile> openReport(const Job& job)
     return std::unique_ptr<ReportFile>(new ReportFile(job.report, job.skipExisting));
 }
 
+// Corrects a file; the lines for the report are there even where the end of a video isn't.
+void correctFile(const std::string& input, const Job& job, FrameCorrector& corrector, std::vector<std::string>& lines)
+{
+    const Targets targets(job, input);
+    if (job.skipExisting && targets.exist())
+        return;
+    targets.check(job, input);
+#ifdef RSACKERMANN_WITH_VIDEOIO
+    if (isVideo(input))
+    {
+        correctVideo(input, targets, corrector, lines);
+        return;
+    }
+#endif
+    lines.push_back(correctImage(input, targets, corrector));
+}
+
 int run(int argc, const char* const* argv)
 {
     Options options(argc, argv, std::string(JOB_KEYS) + CAMERA_KEYS);
@@ -48,14 +68,12 @@ int run(int argc, const char* const* argv)
     size_t failed = job.inputs.failures.size();
     for (const std::pair<std::string, std::string>& failure : job.inputs.failures)
         complain(failure.first, failure.second);
-    for (const std::string& input : job.inputs.images)
+    for (const std::string& input : job.inputs.files)
+    {
+        std::vector<std::string> lines;
         try
         {
-            if (corrector.isDone(input))
-                continue;
-            const FrameReport frame = corrector.process(input);
-            if (report)
-                report->add(reportLine(frame));
+            correctFile(input, job, corrector, lines);
         }
         catch (const cv::Exception& e)
         {
@@ -67,6 +85,10 @@ int run(int argc, const char* const* argv)
             complain(input, e.what());
             failed++;
         }
+        for (const std::string& line : lines)
+            if (report)
+                report->add(line);
+    }
     if (report)
         report->commit();
     return failed ? 1 : 0;

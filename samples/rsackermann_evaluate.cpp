@@ -87,11 +87,15 @@ int run(int argc, const char* const* argv)
     std::printf("%-26s %10s %10s\n", "", "true", "estimated");
     printRow("yaw rate, deg/s", truth.scene.yawRate * 180 / CV_PI, report.value("yaw_rate_deg_s", nlohmann::json()));
     printRow("speed, km/h", truth.scene.speed * 3.6, report.value("speed_km_h", nlohmann::json()));
-    nlohmann::json lineAtInfinity = report.value("delta", nlohmann::json());
-    if (lineAtInfinity.is_number())
-        lineAtInfinity = lineAtInfinity.get<double>() * truth.camera.fx;
-    printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, lineAtInfinity);
-    printRow("wall distances, left/right", truth.scene.left / truth.scene.right, report.value("lambda", nlohmann::json()));
+    if (std::cos(truth.scene.wallDirection) > 0.5) // the camera looks along the street
+    {
+        nlohmann::json lineAtInfinity = report.value("delta", nlohmann::json());
+        if (lineAtInfinity.is_number())
+            lineAtInfinity = lineAtInfinity.get<double>() * truth.camera.fx;
+        printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, lineAtInfinity);
+    }
+    if (truth.scene.left > 0 && truth.scene.right > 0)
+        printRow("wall distances, left/right", truth.scene.left / truth.scene.right, report.value("lambda", nlohmann::json()));
     std::printf("\n%-26s %10s %10s\n", "", "before", "after");
     std::printf("%-26s %10.3f %10.3f\n", "mean displacement, px", meanDistance(identity[0], identity[1], exact[0], exact[1], mask),
                 meanDistance(estimated[0], estimated[1], exact[0], exact[1], mask));

@@ -41,8 +41,8 @@ const char* const KEYS =
     "{height     | 1.2     | metres of the camera above the road}"
     "{speed      | 60      | km/h, negative in reverse}"
     "{yaw_rate   | 40      | deg/s, positive where the car turns to the right}"
-    "{left       | 2.5     | metres to the left wall}"
-    "{right      | 3       | metres to the right wall}"
+    "{left       | 2.5     | metres to the left wall, 0: there is none}"
+    "{right      | 3       | metres to the right wall, 0: there is none}"
     "{wall_direction |     | degrees from the optical axis to the direction along the walls (default: the heading)}"
     "{clutter    | 0       | share of slanted lines in the rendered street, 0..1}"
     "{noise      | 1       | of the rendered image, grey levels}"
@@ -100,8 +100,8 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
     street::StreetScene& scene = truth.scene;
     scene.speed = options.number("speed", -500, 500) * KMH;
     scene.yawRate = options.number("yaw_rate", -360, 360) * DEGREE;
-    scene.left = options.number("left", 0, 1000, false);
-    scene.right = options.number("right", 0, 1000, false);
+    scene.left = options.number("left", 0, 1000);
+    scene.right = options.number("right", 0, 1000);
     scene.wallDirection = (options.given("wall_direction") ? options.number("wall_direction", -180, 180) : settings.heading) * DEGREE;
     scene.clutter = options.number("clutter", 0, 1);
     scene.noise = options.number("noise", 0, 100);

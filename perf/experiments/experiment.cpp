@@ -70,6 +70,7 @@ cv::Mat makeImage(const Case& c)
 Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::Params& params, const Knowledge& knowledge, unsigned seed)
 {
     cv::RNG rng(seed * 7717u + 1);
+    rng.next(); // the first normal deviate of a small seed is 0
     const RollingShutterCamera camera = toldCamera(c.camera, knowledge, rng);
     const MotionPrior prior = toldMotion(c.scene, knowledge, rng);
     const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimateFromImage(image, cv::noArray(), cv::noArray(), prior);
@@ -91,7 +92,9 @@ Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::P
     const bool ok = motion.status == MOTION_OK;
     result.yawRateError = motion.yawRate(camera, yawRate) ? (yawRate - c.scene.yawRate) * 180 / CV_PI : NOT_KNOWN;
     result.speedError = !ok ? -c.scene.speed * 3.6 : motion.speed(camera, speed) ? (speed - c.scene.speed) * 3.6 : NOT_KNOWN;
-    result.deltaError = ok && motion.B != 0 ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx : NOT_KNOWN;
+    // The walls of a camera that looks to a side have their line at infinity far outside of the image.
+    const bool ahead = std::cos(c.scene.wallDirection) > 0.5;
+    result.deltaError = ok && ahead && motion.B != 0 ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx : NOT_KNOWN;
     const cv::Matx44d covariance = motion.metricCovariance(camera);
     result.yawRateSigma = ok ? sigmaOf(covariance(0, 0), CV_PI / 180) : NOT_KNOWN;
     result.speedSigma = ok ? sigmaOf(covariance(1, 1), 1 / 3.6) : NOT_KNOWN;

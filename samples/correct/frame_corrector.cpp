@@ -5,7 +5,6 @@
 #include "frame_corrector.hpp"
 #include "map_distance.hpp"
 
-#include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgproc.hpp"
 
 namespace rsackermann_samples {
@@ -29,38 +28,7 @@ cv::Mat pictureOf(const cv::Mat& image)
     return picture;
 }
 
-bool isSame(const cv::Mat& a, const cv::Mat& b)
-{
-    return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
-}
-
 } // namespace
-
-bool FrameCorrector::isDone(const std::string& input) const
-{
-    if (!job_.skipExisting)
-        return false;
-    // The output is written last: where it exists everything does.
-    return cv::utils::fs::exists(job_.output.empty() ? resultPath(job_.overlay, job_.overlayIsFolder, input)
-                                                     : resultPath(job_.output, job_.outputIsFolder, input));
-}
-
-void FrameCorrector::checkTargets(const std::string& input) const
-{
-    const std::string output = resultPath(job_.output, job_.outputIsFolder, input);
-    const std::string overlay = resultPath(job_.overlay, job_.overlayIsFolder, input);
-    for (const std::string& path : {output, overlay, job_.maps})
-    {
-        if (path.empty())
-            continue;
-        if (isSameFile(path, input))
-            throw InputError("the result " + path + " would replace the input");
-        if (cv::utils::fs::isDirectory(path))
-            throw InputError(path + " is a folder");
-        if (!job_.overwrite && !job_.skipExisting && cv::utils::fs::exists(path))
-            throw InputError(path + " exists (--overwrite replaces it)");
-    }
-}
 
 void FrameCorrector::prepare(const cv::Size& size)
 {
@@ -68,57 +36,37 @@ void FrameCorrector::prepare(const cv::Size& size)
         return;
     camera_ = job_.camera.makeCamera(size);
     corrector_ = RollingShutterCorrector::create(camera_, job_.params);
+    corrector_->setPrior(job_.prior);
     WarpMapGenerator::create(camera_, job_.params.warp)->initRectifyMap(AckermannMotion(), lensMap1_, lensMap2_);
 }
 
-FrameReport FrameCorrector::process(const std::string& input)
+void FrameCorrector::reset()
 {
-    checkTargets(input);
-    const cv::Mat image = readImage(input);
-    prepare(image.size());
-
-    cv::Mat corrected, mask, segments, labels, map1, map2;
-    FrameReport report;
-    report.input = input;
-    report.camera = camera_;
-    report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, corrected, mask)
-                                    : corrector_->correct(image, corrected, mask);
-    corrector_->getSegments(segments, labels);
-    corrector_->getMaps(map1, map2);
-    report.segments = segments.rows;
-    // Without a motion the maps undo the lens only.
-    report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;
-    report.timings = corrector_->getTimings();
-
-    if (!job_.overlay.empty())
-    {
-        cv::Mat picture = pictureOf(image);
-        drawMotion(picture, segments, labels, camera_, report.motion);
-        writeImage(resultPath(job_.overlay, job_.overlayIsFolder, input), picture);
-    }
-    if (!job_.maps.empty())
-        writeMaps(job_.maps, map1, map2);
-    if (!job_.output.empty())
-    {
-        const std::string path = resultPath(job_.output, job_.outputIsFolder, input);
-        // An image that stays as it is doesn't lose anything by being coded again.
-        if (extension(path) == extension(input) && isSame(image, corrected))
-            copyFile(input, path);
-        else
-            writeImage(path, corrected);
-    }
-    return report;
+    if (corrector_)
+        corrector_->reset();
 }
 
-void FrameCorrector::writeMaps(const std::string& path, const cv::Mat& map1, const cv::Mat& map2) const
+CorrectedFrame FrameCorrector::correct(const cv::Mat& image)
 {
-    AtomicFile file(path);
-    cv::FileStorage fs(file.temporaryName(), cv::FileStorage::WRITE);
-    if (!fs.isOpened())
-        throw InputError(path + " can't be written");
-    fs << "map1" << map1 << "map2" << map2;
-    fs.release();
-    file.commit();
+    prepare(image.size());
+    CorrectedFrame frame;
+    FrameReport& report = frame.report;
+    cv::Mat mask, segments, labels;
+    report.camera = camera_;
+    report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, frame.image, mask)
+                                    : corrector_->correct(image, frame.image, mask);
+    corrector_->getSegments(segments, labels);
+    corrector_->getMaps(frame.map1, frame.map2);
+    report.segments = segments.rows;
+    // Without a motion the maps undo the lens only.
+    report.meanShift = report.motion.status == MOTION_OK ? meanDistance(frame.map1, frame.map2, lensMap1_, lensMap2_, mask) : 0;
+    report.timings = corrector_->getTimings();
+    if (!job_.overlay.empty())
+    {
+        frame.overlay = pictureOf(image);
+        drawMotion(frame.overlay, segments, labels, camera_, report.motion);
+    }
+    return frame;
 }
 
 } // namespace rsackermann_samples

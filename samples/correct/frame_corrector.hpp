@@ -10,22 +10,29 @@
 
 namespace rsackermann_samples {
 
-//! Corrects the inputs of a job one by one and writes their results.
+//! What became of an image.
+struct CorrectedFrame
+{
+    FrameReport report; //!< all but the input's name
+    cv::Mat image;
+    cv::Mat overlay;    //!< empty where the job asks for none
+    cv::Mat map1, map2;
+};
+
+//! Corrects images one by one, as the job says.
 class FrameCorrector
 {
 public:
     explicit FrameCorrector(const Job& job) : job_(job) {}
 
-    //! Whether the result of an input is there already and is to be left alone.
-    bool isDone(const std::string& input) const;
+    //! Corrects an image; throws InputError or cv::Exception.
+    CorrectedFrame correct(const cv::Mat& image);
 
-    //! Reads an image, corrects it and writes what is asked for; throws InputError or cv::Exception.
-    FrameReport process(const std::string& input);
+    //! The next image belongs to another sequence.
+    void reset();
 
 private:
-    void checkTargets(const std::string& input) const;
     void prepare(const cv::Size& size);
-    void writeMaps(const std::string& path, const cv::Mat& map1, const cv::Mat& map2) const;
 
     const Job& job_;
     cv::rsackermann::RollingShutterCamera camera_; // of the images of the last size

@@ -109,15 +109,10 @@ std::vector<std::string> linesOf(const std::string& path)
 
 std::vector<std::string> expand(const std::string& argument)
 {
-    static const std::vector<std::string> videos = {".mp4", ".avi", ".mov", ".mkv", ".m4v", ".mpg", ".mpeg", ".webm", ".wmv", ".mjpeg"};
     if (fs::isDirectory(argument))
         return imagesOf(argument);
     if (fs::exists(argument))
-    {
-        if (isOneOf(extension(argument), videos))
-            throw UsageError("videos are not read: " + argument);
         return std::vector<std::string>(1, argument);
-    }
     if (argument[0] == '@')
         return linesOf(argument.substr(1));
     NumberPattern pattern;
@@ -136,16 +131,22 @@ InputList listInputs(const std::vector<std::string>& arguments)
     for (const std::string& argument : arguments)
         try
         {
-            const std::vector<std::string> images = expand(argument);
-            if (images.empty())
+            const std::vector<std::string> files = expand(argument);
+            if (files.empty())
                 throw InputError("there are no images");
-            list.images.insert(list.images.end(), images.begin(), images.end());
+            list.files.insert(list.files.end(), files.begin(), files.end());
         }
         catch (const InputError& e)
         {
             list.failures.push_back(std::make_pair(argument, std::string(e.what())));
         }
     return list;
+}
+
+bool isVideo(const std::string& path)
+{
+    static const std::vector<std::string> known = {".mp4", ".avi", ".mov", ".mkv", ".m4v", ".mpg", ".mpeg", ".webm", ".wmv", ".mjpeg"};
+    return isOneOf(extension(path), known);
 }
 
 void keepShard(std::vector<std::string>& inputs, int shard, int count)

@@ -11,18 +11,20 @@
 
 namespace rsackermann_samples {
 
-//! The images that the arguments of a program stand for.
+//! The images and videos that the arguments of a program stand for.
 struct InputList
 {
-    std::vector<std::string> images;
+    std::vector<std::string> files;
     std::vector<std::pair<std::string, std::string> > failures; //!< arguments that stand for nothing, and why
-    bool single;                                                //!< there is one argument and it is the name of an image
+    bool single;                                                //!< there is one argument and it is the name of a file
 };
 
-/** Lists the images: an argument is an image, a directory (its images, by name), a printf pattern as frame_%04d.png (by
-number) or @FILE with a name a line.
-Throws UsageError for a video. */
+/** Lists the files: an argument is an image, a video, a directory (its images, by name), a printf pattern as frame_%04d.png (by
+number) or @FILE with a name a line. */
 InputList listInputs(const std::vector<std::string>& arguments);
+
+//! Whether a file is a video, by the extension of its name.
+bool isVideo(const std::string& path);
 
 //! Keeps every count-th input, beginning with the one that shard stands for.
 void keepShard(std::vector<std::string>& inputs, int shard, int count);

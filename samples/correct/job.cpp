@@ -6,6 +6,7 @@
 #include "files.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include <iostream>
 #include <map>
 
 namespace rsackermann_samples {
@@ -15,16 +16,21 @@ using namespace cv::rsackermann;
 const char* const JOB_KEYS =
     "{help       |        | print this message}"
     "{wall       |        | metres to the left (or only) wall; makes the speed metric}"
+    "{speed      |        | km/h that the car reports, negative in reverse; needs the line delay and --wall}"
+    "{speed_sigma |       | standard deviation of --speed in km/h (default 2)}"
+    "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
+    "{yaw_rate_sigma |    | standard deviation of --yaw_rate in deg/s (default 1)}"
+    "{carry      |        | the inputs, or the frames of each video, are consecutive: what is known of one helps with the next}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default 0.2)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
-    "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one input}"
+    "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one image}"
     "{seed       | 0      | of the random numbers}"
     "{threads    |        | largest number of threads}"
-    "{output     |        | corrected image; a folder, made if missing, where there are several inputs}"
+    "{output     |        | corrected image or video; a folder, made if missing, where there are several inputs}"
     "{overlay    |        | picture of the segments and the road's borders; a folder as for --output}"
-    "{report     |        | file with a line of JSON for each frame; - for standard output}"
-    "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); for one input}"
+    "{report     |        | file with a line of JSON for each image or frame; - for standard output}"
+    "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); for one image}"
     "{shard      |        | i/N: do every N-th input only, beginning with the i-th (1 to N)}"
     "{skip_existing |     | leave out inputs whose result exists; the report is continued}"
     "{overwrite  |        | replace existing files}";
@@ -43,6 +49,43 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
         params.wallDistance = options.number("wall", 0, 1e5, false);
 }
 
+void warnUseless(const std::string& option, const std::string& missing)
+{
+    std::cerr << "rsackermann_correct: --" << option << " is of no use without " << missing << std::endl;
+}
+
+// A value with its standard deviation, in the given unit; false where it isn't known.
+bool readMeasurement(const Options& options, const std::string& name, double limit, double defaultSigma, double unit, double& value,
+                     double& sigma)
+{
+    const std::string sigmaName = name + "_sigma";
+    if (!options.given(name))
+    {
+        if (options.given(sigmaName))
+            throw UsageError("--" + sigmaName + " needs --" + name);
+        return false;
+    }
+    value = options.number(name, -limit, limit) * unit;
+    sigma = (options.given(sigmaName) ? options.number(sigmaName, 0, limit, false) : defaultSigma) * unit;
+    return true;
+}
+
+MotionPrior readPrior(const Options& options, const Job& job)
+{
+    MotionPrior prior;
+    const bool speed = readMeasurement(options, "speed", 1000, 2, 1 / 3.6, prior.speed, prior.speedSigma);
+    const bool yawRate = readMeasurement(options, "yaw_rate", 1000, 1, CV_PI / 180, prior.yawRate, prior.yawRateSigma);
+    const bool metric = job.camera.lineDelay > 0 || job.camera.readOut > 0;
+    const std::string delay = "the line delay (--line_delay, --readout or in the camera file)";
+    if (speed && !metric)
+        warnUseless("speed", delay);
+    if (speed && !(job.params.estimator.wallDistance > 0))
+        warnUseless("speed", "--wall");
+    if (yawRate && !metric)
+        warnUseless("yaw_rate", delay);
+    return prior;
+}
+
 std::string target(const Options& options, const std::string& name)
 {
     return options.given(name) ? options.text(name) : "";
@@ -58,7 +101,7 @@ bool isFolder(const InputList& inputs, const std::string& path)
 void checkNames(const InputList& inputs)
 {
     std::map<std::string, std::string> names;
-    for (const std::string& input : inputs.images)
+    for (const std::string& input : inputs.files)
     {
         const std::string& other = names.insert(std::make_pair(fileName(input), input)).first->second;
         if (&other != &input && other != input)
@@ -74,9 +117,22 @@ void checkTargets(const Job& job)
         for (const std::string& b : targets)
             if (&a != &b && !a.empty() && a == b)
                 throw UsageError("two results would have the name " + a);
-    for (const std::string& input : job.inputs.images)
+    for (const std::string& input : job.inputs.files)
         if (isSameFile(job.report, input))
             throw UsageError("the report would replace the input " + input);
+}
+
+void checkVideos(const Job& job)
+{
+    for (const std::string& input : job.inputs.files)
+        if (isVideo(input))
+        {
+#ifndef RSACKERMANN_WITH_VIDEOIO
+            throw UsageError("videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
+#endif
+            if (job.linesGiven || !job.maps.empty())
+                throw UsageError(std::string(job.linesGiven ? "--lines" : "--maps") + " is for an image");
+        }
 }
 
 void readShard(const Options& options, InputList& inputs)
@@ -88,7 +144,7 @@ void readShard(const Options& options, InputList& inputs)
     const int count = parseInteger(text.substr(slash + 1), source, 1, 1000000);
     // 0/N is the same as N/N, for those who count from 0.
     const int shard = parseInteger(text.substr(0, slash), source, 0, count);
-    keepShard(inputs.images, shard + count - 1, count);
+    keepShard(inputs.files, shard + count - 1, count);
 }
 
 } // namespace
@@ -100,6 +156,8 @@ Job readJob(const Options& options)
         throw UsageError("there is no input");
     job.camera = readCameraOptions(options);
     readEstimator(options, job.params.estimator);
+    job.prior = readPrior(options, job);
+    job.params.carryMotion = options.flag("carry");
     job.output = target(options, "output");
     job.overlay = target(options, "overlay");
     job.maps = target(options, "maps");
@@ -116,10 +174,11 @@ Job readJob(const Options& options)
         cv::setNumThreads(options.integer("threads", 1, 4096));
 
     job.inputs = listInputs(options.arguments());
-    const bool one = job.inputs.images.size() + job.inputs.failures.size() == 1;
+    const bool one = job.inputs.files.size() + job.inputs.failures.size() == 1;
     job.linesGiven = options.given("lines");
     if ((job.linesGiven || !job.maps.empty()) && !one)
         throw UsageError(std::string(job.linesGiven ? "--lines" : "--maps") + " is for one input");
+    checkVideos(job);
     if (job.linesGiven)
         job.lines = readSegments(options.text("lines"));
     job.outputIsFolder = isFolder(job.inputs, job.output);

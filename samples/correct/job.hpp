@@ -17,8 +17,9 @@ struct Job
     InputList inputs;
     CameraSettings camera;
     cv::rsackermann::RollingShutterCorrector::Params params;
+    cv::rsackermann::MotionPrior prior;
     bool linesGiven;
-    cv::Mat lines;                              //!< segments of the only input
+    cv::Mat lines;                              //!< segments of the only image
     std::string output, overlay, maps, report;  //!< file or folder, empty: not wanted
     bool outputIsFolder, overlayIsFolder;
     bool skipExisting, overwrite;

@@ -49,6 +49,8 @@ std::string reportLine(const FrameReport& frame)
 
     Json line;
     line["input"] = frame.input;
+    if (frame.frame >= 0)
+        line["frame"] = frame.frame;
     line["status"] = statuses[m.status];
     line["model"] = modelWord(m.model);
     line["alpha"] = orNull(ok, m.alpha);

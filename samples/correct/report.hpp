@@ -15,7 +15,10 @@ namespace rsackermann_samples {
 //! What is to be told about a frame.
 struct FrameReport
 {
+    FrameReport() : frame(-1), segments(0), meanShift(0) {}
+
     std::string input;
+    int frame;         //!< number of a video's frame, from 0; -1: the input is an image
     cv::rsackermann::RollingShutterCamera camera;
     cv::rsackermann::AckermannMotion motion;
     int segments;

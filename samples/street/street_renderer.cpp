@@ -48,7 +48,7 @@ StreetRenderer::StreetRenderer(const StreetCamera& camera, const StreetScene& sc
       across_(std::cos(scene.wallDirection), 0, -std::sin(scene.wallDirection)), leftFacade_(2 * scene.seed, scene.clutter, 1.05),
       rightFacade_(2 * scene.seed + 1, scene.clutter, 0.85)
 {
-    CV_Assert(scene.left > 0 && scene.right > 0 && camera.height > 0);
+    CV_Assert(scene.left >= 0 && scene.right >= 0 && camera.height > 0);
     CV_Assert(camera.scan >= 0 && camera.scan <= 3);
 }
 
@@ -94,11 +94,12 @@ StreetRenderer::Hit StreetRenderer::cast(const cv::Vec3d& origin, const cv::Vec3
     const double side = across_.dot(origin), sideways = across_.dot(ray);
     const double gap[3] = {-scene_.left - side, scene_.right - side, camera_.height - origin[1]};
     const double rate[3] = {sideways, sideways, ray[1]};
+    const bool present[3] = {scene_.left > 0, scene_.right > 0, true};
     Hit hit = {0, 0};
     for (int i = 0; i < 3; i++)
     {
         const double distance = gap[i] / rate[i];
-        if (distance > 0 && distance < 1e9 && (hit.plane == 0 || distance < hit.distance))
+        if (present[i] && distance > 0 && distance < 1e9 && (hit.plane == 0 || distance < hit.distance))
         {
             hit.plane = i + 1;
             hit.distance = distance;

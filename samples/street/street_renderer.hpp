@@ -31,7 +31,7 @@ struct StreetScene
 {
     double yawRate;            //!< radians per second, positive to the right
     double speed;              //!< metres per second, negative in reverse
-    double left, right;        //!< metres to the walls
+    double left, right;        //!< metres to the walls, 0: there is none
     double wallDirection;      //!< radians from the optical axis to the direction along the walls
     unsigned seed;             //!< of the facades and the noise
     double clutter;            //!< share of slanted lines, 0..1

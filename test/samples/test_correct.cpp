@@ -120,6 +120,55 @@ TEST(Correct, same_result_whatever_the_number_of_threads)
     }
 }
 
+// A report without what differs from run to run.
+Json resultOf(const Outcome& outcome)
+{
+    EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+    Json report = Json::parse(outcome.output);
+    for (const char* key : {"ms_detect", "ms_estimate", "ms_map", "ms_remap"})
+        report.erase(key);
+    return report;
+}
+
+TEST(Correct, speed_and_yaw_rate_known_from_elsewhere)
+{
+    const Arguments street = streetArguments() + Arguments{"--report=-"};
+    const Json speed = resultOf(correct(street + Arguments{"--speed=60", "--speed_sigma=0.1"}));
+    EXPECT_NEAR(60, speed["speed_km_h"].get<double>(), 0.3);
+    EXPECT_LE(speed["speed_sigma"].get<double>(), 0.1);
+    const Json yawRate = resultOf(correct(street + Arguments{"--yaw_rate=40", "--yaw_rate_sigma=0.1"}));
+    EXPECT_NEAR(40, yawRate["yaw_rate_deg_s"].get<double>(), 0.3);
+    EXPECT_LE(yawRate["yaw_rate_sigma"].get<double>(), 0.1);
+
+    EXPECT_EQ(resultOf(correct(street + Arguments{"--speed=58", "--speed_sigma=2", "--yaw_rate=41", "--yaw_rate_sigma=1"})),
+              resultOf(correct(street + Arguments{"--speed=58", "--yaw_rate=41"})));
+}
+
+TEST(Correct, what_is_known_but_of_no_use)
+{
+    const Arguments image = {streetFolder() + "/rolling.png", "--focal=816", "--report=-"};
+    const Json plain = resultOf(correct(image));
+    const Outcome outcome = correct(image + Arguments{"--wall=2.5", "--speed=10", "--yaw_rate=-10"});
+    EXPECT_EQ(plain["alpha"], resultOf(outcome)["alpha"]);
+    EXPECT_NE(std::string::npos, outcome.messages.find("--speed is of no use without the line delay")) << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.messages.find("--yaw_rate is of no use without the line delay")) << outcome.messages;
+
+    const Outcome noWall = correct(image + Arguments{"--readout=0.0133", "--speed=10"});
+    EXPECT_EQ(0, noWall.exitCode);
+    EXPECT_NE(std::string::npos, noWall.messages.find("--speed is of no use without --wall")) << noWall.messages;
+    EXPECT_EQ("", correct(streetArguments() + Arguments{"--report=-", "--speed=60", "--yaw_rate=40"}).messages);
+}
+
+TEST(Correct, gravity_that_is_not_exact)
+{
+    const Arguments tilted = streetArguments() + Arguments{"--report=-", "--roll=1"};
+    const Json trusted = resultOf(correct(tilted + Arguments{"--gravity_sigma=0"})), corrected = resultOf(correct(tilted + Arguments{"--gravity_sigma=1"}));
+    // The street was seen by a camera without roll.
+    EXPECT_GT(std::abs(trusted["yaw_rate_deg_s"].get<double>() - 40), 20);
+    EXPECT_NEAR(40, corrected["yaw_rate_deg_s"].get<double>(), 3 * corrected["yaw_rate_sigma"].get<double>());
+    EXPECT_GT(corrected["yaw_rate_sigma"].get<double>(), trusted["yaw_rate_sigma"].get<double>());
+}
+
 TEST(Correct, segments_from_a_file)
 {
     const TemporaryFolder folder;

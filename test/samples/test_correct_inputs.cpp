@@ -200,11 +200,4 @@ TEST(CorrectInputs, lists_and_patterns)
     EXPECT_EQ(1, correct({"@" + (in / "missing.txt"), "--report=" + report, "--overwrite"}).exitCode);
 }
 
-TEST(CorrectInputs, videos_are_refused)
-{
-    const TemporaryFolder in;
-    writeContent(in / "drive.mp4", "");
-    EXPECT_EQ(2, correct({in / "drive.mp4", "--report=-"}).exitCode);
-}
-
 }} // namespace

@@ -11,6 +11,7 @@ TEST(CorrectUsage, help_names_every_option)
     const Outcome outcome = correct({"--help"});
     EXPECT_EQ(0, outcome.exitCode);
     for (const char* name : {"camera", "focal", "line_delay", "readout", "scan", "reference", "roll", "pitch", "heading", "height", "gravity_sigma", "wall",
+                             "speed", "speed_sigma", "yaw_rate", "yaw_rate_sigma", "carry",
                              "model", "detector", "lines", "seed", "threads", "output", "overlay", "report", "maps", "shard", "skip_existing",
                              "overwrite"})
         EXPECT_NE(std::string::npos, outcome.output.find(std::string("--") + name)) << name;
@@ -37,7 +38,9 @@ const std::pair<const char*, const char*> refused[] = {
     {"--focal=inf", "inf"}, {"--focal=0", "--focal"}, {"--focal=-816", "--focal"}, {"--focal=1e999", "1e999"},
     {"--line_delay=0", "--line_delay"}, {"--readout=x", "--readout"}, {"--scan=sideways", "sideways"}, {"--reference=half", "half"},
     {"--roll=1,5", "--roll"}, {"--roll=180", "--roll"}, {"--pitch=90", "--pitch"}, {"--heading=200", "--heading"}, {"--height=0", "--height"}, {"--wall=-1", "--wall"},
-    {"--gravity_sigma=-1", "--gravity_sigma"},
+    {"--gravity_sigma=-1", "--gravity_sigma"}, {"--gravity_sigma", "--gravity_sigma"}, {"--speed=fast", "fast"}, {"--speed", "--speed"},
+    {"--speed_sigma=2", "--speed"}, {"--yaw_rate=1e4", "--yaw_rate"}, {"--yaw_rate=", "--yaw_rate"}, {"--yaw_rate_sigma=1", "--yaw_rate"},
+    {"--carry=perhaps", "--carry"},
     {"--model=5la", "5la"}, {"--detector=canny", "canny"}, {"--seed=1.5", "--seed"}, {"--seed=-1", "--seed"}, {"--threads=0", "--threads"},
     {"--shard=3", "--shard"}, {"--shard=5/4", "--shard"}, {"--shard=1/0", "--shard"}, {"--skip_existing=perhaps", "--skip_existing"},
     {"--camera=/no/such/file.yml", "/no/such/file.yml"}, {"--lines=/no/such/file.txt", "/no/such/file.txt"},
@@ -52,6 +55,18 @@ TEST(CorrectUsage, options_that_exclude_each_other)
     EXPECT_EQ(2, correct({image, "--report=-", "--focal=800", camera}).exitCode);
     EXPECT_EQ(2, correct({image, "--output=/tmp/never-written.png", "--skip_existing", "--overwrite"}).exitCode);
     EXPECT_EQ(2, correct({image, "--report=-", "--skip_existing"}).exitCode);
+}
+
+TEST(CorrectUsage, sigmas_of_what_is_known)
+{
+    const std::string image = streetFolder() + "/rolling.png";
+    for (const char* name : {"--speed", "--yaw_rate"})
+        for (const char* sigma : {"_sigma", "_sigma=", "_sigma=0", "_sigma=-1", "_sigma=x"})
+        {
+            const Outcome outcome = correct({image, "--report=-", std::string(name) + "=10", name + std::string(sigma)});
+            EXPECT_EQ(2, outcome.exitCode) << name << sigma;
+            EXPECT_NE(std::string::npos, outcome.messages.find(std::string(name) + "_sigma")) << outcome.messages;
+        }
 }
 
 TEST(CorrectUsage, something_to_read_and_something_to_write)

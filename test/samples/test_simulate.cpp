@@ -23,7 +23,7 @@ TEST(Simulate, refuses_what_it_does_not_know)
 {
     const TemporaryFolder folder;
     const std::string output = "--output=" + (folder / "out");
-    for (const char* option : {"--sped=3", "--speed=fast", "--size=640", "--size=0x3", "--left=0", "--lens=1,2", "--lens=1,2,x,4", "--clutter=2",
+    for (const char* option : {"--sped=3", "--speed=fast", "--size=640", "--size=0x3", "--left=-1", "--lens=1,2", "--lens=1,2,x,4", "--clutter=2",
                                "--samples=0", "--scan=x", "--line_delay=1e-5,", "street.png"})
         EXPECT_EQ(2, simulate({output, option}).exitCode) << option;
     EXPECT_EQ(2, simulate({}).exitCode);

@@ -19,6 +19,7 @@ struct Setting
     double roll, pitch;                 // degrees
     int scan;
     std::vector<double> lens;
+    double left, right;                 // metres
 };
 
 void PrintTo(const Setting& s, std::ostream* stream)
@@ -43,6 +44,8 @@ protected:
         scene.yawRate = s.yawRate * degree;
         scene.speed = s.speed / 3.6;
         scene.wallDirection = s.direction * degree;
+        scene.left = s.left;
+        scene.right = s.right;
     }
 
     street::StreetCamera camera;
@@ -119,18 +122,21 @@ TEST_P(Street, true_map_turns_one_picture_into_the_other)
 
 const std::vector<double> barrel = {-0.28, 0.09, 1e-3, -5e-4, -0.01}, rational = {0.2, 0.05, 1e-3, 1e-3, 0.01, 0.5, 0.1, 0.02};
 
-const Setting settings[] = {{"straight", 0, 100, 0, 0, 0, 0, 0, {}},
-                            {"turn", 60, 0, 0, 0, 0, 0, 0, {}},
-                            {"both", -60, 120, 0, 0, 0, 0, 0, {}},
-                            {"reverse", 30, -50, 0, 0, 0, 0, 0, {}},
-                            {"askew", 40, 60, -5, 12, 0, 0, 0, {}},
-                            {"tilted", 40, 60, 0, 0, 4, -6, 0, {}},
-                            {"sideways", 20, 60, -90, -90, 1, 2, 0, {}},
-                            {"upwards", 40, 60, 0, 0, 0, 0, 1, {}},
-                            {"columns", 40, 60, 0, 0, 0, 0, 2, {}},
-                            {"columns_back", 40, 60, 0, 0, 2, 3, 3, {}},
-                            {"lens", 40, 60, 3, 3, 1, -2, 0, barrel},
-                            {"rational_lens", 40, 60, 0, 0, 0, 0, 0, rational}};
+const Setting settings[] = {{"straight", 0, 100, 0, 0, 0, 0, 0, {}, 2.5, 3},
+                            {"turn", 60, 0, 0, 0, 0, 0, 0, {}, 2.5, 3},
+                            {"both", -60, 120, 0, 0, 0, 0, 0, {}, 2.5, 3},
+                            {"reverse", 30, -50, 0, 0, 0, 0, 0, {}, 2.5, 3},
+                            {"askew", 40, 60, -5, 12, 0, 0, 0, {}, 2.5, 3},
+                            {"tilted", 40, 60, 0, 0, 4, -6, 0, {}, 2.5, 3},
+                            {"sideways", 20, 60, -90, -90, 1, 2, 0, {}, 2.5, 3},
+                            {"to_the_right", 20, 60, -90, -85, 1, 2, 0, {}, 0, 3},
+                            {"to_the_left", 20, 60, 90, 90, 1, 2, 0, {}, 2.5, 0},
+                            {"left_wall_only", 20, 60, 0, 0, 0, 0, 0, {}, 2.5, 0},
+                            {"upwards", 40, 60, 0, 0, 0, 0, 1, {}, 2.5, 3},
+                            {"columns", 40, 60, 0, 0, 0, 0, 2, {}, 2.5, 3},
+                            {"columns_back", 40, 60, 0, 0, 2, 3, 3, {}, 2.5, 3},
+                            {"lens", 40, 60, 3, 3, 1, -2, 0, barrel, 2.5, 3},
+                            {"rational_lens", 40, 60, 0, 0, 0, 0, 0, rational, 2.5, 3}};
 
 INSTANTIATE_TEST_CASE_P(Samples, Street, testing::ValuesIn(settings));
 

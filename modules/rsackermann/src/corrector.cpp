@@ -5,11 +5,12 @@
 #include "precomp.hpp"
 #include "opencv2/core/ocl.hpp"
 #include "opencv2/imgproc.hpp"
+#include "checks.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR)
+RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR), carryMotion(false), previousNoise(0.1)
 {
 }
 
@@ -19,7 +20,7 @@ void RollingShutterCorrector::Params::write(FileStorage& fs) const
     estimator.write(fs);
     fs << "}" << "warp" << "{";
     warp.write(fs);
-    fs << "}" << "interpolation" << interpolation;
+    fs << "}" << "interpolation" << interpolation << "carry_motion" << carryMotion << "previous_noise" << previousNoise;
 }
 
 void RollingShutterCorrector::Params::read(const FileNode& fn)
@@ -27,13 +28,17 @@ void RollingShutterCorrector::Params::read(const FileNode& fn)
     estimator.read(fn["estimator"]);
     warp.read(fn["warp"]);
     cv::read(fn["interpolation"], interpolation, interpolation);
+    cv::read(fn["carry_motion"], carryMotion, carryMotion);
+    cv::read(fn["previous_noise"], previousNoise, previousNoise);
 }
 
-static void checkInterpolation(int interpolation)
+static void checkParams(const RollingShutterCorrector::Params& params)
 {
+    const int interpolation = params.interpolation;
     if (interpolation != INTER_NEAREST && interpolation != INTER_LINEAR && interpolation != INTER_CUBIC && interpolation != INTER_LANCZOS4)
         CV_Error(Error::StsBadArg, format("interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) "
                                           "is expected", interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4));
+    checkNotNegative(params.previousNoise, "params.previousNoise", "no previous frame");
 }
 
 // Whether a camera at rest already gives the global-shutter image.
@@ -71,9 +76,9 @@ class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp)),
-          onDevice(false)
+          framesSinceCarried(0), onDevice(false)
     {
-        checkInterpolation(params_.interpolation);
+        checkParams(params_);
         params = params_;
     }
 
@@ -81,19 +86,30 @@ public:
     {
         estimator->setCamera(camera);
         generator->setCamera(camera);
+        reset();
     }
 
     RollingShutterCamera getCamera() const CV_OVERRIDE { return generator->getCamera(); }
 
     void setParams(const Params& params_) CV_OVERRIDE
     {
-        checkInterpolation(params_.interpolation);
+        checkParams(params_);
         estimator->setParams(params_.estimator);
         generator->setParams(params_.warp);
         params = params_;
     }
 
     Params getParams() const CV_OVERRIDE { return params; }
+
+    void setPrior(const MotionPrior& prior_) CV_OVERRIDE
+    {
+        prior_.check();
+        prior = prior_;
+    }
+
+    MotionPrior getPrior() const CV_OVERRIDE { return prior; }
+
+    void reset() CV_OVERRIDE { carried = AckermannMotion(); }
 
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask) CV_OVERRIDE
     {
@@ -165,10 +181,33 @@ private:
                                               expected.height));
     }
 
+    MotionPrior priorOfNextFrame() const
+    {
+        MotionPrior known = prior;
+        if (params.carryMotion && carried.status == MOTION_OK)
+        {
+            known.previous = carried;
+            // The changes of frames without an estimate add up, as variances do.
+            known.previousNoise = params.previousNoise * std::sqrt(double(framesSinceCarried + 1));
+        }
+        return known;
+    }
+
+    void carry(const AckermannMotion& motion)
+    {
+        framesSinceCarried++;
+        if (motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT)
+        {
+            carried = motion;
+            framesSinceCarried = 0;
+        }
+    }
+
     AckermannMotion estimateAndWarp(InputArray src, OutputArray dst, OutputArray mask)
     {
         Stopwatch watch;
-        const AckermannMotion motion = estimator->estimate(segments, labels);
+        const AckermannMotion motion = estimator->estimate(segments, labels, priorOfNextFrame());
+        carry(motion);
         timings[1] = watch.lap();
 
         const bool copied = motion.status != MOTION_OK && isIdentity(generator->getCamera(), params.warp);
@@ -213,6 +252,9 @@ private:
     Params params;
     Ptr<AckermannEstimator> estimator;
     Ptr<WarpMapGenerator> generator;
+    MotionPrior prior;
+    AckermannMotion carried; // to the next frame, where its status is MOTION_OK
+    int framesSinceCarried;
 
     // of the last image
     Mat segments, labels;

@@ -280,6 +280,161 @@ TEST(RSAckermann_Corrector, segments_labels_and_timings)
     EXPECT_EQ(expected.size(), gotSegments.size());
 }
 
+//! Segments of a street with noisy ends, other ones for each seed.
+Mat noisySegments(const RollingShutterCamera& camera, double yawRate, double speed, int seed, int count = 60)
+{
+    RNG rng(seed);
+    simulation::SegmentOptions options;
+    options.noise = 0.3;
+    options.count = count;
+    return simulation::randomSegments(Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, camera.heading), options, rng).ends;
+}
+
+void expectSame(const AckermannMotion& expected, const AckermannMotion& got)
+{
+    EXPECT_EQ(expected.status, got.status);
+    EXPECT_EQ(expected.alpha, got.alpha);
+    EXPECT_EQ(expected.B, got.B);
+    EXPECT_EQ(expected.D, got.D);
+    EXPECT_EQ(expected.lambda, got.lambda);
+    EXPECT_EQ(0, cv::norm(expected.covariance - got.covariance));
+}
+
+//! A corrector for motions, whose images don't matter, beside an estimator of the same settings.
+class CorrectorOfFrames
+{
+public:
+    CorrectorOfFrames() : camera(simulation::paperCamera())
+    {
+        params.estimator.wallDistance = 2.5;
+        params.carryMotion = true;
+        params.previousNoise = 0.05;
+        corrector = RollingShutterCorrector::create(camera, params);
+    }
+
+    AckermannMotion frame(const Mat& segments) const
+    {
+        Mat dst;
+        return corrector->correctWithSegments(Mat(camera.imageSize, CV_8U, Scalar(0)), segments, dst);
+    }
+
+    AckermannMotion alone(const Mat& segments, const MotionPrior& prior = MotionPrior()) const
+    {
+        return AckermannEstimator::create(camera, params.estimator)->estimate(segments, noArray(), prior);
+    }
+
+    //! The estimate after a frame with the given motion.
+    AckermannMotion after(const AckermannMotion& previous, double noise, const Mat& segments, MotionPrior prior = MotionPrior()) const
+    {
+        prior.previous = previous;
+        prior.previousNoise = noise;
+        return alone(segments, prior);
+    }
+
+    RollingShutterCamera camera;
+    RollingShutterCorrector::Params params;
+    Ptr<RollingShutterCorrector> corrector;
+};
+
+TEST(RSAckermann_Corrector, prior_is_used)
+{
+    CorrectorOfFrames c;
+    MotionPrior prior;
+    prior.speed = 20;
+    prior.speedSigma = 0.1;
+    prior.yawRate = 0.6;
+    prior.yawRateSigma = 0.01;
+    c.corrector->setPrior(prior);
+    EXPECT_EQ(0.1, c.corrector->getPrior().speedSigma);
+    EXPECT_EQ(0.6, c.corrector->getPrior().yawRate);
+    const Mat segments = noisySegments(c.camera, 0.6, 20, 3);
+    const AckermannMotion motion = c.frame(segments);
+    expectSame(c.alone(segments, prior), motion);
+    double yawRate = 0, speed = 0;
+    ASSERT_TRUE(motion.yawRate(c.camera, yawRate) && motion.speed(c.camera, speed));
+    EXPECT_NEAR(0.6, yawRate, 0.03);
+    EXPECT_NEAR(20, speed, 0.3);
+
+    prior.yawRateSigma = -1;
+    EXPECT_THROW(c.corrector->setPrior(prior), cv::Exception);
+    EXPECT_EQ(0.01, c.corrector->getPrior().yawRateSigma);
+}
+
+TEST(RSAckermann_Corrector, motion_is_carried_from_frame_to_frame)
+{
+    CorrectorOfFrames c;
+    const Mat a = noisySegments(c.camera, 0.6, 20, 3), b = noisySegments(c.camera, 0.65, 20.5, 4);
+    const AckermannMotion first = c.frame(a);
+    ASSERT_EQ(MOTION_OK, first.status);
+    expectSame(c.alone(a), first);
+    const AckermannMotion second = c.frame(b);
+    expectSame(c.after(first, 0.05, b), second);
+    EXPECT_NE(c.alone(b).alpha, second.alpha);
+
+    // together with what is known from elsewhere
+    MotionPrior prior;
+    prior.yawRate = 0.6;
+    prior.yawRateSigma = 0.02;
+    c.corrector->setPrior(prior);
+    expectSame(c.after(second, 0.05, a, prior), c.frame(a));
+}
+
+TEST(RSAckermann_Corrector, motion_is_not_carried_unless_asked_for)
+{
+    CorrectorOfFrames c;
+    c.params.carryMotion = false;
+    c.corrector->setParams(c.params);
+    const Mat a = noisySegments(c.camera, 0.6, 20, 3), b = noisySegments(c.camera, 0.65, 20.5, 4);
+    c.frame(a);
+    expectSame(c.alone(b), c.frame(b));
+}
+
+TEST(RSAckermann_Corrector, carried_motion_is_forgotten)
+{
+    CorrectorOfFrames c;
+    const Mat a = noisySegments(c.camera, 0.6, 20, 3), b = noisySegments(c.camera, 0.65, 20.5, 4);
+    c.frame(a);
+    c.corrector->reset();
+    expectSame(c.alone(b), c.frame(b));
+    c.corrector->setCamera(c.camera);
+    expectSame(c.alone(a), c.frame(a));
+    // a car that has stopped, in a time in which all may change
+    c.params.previousNoise = 1;
+    c.corrector->setParams(c.params);
+    ASSERT_EQ(MOTION_NOT_SIGNIFICANT, c.frame(noisySegments(c.camera, 0, 0, 20)).status);
+    expectSame(c.alone(b), c.frame(b));
+}
+
+TEST(RSAckermann_Corrector, frames_without_estimate_between)
+{
+    CorrectorOfFrames c;
+    const Mat a = noisySegments(c.camera, 0.6, 20, 3), b = noisySegments(c.camera, 0.65, 20.5, 4);
+    const AckermannMotion first = c.frame(a);
+    for (int i = 0; i < 3; i++)
+        ASSERT_EQ(MOTION_TOO_FEW_SEGMENTS, c.frame(a.rowRange(0, 2)).status);
+    expectSame(c.after(first, 0.1, b), c.frame(b));
+}
+
+TEST(RSAckermann_Corrector, carrying_pays_in_a_steady_drive)
+{
+    CorrectorOfFrames c;
+    double error[2] = {0, 0};
+    const int frames = 40, skipped = 5;
+    for (int i = 0; i < frames; i++)
+    {
+        const Mat segments = noisySegments(c.camera, 0.5, 15, 100 + i, 25);
+        for (int carried = 0; carried < 2; carried++)
+        {
+            const AckermannMotion motion = carried ? c.frame(segments) : c.alone(segments);
+            double yawRate = 0;
+            motion.yawRate(c.camera, yawRate);
+            if (i >= skipped)
+                error[carried] += std::abs(yawRate - 0.5) / (frames - skipped);
+        }
+    }
+    EXPECT_LT(error[1], 0.7 * error[0]);
+}
+
 TEST(RSAckermann_Corrector, bad_arguments)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
@@ -300,6 +455,9 @@ TEST(RSAckermann_Corrector, bad_arguments)
     params = RollingShutterCorrector::Params();
     params.estimator.threshold = -1;
     EXPECT_THROW(corrector->setParams(params), cv::Exception);
+    params = RollingShutterCorrector::Params();
+    params.previousNoise = -1;
+    EXPECT_THROW(corrector->setParams(params), cv::Exception);
 }
 
 TEST(RSAckermann_Corrector, params_are_written_and_read)
@@ -309,6 +467,8 @@ TEST(RSAckermann_Corrector, params_are_written_and_read)
     params.estimator.threshold = 0.75;
     params.estimator.model = MODEL_3LA;
     params.warp.newSize = Size(400, 300);
+    params.carryMotion = true;
+    params.previousNoise = 0.25;
     const RollingShutterCamera camera = simulation::paperCamera();
     FileStorage fs("corrector.yml", FileStorage::WRITE | FileStorage::MEMORY);
     RollingShutterCorrector::create(camera, params)->write(fs);
@@ -321,6 +481,8 @@ TEST(RSAckermann_Corrector, params_are_written_and_read)
     EXPECT_EQ(0.75, got.estimator.threshold);
     EXPECT_EQ(MODEL_3LA, got.estimator.model);
     EXPECT_EQ(Size(400, 300), got.warp.newSize);
+    EXPECT_TRUE(got.carryMotion);
+    EXPECT_EQ(0.25, got.previousNoise);
 }
 
 TEST(RSAckermann_Corrector, missing_keys_keep_values)
@@ -329,6 +491,8 @@ TEST(RSAckermann_Corrector, missing_keys_keep_values)
     params.interpolation = INTER_CUBIC;
     params.estimator.threshold = 0.75;
     params.warp.maxIterations = 3;
+    params.carryMotion = true;
+    params.previousNoise = 0.25;
     const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(simulation::paperCamera(), params);
     corrector->read(FileStorage("%YAML:1.0\n---\nestimator:\n   seed: 5\n", FileStorage::READ | FileStorage::MEMORY).root());
     const RollingShutterCorrector::Params got = corrector->getParams();
@@ -336,6 +500,8 @@ TEST(RSAckermann_Corrector, missing_keys_keep_values)
     EXPECT_EQ(0.75, got.estimator.threshold);
     EXPECT_EQ(5, got.estimator.seed);
     EXPECT_EQ(3, got.warp.maxIterations);
+    EXPECT_TRUE(got.carryMotion);
+    EXPECT_EQ(0.25, got.previousNoise);
 }
 
 TEST(RSAckermann_Corrector, default_name)

@@ -93,7 +93,8 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
         c.index = indices[k];
         const double dx = std::abs(c.u[0] - c.v[0]), dt = std::abs(c.timeU - c.timeV);
         const double possible = limits.maxSlant((c.u[0] + c.v[0]) / 2, camera.heading) + params.slantTolerance;
-        if (dt > 0 && dx <= std::min(possible, params.maxSlant) * dt)
+        c.gate = std::min(possible, params.maxSlant) * dt;
+        if (dt > 0 && dx <= c.gate)
             verticals.push_back(c);
         else if (dx > params.maxSlant * dt) // what is only nearly vertical belongs to neither
             others.push_back(c);

@@ -6,12 +6,12 @@
 #include "../scene.hpp"
 #include "../segments.hpp"
 #include "selection.hpp"
+#include "significance.hpp"
 #include "vertical_residual.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-static double E(const char*n,double d){const char*v=getenv(n);return v?atof(v):d;}
 namespace {
 
 class AckermannEstimatorImpl CV_FINAL : public AckermannEstimator
@@ -89,12 +89,12 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionPrior& prior) 
     problem.prior = PriorTerms(prior, camera, params, limits);
     problem.heading = camera.heading;
     problem.focal = camera.cameraMatrix(0, 0);
-    problem.sigma = E("S",0.5);
-    problem.directionSigma = E("DS",1);
-    problem.lossScale = E("LS",2);
+    problem.sigma = 0.25;
+    problem.directionSigma = 1;
+    problem.lossScale = 3;
     const bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
     problem.roadRatio = knowsRoad ? params.wallDistance / camera.height : params.roadRatio;
-    problem.gravitySigma = E("GS",E("GSD",0))/57.2957795;
+    problem.gravitySigma = params.gravitySigma;
     return problem;
 }
 
@@ -109,7 +109,6 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
     {
         RefinementProblem problem = makeProblem(prior);
         selectCandidates(segments, camera, params, problem.verticals, problem.others);
-        if (E("NOLINES",0)>0) problem.others.clear();
         for (size_t i = 0; i < problem.verticals.size(); i++)
             labels.at<uchar>(problem.verticals[i].index) = SEGMENT_OUTLIER;
         motion.candidates = (int)problem.verticals.size();
@@ -125,10 +124,11 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
 
 void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Fit& fit, AckermannMotion& motion, Mat& labels) const
 {
-    double sum = 0;
+    double sum = 0, chance = 0;
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         const Candidate& c = problem.verticals[i];
+        chance += std::min(1., params.threshold / (problem.focal * c.gate)) / motion.candidates;
         int wall;
         const double r = problem.focal * verticalResidual(c, fit.model, problem.heading, wall, 0);
         if (!(std::abs(r) < params.threshold))
@@ -138,6 +138,11 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Fit&
         sum += r * r;
     }
     motion.rms = motion.inliers > 0 ? std::sqrt(sum / motion.inliers) : 0;
+    if (logFalseAlarms(motion.candidates, motion.inliers, fit.structure.sampleSize(), chance) > 0)
+    {
+        motion.status = MOTION_NO_CONSENSUS;
+        return;
+    }
     if (fit.structure.motion == MODEL_NONE)
         return;
     motion.status = MOTION_OK;

@@ -11,7 +11,7 @@ namespace rsackermann {
 AckermannEstimator::Params::Params()
     : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6), threshold(0.5),
       confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0), roadRatio(2),
-      gravitySigma(0.2 * CV_PI / 180)
+      gravitySigma(0), wallDirectionSigma(0.4), reverseProbability(0.02)
 {
 }
 
@@ -22,6 +22,7 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "threshold" << threshold << "confidence" << confidence << "max_iterations" << maxIterations << "seed" << seed;
     fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
     fs << "road_ratio" << roadRatio << "gravity_sigma" << gravitySigma;
+    fs << "wall_direction_sigma" << wallDirectionSigma << "reverse_probability" << reverseProbability;
 }
 
 void AckermannEstimator::Params::read(const FileNode& fn)
@@ -41,6 +42,8 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     cv::read(fn["wall_distance"], wallDistance, wallDistance);
     cv::read(fn["road_ratio"], roadRatio, roadRatio);
     cv::read(fn["gravity_sigma"], gravitySigma, gravitySigma);
+    cv::read(fn["wall_direction_sigma"], wallDirectionSigma, wallDirectionSigma);
+    cv::read(fn["reverse_probability"], reverseProbability, reverseProbability);
 }
 
 void AckermannEstimator::Params::check() const
@@ -64,6 +67,9 @@ void AckermannEstimator::Params::check() const
     checkNotNegative(wallDistance, "params.wallDistance", "unknown");
     checkPositive(roadRatio, "params.roadRatio");
     checkNotNegative(gravitySigma, "params.gravitySigma", "exact");
+    checkNotNegative(wallDirectionSigma, "params.wallDirectionSigma", "unknown");
+    if (!(reverseProbability > 0 && reverseProbability <= 1))
+        CV_Error(Error::StsBadArg, format("params.reverseProbability is %g; a number above 0 and up to 1 is expected", reverseProbability));
 }
 
 }} // namespace cv::rsackermann

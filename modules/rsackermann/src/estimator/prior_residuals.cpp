@@ -11,7 +11,8 @@ namespace rsackermann {
 
 PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                        const MotionLimits& limits)
-    : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma), hasPrevious(false)
+    : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma), hasPrevious(false),
+      usualAlpha(0.4 * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDirectionSigma), reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
     if (unit > 0 && prior.yawRateSigma > 0)
@@ -61,6 +62,13 @@ int PriorTerms::evaluate(const Model& model, const Structure& structure, Jet res
         residuals[n++] = (1 / streetSigma) * (std::cos(street) * D - std::sin(street) * B) / (hypot(B, D) + 1e-12);
     else if (streetSigma > 0)
         residuals[n++] = (1 / streetSigma) * (Jet::variable(model[P_STREET], P_STREET) - street);
+    if (usualAlpha > 0 && structure.turns())
+        residuals[n++] = (1 / usualAlpha) * a;
+    // The cost of a residual is its square.
+    if (headingSigma > 0 && structure.translates())
+        residuals[n++] = (1 / headingSigma) * (std::cos(heading) * D - std::sin(heading) * B) / (hypot(B, D) + 1e-12);
+    if (model.direction < 0)
+        residuals[n++] = Jet(std::sqrt(reversePenalty));
     if (hasPrevious)
     {
         const Jet change[4] = {a - previous[0], B - previous[1], D - previous[2], Jet::variable(model[P_LAMBDA], P_LAMBDA) - previous[3]};

@@ -22,12 +22,15 @@ struct PriorTerms
     double previous[4];           // alpha, B, D, lambda
     Matx44d previousInformation;  // square root of the information of previous; 0: not known
     bool hasPrevious;
+    double usualAlpha;            // cars seldom turn faster
+    double heading, headingSigma; // the walls are along the vehicle's forward direction, more or less
+    double reversePenalty;        // cost of driving backward
 
-    PriorTerms() : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(0), streetSigma(0), hasPrevious(false) {}
+    PriorTerms() : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(0), streetSigma(0), hasPrevious(false), usualAlpha(0), heading(0), headingSigma(0), reversePenalty(0) {}
     PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                const MotionLimits& limits);
 
-    enum { MAX_RESIDUALS = 7 };
+    enum { MAX_RESIDUALS = 10 };
     //! @return number of residuals.
     int evaluate(const Model& model, const Structure& structure, Jet residuals[MAX_RESIDUALS]) const;
 };

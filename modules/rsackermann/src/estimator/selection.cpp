@@ -17,9 +17,10 @@ static bool canSeeTwoWalls(double heading)
     return std::abs(std::cos(heading)) > 0.5;
 }
 
+// From simple to rich: the richer ones start from the simpler ones, too.
 static std::vector<Structure> allowedStructures(int model, double heading)
 {
-    std::vector<Structure> structures;
+    std::vector<Structure> structures(1, Structure(MODEL_NONE, 0));
     const int motions[3] = {MODEL_1LA, MODEL_3LA, MODEL_4LA};
     for (int i = 0; i < 3; i++)
     {
@@ -38,54 +39,103 @@ static std::vector<Structure> allowedStructures(int model, double heading)
 }
 
 // The best model of a structure for the verticals alone. Returns false where there is none.
-static bool fitVerticals(const RefinementProblem& problem, const AckermannEstimator::Params& params, Fit& fit)
+static bool fitVerticals(const RefinementProblem& problem, const AckermannEstimator::Params& params, const Structure& structure, Model& model)
 {
-    if (fit.structure.motion == MODEL_NONE)
+    if (structure.motion == MODEL_NONE)
         return true;
     RansacOptions options;
     options.confidence = params.confidence;
     options.maxIterations = params.maxIterations;
     options.seed = (uint64)params.seed;
-    CandidateConsensus consensus(problem, fit.structure, params.threshold);
+    CandidateConsensus consensus(problem, structure, params.threshold);
     double score;
-    if (!loRansac(consensus, options, fit.model, score))
+    if (!loRansac(consensus, options, model, score))
         return false;
-    refine(problem, fit.structure, VERTICALS_ONLY, 20, fit.model);
+    refine(problem, structure, VERTICALS_ONLY, 20, model);
     return true;
 }
 
-// Joint refinement from the direction of the street that the verticals tell and from the one that the other segments tell.
-static void fitAllSegments(const RefinementProblem& problem, Fit& fit)
+// Bayesian information criterion, with a larger penalty than for independent errors: those of neighbouring segments are
+// alike. The number of walls belongs to the scene and is not penalised.
+static double criterion(const RefinementProblem& problem, const Structure& structure, double cost)
 {
-    Model fromLines = fit.model;
-    const bool hasLines = startFromStreetDirection(problem, fit.structure, fromLines);
-    fit.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, fit.model, &fit.covariance);
-    if (hasLines)
-    {
-        Fit other = fit;
-        other.model = fromLines;
-        other.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, other.model, &other.covariance);
-        if (other.cost < fit.cost)
-            fit = other;
-    }
-    fit.criterion = fit.cost + fit.structure.unknowns() * std::log((double)problem.verticals.size());
+    const double dependence = 1.5;
+    const int unknowns = (structure.turns() ? 1 : 0) + (structure.translates() ? 2 : 0);
+    return cost + dependence * unknowns * std::log((double)problem.verticals.size());
 }
 
-Fit selectMotion(const RefinementProblem& problem, const AckermannEstimator::Params& params)
+static void refineFrom(const RefinementProblem& problem, const Model& start, Fit& fit)
 {
-    std::vector<Structure> structures = allowedStructures(params.model, problem.heading);
-    structures.insert(structures.begin(), Structure(MODEL_NONE, 0));
-    Fit best(structures[0]);
+    Fit next = fit;
+    next.model = start;
+    next.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, next.model, &next.covariance);
+    if (next.cost < fit.cost)
+        fit = next;
+}
+
+// Joint refinement from several starts, and from each with the street where the other segments see it.
+static Fit fitAllSegments(const RefinementProblem& problem, const Structure& structure, const std::vector<Model>& starts)
+{
+    Fit fit(structure);
+    for (size_t i = 0; i < starts.size(); i++)
+    {
+        refineFrom(problem, starts[i], fit);
+        Model turned = starts[i];
+        if (startFromStreetDirection(problem, structure, turned))
+            refineFrom(problem, turned, fit);
+    }
+    fit.criterion = criterion(problem, structure, fit.cost);
+    return fit;
+}
+
+static const Fit& bestOf(const std::vector<Fit>& fits)
+{
+    size_t best = 0;
+    for (size_t i = 1; i < fits.size(); i++)
+        if (fits[i].criterion < fits[best].criterion)
+            best = i;
+    return fits[best];
+}
+
+// Standard deviation of the residuals of the verticals in pixels, from the median of those that aren't gross outliers.
+static double measuredSigma(const RefinementProblem& problem, const Model& model, double gross)
+{
+    std::vector<double> residuals;
+    for (size_t i = 0; i < problem.verticals.size(); i++)
+    {
+        int wall;
+        const double r = problem.focal * std::abs(verticalResidual(problem.verticals[i], model, problem.heading, wall, 0));
+        if (r < gross)
+            residuals.push_back(r);
+    }
+    if (residuals.empty())
+        return problem.sigma;
+    const size_t middle = residuals.size() / 2;
+    std::nth_element(residuals.begin(), residuals.begin() + middle, residuals.end());
+    return 1.4826 * residuals[middle];
+}
+
+Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& params)
+{
+    const std::vector<Structure> structures = allowedStructures(params.model, problem.heading);
+    std::vector<Fit> fits;
     for (size_t i = 0; i < structures.size(); i++)
     {
-        Fit next(structures[i]);
-        if (!fitVerticals(problem, params, next))
+        std::vector<Model> starts(1);
+        if (!fitVerticals(problem, params, structures[i], starts[0]))
             continue;
-        fitAllSegments(problem, next);
-        if (next.criterion < best.criterion)
-            best = next;
+        for (size_t j = 0; j < fits.size(); j++)
+            if (structures[i].motion == MODEL_4LA && fits[j].structure.walls == structures[i].walls)
+                starts.push_back(fits[j].model);
+        fits.push_back(fitAllSegments(problem, structures[i], starts));
     }
-    return best;
+
+    // Once more with the noise that was found, which decides how much evidence there is.
+    const double low = 0.15, high = 0.6;
+    problem.sigma = std::min(std::max(measuredSigma(problem, bestOf(fits).model, 2 * params.threshold), low), high);
+    for (size_t i = 0; i < fits.size(); i++)
+        fits[i] = fitAllSegments(problem, fits[i].structure, std::vector<Model>(1, fits[i].model));
+    return bestOf(fits);
 }
 
 }} // namespace cv::rsackermann

@@ -24,8 +24,9 @@ struct Fit
 
 /** Fits all motion structures that Params::model and the heading allow and returns the one with the best Bayesian information
 criterion (doc/theory.md, "Estimation"). A camera at rest is among them.
+@param problem its sigma is a first guess and becomes what was found.
 */
-Fit selectMotion(const RefinementProblem& problem, const AckermannEstimator::Params& params);
+Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& params);
 
 }} // namespace cv::rsackermann
 

@@ -22,12 +22,12 @@ bool solveWalls(const Constraint& first, const Constraint& second, const Constra
 {
     const double degenerate = 1e-10;
     const Constraint n = first.cross(second); // parallel to (1, D, B)
-    if (!(std::abs(n.e) > degenerate * first.length() * second.length()))
+    if (!(n.e * n.e > degenerate * degenerate * first.length2() * second.length2()))
         return false;
     solution.D = n.d / n.e;
     solution.B = n.b / n.e;
     solution.lambda = 0;
-    if (!(std::hypot(solution.B, solution.D) > degenerate))
+    if (!(solution.B * solution.B + solution.D * solution.D > degenerate * degenerate))
         return false; // vertical lines that stay where they are tell nothing about walls
     if (right)
     {
@@ -42,15 +42,16 @@ bool solveWalls(const Constraint& first, const Constraint& second, const Constra
 
 bool solveWallsFromThree(const Constraint c[3], const Constraint* right, MinimalSolution& solution)
 {
+    const double length2[3] = {c[0].length2(), c[1].length2(), c[2].length2()};
     int best = 0;
-    double bestLength = -1;
+    double bestSine2 = -1;
     for (int i = 0; i < 3; i++)
     {
-        const Constraint &a = c[i], &b = c[(i + 1) % 3];
-        const double length = a.cross(b).length() / (a.length() * b.length() + DBL_MIN);
-        if (length > bestLength)
+        const int j = (i + 1) % 3;
+        const double sine2 = c[i].cross(c[j]).length2() / (length2[i] * length2[j] + DBL_MIN);
+        if (sine2 > bestSine2)
         {
-            bestLength = length;
+            bestSine2 = sine2;
             best = i;
         }
     }
@@ -58,26 +59,21 @@ bool solveWallsFromThree(const Constraint c[3], const Constraint* right, Minimal
 }
 
 // The side of the line at infinity on which a bearing is seen, as the sign of its scaled inverse depth; 0 behind the camera.
-static int wallSide(const Point2d& bearing, double time, double heading, double alpha, double B, double D)
+static int wallSide(const TurnedBearing& bearing, double B, double D)
 {
-    const TurnedBearing turned(bearing, RowMotion(alpha, heading, time));
-    const double z = turned.M + turned.G * B;
+    const double z = bearing.M + bearing.G * B;
     if (!(z > 0))
         return 0;
-    return D * z - B * (turned.N + turned.G * D) > 0 ? 1 : -1;
+    return D * z - B * (bearing.N + bearing.G * D) > 0 ? 1 : -1;
 }
 
-bool isPlausible(const MinimalSolution& s, const VerticalSegment* segments, int left, bool twoWalls, const SolverOptions& options)
+bool areOnWalls(const MinimalSolution& s, const TurnedSegment* segments, int left, bool twoWalls)
 {
-    if (!(std::abs(s.alpha) <= options.maxAlpha) || !(std::hypot(s.B, s.D) <= options.maxSpeed))
-        return false;
     int side = 0;
     for (int i = 0; i < left + (twoWalls ? 1 : 0); i++)
     {
         const double scale = i < left ? 1 : -s.lambda;
-        const VerticalSegment& segment = segments[i];
-        const int u = wallSide(segment.u, segment.timeU, options.heading, s.alpha, scale * s.B, scale * s.D);
-        const int v = wallSide(segment.v, segment.timeV, options.heading, s.alpha, scale * s.B, scale * s.D);
+        const int u = wallSide(segments[i].u, scale * s.B, scale * s.D), v = wallSide(segments[i].v, scale * s.B, scale * s.D);
         if (u == 0 || u != v || (side != 0 && u != side))
             return false;
         side = u;

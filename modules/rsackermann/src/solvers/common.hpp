@@ -29,7 +29,7 @@ struct Constraint
     Constraint() : e(0), d(0), b(0) {}
     Constraint(double e_, double d_, double b_) : e(e_), d(d_), b(b_) {}
 
-    double length() const { return std::sqrt(e * e + d * d + b * b); }
+    double length2() const { return dot(*this); }
     double dot(const Constraint& o) const { return e * o.e + d * o.d + b * o.b; }
     Constraint cross(const Constraint& o) const
     {
@@ -37,11 +37,24 @@ struct Constraint
     }
 };
 
-//! The exact constraint of a segment for a given alpha.
-inline Constraint exactConstraint(const TurnedBearing& u, const TurnedBearing& v)
+//! Both ends of a segment, turned for a given alpha.
+struct TurnedSegment
 {
-    return Constraint(u.N * v.M - v.N * u.M, u.G * v.M - v.G * u.M, u.N * v.G - v.N * u.G);
-}
+    TurnedBearing u, v;
+
+    //! @param s segment whose ends are passed at two rows.
+    TurnedSegment(const VerticalSegment& s, const RowMotion& rowU, const RowMotion& rowV) : u(s.u, rowU), v(s.v, rowV) {}
+    TurnedSegment(const VerticalSegment& s, double alpha, const Heading& heading)
+        : u(s.u, RowMotion(alpha, heading, s.timeU)), v(s.v, RowMotion(alpha, heading, s.timeV))
+    {
+    }
+
+    //! What the segment says about (B, D), exactly.
+    Constraint constraint() const
+    {
+        return Constraint(u.N * v.M - v.N * u.M, u.G * v.M - v.G * u.M, u.N * v.G - v.N * u.G);
+    }
+};
 
 inline double determinant(const Constraint& a, const Constraint& b, const Constraint& c)
 {
@@ -54,8 +67,16 @@ bool solveWalls(const Constraint& first, const Constraint& second, const Constra
 //! solveWalls() with the pair of three constraints that is farthest from being parallel.
 bool solveWallsFromThree(const Constraint constraints[3], const Constraint* right, MinimalSolution& solution);
 
-//! Whether all segments are seen, by the solution, on walls in front of the camera and the solution is within the limits.
-bool isPlausible(const MinimalSolution& solution, const VerticalSegment* segments, int left, bool twoWalls, const SolverOptions& options);
+//! Whether the solution is within the limits.
+inline bool isWithinLimits(const MinimalSolution& s, const SolverOptions& options)
+{
+    return std::abs(s.alpha) <= options.maxAlpha && s.B * s.B + s.D * s.D <= options.maxSpeed * options.maxSpeed;
+}
+
+/** Whether all segments are seen on walls in front of the camera and on the same side of the line at infinity: those on the
+left (or only) wall first, then, where twoWalls, one on the right wall.
+*/
+bool areOnWalls(const MinimalSolution& solution, const TurnedSegment* segments, int left, bool twoWalls);
 
 }} // namespace cv::rsackermann
 

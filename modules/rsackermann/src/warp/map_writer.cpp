@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "opencv2/imgproc.hpp"
+#include "map_kernels.hpp"
 #include "map_writer.hpp"
 #include "pixels.hpp"
 
@@ -44,65 +44,56 @@ MapWriter::MapWriter(const Size& target_, Mat& mask_) : mapSize(mask_.size()), t
     CV_DbgAssert(mask.type() == CV_8UC1);
 }
 
-MapWriter::Row::Row(MapWriter& writer_, int row_) : writer(writer_), row(row_)
+MapWriter::Tile::Tile(MapWriter& writer_, int index)
+    : writer(writer_), part(Rect(index % writer.tilesAcross() * TILE, index / writer.tilesAcross() * TILE, TILE, TILE))
 {
-    if (writer.type == CV_32FC1)
+    const bool whole = part.br().x <= writer.mapSize.width;
+    part &= Rect(Point(), writer.mapSize);
+    // Where nothing would be written beyond its end the map itself takes the coordinates.
+    if (writer.type == CV_32FC1 && whole && writer.map1.step == writer.map2.step)
     {
-        x = writer.map1.ptr<float>(row);
-        y = writer.map2.ptr<float>(row);
+        firstX = writer.map1.ptr<float>(part.y) + part.x;
+        firstY = writer.map2.ptr<float>(part.y) + part.x;
+        step = writer.map1.step1();
         return;
     }
-    buffer.allocate(2 * writer.mapSize.width);
-    x = buffer.data();
-    y = x + writer.mapSize.width;
+    firstX = buffer[0];
+    firstY = buffer[1];
+    step = TILE;
 }
 
-void MapWriter::Row::set(int column, const Point2d& place)
+void MapWriter::Tile::set(const Point& pixel, const Point2d& place)
 {
     if (!isAddressable(place))
-        return setNone(column);
-    x[column] = float(place.x);
-    y[column] = float(place.y);
+        return setNone(pixel);
+    *x(pixel) = float(place.x);
+    *y(pixel) = float(place.y);
 }
 
-void MapWriter::Row::setNone(int column)
+void MapWriter::Tile::setNone(const Point& pixel)
 {
-    x[column] = y[column] = FAR_OUTSIDE;
+    *x(pixel) = *y(pixel) = FAR_OUTSIDE;
 }
 
-// Fixed point with INTER_BITS fractional bits; the same for every column, whatever the width.
-static void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction)
+void MapWriter::Tile::write()
 {
-    for (int i = 0; i < width; i++)
+    for (int i = 0; i < part.height; i++)
     {
-        const int ix = saturate_cast<int>(x[i] * INTER_TAB_SIZE), iy = saturate_cast<int>(y[i] * INTER_TAB_SIZE);
-        whole[2 * i] = saturate_cast<short>(ix >> INTER_BITS);
-        whole[2 * i + 1] = saturate_cast<short>(iy >> INTER_BITS);
-        fraction[i] = ushort((iy & (INTER_TAB_SIZE - 1)) * INTER_TAB_SIZE + (ix & (INTER_TAB_SIZE - 1)));
+        const Point first(part.x, part.y + i);
+        const float *rowX = x(first), *rowY = y(first);
+        if (writer.type == CV_16SC2)
+            packFixedPoint(rowX, rowY, part.width, writer.map1.ptr<short>(first.y) + 2 * first.x, writer.map2.ptr<ushort>(first.y) + first.x);
+        else if (writer.type == CV_32FC2)
+            packInterleaved(rowX, rowY, part.width, writer.map1.ptr<float>(first.y) + 2 * first.x);
+        else if (writer.type == CV_32FC1 && firstX == buffer[0])
+        {
+            std::copy(rowX, rowX + part.width, writer.map1.ptr<float>(first.y) + first.x);
+            std::copy(rowY, rowY + part.width, writer.map2.ptr<float>(first.y) + first.x);
+        }
+        if (!writer.mask.empty())
+            packMask(rowX, rowY, part.width, -ROUNDED_PIXEL, float(writer.target.width - 1) + ROUNDED_PIXEL,
+                     float(writer.target.height - 1) + ROUNDED_PIXEL, writer.mask.ptr(first.y) + first.x);
     }
-}
-
-static void packInterleaved(const float* x, const float* y, int width, float* xy)
-{
-    for (int i = 0; i < width; i++)
-    {
-        xy[2 * i] = x[i];
-        xy[2 * i + 1] = y[i];
-    }
-}
-
-void MapWriter::Row::write()
-{
-    const int width = writer.mapSize.width;
-    if (writer.type == CV_16SC2)
-        packFixedPoint(x, y, width, writer.map1.ptr<short>(row), writer.map2.ptr<ushort>(row));
-    else if (writer.type == CV_32FC2)
-        packInterleaved(x, y, width, writer.map1.ptr<float>(row));
-    if (writer.mask.empty())
-        return;
-    uchar* seen = writer.mask.ptr(row);
-    for (int i = 0; i < width; i++)
-        seen[i] = isInImage(x[i], y[i], writer.target) ? 255 : 0;
 }
 
 }} // namespace cv::rsackermann

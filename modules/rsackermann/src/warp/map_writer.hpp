@@ -13,9 +13,9 @@ namespace rsackermann {
 //! The type that stands for m1type in the contract of cv::initUndistortRectifyMap; throws for other than its three types.
 int normalizedMapType(int m1type);
 
-/** Writes maps for cv::remap row by row in the three formats of cv::initUndistortRectifyMap, and their mask.
+/** Writes maps for cv::remap tile by tile in the three formats of cv::initUndistortRectifyMap, and their mask.
 
-Rows may be written by several threads.
+Tiles may be written by several threads.
 */
 class MapWriter
 {
@@ -33,27 +33,45 @@ public:
     //! Only the mask.
     MapWriter(const Size& target, Mat& mask);
 
-    //! Coordinates of one row, to be filled between the constructor and write().
-    class Row
+    //! Number of pixels along both sides of a tile.
+    static const int TILE = 128;
+
+    /** Coordinates of one tile, to be filled between the constructor and write().
+
+    All TILE of a row may be filled, also where the map ends before.
+    */
+    class Tile
     {
     public:
-        Row(MapWriter& writer, int row);
-        void set(int column, const Point2d& place);
-        void setNone(int column);
+        //! @param index of the tile, 0 ... tiles() - 1.
+        Tile(MapWriter& writer, int index);
+        //! The part of the map that the tile has.
+        const Rect& area() const { return part; }
+        //! Coordinates of a pixel, with step floats from row to row.
+        float* x(const Point& pixel) const { return firstX + offset(pixel); }
+        float* y(const Point& pixel) const { return firstY + offset(pixel); }
+        void set(const Point& pixel, const Point2d& place);
+        void setNone(const Point& pixel);
         //! Writes the coordinates into the maps and the mask.
         void write();
 
+        size_t step;
+
     private:
+        size_t offset(const Point& pixel) const { return (pixel.y - part.y) * step + (pixel.x - part.x); }
+
         MapWriter& writer;
-        int row;
-        AutoBuffer<float> buffer;
-        float* x;
-        float* y;
+        Rect part;
+        float* firstX;
+        float* firstY;
+        float buffer[2][TILE * TILE];
     };
 
-    Size size() const { return mapSize; }
+    int tiles() const { return tilesAcross() * ((mapSize.height + TILE - 1) / TILE); }
 
 private:
+    int tilesAcross() const { return (mapSize.width + TILE - 1) / TILE; }
+
     Size mapSize, target;
     int type; // of map1; -1: no maps
     Mat map1, map2, mask;

@@ -6,7 +6,7 @@
 #include "distorter.hpp"
 #include "maps.hpp"
 #include "pixels.hpp"
-#include "rectifier.hpp"
+#include "tile_rectifier.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -18,71 +18,52 @@ GlobalCamera::GlobalCamera(const RollingShutterCamera& camera, const WarpMapGene
 }
 
 // parallel_for_ over rows, in stripes that are worth a thread.
-static void forEachRow(const Size& size, const ParallelLoopBody& body)
-{
-    const double pixelsPerStripe = 1 << 14;
-    parallel_for_(Range(0, size.height), body, std::max(1., size.area() / pixelsPerStripe));
-}
-
 namespace {
 
-class RectifyRows : public ParallelLoopBody
+class RectifyTiles : public ParallelLoopBody
 {
 public:
-    RectifyRows(const Shutter& shutter_, const Rectifier& rectifier_, const Matx33d& matrix, MapWriter& writer_)
-        : shutter(shutter_), rectifier(rectifier_), inverse(matrix.inv()), writer(writer_)
-    {
-    }
+    RectifyTiles(const TileRectifier& rectifier_, MapWriter& writer_) : rectifier(rectifier_), writer(writer_) {}
 
     void operator()(const Range& range) const CV_OVERRIDE
     {
-        for (int y = range.start; y < range.end; y++)
+        for (int i = range.start; i < range.end; i++)
         {
-            MapWriter::Row row(writer, y);
-            Rectifier::Guess guess;
-            for (int x = 0; x < writer.size().width; x++)
-            {
-                const Vec3d ray = inverse * Vec3d(x, y, 1);
-                const Vec3d b = shutter.up * ray;
-                Point2d raw;
-                if (rectifier.solve(ray, b, shutter.scene.inverseDepth(b), true, guess, raw))
-                    row.set(x, raw);
-                else
-                    row.setNone(x);
-            }
-            row.write();
+            MapWriter::Tile tile(writer, i);
+            rectifier.fill(tile);
+            tile.write();
         }
     }
 
 private:
-    const Shutter& shutter;
-    const Rectifier& rectifier;
-    const Matx33d inverse;
+    const TileRectifier& rectifier;
     MapWriter& writer;
 };
 
-class DistortRows : public ParallelLoopBody
+class DistortTiles : public ParallelLoopBody
 {
 public:
-    DistortRows(const Distorter& distorter_, const Matx33d& matrix_, MapWriter& writer_)
+    DistortTiles(const Distorter& distorter_, const Matx33d& matrix_, MapWriter& writer_)
         : distorter(distorter_), matrix(matrix_), writer(writer_)
     {
     }
 
     void operator()(const Range& range) const CV_OVERRIDE
     {
-        for (int y = range.start; y < range.end; y++)
+        for (int i = range.start; i < range.end; i++)
         {
-            MapWriter::Row row(writer, y);
-            for (int x = 0; x < writer.size().width; x++)
-            {
-                Vec3d ray;
-                if (distorter.solve(Point2d(x, y), ray))
-                    row.set(x, pixelOf(matrix, ray));
-                else
-                    row.setNone(x);
-            }
-            row.write();
+            MapWriter::Tile tile(writer, i);
+            const Rect area = tile.area();
+            for (int y = area.y; y < area.br().y; y++)
+                for (int x = area.x; x < area.br().x; x++)
+                {
+                    Vec3d ray;
+                    if (distorter.solve(Point2d(x, y), ray))
+                        tile.set(Point(x, y), pixelOf(matrix, ray));
+                    else
+                        tile.setNone(Point(x, y));
+                }
+            tile.write();
         }
     }
 
@@ -98,8 +79,8 @@ void writeRectifyMap(const RollingShutterCamera& camera, const WarpMapGenerator:
                      MapWriter& writer)
 {
     const Shutter shutter(camera, motion);
-    const Rectifier rectifier(shutter, params.maxIterations, params.tolerance);
-    forEachRow(writer.size(), RectifyRows(shutter, rectifier, GlobalCamera(camera, params).matrix, writer));
+    const TileRectifier rectifier(shutter, GlobalCamera(camera, params).matrix, params.maxIterations, params.tolerance);
+    parallel_for_(Range(0, writer.tiles()), RectifyTiles(rectifier, writer));
 }
 
 void writeDistortMap(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
@@ -108,7 +89,7 @@ void writeDistortMap(const RollingShutterCamera& camera, const WarpMapGenerator:
     const Shutter shutter(camera, motion);
     const Distorter distorter(shutter);
     const GlobalCamera global(camera, params);
-    forEachRow(writer.size(), DistortRows(distorter, global.matrix, writer));
+    parallel_for_(Range(0, writer.tiles()), DistortTiles(distorter, global.matrix, writer));
 }
 
 }} // namespace cv::rsackermann

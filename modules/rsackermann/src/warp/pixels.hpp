@@ -19,12 +19,8 @@ inline bool isAddressable(const Point2d& p)
     return std::abs(p.x) <= SHRT_MAX && std::abs(p.y) <= SHRT_MAX;
 }
 
-//! Whether a pixel is in the image after the rounding to 1/32 pixel that cv::remap does.
-inline bool isInImage(float x, float y, const Size& size)
-{
-    const float slack = 1.f / 64;
-    return x >= -slack && y >= -slack && x <= float(size.width - 1) + slack && y <= float(size.height - 1) + slack;
-}
+//! By how much a pixel may lie outside of an image and be in it after the rounding to 1/32 pixel that cv::remap does.
+const float ROUNDED_PIXEL = 1.f / 64;
 
 //! Pixel of a ray of a camera without distortion.
 inline Point2d pixelOf(const Matx33d& cameraMatrix, const Vec3d& ray)

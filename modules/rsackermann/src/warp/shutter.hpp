@@ -72,7 +72,8 @@ public:
     Matx33d down; //!< upright frame to camera frame
 
 private:
-    double alpha, heading;
+    double alpha;
+    Heading heading;
     bool byRows;
     double time0, timeStep;
 };

@@ -51,7 +51,8 @@ public:
 
     /** @brief An uncalibrated camera: principal point at the image centre, square pixels, no distortion.
     @param size size of the image in pixels.
-    @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal.
+    @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal .
+    @return the camera, upright and looking forward.
      */
     CV_WRAP static RollingShutterCamera fromFocal(const Size& size, double focal = 0);
 
@@ -86,6 +87,7 @@ public:
     //! Throws cv::Exception with the name and value of the first field that is out of range.
     CV_WRAP void check() const;
 
+    //! Writes all fields into the present node, a map.
     void write(FileStorage& fs) const;
     //! Reads what write() has written. Fields that are missing keep their values.
     void read(const FileNode& fn);

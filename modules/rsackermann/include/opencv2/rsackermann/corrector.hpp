@@ -23,13 +23,17 @@ Where the motion's status isn't #MOTION_OK only the lens is corrected; without l
 class CV_EXPORTS_W RollingShutterCorrector : public Algorithm
 {
 public:
+    //! Parameters of the correction.
     struct CV_EXPORTS_W_SIMPLE Params
     {
-        CV_WRAP Params();
+        CV_WRAP Params(); //!< the defaults
         CV_PROP_RW AckermannEstimator::Params estimator; //!< of the estimation
         CV_PROP_RW WarpMapGenerator::Params warp;        //!< of the maps
         CV_PROP_RW int interpolation;                    //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
+        CV_PROP_RW bool carryMotion;     //!< whether the images are consecutive frames and each motion is known before the next one is estimated, default false
+        CV_PROP_RW double previousNoise; //!< MotionPrior::previousNoise from one frame to the next where carryMotion is set, default 0.1
 
+        //! Writes all fields into the present node, a map.
         void write(FileStorage& fs) const;
         //! Reads what write() has written. Fields that are missing keep their values.
         void read(const FileNode& fn);
@@ -38,14 +42,34 @@ public:
     /** @brief Creates a corrector.
     @param camera the camera; copied.
     @param params see RollingShutterCorrector::Params.
+    @return the corrector; throws cv::Exception where the camera or a parameter is out of range.
      */
     CV_WRAP static Ptr<RollingShutterCorrector> create(const RollingShutterCamera& camera,
                                                        const RollingShutterCorrector::Params& params = RollingShutterCorrector::Params());
 
+    //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
+    //! The present camera.
     CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
+    //! Sets other parameters; throws cv::Exception with the name and value of the first one that is out of range.
     CV_WRAP virtual void setParams(const RollingShutterCorrector::Params& params) = 0;
+    //! The present parameters.
     CV_WRAP virtual RollingShutterCorrector::Params getParams() const = 0;
+
+    /** @brief Sets what is known of the motion from elsewhere; used for all images until it is set again.
+    @param prior see MotionPrior. Where Params::carryMotion is set and there is a motion to carry, that one is used in place
+    of MotionPrior::previous.
+     */
+    CV_WRAP virtual void setPrior(const MotionPrior& prior) = 0;
+    //! What setPrior() has set.
+    CV_WRAP virtual MotionPrior getPrior() const = 0;
+
+    /** @brief Forgets the motion that is carried to the next frame: for the first frame of another sequence.
+
+    It is also forgotten where a camera is set and where a frame shows a camera at rest (#MOTION_NOT_SIGNIFICANT). A frame
+    without an estimate for another reason leaves it, with a noise that grows with the number of such frames.
+     */
+    CV_WRAP virtual void reset() = 0;
 
     /** @brief Corrects an image.
     @param src raw image of the camera's size; any type that cv::remap takes, and 8 or 16 bit with 1, 3 or 4 channels for
@@ -59,8 +83,9 @@ public:
     /** @brief Corrects an image with segments that were found elsewhere.
     @param src raw image of the camera's size, of any type that cv::remap takes.
     @param segments as in AckermannEstimator::estimate.
-    @param dst corrected image.
+    @param dst corrected image, as in correct().
     @param mask as in correct().
+    @return the motion, as from correct().
      */
     CV_WRAP virtual AckermannMotion correctWithSegments(InputArray src, InputArray segments, OutputArray dst, OutputArray mask = noArray()) = 0;
 

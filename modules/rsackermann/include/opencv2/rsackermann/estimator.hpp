@@ -16,7 +16,7 @@ namespace rsackermann {
 //! Detectors of line segments.
 enum SegmentDetector
 {
-    DETECTOR_LSD = 0,    //!< cv::LineSegmentDetector of imgproc
+    DETECTOR_LSD = 0,    //!< cv::LineSegmentDetector of imgproc @cite Rafael12
     DETECTOR_FLD = 1,    //!< cv::ximgproc::FastLineDetector, needs the module ximgproc
     DETECTOR_EDLINES = 2 //!< cv::ximgproc::EdgeDrawing, needs the module ximgproc
 };
@@ -42,7 +42,7 @@ CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int det
 
 Vertical lines of the scene (walls, posts, windows) are slanted and bent by the motion. The estimator
 -# keeps the segments that can be images of vertical lines within the limits of motion,
--# finds a consensus with minimal solvers (solve1LA, solve3LA, solve4LA, solve4LAExact) in a locally optimised RANSAC,
+-# finds a consensus with minimal solvers (solve1LA, solve3LA, solve4LA) in a locally optimised RANSAC @cite chum2003locally ,
 -# refines the motion with the exact model and a robust loss on all candidates; the other segments say where the street goes
     and, with the candidates, what is wrong with gravity; the prior counts as further measurements,
 -# chooses the model by an information criterion; a motion that isn't significant is reported as none.
@@ -53,9 +53,10 @@ The result is the same for the same seed, whatever the number of threads.
 class CV_EXPORTS_W AckermannEstimator : public Algorithm
 {
 public:
+    //! Parameters of the estimation.
     struct CV_EXPORTS_W_SIMPLE Params
     {
-        CV_WRAP Params();
+        CV_WRAP Params(); //!< the defaults
         CV_PROP_RW int model;             //!< one of #MotionModel, default #MODEL_AUTO
         CV_PROP_RW int detector;          //!< one of #SegmentDetector, default #DETECTOR_LSD
         CV_PROP_RW double minLength;      //!< pixels; shorter segments are left out, default 35
@@ -70,11 +71,14 @@ public:
         CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used where lineDelay and the wall's distance are known
         CV_PROP_RW double wallDistance;   //!< metres to the left (or only) wall; 0: unknown (default)
         CV_PROP_RW double roadRatio;      //!< distance of the left (or only) wall over the camera's height, assumed where one of them is unknown, default 2
-        CV_PROP_RW double gravitySigma;   //!< radians; standard deviation of the camera's roll and pitch, 0: exact, default 0.2 degrees
+        CV_PROP_RW double gravitySigma;   //!< radians; standard deviation of the camera's roll and pitch, which are then corrected; 0: exact (default)
+        CV_PROP_RW double wallDirectionSigma; //!< standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0: unknown, default 0.4
+        CV_PROP_RW double reverseProbability; //!< probability that the car drives backward, default 0.02
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;
 
+        //! Writes all fields into the present node, a map.
         void write(FileStorage& fs) const;
         //! Reads what write() has written. Fields that are missing keep their values.
         void read(const FileNode& fn);
@@ -83,13 +87,18 @@ public:
     /** @brief Creates an estimator.
     @param camera the camera; copied.
     @param params see AckermannEstimator::Params.
+    @return the estimator; throws cv::Exception where the camera or a parameter is out of range.
      */
     CV_WRAP static Ptr<AckermannEstimator> create(const RollingShutterCamera& camera,
                                                   const AckermannEstimator::Params& params = AckermannEstimator::Params());
 
+    //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
+    //! The present camera.
     CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
+    //! Sets other parameters; throws cv::Exception with the name and value of the first one that is out of range.
     CV_WRAP virtual void setParams(const AckermannEstimator::Params& params) = 0;
+    //! The present parameters.
     CV_WRAP virtual AckermannEstimator::Params getParams() const = 0;
 
     /** @brief Estimates the motion from line segments.
@@ -107,6 +116,7 @@ public:
     @param segments receives the N x 4 matrix CV_32F of the detected segments.
     @param labels as in estimate().
     @param prior as in estimate().
+    @return as from estimate().
      */
     CV_WRAP virtual AckermannMotion estimateFromImage(InputArray image, OutputArray segments = noArray(),
                                                       OutputArray labels = noArray(),

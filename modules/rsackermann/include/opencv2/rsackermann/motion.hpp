@@ -13,7 +13,7 @@ namespace rsackermann {
 //! @addtogroup rsackermann
 //! @{
 
-//! What an estimate is worth. Only with #MOTION_OK is the image changed beyond the lens correction.
+//! What an estimate is worth. Only with MOTION_OK is the image changed beyond the lens correction.
 enum MotionStatus
 {
     MOTION_OK = 0,                //!< a significant motion was found
@@ -54,6 +54,7 @@ public:
     @param rightDistance metres from the camera to the right wall; 0: no right wall.
     @param wallDirection radians from the horizontal optical axis to the direction along the walls, positive to the right; a
     street that the car follows has the heading.
+    @return the motion, of status #MOTION_OK where it isn't that of a camera at rest.
      */
     CV_WRAP static AckermannMotion fromMetric(const RollingShutterCamera& camera, double yawRate, double speed, double leftDistance,
                                               double rightDistance, double wallDirection);
@@ -61,12 +62,16 @@ public:
     //! Column of the line at infinity of the walls in the upright frame, D/B; 0 where the walls are parallel to the image.
     CV_WRAP double delta() const;
 
-    /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second.
+    /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second; positive to the right.
+    @param camera the camera with which the motion was estimated.
+    @param radiansPerSecond receives the yaw rate; 0 where it is unknown.
     @return false where lineDelay is unknown.
      */
     CV_WRAP bool yawRate(const RollingShutterCamera& camera, CV_OUT double& radiansPerSecond) const;
 
     /** @brief Speed, \f$\pm\sqrt{B^2+D^2} \cdot wallDistance\f$ / secondsPerUnitTime, in metres per second; negative in reverse.
+    @param camera the camera with which the motion was estimated.
+    @param metresPerSecond receives the speed; 0 where it is unknown.
     @return false where wallDistance or lineDelay is unknown.
      */
     CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
@@ -84,12 +89,14 @@ public:
 
     It includes what isn't known of gravity. Rows and columns of values that are unknown or not part of the model are 0.
     @param camera the camera with which the motion was estimated.
+    @return the symmetric matrix.
      */
     CV_WRAP Matx44d metricCovariance(const RollingShutterCamera& camera) const;
 
     //! The camera's upright rotation with this motion's corrections of roll and pitch.
     CV_WRAP Matx33d uprightRotation(const RollingShutterCamera& camera) const;
 
+    //! Writes all fields into the present node, a map.
     void write(FileStorage& fs) const;
     //! Reads what write() has written. Fields that are missing keep their values.
     void read(const FileNode& fn);

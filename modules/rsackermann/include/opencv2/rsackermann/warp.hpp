@@ -23,14 +23,16 @@ With a motion whose status isn't #MOTION_OK the maps undo (or simulate) the lens
 class CV_EXPORTS_W WarpMapGenerator : public Algorithm
 {
 public:
+    //! Parameters of the maps.
     struct CV_EXPORTS_W_SIMPLE Params
     {
-        CV_WRAP Params();
+        CV_WRAP Params(); //!< the defaults
         CV_PROP_RW Matx33d newCameraMatrix; //!< intrinsics of the global-shutter camera; all 0 (default): those of the camera
         CV_PROP_RW Size newSize;            //!< image size of the global-shutter camera; 0 x 0 (default): that of the camera
         CV_PROP_RW int maxIterations;       //!< of the fixed point on the row time, default 10
         CV_PROP_RW double tolerance;        //!< pixels; the fixed point stops where the row changes by less, default 1e-3
 
+        //! Writes all fields into the present node, a map.
         void write(FileStorage& fs) const;
         //! Reads what write() has written. Fields that are missing keep their values.
         void read(const FileNode& fn);
@@ -39,13 +41,18 @@ public:
     /** @brief Creates a generator.
     @param camera the camera; copied.
     @param params see WarpMapGenerator::Params.
+    @return the generator; throws cv::Exception where the camera or a parameter is out of range.
      */
     CV_WRAP static Ptr<WarpMapGenerator> create(const RollingShutterCamera& camera,
                                                 const WarpMapGenerator::Params& params = WarpMapGenerator::Params());
 
+    //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
+    //! The present camera.
     CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
+    //! Sets other parameters; throws cv::Exception with the name and value of the first one that is out of range.
     CV_WRAP virtual void setParams(const WarpMapGenerator::Params& params) = 0;
+    //! The present parameters.
     CV_WRAP virtual WarpMapGenerator::Params getParams() const = 0;
 
     /** @brief Maps that turn a rolling-shutter image into a global-shutter image: for each pixel of the global-shutter camera
@@ -102,6 +109,7 @@ public:
 
     /** @brief The largest rectangle of the global-shutter image all of whose pixels are seen in the raw image.
     @param motion the motion.
+    @return the rectangle in pixels of the global-shutter image; empty where there is none.
      */
     CV_WRAP virtual Rect validRoi(const AckermannMotion& motion) const = 0;
 

@@ -4,6 +4,8 @@
 # of this distribution and at http://opencv.org/license.html.
 
 import math
+import os
+import sys
 
 import cv2 as cv
 import numpy as np
@@ -138,6 +140,36 @@ class rsackermann_test(NewOpenCVTests):
         self.assertEqual(mask.min(), 255)
         with self.assertRaises(cv.error):
             corrector.correct(image[:-1])
+
+    def test_corrector_prior(self):
+        params = cv.rsackermann.RollingShutterCorrector_Params()
+        self.assertFalse(params.carryMotion)
+        params.carryMotion = True
+        params.previousNoise = 0.2
+        corrector = cv.rsackermann.RollingShutterCorrector.create(make_camera(), params)
+        self.assertEqual(corrector.getParams().previousNoise, 0.2)
+        prior = cv.rsackermann.MotionPrior()
+        prior.yawRate, prior.yawRateSigma = YAW_RATE, 0.01
+        corrector.setPrior(prior)
+        self.assertEqual(corrector.getPrior().yawRate, YAW_RATE)
+        corrector.reset()
+
+    def test_sample(self):
+        folder = os.path.dirname(os.path.abspath(__file__))
+        sys.path.insert(0, os.path.join(folder, '..', '..', '..', 'samples'))
+        from correct_frame import correct_frame
+        del sys.path[0]
+
+        camera = make_camera()
+        image = np.full((SIZE[1], SIZE[0], 3), 90, np.uint8)
+        for x1, y1, x2, y2 in np.round(wall_segments(camera) * 16).astype(int).tolist():  # 4 fractional bits
+            cv.line(image, (x1, y1), (x2, y2), (250, 250, 250), 3, cv.LINE_AA, 4)
+        motion, corrected, mask = correct_frame(image, LINE_DELAY, FOCAL)
+        self.assertEqual(motion.status, cv.rsackermann.MOTION_OK)
+        # Three standard deviations of what so few lines tell.
+        self.assertAlmostEqual(motion.yawRate(camera)[1], YAW_RATE, delta=math.radians(6))
+        self.assertEqual(corrected.shape, image.shape)
+        self.assertEqual(mask.shape, image.shape[:2])
 
     def test_draw(self):
         camera = make_camera()

@@ -1,0 +1,24 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "significance.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+static double logBinomial(int n, int k)
+{
+    return std::lgamma(n + 1.) - std::lgamma(k + 1.) - std::lgamma(n - k + 1.);
+}
+
+double logFalseAlarms(int candidates, int inliers, int sampleSize, double chance)
+{
+    if (inliers <= sampleSize)
+        return DBL_MAX;
+    return std::log(double(candidates - sampleSize)) + logBinomial(candidates, inliers) + logBinomial(inliers, sampleSize) +
+           (inliers - sampleSize) * std::log(chance);
+}
+
+}} // namespace cv::rsackermann

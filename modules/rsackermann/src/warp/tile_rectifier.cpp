@@ -1,0 +1,165 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "map_kernels.hpp"
+#include "pixels.hpp"
+#include "tile_rectifier.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+// Pixels. Where the error of a patch is measured it is nearly as large as anywhere in the patch; with the rounding of the
+// places to single precision it stays far below the 1/32 pixel of cv::remap.
+static const double MAX_PATCH_ERROR = 2.5e-4;
+
+// Smaller squares are solved pixel by pixel.
+static const int MIN_PATCH = 16;
+
+TileRectifier::TileRectifier(const Shutter& shutter_, const Matx33d& matrix, int maxIterations, double tolerance)
+    : shutter(shutter_), forPixels(shutter_, maxIterations, tolerance), forPatches(shutter_, maxIterations, 0.1 * tolerance),
+      inverse(matrix.inv()), upright(shutter_.up * inverse)
+{
+    const double time0 = shutter.rowTime(Point2d(0, 0));
+    timeSlope.x = (shutter.rowTime(Point2d(1, 0)) - time0) * shutter.lens.fx / matrix(0, 0);
+    timeSlope.y = (shutter.rowTime(Point2d(0, 1)) - time0) * shutter.lens.fy / matrix(1, 1);
+
+    const Scene& scene = shutter.scene;
+    const Vec3d left(-scene.B, 0, scene.D), normals[PLANES] = {Vec3d(), left, -scene.lambda * left, Vec3d(0, scene.G, 0)};
+    for (int i = 0; i < PLANES; i++)
+    {
+        const Vec3d w = scene.direction * (upright.t() * normals[i]);
+        planes[i].perColumn = w[0];
+        planes[i].perRow = w[1];
+        planes[i].at0 = w[2];
+    }
+}
+
+void TileRectifier::fill(MapWriter::Tile& tile) const
+{
+    fillSquare(Rect(tile.area().tl(), Size(MapWriter::TILE, MapWriter::TILE)), tile);
+}
+
+void TileRectifier::fillSquare(const Rect& square, MapWriter::Tile& tile) const
+{
+    const Rect seen = square & tile.area();
+    if (seen.empty() || fillByPatches(square, tile))
+        return;
+    if (square.width <= MIN_PATCH)
+        return fillByPixels(seen, tile);
+    const Size half(square.width / 2, square.height / 2);
+    for (int i = 0; i < 4; i++)
+        fillSquare(Rect(square.tl() + Point(i % 2 * half.width, i / 2 * half.height), half), tile);
+}
+
+bool TileRectifier::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
+{
+    PlaneDepth visible[PLANES];
+    Patch patches[PLANES];
+    const int count = visiblePlanes(square, visible);
+    for (int i = 0; i < count; i++)
+        if (!fitPatch(square, visible[i], patches[i]))
+            return false;
+
+    const Size size(square.width, (square & tile.area()).height);
+    evaluatePatches(patches, visible, count, size, tile.x(square.tl()), tile.y(square.tl()), tile.step);
+    return true;
+}
+
+// A linear function that is nowhere above another one at the corners of a square is nowhere above it in between.
+int TileRectifier::visiblePlanes(const Rect& square, PlaneDepth visible[PLANES]) const
+{
+    if (!shutter.moving)
+    {
+        visible[0] = planes[0];
+        return 1;
+    }
+    Vec4d atCorners[PLANES];
+    for (int i = 0; i < PLANES; i++)
+        for (int k = 0; k < 4; k++)
+            atCorners[i][k] = planes[i].at(square.x + k % 2 * square.width, square.y + k / 2 * square.height);
+    int count = 0;
+    for (int i = 0; i < PLANES; i++)
+    {
+        bool hidden = false;
+        for (int j = 0; j < PLANES && !hidden; j++)
+        {
+            const Vec4d ahead = atCorners[j] - atCorners[i];
+            const double least = std::min(std::min(ahead[0], ahead[1]), std::min(ahead[2], ahead[3]));
+            const bool same = ahead == Vec4d();
+            hidden = j != i && least >= 0 && (!same || j < i);
+        }
+        if (hidden)
+            continue;
+        visible[count] = planes[i];
+        visible[count++].at0 = atCorners[i][0];
+    }
+    return count;
+}
+
+bool TileRectifier::fitPatch(const Rect& square, const PlaneDepth& depth, Patch& patch) const
+{
+    // The corners come first: they tell how the row time changes from one to the next.
+    static const int order[Patch::NODES * Patch::NODES][2] = {{0, 0}, {3, 0}, {0, 3}, {3, 3}, {1, 0}, {2, 0}, {0, 1}, {1, 1},
+                                                              {2, 1}, {3, 1}, {0, 2}, {1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}};
+    const double step = square.width / (Patch::NODES - 1.);
+    Rectifier::Guess corner, guess;
+    Point2d slope = timeSlope;
+    Point2d nodes[Patch::NODES][Patch::NODES];
+    for (int k = 0; k < Patch::NODES * Patch::NODES; k++)
+    {
+        const int n = order[k][0], m = order[k][1];
+        guess = corner;
+        guess.time += slope.x * n * step + slope.y * m * step;
+        if (!solve(square, n * step, m * step, depth, guess, nodes[m][n]))
+            return false;
+        if (k == 0)
+            corner = guess;
+        else if (k == 1)
+            slope.x = (guess.time - corner.time) / square.width;
+        else if (k == 2)
+            slope.y = (guess.time - corner.time) / square.height;
+    }
+
+    patch = Patch(nodes, step);
+    // The error is of fourth order along both axes. At these places it is nearly as large as anywhere, with signs of its two
+    // parts that are the same at the first one or at the second one.
+    const double column = 0.38 * step, rows[2] = {0.38 * step, 1.5 * step};
+    for (int k = 0; k < 2; k++)
+    {
+        const Point2d expected = patch.at(column, rows[k]);
+        Point2d place;
+        guess.time = shutter.rowTime(expected);
+        if (!solve(square, column, rows[k], depth, guess, place) ||
+            !(std::max(std::abs(place.x - expected.x), std::abs(place.y - expected.y)) <= MAX_PATCH_ERROR))
+            return false;
+    }
+    return true;
+}
+
+bool TileRectifier::solve(const Rect& square, double column, double row, const PlaneDepth& depth, Rectifier::Guess& guess, Point2d& place) const
+{
+    const Vec3d pixel(square.x + column, square.y + row, 1);
+    const double w = shutter.scene.direction * depth.at(column, row);
+    return forPatches.solve(inverse * pixel, upright * pixel, w, true, guess, place) && isAddressable(place);
+}
+
+void TileRectifier::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
+{
+    for (int y = area.y; y < area.br().y; y++)
+    {
+        Rectifier::Guess guess;
+        for (int x = area.x; x < area.br().x; x++)
+        {
+            const Vec3d pixel(x, y, 1), b = upright * pixel;
+            Point2d place;
+            if (forPixels.solve(inverse * pixel, b, shutter.scene.inverseDepth(b), true, guess, place))
+                tile.set(Point(x, y), place);
+            else
+                tile.setNone(Point(x, y));
+        }
+    }
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,135 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_simulator.hpp"
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+//! What the frames show and what the estimator is told.
+struct Knowledge
+{
+    const char* name;
+    int streetLines;     // segments along the street, beside 60 of which four in five are vertical lines
+    double gravityNoise; // degrees, standard deviation of the errors of roll and pitch, which the estimator knows of
+    double speedSigma;   // m/s, of the error of a known speed; 0: it isn't known
+};
+
+void PrintTo(const Knowledge& knowledge, std::ostream* out) { *out << knowledge.name; }
+
+//! The image of a line along the street on one of the planes.
+bool randomStreetLine(const Simulator& simulator, const Vec3d& along, RNG& rng, Vec4d& segment)
+{
+    const Size size = simulator.camera.imageSize;
+    const Point2d middle(rng.uniform(0., size.width - 1.), rng.uniform(0., size.height - 1.));
+    const simulation::Surface plane = simulator.surface(middle);
+    Vec3d P;
+    if (plane == simulation::NOTHING || !simulator.locate(middle, plane, P))
+        return false;
+    const Vec3d half = along * (rng.uniform(0.05, 0.2) * cv::norm(P));
+    Point2d a, b;
+    if (!simulator.project(P - half, a) || !simulator.project(P + half, b) || simulator.surface(a) != plane ||
+        simulator.surface(b) != plane || cv::norm(a - b) < 40)
+        return false;
+    segment = Vec4d(a.x, a.y, b.x, b.y);
+    return true;
+}
+
+Mat randomFrame(const Simulator& simulator, double wallDirection, int streetLines, RNG& rng)
+{
+    const double noise = 0.3;
+    simulation::SegmentOptions options;
+    options.inlierRatio = 0.8;
+    options.noise = noise;
+    Mat segments = simulation::randomSegments(simulator, options, rng).ends;
+    const Vec3d along(std::sin(wallDirection), 0, std::cos(wallDirection));
+    for (int tries = 0; streetLines > 0 && tries < 100000; tries++)
+    {
+        Vec4d segment;
+        if (!randomStreetLine(simulator, along, rng, segment))
+            continue;
+        Mat row(1, 4, CV_64F);
+        for (int j = 0; j < 4; j++)
+            row.at<double>(j) = segment[j] + rng.gaussian(noise);
+        segments.push_back(row);
+        streetLines--;
+    }
+    EXPECT_EQ(0, streetLines);
+    return segments;
+}
+
+//! How often the truth lies within the standard deviations of a value.
+struct Coverage
+{
+    int known, within2, within3;
+
+    Coverage() : known(0), within2(0), within3(0) {}
+
+    void add(double error, double variance)
+    {
+        if (!(variance > 0))
+            return;
+        known++;
+        within2 += error * error < 4 * variance;
+        within3 += error * error < 9 * variance;
+    }
+};
+
+class RSAckermann_Covariance : public testing::TestWithParam<Knowledge> {};
+
+// The standard deviations are those of the errors: a share of 95.4 % is expected within two and 99.7 % within three of them.
+TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
+{
+    const Knowledge& knowledge = GetParam();
+    const int frames = 500;
+    const double degree = CV_PI / 180;
+    RNG rng(2018);
+    Coverage coverage[4];
+    for (int i = 0; i < frames; i++)
+    {
+        const double yawRate = rng.uniform(-70., 70.) * degree, speed = rng.uniform(10., 140.) / 3.6;
+        const double left = rng.uniform(2., 4.), right = rng.uniform(2., 4.), wallDirection = rng.uniform(-3., 3.) * degree;
+        RollingShutterCamera camera = simulation::paperCamera();
+        const Simulator simulator = Simulator::fromMetric(camera, yawRate, speed, left, right, wallDirection);
+        const Mat segments = randomFrame(simulator, wallDirection, knowledge.streetLines, rng);
+
+        const double tilt = knowledge.gravityNoise * degree;
+        camera.setRollPitch(rng.gaussian(tilt), rng.gaussian(tilt));
+        AckermannEstimator::Params params;
+        params.wallDistance = left;
+        params.gravitySigma = tilt;
+        MotionPrior prior;
+        prior.speed = speed + rng.gaussian(knowledge.speedSigma);
+        prior.speedSigma = knowledge.speedSigma;
+        const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
+        if (motion.status != MOTION_OK)
+            continue;
+        const Matx44d covariance = motion.metricCovariance(camera);
+        double gotYawRate = 0, gotSpeed = 0;
+        motion.yawRate(camera, gotYawRate);
+        motion.speed(camera, gotSpeed);
+        const double errors[4] = {gotYawRate - yawRate, gotSpeed - speed, motion.delta() - std::tan(wallDirection), motion.lambda - left / right};
+        for (int k = 0; k < 4; k++)
+            coverage[k].add(errors[k], covariance(k, k));
+    }
+    static const char* const names[4] = {"yaw rate", "speed", "line at infinity", "ratio of wall distances"};
+    for (int k = 0; k < 4; k++)
+    {
+        const Coverage& c = coverage[k];
+        const double share2 = double(c.within2) / c.known, share3 = double(c.within3) / c.known;
+        RecordProperty(cv::format("within_2_sigma_of_value_%d", k).c_str(), cv::format("%.3f", share2).c_str());
+        EXPECT_GE(c.known, frames * 4 / 5) << names[k];
+        EXPECT_GE(share2, 0.90) << names[k];
+        EXPECT_LE(share2, 0.99) << names[k];
+        EXPECT_GE(share3, 0.98) << names[k];
+    }
+}
+
+const Knowledge knowledges[] = {{"verticals", 0, 0, 0}, {"street_lines", 40, 0, 0}, {"speed", 40, 0, 0.5}, {"gravity_off_by_1_degree", 40, 1, 0}};
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, RSAckermann_Covariance, testing::ValuesIn(knowledges));
+
+}} // namespace opencv_test::

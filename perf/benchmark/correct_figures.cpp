@@ -1,0 +1,73 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "figures.hpp"
+#include "workload.hpp"
+
+#include "opencv2/core/utility.hpp"
+#include "opencv2/imgproc.hpp"
+
+namespace benchmark {
+
+using namespace cv::rsackermann;
+
+namespace {
+
+const cv::Size FULL_HD(1920, 1080);
+
+int addCorrect(Benchmark& benchmark, const cv::Size& size)
+{
+    return benchmark.work([size]() -> Benchmark::Work {
+        const Drive drive(size);
+        const cv::Mat image = render(drive);
+        const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(drive.camera);
+        cv::Mat corrected(image.size(), image.type());
+        return [corrector, image, corrected]() mutable { corrector->correct(image, corrected); };
+    });
+}
+
+int addDetect(Benchmark& benchmark, const cv::Size& size, int detector)
+{
+    return benchmark.work([size, detector]() -> Benchmark::Work {
+        const cv::Mat image = render(Drive(size));
+        return [image, detector]() {
+            cv::Mat segments;
+            detectSegments(image, segments, detector);
+        };
+    });
+}
+
+int addRemap(Benchmark& benchmark)
+{
+    return benchmark.work([]() -> Benchmark::Work {
+        const Drive drive(FULL_HD);
+        const cv::Mat image = render(drive);
+        cv::Mat columns, rows, corrected;
+        WarpMapGenerator::create(drive.camera)->initRectifyMap(drive.motion, columns, rows);
+        return [image, columns, rows, corrected]() mutable { cv::remap(image, corrected, columns, rows, cv::INTER_LINEAR); };
+    });
+}
+
+} // namespace
+
+void addCorrectFigures(Benchmark& benchmark)
+{
+    const int correct = addCorrect(benchmark, FULL_HD);
+    const int detect = addDetect(benchmark, FULL_HD, AckermannEstimator::Params().detector);
+    benchmark.figure("correct_1080p_over_detect_plus_remap", "ratio", {correct, detect, addRemap(benchmark)}, overOthers);
+    benchmark.figure("correct_1080p_fps", "1/s", {correct}, [](const std::vector<double>& t) { return 1 / t[0]; });
+
+    const cv::Size small(640, 480), large(3840, 2160);
+    benchmark.figure("growth_pixels_correct", "time per pixel, ratio", {addCorrect(benchmark, large), addCorrect(benchmark, small)},
+                     [small, large](const std::vector<double>& t) { return t[0] / t[1] * small.area() / large.area(); });
+
+    const char* const detectors[] = {"lsd", "fld", "edlines"};
+    const cv::Size sizes[] = {small, cv::Size(1280, 720), FULL_HD};
+    for (int detector = DETECTOR_LSD; detector <= DETECTOR_EDLINES; detector++)
+        for (const cv::Size& size : sizes)
+            benchmark.figure(cv::format("detect_%s_%dp_ms", detectors[detector], size.height), "ms", {addDetect(benchmark, size, detector)},
+                             scaled(1e3));
+}
+
+} // namespace benchmark

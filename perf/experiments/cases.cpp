@@ -1,0 +1,141 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "cases.hpp"
+
+#include "opencv2/imgcodecs.hpp"
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace experiments {
+
+using namespace rsackermann_samples;
+
+const char* const CASE_KEYS =
+    "{photos     |        | folder with frames.csv (name,focal_px,roll_deg,pitch_deg,line_at_infinity_px) and global-shutter photographs "
+    "of streets, to be used instead of renderings}"
+    "{rest       |        | the car is at rest}"
+    "{scenes     | 3      | number of rendered streets}"
+    "{seed       | 0      | of the first rendered street and of the errors of what the estimator is told}"
+    "{speeds     |        | km/h, with commas between (default 10,42.5,75,107.5,140; with photographs 40,100)}"
+    "{yaw_rates  |        | deg/s, with commas between (default 10,-10,30,-30,50,-50,70,-70; with photographs 30,-50)}"
+    "{roll       | 0      | of the rendered camera, degrees}"
+    "{pitch      | 0      | of the rendered camera, degrees}"
+    "{direction  | 0      | of the rendered street and the car's motion, degrees to the right of the optical axis; 90: the camera looks "
+    "to the left and sees one wall, -90: to the right}"
+    "{left       | 2.5    | metres to the left wall of the rendered street, 0: there is none}"
+    "{right      | 3      | metres to its right wall, 0: there is none}"
+    "{clutter    | 0      | share of slanted lines in the rendered streets, 0..1}"
+    "{noise      | 1      | of the rendered images, grey levels}";
+
+namespace {
+
+const double DEGREE = CV_PI / 180, KMH = 1 / 3.6;
+const double READ_OUT = 0.4 / 30; // seconds: 40 % of the time between two frames at 30 frames/s
+
+std::vector<double> numbersOr(const Options& options, const std::string& name, const std::vector<double>& otherwise)
+{
+    return options.given(name) ? options.numbers(name) : otherwise;
+}
+
+std::vector<street::StreetScene> makeMotions(const Options& options, const std::vector<double>& speeds,
+                                             const std::vector<double>& yawRates)
+{
+    std::vector<street::StreetScene> motions;
+    if (options.flag("rest"))
+        return std::vector<street::StreetScene>(1);
+    for (double speed : numbersOr(options, "speeds", speeds))
+        for (double yawRate : numbersOr(options, "yaw_rates", yawRates))
+        {
+            street::StreetScene scene;
+            scene.speed = speed * KMH;
+            scene.yawRate = yawRate * DEGREE;
+            motions.push_back(scene);
+        }
+    return motions;
+}
+
+// The paper's camera and street. A camera that looks to a side sees the wall of that side only.
+std::vector<Case> renderedCases(const Options& options)
+{
+    street::StreetCamera camera(cv::Size(640, 380), 816, READ_OUT / 380, 1.2);
+    const double direction = options.number("direction", -180, 180);
+    camera.roll = options.number("roll", -45, 45) * DEGREE;
+    camera.pitch = options.number("pitch", -45, 45) * DEGREE;
+    camera.heading = direction * DEGREE;
+    const bool toTheLeft = direction > 45 && direction < 135, toTheRight = direction < -45 && direction > -135;
+    const int first = options.integer("seed", 0, 1 << 20), count = options.integer("scenes", 1, 10000);
+    std::vector<Case> cases;
+    for (int i = 0; i < count; i++)
+        for (street::StreetScene scene : makeMotions(options, {10, 42.5, 75, 107.5, 140}, {10, -10, 30, -30, 50, -50, 70, -70}))
+        {
+            scene.wallDirection = camera.heading;
+            scene.left = toTheRight ? 0 : options.number("left", 0, 1000);
+            scene.right = toTheLeft ? 0 : options.number("right", 0, 1000);
+            scene.seed = unsigned(first + i);
+            scene.clutter = options.number("clutter", 0, 1);
+            scene.noise = options.number("noise", 0, 100);
+            cases.push_back(Case(cv::format("street_%d", first + i), camera, scene));
+        }
+    return cases;
+}
+
+// A line of comma-separated values; empty at the end.
+std::vector<std::string> readFields(std::istream& file)
+{
+    std::string line;
+    std::getline(file, line);
+    if (!line.empty() && line.back() == '\r')
+        line.pop_back();
+    std::vector<std::string> fields;
+    std::istringstream stream(line);
+    for (std::string field; std::getline(stream, field, ',');)
+        fields.push_back(field);
+    return fields;
+}
+
+// Walls at 2.5 m and 3 m, camera at 1.6 m, the car follows the street.
+std::vector<Case> photoCases(const Options& options)
+{
+    const std::string folder = options.text("photos") + "/";
+    std::ifstream list((folder + "frames.csv").c_str());
+    static const std::vector<std::string> columns = {"name", "focal_px", "roll_deg", "pitch_deg", "line_at_infinity_px"};
+    if (readFields(list) != columns)
+        throw InputError(folder + "frames.csv can't be read or has other columns than name,focal_px,roll_deg,pitch_deg,"
+                                  "line_at_infinity_px");
+    std::vector<Case> cases;
+    for (std::vector<std::string> fields = readFields(list); !fields.empty(); fields = readFields(list))
+    {
+        if (fields.size() != columns.size())
+            throw InputError(folder + "frames.csv: a line hasn't five columns");
+        const cv::Mat photo = cv::imread(folder + fields[0]);
+        if (photo.empty())
+            throw InputError(folder + fields[0] + " can't be read");
+        double values[4];
+        for (int i = 0; i < 4; i++)
+            values[i] = parseNumber(fields[i + 1], "frames.csv");
+        street::StreetCamera camera(photo.size(), values[0], READ_OUT / photo.rows, 1.6);
+        camera.roll = values[1] * DEGREE;
+        camera.pitch = values[2] * DEGREE;
+        camera.heading = std::atan(values[3] / values[0]);
+        for (street::StreetScene scene : makeMotions(options, {40, 100}, {30, -50}))
+        {
+            scene.wallDirection = camera.heading;
+            Case c(fields[0], camera, scene);
+            c.photo = photo;
+            cases.push_back(c);
+        }
+    }
+    return cases;
+}
+
+} // namespace
+
+std::vector<Case> makeCases(const Options& options)
+{
+    return options.given("photos") ? photoCases(options) : renderedCases(options);
+}
+
+} // namespace experiments

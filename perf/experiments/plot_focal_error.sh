@@ -1,0 +1,27 @@
+#!/bin/bash
+# Plots the displacement left on rendered streets against the error of the focal length that the estimator is told.
+# usage: plot_focal_error.sh BUILD_DIRECTORY PICTURE.png
+set -euo pipefail
+
+[ $# -eq 2 ] || { echo "usage: $0 BUILD_DIRECTORY PICTURE.png" >&2; exit 2; }
+program=$1/perf/experiments/rsackermann_experiment_streets
+data=$(mktemp)
+trap 'rm -f "$data"' EXIT
+
+for error in -30 -20 -10 -5 0 5 10 20 30; do
+    "$program" --quiet --focal_error=$error | awk -v error=$error '
+        /^displacement raw/ { raw = $4 }
+        /^displacement left/ { print error, raw, $4, $5 }' | tee -a "$data"
+done
+gnuplot <<GNUPLOT
+set terminal pngcairo size 640,400 font "sans,11"
+set output "$2"
+set xlabel "error of the focal length, %"
+set ylabel "mean displacement, px"
+set yrange [0:*]
+set grid
+set key top center horizontal
+plot "$data" using 1:2 with lines dashtype 2 linecolor rgb "black" title "raw image, median", \
+     "$data" using 1:4 with linespoints pointtype 6 linecolor rgb "#d95f02" title "left, 90 % quantile", \
+     "$data" using 1:3 with linespoints pointtype 7 linecolor rgb "#1b9e77" title "left, median"
+GNUPLOT

@@ -1,0 +1,27 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_TARGETS_HPP
+#define RSACKERMANN_SAMPLES_TARGETS_HPP
+
+#include "job.hpp"
+
+namespace rsackermann_samples {
+
+//! Where the results for an input go; empty where they aren't wanted.
+struct Targets
+{
+    std::string output, overlay, maps;
+
+    Targets(const Job& job, const std::string& input);
+
+    //! Whether the results are there already.
+    bool exist() const;
+    //! Throws InputError where a result would replace the input or what mustn't be replaced.
+    void check(const Job& job, const std::string& input) const;
+};
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_TARGETS_HPP

@@ -1,0 +1,20 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_VIDEO_TASK_HPP
+#define RSACKERMANN_SAMPLES_VIDEO_TASK_HPP
+
+#include "frame_corrector.hpp"
+#include "targets.hpp"
+
+namespace rsackermann_samples {
+
+/** Corrects the frames of a video and writes the results as videos, in the format of their names' extensions.
+@param lines receives the lines for the report, one a frame.
+Throws InputError or cv::Exception. Where the video turns out to be cut short the results of its frames are there. */
+void correctVideo(const std::string& input, const Targets& targets, FrameCorrector& corrector, std::vector<std::string>& lines);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_VIDEO_TASK_HPP

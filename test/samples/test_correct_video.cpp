@@ -1,0 +1,171 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+
+#include "opencv2/imgproc.hpp"
+#include "opencv2/videoio.hpp"
+
+namespace opencv_test { namespace {
+
+typedef nlohmann::ordered_json Json;
+
+const int FRAMES = 4;
+const double FRAMES_PER_SECOND = 12;
+
+// A short drive: frames with and without motion, in an order that can be told.
+void writeVideo(const std::string& path)
+{
+    cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), FRAMES_PER_SECOND, streetImage().size());
+    ASSERT_TRUE(writer.isOpened()) << path;
+    for (int i = 0; i < FRAMES; i++)
+    {
+        cv::Mat frame = i % 2 ? cv::Mat(streetImage().size(), CV_8UC3, cv::Scalar::all(90)) : streetImage();
+        cv::rectangle(frame, cv::Rect(0, 340, 40 * (i + 1), 40), cv::Scalar(0, 0, 255), cv::FILLED);
+        writer.write(frame);
+    }
+}
+
+std::vector<cv::Mat> framesOf(const std::string& path)
+{
+    std::vector<cv::Mat> frames;
+    cv::VideoCapture capture(path);
+    for (cv::Mat frame; capture.read(frame);)
+        frames.push_back(frame.clone());
+    return frames;
+}
+
+Arguments operator+(Arguments a, const Arguments& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+class CorrectVideo : public testing::Test
+{
+protected:
+    CorrectVideo() : video_(in_ / "drive.avi") { writeVideo(video_); }
+
+    Arguments arguments() const { return {video_, "--camera=" + streetFolder() + "/camera.yml", "--wall=2.5"}; }
+
+    TemporaryFolder in_, out_;
+    std::string video_;
+};
+
+TEST_F(CorrectVideo, each_frame_is_corrected_as_an_image)
+{
+    ASSERT_EQ(0, correct(arguments() + Arguments{"--output=" + (out_ / "out.avi"), "--overlay=" + (out_ / "overlay.avi"),
+                                                 "--report=" + (out_ / "report.jsonl")}).exitCode);
+    EXPECT_EQ((std::vector<std::string>{"out.avi", "overlay.avi", "report.jsonl"}), namesIn(out_.path()));
+    const std::vector<cv::Mat> before = framesOf(video_), after = framesOf(out_ / "out.avi"), overlay = framesOf(out_ / "overlay.avi");
+    const std::vector<std::string> lines = linesOf(out_ / "report.jsonl");
+    ASSERT_EQ(size_t(FRAMES), before.size());
+    ASSERT_EQ(size_t(FRAMES), after.size());
+    ASSERT_EQ(size_t(FRAMES), overlay.size());
+    ASSERT_EQ(size_t(FRAMES), lines.size());
+    EXPECT_EQ(FRAMES_PER_SECOND, cv::VideoCapture(out_ / "out.avi").get(cv::CAP_PROP_FPS));
+    for (int i = 0; i < FRAMES; i++)
+    {
+        cv::imwrite(out_ / "frame.png", before[i]);
+        const Outcome alone = correct({out_ / "frame.png", arguments()[1], arguments()[2], "--output=" + (out_ / "alone.png"), "--report=-",
+                                       "--overwrite"});
+        ASSERT_EQ(0, alone.exitCode);
+        const Json expected = Json::parse(alone.output), got = Json::parse(lines[i]);
+        EXPECT_EQ(video_, got["input"]);
+        EXPECT_EQ(i, got["frame"]);
+        EXPECT_EQ(i % 2 ? "too_few_segments" : "ok", got["status"]);
+        for (const char* key : {"status", "alpha", "beta", "delta", "lambda", "segments", "inliers", "mean_shift_px"})
+            EXPECT_EQ(expected[key], got[key]) << key;
+        // The codec loses some grey levels.
+        const cv::Mat image = cv::imread(out_ / "alone.png");
+        EXPECT_LT(cv::norm(image, after[i], cv::NORM_L1) / (3. * image.total()), 3);
+        if (i % 2 == 0)
+        {
+            EXPECT_GT(cv::norm(before[i], after[i], cv::NORM_L1), 2 * cv::norm(image, after[i], cv::NORM_L1));
+        }
+    }
+}
+
+TEST_F(CorrectVideo, motion_is_carried_where_asked_for)
+{
+    const Outcome plain = correct(arguments() + Arguments{"--report=" + (out_ / "plain.jsonl")});
+    const Outcome carried = correct(arguments() + Arguments{"--report=" + (out_ / "carried.jsonl"), "--carry"});
+    ASSERT_EQ(0, plain.exitCode);
+    ASSERT_EQ(0, carried.exitCode);
+    const std::vector<std::string> a = linesOf(out_ / "plain.jsonl"), b = linesOf(out_ / "carried.jsonl");
+    ASSERT_EQ(size_t(FRAMES), a.size());
+    ASSERT_EQ(size_t(FRAMES), b.size());
+    EXPECT_EQ(Json::parse(a[0])["alpha"], Json::parse(b[0])["alpha"]);
+    EXPECT_NE(Json::parse(a[2])["alpha"], Json::parse(b[2])["alpha"]);
+    EXPECT_LT(Json::parse(b[2])["yaw_rate_sigma"].get<double>(), Json::parse(a[2])["yaw_rate_sigma"].get<double>());
+}
+
+TEST_F(CorrectVideo, images_and_videos_to_a_folder)
+{
+    cv::imwrite(in_ / "image.png", streetImage());
+    EXPECT_EQ(0, correct({video_, in_ / "image.png", "--output=" + (out_ / "results"), "--report=" + (out_ / "report.jsonl")}).exitCode);
+    EXPECT_EQ((std::vector<std::string>{"drive.avi", "image.png"}), namesIn(out_ / "results"));
+    EXPECT_EQ(size_t(FRAMES), framesOf(out_ / "results/drive.avi").size());
+    EXPECT_EQ(size_t(FRAMES + 1), linesOf(out_ / "report.jsonl").size());
+}
+
+// The frames that are there are corrected, and the exit code says that some are missing.
+TEST_F(CorrectVideo, cut_short)
+{
+    cutShort(video_, in_ / "cut.avi", 0.4);
+    const size_t left = framesOf(in_ / "cut.avi").size();
+    ASSERT_LT(left, size_t(FRAMES - 1));
+    ASSERT_GT(left, 0u);
+    const Outcome outcome = correct({in_ / "cut.avi", "--output=" + (out_ / "out.avi"), "--report=" + (out_ / "report.jsonl")});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("cut short")) << outcome.messages;
+    EXPECT_EQ(left, framesOf(out_ / "out.avi").size());
+    EXPECT_EQ(left, linesOf(out_ / "report.jsonl").size());
+}
+
+TEST_F(CorrectVideo, files_that_are_no_videos)
+{
+    writeContent(in_ / "empty.mp4", "");
+    writeContent(in_ / "text.avi", "This is no video.\n");
+    for (const char* name : {"empty.mp4", "text.avi", "missing.mkv"})
+    {
+        const Outcome outcome = correct({in_ / name, "--output=" + (out_ / "out.avi")});
+        EXPECT_EQ(1, outcome.exitCode) << name;
+        EXPECT_NE(std::string::npos, outcome.messages.find(name)) << outcome.messages;
+        EXPECT_TRUE(namesIn(out_.path()).empty()) << name;
+    }
+}
+
+TEST_F(CorrectVideo, results_that_cannot_be_written)
+{
+    for (const char* name : {"out.png", "out", "out.txt"})
+    {
+        EXPECT_EQ(1, correct({video_, "--output=" + (out_ / name)}).exitCode) << name;
+        EXPECT_TRUE(namesIn(out_.path()).empty()) << name;
+    }
+    const std::string before = contentOf(video_);
+    EXPECT_EQ(1, correct({video_, "--output=" + video_, "--overwrite"}).exitCode);
+    EXPECT_EQ(before, contentOf(video_));
+    EXPECT_EQ(std::vector<std::string>{"drive.avi"}, namesIn(in_.path()));
+}
+
+TEST_F(CorrectVideo, existing_results)
+{
+    writeContent(out_ / "out.avi", "precious");
+    EXPECT_EQ(1, correct({video_, "--output=" + (out_ / "out.avi")}).exitCode);
+    EXPECT_EQ(0, correct({video_, "--output=" + (out_ / "out.avi"), "--skip_existing"}).exitCode);
+    EXPECT_EQ("precious", contentOf(out_ / "out.avi"));
+    EXPECT_EQ(0, correct({video_, "--output=" + (out_ / "out.avi"), "--overwrite"}).exitCode);
+    EXPECT_EQ(size_t(FRAMES), framesOf(out_ / "out.avi").size());
+}
+
+TEST_F(CorrectVideo, maps_and_lines_are_for_images)
+{
+    EXPECT_EQ(2, correct({video_, "--maps=" + (out_ / "maps.yml")}).exitCode);
+    writeContent(in_ / "lines.txt", "1 2 3 4\n");
+    EXPECT_EQ(2, correct({video_, "--report=-", "--lines=" + (in_ / "lines.txt")}).exitCode);
+    EXPECT_TRUE(namesIn(out_.path()).empty());
+}
+
+}} // namespace
