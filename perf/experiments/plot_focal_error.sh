@@ -1,5 +1,5 @@
 #!/bin/bash
-# Plots the displacement left on rendered streets against the error of the focal length that the estimator is told.
+# Plots the displacement left on a rendered street against the error of the focal length that the estimator is told.
 # usage: plot_focal_error.sh BUILD_DIRECTORY PICTURE.png
 set -euo pipefail
 
@@ -9,7 +9,7 @@ data=$(mktemp)
 trap 'rm -f "$data"' EXIT
 
 for error in -30 -20 -10 -5 0 5 10 20 30; do
-    "$program" --quiet --focal_error=$error | awk -v error=$error '
+    "$program" --quiet --scenes=1 --focal_error=$error | awk -v error=$error '
         /^displacement raw/ { raw = $4 }
         /^displacement left/ { print error, raw, $4, $5 }' | tee -a "$data"
 done
@@ -20,7 +20,7 @@ set xlabel "error of the focal length, %"
 set ylabel "mean displacement, px"
 set yrange [0:*]
 set grid
-set key top center horizontal
+set key center right
 plot "$data" using 1:2 with lines dashtype 2 linecolor rgb "black" title "raw image, median", \
      "$data" using 1:4 with linespoints pointtype 6 linecolor rgb "#d95f02" title "left, 90 % quantile", \
      "$data" using 1:3 with linespoints pointtype 7 linecolor rgb "#1b9e77" title "left, median"

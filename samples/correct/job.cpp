@@ -21,7 +21,7 @@ const char* const JOB_KEYS =
     "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
     "{yaw_rate_sigma |    | standard deviation of --yaw_rate in deg/s (default 1)}"
     "{carry      |        | the inputs, or the frames of each video, are consecutive: what is known of one helps with the next}"
-    "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default 0.2)}"
+    "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
     "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one image}"

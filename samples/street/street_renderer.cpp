@@ -185,7 +185,7 @@ bool StreetRenderer::toRolling(const cv::Point2d& global, cv::Point2d& rolling) 
     const Hit hit = cast(cv::Vec3d(0, 0, 0), ray);
     const cv::Vec3d place = hit.plane ? ray * hit.distance : ray;
 
-    // The instant is found where the line at which the point is seen is the line being read: bisection.
+    // The instant is found where the line at which the point is seen is the line being read.
     auto miss = [&](double line, double& value) {
         const Pose pose = poseAt(secondsAt(line));
         if (!project(turned(pose.c, -pose.s, hit.plane ? place - pose.centre : place), true, rolling))
@@ -194,25 +194,33 @@ bool StreetRenderer::toRolling(const cv::Point2d& global, cv::Point2d& rolling) 
         return true;
     };
     const double reach = 2. * std::max(camera_.size.width, camera_.size.height);
-    double low = lineOf(global), high = low, value = 0;
+    double low = 0, high = 0, above = 0, below = 0;
     for (double step = 2; ; step *= 2)
     {
         if (step > reach)
             return false;
         low = lineOf(global) - step;
         high = lineOf(global) + step;
-        double above = 0, below = 0;
         if (!miss(low, above) || !miss(high, below))
             return false;
         if (above >= 0 && below <= 0)
             break;
     }
-    while (high - low > 1e-7)
+    // False position, where an end that stays counts half each time (Illinois).
+    for (int last = 0; high - low > 1e-7 && above > below;)
     {
-        const double middle = (low + high) / 2;
-        if (!miss(middle, value))
+        const double line = low + (high - low) * above / (above - below);
+        double value = 0;
+        if (!miss(line, value))
             return false;
-        (value > 0 ? low : high) = middle;
+        if (std::abs(value) < 1e-8)
+            break;
+        const int end = value > 0 ? 1 : -1;
+        (end > 0 ? low : high) = line;
+        (end > 0 ? above : below) = value;
+        if (end == last)
+            (end > 0 ? below : above) /= 2;
+        last = end;
     }
     return true;
 }

@@ -64,6 +64,27 @@ TEST(Simulate, at_rest_both_shutters_see_the_same)
     EXPECT_EQ(0, cv::norm(cv::imread(folder / "rolling.png"), cv::imread(folder / "global.png"), cv::NORM_INF));
 }
 
+TEST(Simulate, camera_that_looks_to_the_right_at_one_wall)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, simulate({"--output=" + folder.path(), "--heading=-90", "--left=0", "--right=3", "--speed=40", "--yaw_rate=0"}).exitCode);
+    const rsackermann_samples::Truth truth = rsackermann_samples::readTruth(folder / "truth.json");
+    EXPECT_EQ(0, truth.scene.left);
+    EXPECT_EQ(3, truth.scene.right);
+    const Outcome corrected = correct({folder / "rolling.png", "--camera=" + (folder / "camera.yml"), "--wall=3", "--report=" + (folder / "report.jsonl"),
+                                       "--maps=" + (folder / "maps.yml")});
+    ASSERT_EQ(0, corrected.exitCode) << corrected.messages;
+    const nlohmann::json report = nlohmann::json::parse(contentOf(folder / "report.jsonl"));
+    EXPECT_EQ("ok", report["status"]);
+    EXPECT_TRUE(report["lambda"].is_null());
+    EXPECT_NEAR(40, report["speed_km_h"].get<double>(), 4);
+    const Outcome evaluated = evaluate({"--truth=" + (folder / "truth.json"), "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
+    EXPECT_EQ(0, evaluated.exitCode);
+    // There is neither a line at infinity in the image nor a second wall.
+    for (const char* row : {"line at infinity", "wall distances"})
+        EXPECT_EQ(std::string::npos, evaluated.output.find(row)) << evaluated.output;
+}
+
 TEST(Simulate, distorts_a_given_image)
 {
     const TemporaryFolder folder;

@@ -72,6 +72,9 @@ struct RowMotion
         tau = t * sincHalf;
     }
 
+    //! Without yaw.
+    RowMotion(const Heading& heading, double t) : c(1), s(0), c2(heading.c), s2(heading.s), tau(t) {}
+
     RowMotion(double alpha, double heading, double t) { *this = RowMotion(alpha, Heading(heading), t); }
 };
 
@@ -85,6 +88,7 @@ struct TurnedBearing
 {
     double N, M, G;
 
+    TurnedBearing() : N(0), M(0), G(0) {}
     //! @param bearing horizontal part (x, z) of the upright bearing.
     TurnedBearing(const Point2d& bearing, const RowMotion& row)
     {

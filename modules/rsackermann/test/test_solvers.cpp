@@ -157,6 +157,18 @@ int run4LA(const Problem& p, bool twoWalls, MinimalSolution* s) { return solve4L
 
 int run4LAExact(const Problem& p, bool twoWalls, MinimalSolution* s) { return solve4LAExact(p.segments, twoWalls, p.options, s); }
 
+int runKnownYawRate(const Problem& p, bool twoWalls, MinimalSolution* s)
+{
+    const VerticalSegment segments[] = {p.segments[0], p.segments[1], p.segments[3]};
+    return solveKnownYawRate(segments, twoWalls, p.truth.alpha, p.options, s);
+}
+
+int runKnownSpeed(const Problem& p, bool twoWalls, MinimalSolution* s)
+{
+    const VerticalSegment segments[] = {p.segments[0], p.segments[1], p.segments[3]};
+    return solveKnownSpeed(segments, twoWalls, std::hypot(p.truth.B, p.truth.D), p.options, s);
+}
+
 //! Largest relative difference of yaw, walls and their ratio.
 double difference(const MinimalSolution& a, const MinimalSolution& truth)
 {
@@ -253,6 +265,21 @@ TEST_P(RSAckermann_WallSolvers, solve4LAExact_finds_exact_motion)
 {
     ExactGenerator generator;
     const std::vector<double> errors = bestErrors(generator, run4LAExact, BOTH, GetParam(), 8);
+    RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
+    EXPECT_GE(shareBelow(errors, 1e-6), 0.99);
+}
+
+TEST_P(RSAckermann_WallSolvers, solveKnownYawRate_finds_exact_motion)
+{
+    ExactGenerator generator;
+    const std::vector<double> errors = bestErrors(generator, runKnownYawRate, BOTH, GetParam(), 1);
+    EXPECT_GE(shareBelow(errors, 1e-6), 0.999);
+}
+
+TEST_P(RSAckermann_WallSolvers, solveKnownSpeed_finds_exact_motion)
+{
+    ExactGenerator generator;
+    const std::vector<double> errors = bestErrors(generator, runKnownSpeed, BOTH, GetParam(), 8);
     RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
     EXPECT_GE(shareBelow(errors, 1e-6), 0.99);
 }
@@ -359,7 +386,7 @@ TEST_P(RSAckermann_WallSolvers, limits_drop_solutions)
 }
 
 //! How many solutions each of the solvers that look at walls has for the segments.
-void expectNoSolution(const VerticalSegment segments[4], const char* what)
+void expectNoSolution(const VerticalSegment segments[4], const char* what, bool knownSpeedIsDegenerate = true)
 {
     for (int i = 0; i < 10; i++)
     {
@@ -369,6 +396,11 @@ void expectNoSolution(const VerticalSegment segments[4], const char* what)
         const VerticalSegment three[] = {segments[0], segments[1], segments[3]};
         MinimalSolution solutions[8];
         EXPECT_EQ(0, solve3LA(three, twoWalls, options, solutions)) << what << ", heading " << options.heading;
+        EXPECT_EQ(0, solveKnownYawRate(three, twoWalls, 0, options, solutions)) << what << ", heading " << options.heading;
+        if (knownSpeedIsDegenerate)
+        {
+            EXPECT_EQ(0, solveKnownSpeed(three, twoWalls, 0.2, options, solutions)) << what << ", heading " << options.heading;
+        }
         EXPECT_EQ(0, solve4LA(segments, twoWalls, options, solutions)) << what << ", heading " << options.heading;
         EXPECT_EQ(0, solve4LAExact(segments, twoWalls, options, solutions)) << what << ", heading " << options.heading;
     }
@@ -443,7 +475,8 @@ TEST(RSAckermann_Solvers, degenerate_parallel)
     VerticalSegment segments[4];
     for (int i = 0; i < 4; i++)
         segments[i] = VerticalSegment::fromAzimuths(0.1 * i - 0.2, times[i][0], 0.1 * i - 0.2, times[i][1]);
-    expectNoSolution(segments, "parallel");
+    // With a known speed a yaw rate can make up for the walls: that is a solution.
+    expectNoSolution(segments, "parallel", false);
 }
 
 /** Special values in all places: whatever comes out is finite and within the limits.
@@ -456,8 +489,9 @@ TEST(RSAckermann_Solvers, special_values)
     const double values[] = {0, -0., 1, -1, 0.1, -0.1, 0.25, 1e-9, -1e-9, 1e-17, 1e-160, 1e-300, DBL_MIN, 4.9e-324, DBL_EPSILON, 1e9, -1e9,
                              1e160, -1e160, DBL_MAX, -DBL_MAX, infinity, -infinity, nan, CV_PI / 2, -CV_PI / 2, CV_PI};
     const int count = int(sizeof(values) / sizeof(values[0]));
-    const Solver solvers[] = {run1LA, run3LA, run4LA, run4LAExact};
-    const int most[] = {1, 1, 3, 8};
+    const Solver solvers[] = {run1LA, run3LA, run4LA, run4LAExact, runKnownYawRate, runKnownSpeed};
+    const int most[] = {1, 1, 3, 8, 1, 8};
+    const int solverCount = int(sizeof(solvers) / sizeof(solvers[0]));
     ExactGenerator generator;
     RNG rng(7);
     for (int i = 0; i < 100000; i++)
@@ -475,7 +509,7 @@ TEST(RSAckermann_Solvers, special_values)
         }
         if (rng.uniform(0, 10) == 0)
             problem.options.heading = values[rng.uniform(0, count)];
-        for (int j = 0; j < 4; j++)
+        for (int j = 0; j < solverCount; j++)
         {
             MinimalSolution solutions[9];
             const int n = solvers[j](problem, twoWalls, solutions);

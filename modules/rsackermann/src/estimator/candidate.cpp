@@ -22,10 +22,17 @@ MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEs
     }
 }
 
+// One wall, or two whose distances aren't worlds apart.
+static bool isPlausibleRatio(double lambda)
+{
+    const double most = 20;
+    return lambda == 0 || (lambda >= 1 / most && lambda <= most);
+}
+
 bool MotionLimits::allow(const Model& m) const
 {
     const double maxTilt = 0.3, speed = std::hypot(m[P_B], m[P_D]);
-    return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxSpeed && m[P_LAMBDA] >= 0 && m[P_LAMBDA] * speed <= maxRightSpeed &&
+    return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxSpeed && isPlausibleRatio(m[P_LAMBDA]) && m[P_LAMBDA] * speed <= maxRightSpeed &&
            std::abs(m[P_ROLL]) < maxTilt && std::abs(m[P_PITCH]) < maxTilt;
 }
 

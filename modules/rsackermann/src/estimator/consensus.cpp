@@ -23,6 +23,24 @@ CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const 
     }
 }
 
+// A prior that leaves much open says less than another segment.
+bool CandidateConsensus::knowsYawRate() const
+{
+    const PriorTerms& prior = problem.prior;
+    return structure.motion == MODEL_4LA && prior.alphaSigma > 0 && prior.alphaSigma < 0.1 * problem.limits.maxAlpha;
+}
+
+bool CandidateConsensus::knowsSpeed() const
+{
+    const PriorTerms& prior = problem.prior;
+    return structure.motion == MODEL_4LA && !knowsYawRate() && prior.sizeSigma > 0 && prior.sizeSigma < 0.1 * std::abs(prior.size);
+}
+
+int CandidateConsensus::sampleSize() const
+{
+    return structure.sampleSize() - (knowsYawRate() || knowsSpeed() ? 1 : 0);
+}
+
 int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* solutions) const
 {
     SolverOptions options;
@@ -31,6 +49,10 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
     options.maxSpeed = problem.limits.maxRightSpeed; // either wall may be the first one
     options.rollingShutterDepth = false;
     const bool twoWalls = structure.walls == 2;
+    if (knowsYawRate())
+        return solveKnownYawRate(segments, twoWalls, problem.prior.alpha, options, solutions);
+    if (knowsSpeed())
+        return solveKnownSpeed(segments, twoWalls, std::abs(problem.prior.size), options, solutions);
     switch (structure.motion)
     {
     case MODEL_1LA: return solve1LA(segments[0], options, solutions);
@@ -60,7 +82,8 @@ static void nameWalls(double heading, Model& m)
 int CandidateConsensus::generate(const int* sample, Model* models)
 {
     const int n = sampleSize();
-    const int arrangements = structure.walls == 2 ? 2 : 1;
+    // The speed is known in terms of the left wall's distance, so that the right wall can't take its place.
+    const int arrangements = structure.walls == 2 && !knowsSpeed() ? 2 : 1;
     int count = 0;
     for (int mirrored = 0; mirrored < arrangements; mirrored++)
     {

@@ -14,7 +14,8 @@ namespace rsackermann {
 /** Consensus of the candidates on one motion structure; the Estimator of loRansac().
 
 Samples for two walls take all but one of their segments from one side of the image and the last one from the other side:
-the three leftmost on the left wall and the rightmost on the right wall, and the mirror image of it.
+the three leftmost on the left wall and the rightmost on the right wall, and the mirror image of it. A yaw rate or a speed
+that the prior knows makes a sample smaller by one.
 */
 class CandidateConsensus
 {
@@ -26,12 +27,14 @@ public:
     CandidateConsensus(const RefinementProblem& problem, const Structure& structure, double threshold);
 
     int size() const { return (int)problem.verticals.size(); }
-    int sampleSize() const { return structure.sampleSize(); }
+    int sampleSize() const;
     int generate(const int* sample, Model* models);
     double score(const Model& model, double best, int& inliers) const;
     void optimize(Model& model) const;
 
 private:
+    bool knowsYawRate() const;
+    bool knowsSpeed() const;
     int solve(const VerticalSegment* segments, MinimalSolution* solutions) const;
     int directionOf(const MinimalSolution& solution, const VerticalSegment& left) const;
 

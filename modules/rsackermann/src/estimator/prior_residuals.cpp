@@ -28,17 +28,22 @@ PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& cam
     const AckermannMotion& m = prior.previous;
     if (!(prior.previousNoise > 0) || m.status != MOTION_OK)
         return;
-    // The covariance of the previous estimate and what may have changed since.
+    // The covariance of the previous estimate and what may have changed since, for what was part of its model. Nothing is
+    // known of the rest: its information is 0.
+    const bool isKnown[4] = {m.model == MODEL_1LA || m.model == MODEL_4LA, m.B != 0 || m.D != 0, m.B != 0 || m.D != 0, m.lambda > 0};
     const double values[4] = {m.alpha, m.B, m.D, m.lambda};
     const double wall = std::hypot(m.B, m.D);
     const double ranges[4] = {limits.maxAlpha, wall, wall, m.lambda};
-    Eigen::Matrix4d covariance;
+    Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
     for (int i = 0; i < 4; i++)
     {
-        for (int j = 0; j < 4; j++)
-            covariance(i, j) = m.covariance(i, j);
-        covariance(i, i) += std::pow(prior.previousNoise * std::max(ranges[i], 1e-3), 2);
         previous[i] = values[i];
+        if (!isKnown[i])
+            continue;
+        for (int j = 0; j < 4; j++)
+            if (isKnown[j])
+                covariance(i, j) = m.covariance(i, j);
+        covariance(i, i) += std::pow(prior.previousNoise * ranges[i], 2);
     }
     const Eigen::LLT<Eigen::Matrix4d> factor(covariance);
     if (factor.info() != Eigen::Success)
@@ -46,7 +51,7 @@ PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& cam
     const Eigen::Matrix4d whitening = factor.matrixL().solve(Eigen::Matrix4d::Identity());
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
-            previousInformation(i, j) = whitening(i, j);
+            previousInformation(i, j) = isKnown[i] && isKnown[j] ? whitening(i, j) : 0;
     hasPrevious = true;
 }
 

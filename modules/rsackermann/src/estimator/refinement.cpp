@@ -101,7 +101,7 @@ static void fixUnknowns(const RefinementProblem& problem, const Structure& struc
     isFree[P_B] = isFree[P_D] = structure.translates();
     isFree[P_LAMBDA] = structure.walls == 2;
     isFree[P_ROLL] = isFree[P_PITCH] = problem.gravitySigma > 0;
-    isFree[P_STREET] = !structure.translates() && evidence == ALL_SEGMENTS && !problem.others.empty();
+    isFree[P_STREET] = !structure.translates() && evidence == ALL_SEGMENTS && (!problem.others.empty() || problem.prior.streetSigma > 0);
     for (int i = 0; i < PARAMETERS; i++)
     {
         if (isFree[i])
@@ -147,11 +147,14 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
     if (covariance)
     {
         fixUnknowns(problem, structure, evidence, isFree, sum);
-        sum.hessian.diagonal().array() += 1e-9;
-        const Hessian inverse = sum.hessian.ldlt().solve(Hessian::Identity());
+        // The unknowns differ by orders of magnitude: with a diagonal of ones the inverse keeps its digits.
+        const Gradient scale = (sum.hessian.diagonal().array() + 1e-9).sqrt().inverse();
+        Hessian scaled = scale.asDiagonal() * sum.hessian * scale.asDiagonal();
+        scaled.diagonal().array() += 1e-12;
+        const Hessian inverse = scale.asDiagonal() * scaled.llt().solve(Hessian::Identity()) * scale.asDiagonal();
         for (int i = 0; i < PARAMETERS; i++)
             for (int j = 0; j < PARAMETERS; j++)
-                (*covariance)(i, j) = isFree[i] && isFree[j] ? inverse(i, j) : 0;
+                (*covariance)(i, j) = isFree[i] && isFree[j] && inverse.allFinite() ? inverse(i, j) : 0;
     }
     return sum.cost;
 }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "direction_residual.hpp"
 #include "lo_ransac.hpp"
 #include "selection.hpp"
 #include "street_direction.hpp"
@@ -84,6 +85,19 @@ static Fit fitAllSegments(const RefinementProblem& problem, const Structure& str
         if (startFromStreetDirection(problem, structure, turned))
             refineFrom(problem, turned, fit);
     }
+    if (structure.motion == MODEL_4LA && fit.cost < DBL_MAX)
+    {
+        // Yaw rate and walls can take each other's place: look for a lower minimum to both sides along that valley.
+        const Fit valley = fit;
+        const double sigma = std::sqrt(valley.covariance(P_ALPHA, P_ALPHA));
+        for (int side = -1; side <= 1 && sigma > 0; side += 2)
+        {
+            Model start = valley.model;
+            for (int i = 0; i < PARAMETERS; i++)
+                start.value[i] += side * 2 * valley.covariance(i, P_ALPHA) / sigma;
+            refineFrom(problem, start, fit);
+        }
+    }
     fit.criterion = criterion(problem, structure, fit.cost);
     return fit;
 }
@@ -97,22 +111,35 @@ static const Fit& bestOf(const std::vector<Fit>& fits)
     return fits[best];
 }
 
-// Standard deviation of the residuals of the verticals in pixels, from the median of those that aren't gross outliers.
-static double measuredSigma(const RefinementProblem& problem, const Model& model, double gross)
+// Standard deviation of residuals in pixels, from the median of those that aren't gross outliers.
+static double medianSigma(std::vector<double>& residuals, double gross, double otherwise)
 {
-    std::vector<double> residuals;
-    for (size_t i = 0; i < problem.verticals.size(); i++)
-    {
-        int wall;
-        const double r = problem.focal * std::abs(verticalResidual(problem.verticals[i], model, problem.heading, wall, 0));
-        if (r < gross)
-            residuals.push_back(r);
-    }
+    residuals.erase(std::remove_if(residuals.begin(), residuals.end(), [gross](double r) { return !(r < gross); }), residuals.end());
     if (residuals.empty())
-        return problem.sigma;
+        return otherwise;
     const size_t middle = residuals.size() / 2;
     std::nth_element(residuals.begin(), residuals.begin() + middle, residuals.end());
     return 1.4826 * residuals[middle];
+}
+
+// The noise of the segments, as the residuals of a fit show it.
+static void measureNoise(const Fit& fit, RefinementProblem& problem)
+{
+    std::vector<double> verticals, others;
+    for (size_t i = 0; i < problem.verticals.size(); i++)
+    {
+        int wall;
+        verticals.push_back(problem.focal * std::abs(verticalResidual(problem.verticals[i], fit.model, problem.heading, wall, 0)));
+    }
+    for (size_t i = 0; i < problem.others.size(); i++)
+        others.push_back(problem.focal * std::abs(directionResidualValue(problem.others[i], fit.model, problem.heading, problem.roadRatio,
+                                                                         fit.structure.translates())));
+    const double lossWidth = problem.lossScale * problem.sigma;
+    const double low = 0.02, high = 0.6;
+    problem.sigma = std::min(std::max(medianSigma(verticals, 4 * problem.sigma, problem.sigma), low), high);
+    problem.directionSigma = std::min(std::max(medianSigma(others, 3 * problem.directionSigma, problem.directionSigma), problem.sigma), 1.);
+    // Less noise doesn't make the deviations of real walls from planes smaller.
+    problem.lossScale = std::max(problem.lossScale, 0.6 * lossWidth / problem.sigma);
 }
 
 Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& params)
@@ -131,11 +158,16 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
     }
 
     // Once more with the noise that was found, which decides how much evidence there is.
-    const double low = 0.15, high = 0.6;
-    problem.sigma = std::min(std::max(measuredSigma(problem, bestOf(fits).model, 2 * params.threshold), low), high);
+    measureNoise(bestOf(fits), problem);
     for (size_t i = 0; i < fits.size(); i++)
         fits[i] = fitAllSegments(problem, fits[i].structure, std::vector<Model>(1, fits[i].model));
-    return bestOf(fits);
+
+    // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does.
+    Fit best = bestOf(fits);
+    for (size_t i = 0; i < fits.size(); i++)
+        if (best.structure.motion == MODEL_3LA && fits[i].structure.motion == MODEL_4LA && fits[i].structure.walls == best.structure.walls)
+            best.covariance = fits[i].covariance;
+    return best;
 }
 
 }} // namespace cv::rsackermann

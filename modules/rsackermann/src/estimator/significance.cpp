@@ -10,7 +10,10 @@ namespace rsackermann {
 
 static double logBinomial(int n, int k)
 {
-    return std::lgamma(n + 1.) - std::lgamma(k + 1.) - std::lgamma(n - k + 1.);
+    double sum = 0;
+    for (int i = 0; i < k; i++)
+        sum += std::log((n - i) / double(k - i));
+    return sum;
 }
 
 double logFalseAlarms(int candidates, int inliers, int sampleSize, double chance)

@@ -37,11 +37,12 @@ struct Constraint
     }
 };
 
-//! Both ends of a segment, turned for a given alpha.
+//! Both ends of a segment in the reference frame.
 struct TurnedSegment
 {
     TurnedBearing u, v;
 
+    TurnedSegment() {}
     //! @param s segment whose ends are passed at two rows.
     TurnedSegment(const VerticalSegment& s, const RowMotion& rowU, const RowMotion& rowV) : u(s.u, rowU), v(s.v, rowV) {}
     TurnedSegment(const VerticalSegment& s, double alpha, const Heading& heading)

@@ -15,11 +15,14 @@ enum { MAX_DEGREE = 8 };
 Between neighbouring roots of the derivative a polynomial is monotone, so that every sign change is a bracket; a root that
 only touches zero has none and is left out.
 @param c coefficients of x^0 ... x^degree.
-@param degree at most MAX_DEGREE.
+@param degree from 2 to MAX_DEGREE.
 @param roots receives at most degree values.
 @return number of roots.
 */
 int realRoots(const double* c, int degree, double low, double high, double* roots);
+
+//! Derivative of a polynomial of that degree at x.
+double slopeAt(const double* c, int degree, double x);
 
 }} // namespace cv::rsackermann
 

@@ -11,20 +11,22 @@ namespace rsackermann {
 // doc/theory.md, "Solvers": with alpha = 0 the constraints are linear in (B, D), then in lambda.
 int solve3LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[1])
 {
+    const Heading heading(options.heading);
+    TurnedSegment turned[3];
     Constraint constraints[3];
     for (int i = 0; i < (twoWalls ? 3 : 2); i++)
     {
-        const VerticalSegment& s = segments[i];
-        if (!isUsable(s))
+        const VerticalSegment& segment = segments[i];
+        if (!isUsable(segment))
             return 0;
-        constraints[i] = exactConstraint(TurnedBearing(s.u, RowMotion(0, options.heading, s.timeU)),
-                                         TurnedBearing(s.v, RowMotion(0, options.heading, s.timeV)));
+        turned[i] = TurnedSegment(segment, RowMotion(heading, segment.timeU), RowMotion(heading, segment.timeV));
+        constraints[i] = turned[i].constraint();
     }
     MinimalSolution& s = solutions[0];
     s.alpha = 0;
     if (!solveWalls(constraints[0], constraints[1], twoWalls ? constraints + 2 : 0, s))
         return 0;
-    return isPlausible(s, segments, 2, twoWalls, options) ? 1 : 0;
+    return isWithinLimits(s, options) && areOnWalls(s, turned, 2, twoWalls) ? 1 : 0;
 }
 
 }} // namespace cv::rsackermann

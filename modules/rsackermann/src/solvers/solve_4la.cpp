@@ -25,19 +25,19 @@ struct LinearBearing
 {
     double x, X1, g0, g1; // X = x + alpha X1, g = g0 + alpha g1
 
-    LinearBearing(const Point2d& bearing, double t, double c, double s)
+    LinearBearing(const Point2d& bearing, double t, const Heading& heading)
     {
         x = bearing.x / bearing.y;
         X1 = 2 * t * (1 + x * x);
-        g0 = t * (s - x * c);
-        g1 = t * (t * c + x * t * s - X1 * c);
+        g0 = t * (heading.s - x * heading.c);
+        g1 = t * (t * heading.c + x * t * heading.s - X1 * heading.c);
     }
 };
 
 // p1 = X + g w with w = D - B x at the rolling-shutter point x, or else the exact constraint, to first order in alpha.
-static LinearConstraint linearConstraint(const VerticalSegment& s, double cosHeading, double sinHeading, bool rollingShutterDepth)
+static LinearConstraint linearConstraint(const VerticalSegment& s, const Heading& heading, bool rollingShutterDepth)
 {
-    const LinearBearing u(s.u, s.timeU, cosHeading, sinHeading), v(s.v, s.timeV, cosHeading, sinHeading);
+    const LinearBearing u(s.u, s.timeU, heading), v(s.v, s.timeV, heading);
     LinearConstraint k;
     k.at0 = Constraint(u.x - v.x, u.g0 - v.g0, 0);
     k.slope = Constraint(u.X1 - v.X1, u.g1 - v.g1, 0);
@@ -58,33 +58,35 @@ static LinearConstraint linearConstraint(const VerticalSegment& s, double cosHea
 static bool determinantCubic(const LinearConstraint k[3], double scale, double coefficients[4])
 {
     Constraint p[3], q[3];
-    double size = 1;
+    double size2 = 1;
     for (int i = 0; i < 3; i++)
     {
         p[i] = k[i].at0;
         q[i] = Constraint(scale * k[i].slope.e, scale * k[i].slope.d, scale * k[i].slope.b);
-        size *= p[i].length() + q[i].length();
+        size2 *= p[i].length2() + q[i].length2();
     }
-    coefficients[0] = determinant(p[0], p[1], p[2]);
-    coefficients[1] = determinant(q[0], p[1], p[2]) + determinant(p[0], q[1], p[2]) + determinant(p[0], p[1], q[2]);
-    coefficients[2] = determinant(p[0], q[1], q[2]) + determinant(q[0], p[1], q[2]) + determinant(q[0], q[1], p[2]);
-    coefficients[3] = determinant(q[0], q[1], q[2]);
+    const Constraint pp = p[1].cross(p[2]), pq = p[1].cross(q[2]), qp = q[1].cross(p[2]), qq = q[1].cross(q[2]);
+    coefficients[0] = p[0].dot(pp);
+    coefficients[1] = q[0].dot(pp) + p[0].dot(qp) + p[0].dot(pq);
+    coefficients[2] = p[0].dot(qq) + q[0].dot(pq) + q[0].dot(qp);
+    coefficients[3] = q[0].dot(qq);
     double largest = 0;
     for (int i = 0; i < 4; i++)
         largest = std::max(largest, std::abs(coefficients[i]));
-    return largest > 1e-13 * size;
+    const double degenerate = 1e-13;
+    return largest * largest > degenerate * degenerate * size2;
 }
 
 int solve4LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[3])
 {
     LinearConstraint linear[4];
     const int n = twoWalls ? 4 : 3;
-    const double c = std::cos(options.heading), s = std::sin(options.heading);
+    const Heading heading(options.heading);
     for (int i = 0; i < n; i++)
     {
         if (!isUsable(segments[i]))
             return 0;
-        linear[i] = linearConstraint(segments[i], c, s, options.rollingShutterDepth);
+        linear[i] = linearConstraint(segments[i], heading, options.rollingShutterDepth);
     }
     double cubic[4], roots[3];
     if (!determinantCubic(linear, options.maxAlpha, cubic))
@@ -98,7 +100,12 @@ int solve4LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions
         Constraint at[4];
         for (int j = 0; j < n; j++)
             at[j] = linear[j].at(solution.alpha);
-        if (solveWallsFromThree(at, twoWalls ? at + 3 : 0, solution) && isPlausible(solution, segments, 3, twoWalls, options))
+        if (!solveWallsFromThree(at, twoWalls ? at + 3 : 0, solution) || !isWithinLimits(solution, options))
+            continue;
+        TurnedSegment turned[4];
+        for (int j = 0; j < n; j++)
+            turned[j] = TurnedSegment(segments[j], solution.alpha, heading);
+        if (areOnWalls(solution, turned, 3, twoWalls))
             count++;
     }
     return count;

@@ -9,26 +9,28 @@
 namespace cv {
 namespace rsackermann {
 
-enum { ROW_DEGREE = 2, DEGREE = 3 * ROW_DEGREE };
+// Degrees in alpha of the constraints and of their determinant; the terms left out are smaller than those left out of the
+// constraints.
+enum { ROW_DEGREE = 3, DEGREE = 6 };
 
-// A polynomial in alpha / scale of degree ROW_DEGREE.
-struct Quadratic
+// A polynomial in alpha / scale.
+struct Series
 {
     double c[ROW_DEGREE + 1];
 };
 
-static Quadratic operator-(const Quadratic& a, const Quadratic& b)
+static Series operator-(const Series& a, const Series& b)
 {
-    Quadratic r;
+    Series r;
     for (int i = 0; i <= ROW_DEGREE; i++)
         r.c[i] = a.c[i] - b.c[i];
     return r;
 }
 
 // The product without its terms above ROW_DEGREE.
-static Quadratic operator*(const Quadratic& a, const Quadratic& b)
+static Series operator*(const Series& a, const Series& b)
 {
-    Quadratic r;
+    Series r;
     for (int i = 0; i <= ROW_DEGREE; i++)
     {
         r.c[i] = 0;
@@ -41,32 +43,35 @@ static Quadratic operator*(const Quadratic& a, const Quadratic& b)
 // TurnedBearing as Taylor polynomials: sin(alpha t)/alpha stands for tau, and s2 M - c2 N is s cos(.) - c sin(.) of alpha t.
 struct BearingSeries
 {
-    Quadratic N, M, G;
+    Series N, M, G;
 
-    BearingSeries(const Point2d& p, double t, double cosHeading, double sinHeading, double scale)
+    BearingSeries(const Point2d& p, double t, const Heading& heading, double scale)
     {
         const double k = 2 * t * scale, h = t * scale;
-        const double across = sinHeading * p.y - cosHeading * p.x, along = cosHeading * p.y + sinHeading * p.x;
+        const double across = heading.s * p.y - heading.c * p.x, along = heading.c * p.y + heading.s * p.x;
         N.c[0] = p.x;
         N.c[1] = k * p.y;
         N.c[2] = -k * k / 2 * p.x;
+        N.c[3] = -k * k * k / 6 * p.y;
         M.c[0] = p.y;
         M.c[1] = -k * p.x;
         M.c[2] = -k * k / 2 * p.y;
+        M.c[3] = k * k * k / 6 * p.x;
         G.c[0] = t * across;
         G.c[1] = -t * h * along;
         G.c[2] = -t * h * h * across * (2. / 3);
+        G.c[3] = t * h * h * h * along / 3;
     }
 };
 
 struct ConstraintSeries
 {
-    Quadratic e, d, b;
+    Series e, d, b;
 
     ConstraintSeries() {}
-    ConstraintSeries(const VerticalSegment& s, double cosHeading, double sinHeading, double scale)
+    ConstraintSeries(const VerticalSegment& s, const Heading& heading, double scale)
     {
-        const BearingSeries u(s.u, s.timeU, cosHeading, sinHeading, scale), v(s.v, s.timeV, cosHeading, sinHeading, scale);
+        const BearingSeries u(s.u, s.timeU, heading, scale), v(s.v, s.timeV, heading, scale);
         e = u.N * v.M - v.N * u.M;
         d = u.G * v.M - v.G * u.M;
         b = u.N * v.G - v.N * u.G;
@@ -74,14 +79,14 @@ struct ConstraintSeries
 };
 
 // sum += sign x y z
-static void addProduct(const Quadratic& x, const Quadratic& y, const Quadratic& z, double sign, double sum[DEGREE + 1])
+static void addProduct(const Series& x, const Series& y, const Series& z, double sign, double sum[DEGREE + 1])
 {
     double xy[2 * ROW_DEGREE + 1] = {0};
     for (int i = 0; i <= ROW_DEGREE; i++)
         for (int j = 0; j <= ROW_DEGREE; j++)
             xy[i + j] += x.c[i] * y.c[j];
     for (int i = 0; i <= 2 * ROW_DEGREE; i++)
-        for (int j = 0; j <= ROW_DEGREE; j++)
+        for (int j = 0; j <= std::min<int>(ROW_DEGREE, DEGREE - i); j++)
             sum[i + j] += sign * xy[i] * z.c[j];
 }
 
@@ -96,35 +101,55 @@ static void determinantSeries(const ConstraintSeries r[3], double sum[DEGREE + 1
     }
 }
 
-static Constraint constraintAt(const VerticalSegment& s, double heading, double alpha)
+// Three segments on the left wall, and maybe one on the right wall, at one alpha.
+struct TurnedSample
 {
-    return exactConstraint(TurnedBearing(s.u, RowMotion(alpha, heading, s.timeU)), TurnedBearing(s.v, RowMotion(alpha, heading, s.timeV)));
-}
+    int count;
+    TurnedSegment segments[4];
+    Constraint constraints[4];
 
-static double exactDeterminant(const VerticalSegment* segments, double heading, double alpha)
-{
-    return determinant(constraintAt(segments[0], heading, alpha), constraintAt(segments[1], heading, alpha),
-                       constraintAt(segments[2], heading, alpha));
-}
+    TurnedSample(const VerticalSegment* s, int count_) : count(count_), source(s) {}
 
-// Newton steps on the exact determinant, with the slope of the secant. Returns false where they run away.
-static bool polish(const VerticalSegment* segments, const SolverOptions& options, double& alpha)
+    void turn(double alpha, const Heading& heading)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            segments[i] = TurnedSegment(source[i], alpha, heading);
+            constraints[i] = segments[i].constraint();
+        }
+    }
+
+    double determinantOfThree() const { return determinant(constraints[0], constraints[1], constraints[2]); }
+
+private:
+    const VerticalSegment* source;
+};
+
+/* Newton steps on the exact determinant, at first with the slope of the series and then with that of the secant. Leaves the
+sample turned by alpha. Returns false where they run away.
+*/
+static bool polish(TurnedSample& sample, const Heading& heading, double maxAlpha, double slope, double& alpha)
 {
-    double before = alpha + 1e-4 * options.maxAlpha;
-    double valueBefore = exactDeterminant(segments, options.heading, before);
+    // The steps shrink faster than with their square root: what is left after such a one is below double precision.
+    const double lastStep = 1e-12 * maxAlpha;
+    double before = 0, valueBefore = 0;
     for (int i = 0; i < 10; i++)
     {
-        const double value = exactDeterminant(segments, options.heading, alpha);
-        if (value == valueBefore)
+        sample.turn(alpha, heading);
+        const double value = sample.determinantOfThree();
+        if (i > 0)
+            slope = (value - valueBefore) / (alpha - before);
+        const double step = value / slope;
+        if (value == 0 || (i > 0 && std::abs(step) <= lastStep))
+        {
+            alpha -= value == 0 ? 0 : step;
             return true;
-        const double step = value * (alpha - before) / (value - valueBefore);
+        }
         before = alpha;
         valueBefore = value;
         alpha -= step;
-        if (!(std::abs(alpha) <= 1.5 * options.maxAlpha))
+        if (!(std::abs(alpha) <= 1.5 * maxAlpha))
             return false;
-        if (std::abs(step) <= 1e-14 * options.maxAlpha)
-            return true;
     }
     return true;
 }
@@ -133,7 +158,7 @@ static bool polish(const VerticalSegment* segments, const SolverOptions& options
 int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[8])
 {
     const int n = twoWalls ? 4 : 3;
-    const double c = std::cos(options.heading), s = std::sin(options.heading);
+    const Heading heading(options.heading);
     ConstraintSeries series[3];
     double size = 1;
     for (int i = 0; i < n; i++)
@@ -142,7 +167,7 @@ int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOp
             return 0;
         if (i == 3)
             break;
-        series[i] = ConstraintSeries(segments[i], c, s, options.maxAlpha);
+        series[i] = ConstraintSeries(segments[i], heading, options.maxAlpha);
         double sum = 0;
         for (int k = 0; k <= ROW_DEGREE; k++)
             sum += std::abs(series[i].e.c[k]) + std::abs(series[i].d.c[k]) + std::abs(series[i].b.c[k]);
@@ -158,18 +183,18 @@ int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOp
 
     // A root of the series may lie a little outside of the limit where the exact one lies inside.
     const int found = realRoots(polynomial, DEGREE, -1.05, 1.05, roots);
+    TurnedSample sample(segments, n);
     int count = 0;
     for (int i = 0; i < found; i++)
     {
         MinimalSolution& solution = solutions[count];
         solution.alpha = roots[i] * options.maxAlpha;
-        if (!polish(segments, options, solution.alpha))
+        if (!polish(sample, heading, options.maxAlpha, slopeAt(polynomial, DEGREE, roots[i]) / options.maxAlpha, solution.alpha))
             continue;
-        Constraint at[4];
-        for (int j = 0; j < n; j++)
-            at[j] = constraintAt(segments[j], options.heading, solution.alpha);
         const bool isNew = count == 0 || std::abs(solution.alpha - solutions[count - 1].alpha) > 1e-9 * options.maxAlpha;
-        if (isNew && solveWallsFromThree(at, twoWalls ? at + 3 : 0, solution) && isPlausible(solution, segments, 3, twoWalls, options))
+        const Constraint* constraints = sample.constraints;
+        if (isNew && solveWallsFromThree(constraints, twoWalls ? constraints + 3 : 0, solution) && isWithinLimits(solution, options) &&
+            areOnWalls(solution, sample.segments, 3, twoWalls))
             count++;
     }
     return count;

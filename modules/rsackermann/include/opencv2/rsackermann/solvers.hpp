@@ -89,6 +89,28 @@ The roots inside the limits of a polynomial of degree 8 or less in alpha, polish
  */
 CV_EXPORTS int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[8]);
 
+/** @brief Translation along two walls for a known yaw rate, exact.
+@param segments two images of vertical lines on the left (or only) wall and, where twoWalls, a third one on the right wall.
+@param twoWalls whether there is a third segment; otherwise lambda is 0.
+@param alpha half of the yaw per unit of row time.
+@param options heading and limits.
+@param solutions receives at most one solution.
+@return number of solutions; 0 for degenerate segments.
+ */
+CV_EXPORTS int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls, double alpha, const SolverOptions& options,
+                                 MinimalSolution solutions[1]);
+
+/** @brief Yaw rate and walls for a known speed, exact: the paper's other gauge.
+@param segments two images of vertical lines on the left (or only) wall and, where twoWalls, a third one on the right wall.
+@param twoWalls whether there is a third segment; otherwise lambda is 0.
+@param size known sqrt(B^2 + D^2): speed times RollingShutterCamera::secondsPerUnitTime over the distance of the left (or only) wall.
+@param options heading and limits.
+@param solutions receives at most eight solutions.
+@return number of solutions; 0 for degenerate segments.
+ */
+CV_EXPORTS int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double size, const SolverOptions& options,
+                               MinimalSolution solutions[8]);
+
 //! @}
 
 }} // namespace cv::rsackermann

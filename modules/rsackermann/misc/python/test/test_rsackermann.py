@@ -142,7 +142,7 @@ class rsackermann_test(NewOpenCVTests):
             corrector.correct(image[:-1])
 
     def test_corrector_prior(self):
-        params = cv.rsackermann.RollingShutterCorrector_Params()
+        params = cv.rsackermann.RollingShutterCorrector.Params()
         self.assertFalse(params.carryMotion)
         params.carryMotion = True
         params.previousNoise = 0.2

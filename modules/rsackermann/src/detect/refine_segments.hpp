@@ -1,0 +1,24 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_DETECT_REFINE_SEGMENTS_HPP
+#define OPENCV_RSACKERMANN_SRC_DETECT_REFINE_SEGMENTS_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+/** Moves segments onto the edges that they are images of, to a fraction of a pixel.
+
+Across each segment the place of the edge is measured at many points, and a line is fitted to the places. The ends move
+along the normal of the segment only. A segment along which there is no edge stays as it is.
+@param gray CV_8UC1.
+@param segments (x1, y1, x2, y2) within some pixels of the edges.
+*/
+void refineSegments(const Mat& gray, std::vector<Vec4f>& segments);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_DETECT_REFINE_SEGMENTS_HPP

@@ -1,0 +1,33 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "common.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+// doc/theory.md, "Solvers": for a given alpha the constraints are linear in (B, D), then in lambda.
+int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls, double alpha, const SolverOptions& options, MinimalSolution solutions[1])
+{
+    if (cvIsNaN(alpha) || cvIsInf(alpha))
+        return 0;
+    const Heading heading(options.heading);
+    TurnedSegment turned[3];
+    Constraint constraints[3];
+    for (int i = 0; i < (twoWalls ? 3 : 2); i++)
+    {
+        if (!isUsable(segments[i]))
+            return 0;
+        turned[i] = TurnedSegment(segments[i], alpha, heading);
+        constraints[i] = turned[i].constraint();
+    }
+    MinimalSolution& s = solutions[0];
+    s.alpha = alpha;
+    if (!solveWalls(constraints[0], constraints[1], twoWalls ? constraints + 2 : 0, s))
+        return 0;
+    return isWithinLimits(s, options) && areOnWalls(s, turned, 2, twoWalls) ? 1 : 0;
+}
+
+}} // namespace cv::rsackermann
