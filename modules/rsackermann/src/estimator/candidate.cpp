@@ -84,6 +84,7 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
             continue;
         ends.push_back(Point2d(s[0], s[1]));
         ends.push_back(Point2d(s[2], s[3]));
+        ends.push_back(0.5 * (Point2d(s[0], s[1]) + Point2d(s[2], s[3])));
         indices.push_back(i);
     }
     undistortedRays(camera, ends, rays);
@@ -92,11 +93,13 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
     for (size_t k = 0; k < indices.size(); k++)
     {
         Candidate c;
-        if (!uprightBearing(camera.uprightRotation, rays[2 * k], c.u) || !uprightBearing(camera.uprightRotation, rays[2 * k + 1], c.v))
+        if (!uprightBearing(camera.uprightRotation, rays[3 * k], c.u) ||
+            !uprightBearing(camera.uprightRotation, rays[3 * k + 1], c.v))
             continue;
-        c.timeU = camera.rowTime(ends[2 * k]);
-        c.timeV = camera.rowTime(ends[2 * k + 1]);
-        c.length = norm(ends[2 * k] - ends[2 * k + 1]);
+        c.timeU = camera.rowTime(ends[3 * k]);
+        c.timeV = camera.rowTime(ends[3 * k + 1]);
+        c.length = norm(ends[3 * k] - ends[3 * k + 1]);
+        c.sagitta = camera.cameraMatrix(0, 0) * norm(rays[3 * k + 2] - 0.5 * (rays[3 * k] + rays[3 * k + 1]));
         c.index = indices[k];
         const double dx = std::abs(c.u[0] - c.v[0]), dt = std::abs(c.timeU - c.timeV);
         const double possible = limits.maxSlant((c.u[0] + c.v[0]) / 2, camera.heading) + params.slantTolerance;

@@ -17,6 +17,7 @@ struct Candidate
     Vec3d u, v;          // upright bearings of the ends, with z = 1
     double timeU, timeV; // row times of the ends
     double length;       // pixels
+    double sagitta;      // pixels by which the lens bends the image of the straight line between the ends
     double gate;         // largest |u_x - v_x| with which the segment would have been a candidate for a vertical
     int index;           // among the segments of the caller
 };

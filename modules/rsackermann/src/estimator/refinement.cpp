@@ -24,8 +24,22 @@ struct NormalEquations
     Gradient gradient;
     double cost;
     bool wanted;
+    double weights, influence2, slopes; // sums over the segments: weight, squared influence, slope of the influence
 
-    explicit NormalEquations(bool wanted_) : hessian(Hessian::Zero()), gradient(Gradient::Zero()), cost(0), wanted(wanted_) {}
+    explicit NormalEquations(bool wanted_)
+        : hessian(Hessian::Zero()), gradient(Gradient::Zero()), cost(0), wanted(wanted_), weights(0), influence2(0), slopes(0)
+    {
+    }
+
+    // The residual of a segment, with a robust loss.
+    void addSegment(double r, const double* jacobian, double scale, const RobustLoss& loss)
+    {
+        const double r2 = r * r, weight = loss.weight(r2);
+        add(r, jacobian, scale, loss(r2), weight);
+        weights += weight;
+        influence2 += weight * weight * r2;
+        slopes += loss.influenceSlope(r2);
+    }
 
     // A residual r with the derivatives scale * jacobian.
     void add(double r, const double* jacobian, double scale, double loss, double weight)
@@ -41,29 +55,36 @@ struct NormalEquations
 
 } // namespace
 
+// A detector fits a chord to an image that the lens has bent: its ends are off by a part of the sagitta.
+static double segmentSigma(const Candidate& segment, double sigma)
+{
+    const double part = 0.3;
+    return std::hypot(sigma, part * segment.sagitta);
+}
+
 static void evaluate(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const Model& model, NormalEquations& sum)
 {
     const RobustLoss loss(problem.lossScale);
-    const double scale = problem.focal / problem.sigma;
     double jacobian[PARAMETERS];
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         int wall;
+        const double scale = problem.focal / segmentSigma(problem.verticals[i], problem.sigma);
         const double r = scale * verticalResidual(problem.verticals[i], model, problem.heading, wall, sum.wanted ? jacobian : 0);
-        sum.add(r, jacobian, scale, loss(r * r), loss.weight(r * r));
+        sum.addSegment(r, jacobian, scale, loss);
     }
     if (evidence == ALL_SEGMENTS)
     {
-        const double directionScale = problem.focal / problem.directionSigma;
         for (size_t i = 0; i < problem.others.size(); i++)
         {
+            const double directionScale = problem.focal / segmentSigma(problem.others[i], problem.directionSigma);
             Jet jet;
             if (sum.wanted)
                 jet = directionResidual(problem.others[i], model, problem.heading, problem.roadRatio, structure.translates());
             else
                 jet.value = directionResidualValue(problem.others[i], model, problem.heading, problem.roadRatio, structure.translates());
             const double r = directionScale * jet.value;
-            sum.add(r, jet.derivative, directionScale, loss(r * r), loss.weight(r * r));
+            sum.addSegment(r, jet.derivative, directionScale, loss);
         }
     }
     Jet prior[PriorTerms::MAX_RESIDUALS];
@@ -113,6 +134,15 @@ static void fixUnknowns(const RefinementProblem& problem, const Structure& struc
     }
 }
 
+// Covariance of an M-estimator over the inverse of its weighted normal equations (doc/theory.md, "Estimation"): what the
+// outliers that still count and the unknowns themselves cost.
+static double covarianceInflation(const NormalEquations& sum, double unknowns)
+{
+    if (!(sum.slopes > 0) || !(sum.weights > unknowns))
+        return 1;
+    return std::max(1., sum.influence2 * sum.weights / (sum.slopes * sum.slopes) * sum.weights / (sum.weights - unknowns));
+}
+
 double refine(const RefinementProblem& problem, const Structure& structure, Evidence evidence, int maxIterations, Model& model,
               Matx<double, PARAMETERS, PARAMETERS>* covariance)
 {
@@ -152,9 +182,10 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
         Hessian scaled = scale.asDiagonal() * sum.hessian * scale.asDiagonal();
         scaled.diagonal().array() += 1e-12;
         const Hessian inverse = scale.asDiagonal() * scaled.llt().solve(Hessian::Identity()) * scale.asDiagonal();
+        const double inflation = covarianceInflation(sum, std::count(isFree, isFree + PARAMETERS, true));
         for (int i = 0; i < PARAMETERS; i++)
             for (int j = 0; j < PARAMETERS; j++)
-                (*covariance)(i, j) = isFree[i] && isFree[j] && inverse.allFinite() ? inverse(i, j) : 0;
+                (*covariance)(i, j) = isFree[i] && isFree[j] && inverse.allFinite() ? inflation * inverse(i, j) : 0;
     }
     return sum.cost;
 }

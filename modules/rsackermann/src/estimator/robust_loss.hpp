@@ -17,6 +17,13 @@ struct RobustLoss
 
     double operator()(double r2) const { return r2 * scale2 / (scale2 + r2); }
 
+    //! Derivative of influence r * weight(r^2) by r.
+    double influenceSlope(double r2) const
+    {
+        const double a = scale2 / (scale2 + r2);
+        return a * a * (1 - 4 * r2 * a / scale2);
+    }
+
     //! Factor by which the residual counts in the normal equations: the derivative of the loss by r^2.
     double weight(double r2) const
     {

@@ -57,47 +57,78 @@ static bool fitVerticals(const RefinementProblem& problem, const AckermannEstima
 }
 
 // Bayesian information criterion, with a larger penalty than for independent errors: those of neighbouring segments are
-// alike. The number of walls belongs to the scene and is not penalised.
+// alike. A second wall belongs to the scene rather than to the motion and costs no more than what it explains by chance.
 static double criterion(const RefinementProblem& problem, const Structure& structure, double cost)
 {
-    const double dependence = 1.5;
+    const double dependence = 1.5, secondWall = 2;
     const int unknowns = (structure.turns() ? 1 : 0) + (structure.translates() ? 2 : 0);
-    return cost + dependence * unknowns * std::log((double)problem.verticals.size());
+    return cost + dependence * unknowns * std::log((double)problem.verticals.size()) + (structure.walls == 2 ? secondWall : 0);
 }
 
-static void refineFrom(const RefinementProblem& problem, const Model& start, Fit& fit)
+static void refineFrom(const RefinementProblem& problem, const Model& start, const Structure& structure, std::vector<Fit>& minima)
 {
-    Fit next = fit;
+    Fit next(structure);
     next.model = start;
-    next.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, next.model, &next.covariance);
-    if (next.cost < fit.cost)
-        fit = next;
+    next.cost = refine(problem, structure, ALL_SEGMENTS, 30, next.model, &next.covariance);
+    minima.push_back(next);
+}
+
+static bool isCheaper(const Fit& a, const Fit& b)
+{
+    return a.cost < b.cost;
+}
+
+// The best minimum, with the covariance of the mixture of all of them: another one that is nearly as good is as likely.
+static Fit mixture(std::vector<Fit>& minima)
+{
+    std::sort(minima.begin(), minima.end(), isCheaper);
+    Fit best = minima[0];
+    double sum = 1;
+    for (size_t i = 1; i < minima.size(); i++)
+    {
+        const double likelihood = std::exp(-(minima[i].cost - best.cost) / 2);
+        bool isNew = minima[i].model.direction == best.model.direction;
+        for (size_t j = 0; j < i && isNew; j++)
+            isNew = std::abs(minima[i].model[P_ALPHA] - minima[j].model[P_ALPHA]) > 0.2 * std::sqrt(minima[0].covariance(P_ALPHA, P_ALPHA));
+        if (!isNew || !(likelihood > 1e-6))
+            continue;
+        Vec<double, PARAMETERS> difference;
+        for (int k = 0; k < PARAMETERS; k++)
+            difference[k] = minima[i].model.value[k] - minima[0].model.value[k];
+        best.covariance += likelihood * (minima[i].covariance + difference * difference.t());
+        sum += likelihood;
+    }
+    best.covariance *= 1 / sum;
+    return best;
 }
 
 // Joint refinement from several starts, and from each with the street where the other segments see it.
 static Fit fitAllSegments(const RefinementProblem& problem, const Structure& structure, const std::vector<Model>& starts)
 {
-    Fit fit(structure);
+    std::vector<Fit> minima;
     for (size_t i = 0; i < starts.size(); i++)
     {
-        refineFrom(problem, starts[i], fit);
+        refineFrom(problem, starts[i], structure, minima);
         Model turned = starts[i];
         if (startFromStreetDirection(problem, structure, turned))
-            refineFrom(problem, turned, fit);
+            refineFrom(problem, turned, structure, minima);
     }
-    if (structure.motion == MODEL_4LA && fit.cost < DBL_MAX)
+    const Fit valley = *std::min_element(minima.begin(), minima.end(), isCheaper);
+    const double sigma = std::sqrt(valley.covariance(P_ALPHA, P_ALPHA));
+    if (structure.motion == MODEL_4LA && sigma > 0)
     {
-        // Yaw rate and walls can take each other's place: look for a lower minimum to both sides along that valley.
-        const Fit valley = fit;
-        const double sigma = std::sqrt(valley.covariance(P_ALPHA, P_ALPHA));
-        for (int side = -1; side <= 1 && sigma > 0; side += 2)
+        // Yaw rate and walls can take each other's place: look for other minima to both sides along that valley.
+        const double steps[] = {-4, -2, 2, 4};
+        for (int k = 0; k < 4; k++)
         {
             Model start = valley.model;
             for (int i = 0; i < PARAMETERS; i++)
-                start.value[i] += side * 2 * valley.covariance(i, P_ALPHA) / sigma;
-            refineFrom(problem, start, fit);
+                start.value[i] += steps[k] * valley.covariance(i, P_ALPHA) / sigma;
+            if (problem.limits.allow(start))
+                refineFrom(problem, start, structure, minima);
         }
     }
+    Fit fit = mixture(minima);
     fit.criterion = criterion(problem, structure, fit.cost);
     return fit;
 }
@@ -135,7 +166,7 @@ static void measureNoise(const Fit& fit, RefinementProblem& problem)
         others.push_back(problem.focal * std::abs(directionResidualValue(problem.others[i], fit.model, problem.heading, problem.roadRatio,
                                                                          fit.structure.translates())));
     const double lossWidth = problem.lossScale * problem.sigma;
-    const double low = 0.02, high = 0.6;
+    const double low = 0.005, high = 0.6;
     problem.sigma = std::min(std::max(medianSigma(verticals, 4 * problem.sigma, problem.sigma), low), high);
     problem.directionSigma = std::min(std::max(medianSigma(others, 3 * problem.directionSigma, problem.directionSigma), problem.sigma), 1.);
     // Less noise doesn't make the deviations of real walls from planes smaller.
@@ -157,10 +188,16 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
         fits.push_back(fitAllSegments(problem, structures[i], starts));
     }
 
-    // Once more with the noise that was found, which decides how much evidence there is.
-    measureNoise(bestOf(fits), problem);
-    for (size_t i = 0; i < fits.size(); i++)
-        fits[i] = fitAllSegments(problem, fits[i].structure, std::vector<Model>(1, fits[i].model));
+    // Again with the noise that was found, which decides how much evidence there is; until it stays about the same.
+    for (int pass = 0; pass < 4; pass++)
+    {
+        const double before = problem.sigma;
+        measureNoise(bestOf(fits), problem);
+        for (size_t i = 0; i < fits.size(); i++)
+            fits[i] = fitAllSegments(problem, fits[i].structure, std::vector<Model>(1, fits[i].model));
+        if (problem.sigma > before / 3)
+            break;
+    }
 
     // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does.
     Fit best = bestOf(fits);
