@@ -114,12 +114,13 @@ int CandidateConsensus::generate(const int* sample, Model* models)
 double CandidateConsensus::score(const Model& model, double best, int& inliers) const
 {
     const double limit = threshold * threshold;
+    const PreparedModel prepared(model, problem.heading);
     double sum = 0;
     inliers = 0;
     for (size_t i = 0; i < problem.verticals.size() && sum < best; i++)
     {
         int wall;
-        const double r = problem.focal * verticalResidual(problem.verticals[i], model, problem.heading, wall, 0);
+        const double r = problem.focal * verticalResidual(problem.verticals[i], prepared, wall, 0);
         inliers += r * r < limit;
         sum += std::min(r * r, limit);
     }

@@ -10,7 +10,6 @@ namespace cv {
 namespace rsackermann {
 
 using std::cos;
-using std::hypot;
 using std::sin;
 
 namespace {
@@ -30,7 +29,7 @@ template <class T> struct ModelNumbers
         sinRoll = sin(roll);
         cosPitch = cos(pitch);
         sinPitch = sin(pitch);
-        G = (m.direction * roadRatio) * hypot(B, D);
+        G = (m.direction * roadRatio) * length(B, D);
         scene.B = m[P_B];
         scene.D = m[P_D];
         scene.lambda = m[P_LAMBDA];
@@ -47,10 +46,11 @@ template <class T> struct PointOf
 } // namespace
 
 // The global-shutter point of a bearing on the plane on which it is seen (doc/theory.md, "Compensation").
-template <class T> static PointOf<T> compensate(const Vec3d& b, double t, const ModelNumbers<T>& m, double heading)
+template <class T> static PointOf<T> compensate(const Vec3d& b, double t, const ModelNumbers<T>& m, const Heading& heading)
 {
-    const T half = t * m.alpha, theta = 2 * half;
-    const T c = cos(theta), s = sin(theta), c2 = cos(half + heading), s2 = sin(half + heading);
+    const T half = t * m.alpha, cosHalf = cos(half), sinHalf = sin(half);
+    const T c = 1. - 2 * (sinHalf * sinHalf), s = 2 * (sinHalf * cosHalf);
+    const T c2 = heading.c * cosHalf - heading.s * sinHalf, s2 = heading.c * sinHalf + heading.s * cosHalf;
     const T tau = t * sinc(half);
 
     // rollRotation() * pitchRotation() * b, turned by theta
@@ -86,7 +86,7 @@ template <class T> static PointOf<T> compensate(const Vec3d& b, double t, const 
 template <class T> static T lateralDistance(const PointOf<T>& a, const PointOf<T>& b, const T& vx, const T& vz)
 {
     const T dx = vx - vz * (0.5 * (a.x + b.x)), dy = -(vz * (0.5 * (a.y + b.y)));
-    return ((b.x - a.x) * dy - (b.y - a.y) * dx) / (hypot(dx, dy) + 1e-12);
+    return ((b.x - a.x) * dy - (b.y - a.y) * dx) / (length(dx, dy) + 1e-12);
 }
 
 template <class T> static T nearerDirection(const PointOf<T>& u, const PointOf<T>& v, const T& vx, const T& vz)
@@ -98,7 +98,8 @@ template <class T> static T nearerDirection(const PointOf<T>& u, const PointOf<T
 template <class T> static T residual(const Candidate& segment, const Model& model, double heading, double roadRatio, bool translates)
 {
     const ModelNumbers<T> m(model, roadRatio);
-    const PointOf<T> u = compensate(segment.u, segment.timeU, m, heading), v = compensate(segment.v, segment.timeV, m, heading);
+    const Heading direction(heading);
+    const PointOf<T> u = compensate(segment.u, segment.timeU, m, direction), v = compensate(segment.v, segment.timeV, m, direction);
     return nearerDirection<T>(u, v, translates ? m.D : sin(m.street), translates ? m.B : cos(m.street));
 }
 
@@ -115,7 +116,8 @@ double directionResidualValue(const Candidate& segment, const Model& model, doub
 CompensatedSegment::CompensatedSegment(const Candidate& segment, const Model& model, double heading, double roadRatio)
 {
     const ModelNumbers<double> m(model, roadRatio);
-    const PointOf<double> a = compensate(segment.u, segment.timeU, m, heading), b = compensate(segment.v, segment.timeV, m, heading);
+    const Heading direction(heading);
+    const PointOf<double> a = compensate(segment.u, segment.timeU, m, direction), b = compensate(segment.v, segment.timeV, m, direction);
     u = Point2d(a.x, a.y);
     v = Point2d(b.x, b.y);
 }

@@ -66,10 +66,13 @@ inline Jet operator*(double a, const Jet& x) { return x.apply(a * x.value, a); }
 inline Jet sin(const Jet& x) { return x.apply(std::sin(x.value), std::cos(x.value)); }
 inline Jet cos(const Jet& x) { return x.apply(std::cos(x.value), -std::sin(x.value)); }
 inline Jet sinc(const Jet& x) { return x.apply(sinc(x.value), sincDerivative(x.value)); }
-inline Jet hypot(const Jet& x, const Jet& y)
+
+//! sqrt(x^2 + y^2) of numbers whose squares neither overflow nor vanish; std::hypot takes its time for the others.
+inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
+inline Jet length(const Jet& x, const Jet& y)
 {
-    const double h = std::hypot(x.value, y.value);
-    return h > 0 ? combine(h, x.value / h, x, y.value / h, y) : Jet();
+    const double l = length(x.value, y.value);
+    return l > 0 ? combine(l, x.value / l, x, y.value / l, y) : Jet();
 }
 
 }} // namespace cv::rsackermann

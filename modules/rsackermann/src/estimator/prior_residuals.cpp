@@ -62,16 +62,16 @@ int PriorTerms::evaluate(const Model& model, const Structure& structure, Jet res
     if (alphaSigma > 0)
         residuals[n++] = (1 / alphaSigma) * (a - alpha);
     if (sizeSigma > 0)
-        residuals[n++] = (1 / sizeSigma) * (double(model.direction) * hypot(B, D) - size);
+        residuals[n++] = (1 / sizeSigma) * (double(model.direction) * length(B, D) - size);
     if (streetSigma > 0 && structure.translates())
-        residuals[n++] = (1 / streetSigma) * (std::cos(street) * D - std::sin(street) * B) / (hypot(B, D) + 1e-12);
+        residuals[n++] = (1 / streetSigma) * (std::cos(street) * D - std::sin(street) * B) / (length(B, D) + 1e-12);
     else if (streetSigma > 0)
         residuals[n++] = (1 / streetSigma) * (Jet::variable(model[P_STREET], P_STREET) - street);
     if (usualAlpha > 0 && structure.turns())
         residuals[n++] = (1 / usualAlpha) * a;
     // The cost of a residual is its square.
     if (headingSigma > 0 && structure.translates())
-        residuals[n++] = (1 / headingSigma) * (std::cos(heading) * D - std::sin(heading) * B) / (hypot(B, D) + 1e-12);
+        residuals[n++] = (1 / headingSigma) * (std::cos(heading) * D - std::sin(heading) * B) / (length(B, D) + 1e-12);
     if (model.direction < 0)
         residuals[n++] = Jet(std::sqrt(reversePenalty));
     if (hasPrevious)

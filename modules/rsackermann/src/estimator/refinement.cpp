@@ -65,12 +65,13 @@ static double segmentSigma(const Candidate& segment, double sigma)
 static void evaluate(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const Model& model, NormalEquations& sum)
 {
     const RobustLoss loss(problem.lossScale);
+    const PreparedModel prepared(model, problem.heading);
     double jacobian[PARAMETERS];
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         int wall;
         const double scale = problem.focal / segmentSigma(problem.verticals[i], problem.sigma);
-        const double r = scale * verticalResidual(problem.verticals[i], model, problem.heading, wall, sum.wanted ? jacobian : 0);
+        const double r = scale * verticalResidual(problem.verticals[i], prepared, wall, sum.wanted ? jacobian : 0);
         sum.addSegment(r, jacobian, scale, loss);
     }
     if (evidence == ALL_SEGMENTS)

@@ -173,6 +173,13 @@ static void measureNoise(const Fit& fit, RefinementProblem& problem)
     problem.lossScale = std::max(problem.lossScale, 0.6 * lossWidth / problem.sigma);
 }
 
+// What is far behind can't win with another noise, and need not be refined again.
+static void dropHopeless(std::vector<Fit>& fits)
+{
+    const double far = 100, best = bestOf(fits).criterion;
+    fits.erase(std::remove_if(fits.begin(), fits.end(), [best, far](const Fit& f) { return f.criterion > best + far; }), fits.end());
+}
+
 Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& params)
 {
     const std::vector<Structure> structures = allowedStructures(params.model, problem.heading);
@@ -193,6 +200,7 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
     {
         const double before = problem.sigma;
         measureNoise(bestOf(fits), problem);
+        dropHopeless(fits);
         for (size_t i = 0; i < fits.size(); i++)
             fits[i] = fitAllSegments(problem, fits[i].structure, std::vector<Model>(1, fits[i].model));
         if (problem.sigma > before / 3)

@@ -16,11 +16,10 @@ struct BearingWithDerivatives
     double value[3];                // N, M, G of TurnedBearing
     double derivative[PARAMETERS][3];
 
-    BearingWithDerivatives(const Vec3d& bearing, double t, const Model& model, double heading, bool wantDerivatives)
+    BearingWithDerivatives(const Vec3d& bearing, double t, const PreparedModel& m, bool wantDerivatives)
     {
-        const RowMotion row(model[P_ALPHA], heading, t);
-        const double cr = std::cos(model[P_ROLL]), sr = std::sin(model[P_ROLL]);
-        const double cp = std::cos(model[P_PITCH]), sp = std::sin(model[P_PITCH]);
+        const double alpha = m.model[P_ALPHA], cr = m.cosRoll, sr = m.sinRoll, cp = m.cosPitch, sp = m.sinPitch;
+        const RowMotion row(alpha, m.heading, t);
         // rollRotation() * pitchRotation() * bearing
         const double y = cp * bearing[1] + sp * bearing[2];
         const Point2d turned(cr * bearing[0] - sr * y, cp * bearing[2] - sp * bearing[1]);
@@ -33,7 +32,7 @@ struct BearingWithDerivatives
         const double across = b.M * row.s2 - b.N * row.c2, along = b.M * row.c2 + b.N * row.s2;
         derivative[P_ALPHA][0] = 2 * t * b.M;
         derivative[P_ALPHA][1] = -2 * t * b.N;
-        derivative[P_ALPHA][2] = t * t * sincDerivative(model[P_ALPHA] * t) * across - row.tau * t * along;
+        derivative[P_ALPHA][2] = t * t * sincDerivative(alpha * t) * across - row.tau * t * along;
         setTiltDerivative(P_ROLL, Point2d(-sr * bearing[0] - cr * y, 0), row);
         setTiltDerivative(P_PITCH, Point2d(-sr * (cp * bearing[2] - sp * bearing[1]), -sp * bearing[2] - cp * bearing[1]), row);
     }
@@ -68,10 +67,11 @@ struct BearingWithDerivatives
     }
 };
 
-double verticalResidual(const Candidate& candidate, const Model& model, double heading, int& wall, double* jacobian)
+double verticalResidual(const Candidate& candidate, const PreparedModel& prepared, int& wall, double* jacobian)
 {
-    const BearingWithDerivatives u(candidate.u, candidate.timeU, model, heading, jacobian != 0);
-    const BearingWithDerivatives v(candidate.v, candidate.timeV, model, heading, jacobian != 0);
+    const Model& model = prepared.model;
+    const BearingWithDerivatives u(candidate.u, candidate.timeU, prepared, jacobian != 0);
+    const BearingWithDerivatives v(candidate.v, candidate.timeV, prepared, jacobian != 0);
 
     // The nearest wall is the one with a positive depth where the candidate is seen by it.
     double scale = 1;
