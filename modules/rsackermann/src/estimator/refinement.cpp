@@ -62,6 +62,20 @@ static double segmentSigma(const Candidate& segment, double sigma)
     return std::hypot(sigma, part * segment.sagitta);
 }
 
+static void addPriors(const RefinementProblem& problem, const Structure& structure, const Model& model, NormalEquations& sum)
+{
+    Jet prior[PriorTerms::MAX_RESIDUALS];
+    const int n = problem.prior.evaluate(model, structure, prior);
+    for (int i = 0; i < n; i++)
+        sum.add(prior[i].value, prior[i].derivative, 1, prior[i].value * prior[i].value, 1);
+    if (problem.gravitySigma > 0)
+        for (int p = P_ROLL; p <= P_PITCH; p++)
+        {
+            const Jet tilt = Jet::variable(model.value[p] / problem.gravitySigma, Parameter(p));
+            sum.add(tilt.value, tilt.derivative, 1 / problem.gravitySigma, tilt.value * tilt.value, 1);
+        }
+}
+
 static void evaluate(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const Model& model, NormalEquations& sum)
 {
     const RobustLoss loss(problem.lossScale);
@@ -88,16 +102,7 @@ static void evaluate(const RefinementProblem& problem, const Structure& structur
             sum.addSegment(r, jet.derivative, directionScale, loss);
         }
     }
-    Jet prior[PriorTerms::MAX_RESIDUALS];
-    const int n = problem.prior.evaluate(model, structure, prior);
-    for (int i = 0; i < n; i++)
-        sum.add(prior[i].value, prior[i].derivative, 1, prior[i].value * prior[i].value, 1);
-    if (problem.gravitySigma > 0)
-        for (int p = P_ROLL; p <= P_PITCH; p++)
-        {
-            const Jet tilt = Jet::variable(model.value[p] / problem.gravitySigma, Parameter(p));
-            sum.add(tilt.value, tilt.derivative, 1 / problem.gravitySigma, tilt.value * tilt.value, 1);
-        }
+    addPriors(problem, structure, model, sum);
 }
 
 double refinementCost(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const Model& model)
@@ -178,15 +183,20 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
     if (covariance)
     {
         fixUnknowns(problem, structure, evidence, isFree, sum);
+        // What the segments say is worth less by the inflation, what the priors say is not.
+        NormalEquations prior(true);
+        addPriors(problem, structure, model, prior);
+        fixUnknowns(problem, structure, evidence, isFree, prior);
+        const double inflation = covarianceInflation(sum, std::count(isFree, isFree + PARAMETERS, true));
+        sum.hessian = (sum.hessian - prior.hessian) / inflation + prior.hessian;
         // The unknowns differ by orders of magnitude: with a diagonal of ones the inverse keeps its digits.
         const Gradient scale = (sum.hessian.diagonal().array() + 1e-9).sqrt().inverse();
         Hessian scaled = scale.asDiagonal() * sum.hessian * scale.asDiagonal();
         scaled.diagonal().array() += 1e-12;
         const Hessian inverse = scale.asDiagonal() * scaled.llt().solve(Hessian::Identity()) * scale.asDiagonal();
-        const double inflation = covarianceInflation(sum, std::count(isFree, isFree + PARAMETERS, true));
         for (int i = 0; i < PARAMETERS; i++)
             for (int j = 0; j < PARAMETERS; j++)
-                (*covariance)(i, j) = isFree[i] && isFree[j] && inverse.allFinite() ? inflation * inverse(i, j) : 0;
+                (*covariance)(i, j) = isFree[i] && isFree[j] && inverse.allFinite() ? inverse(i, j) : 0;
     }
     return sum.cost;
 }
