@@ -21,6 +21,7 @@ const char* const CASE_KEYS =
     "{seed       | 0      | of the first rendered street and of the errors of what the estimator is told}"
     "{speeds     |        | km/h, with commas between (default 10,42.5,75,107.5,140; with photographs 40,100)}"
     "{yaw_rates  |        | deg/s, with commas between (default 10,-10,30,-30,50,-50,70,-70; with photographs 30,-50)}"
+    "{lens       |        | coefficients of the rendered camera's lens, as of cv::projectPoints, with commas between}"
     "{roll       | 0      | of the rendered camera, degrees}"
     "{pitch      | 0      | of the rendered camera, degrees}"
     "{direction  | 0      | of the rendered street and the car's motion, degrees to the right of the optical axis; 90: the camera looks "
@@ -62,6 +63,8 @@ std::vector<Case> renderedCases(const Options& options)
 {
     street::StreetCamera camera(cv::Size(640, 380), 816, READ_OUT / 380, 1.2);
     const double direction = options.number("direction", -180, 180);
+    if (options.given("lens"))
+        camera.lens = options.numbers("lens");
     camera.roll = options.number("roll", -45, 45) * DEGREE;
     camera.pitch = options.number("pitch", -45, 45) * DEGREE;
     camera.heading = direction * DEGREE;

@@ -84,6 +84,21 @@ TEST(RSAckermann_Compensation, sinc)
     EXPECT_DOUBLE_EQ(std::cos(2.) / 2 - std::sin(2.) / 4, sincDerivative(2));
 }
 
+TEST(RSAckermann_Compensation, series_of_sinc_and_cos)
+{
+    for (double x = -0.6; x < 0.6; x += 1e-4)
+    {
+        double sincX, cosX;
+        sincAndCos(x, sincX, cosX);
+        ASSERT_NEAR(x == 0 ? 1 : std::sin(x) / x, sincX, 4e-16) << x;
+        ASSERT_NEAR(std::cos(x), cosX, 4e-16) << x;
+    }
+    double sincX, cosX;
+    sincAndCos(0, sincX, cosX);
+    EXPECT_EQ(1, sincX);
+    EXPECT_EQ(1, cosX);
+}
+
 TEST(RSAckermann_Compensation, row_motion_agrees_with_integration)
 {
     RNG& rng = theRNG();

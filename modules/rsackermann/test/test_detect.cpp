@@ -92,6 +92,78 @@ TEST_P(Detectors, pixel_centres_are_at_integers)
     EXPECT_LE(std::abs(sum / n), 0.05);
 }
 
+//! Vertical bars on a large image, whose sides are slightly slanted edges: column = x + slope (row - middle).
+Mat bars(const Size& size, const std::vector<double>& x, double slope)
+{
+    Mat image(size, CV_8U), blurred;
+    for (int v = 0; v < size.height; v++)
+        for (int u = 0; u < size.width; u++)
+        {
+            double level = 60;
+            for (size_t i = 0; i < x.size(); i++)
+            {
+                const double covered = std::min(std::max(u + 0.5 - x[i] - slope * (v - size.height / 2), 0.), 1.);
+                level += i % 2 ? -120 * covered : 120 * covered;
+            }
+            image.at<uchar>(v, u) = saturate_cast<uchar>(level);
+        }
+    GaussianBlur(image, blurred, Size(), 0.8);
+    return blurred;
+}
+
+TEST_P(Detectors, large_images)
+{
+    // One bar is in the middle, where the strips meet in which large images are searched.
+    const Size sizes[] = {Size(1280, 721), Size(1921, 1080), Size(3840, 1500)};
+    for (size_t k = 0; k < sizeof(sizes) / sizeof(sizes[0]); k++)
+    {
+        const Size size = sizes[k];
+        const double slope = 0.013, middle = size.width / 2;
+        std::vector<double> x;
+        x.push_back(200.3);
+        x.push_back(300.6);
+        x.push_back(middle - 18.2);
+        x.push_back(middle + 21.7);
+        x.push_back(size.width - 150.4);
+        Mat segments;
+        detectSegments(bars(size, x, slope), segments, GetParam());
+        std::vector<double> lengths(x.size());
+        for (int i = 0; i < segments.rows; i++)
+        {
+            const float* s = segments.ptr<float>(i);
+            size_t nearest = 0;
+            for (size_t j = 1; j < x.size(); j++)
+                if (std::abs(s[0] - x[j]) < std::abs(s[0] - x[nearest]))
+                    nearest = j;
+            for (int end = 0; end < 4; end += 2)
+                EXPECT_NEAR(x[nearest] + slope * (s[end + 1] - size.height / 2), s[end], 0.15) << size << ", edge " << nearest;
+            lengths[nearest] += std::abs(s[3] - s[1]);
+        }
+        for (size_t j = 0; j < x.size(); j++)
+        {
+            EXPECT_GE(lengths[j], 0.8 * size.height) << size << ", edge " << j;
+            EXPECT_LE(lengths[j], 1.02 * size.height) << size << ", edge " << j << " was found twice";
+        }
+    }
+}
+
+TEST_P(Detectors, same_for_any_number_of_threads)
+{
+    const Size size(1920, 1080);
+    std::vector<double> x;
+    for (int i = 0; i < 40; i++)
+        x.push_back(30 + 47.3 * i);
+    const Mat image = bars(size, x, -0.02);
+    const int threads = cv::getNumThreads();
+    Mat segments, one;
+    detectSegments(image, segments, GetParam());
+    cv::setNumThreads(1);
+    detectSegments(image, one, GetParam());
+    cv::setNumThreads(threads);
+    ASSERT_EQ(one.size(), segments.size());
+    EXPECT_EQ(0, cvtest::norm(one, segments, NORM_INF));
+}
+
 TEST_P(Detectors, part_of_a_larger_image)
 {
     const Mat image = quadrilateral(CV_8UC1);

@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "../scene.hpp"
 #include "../segments.hpp"
+#include "road_contact.hpp"
 #include "selection.hpp"
 #include "significance.hpp"
 #include "vertical_residual.hpp"
@@ -155,9 +156,20 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Fit&
     motion.rollCorrection = fit.model[P_ROLL];
     motion.pitchCorrection = fit.model[P_PITCH];
     motion.wallDistance = fit.structure.translates() ? params.wallDistance : 0;
-    const bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
+    double roadRatio = problem.roadRatio;
+    bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
+    if (params.scaleFromRoad && !knowsRoad && fit.structure.translates() && camera.height > 0)
+    {
+        const double found = roadRatioFromContacts(problem, fit.model, params.threshold);
+        if (found > 0)
+        {
+            knowsRoad = true;
+            roadRatio = found;
+            motion.wallDistance = found * camera.height;
+        }
+    }
     if (knowsRoad || fit.structure.walls == 2)
-        motion.G = motion.direction * std::hypot(motion.B, motion.D) * problem.roadRatio;
+        motion.G = motion.direction * std::hypot(motion.B, motion.D) * roadRatio;
     for (int i = P_ALPHA; i <= P_LAMBDA; i++)
         for (int j = P_ALPHA; j <= P_LAMBDA; j++)
             motion.covariance(i, j) = fit.covariance(i, j);

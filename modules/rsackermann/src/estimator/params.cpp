@@ -10,7 +10,7 @@ namespace rsackermann {
 
 AckermannEstimator::Params::Params()
     : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6), threshold(0.5),
-      confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0), roadRatio(2),
+      confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0), roadRatio(2), scaleFromRoad(false),
       gravitySigma(0), wallDirectionSigma(0.4), reverseProbability(0.02)
 {
 }
@@ -21,7 +21,7 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "max_slant" << maxSlant << "slant_tolerance" << slantTolerance << "min_candidates" << minCandidates;
     fs << "threshold" << threshold << "confidence" << confidence << "max_iterations" << maxIterations << "seed" << seed;
     fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
-    fs << "road_ratio" << roadRatio << "gravity_sigma" << gravitySigma;
+    fs << "road_ratio" << roadRatio << "scale_from_road" << scaleFromRoad << "gravity_sigma" << gravitySigma;
     fs << "wall_direction_sigma" << wallDirectionSigma << "reverse_probability" << reverseProbability;
 }
 
@@ -41,6 +41,7 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     cv::read(fn["max_speed"], maxSpeed, maxSpeed);
     cv::read(fn["wall_distance"], wallDistance, wallDistance);
     cv::read(fn["road_ratio"], roadRatio, roadRatio);
+    cv::read(fn["scale_from_road"], scaleFromRoad, scaleFromRoad);
     cv::read(fn["gravity_sigma"], gravitySigma, gravitySigma);
     cv::read(fn["wall_direction_sigma"], wallDirectionSigma, wallDirectionSigma);
     cv::read(fn["reverse_probability"], reverseProbability, reverseProbability);

@@ -71,6 +71,7 @@ public:
         CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used where lineDelay and the wall's distance are known
         CV_PROP_RW double wallDistance;   //!< metres to the left (or only) wall; 0: unknown (default)
         CV_PROP_RW double roadRatio;      //!< distance of the left (or only) wall over the camera's height, assumed where one of them is unknown, default 2
+        CV_PROP_RW bool scaleFromRoad;    //!< where wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on the road, default false
         CV_PROP_RW double gravitySigma;   //!< radians; standard deviation of the camera's roll and pitch, which are then corrected; 0: exact (default)
         CV_PROP_RW double wallDirectionSigma; //!< standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0: unknown, default 0.4
         CV_PROP_RW double reverseProbability; //!< probability that the car drives backward, default 0.02

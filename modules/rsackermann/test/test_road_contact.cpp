@@ -1,0 +1,79 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_simulator.hpp"
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+//! Adds the images of vertical lines on the walls that stand on the road.
+void addContacts(const Simulator& simulator, double height, int count, RNG& rng, Mat& segments)
+{
+    const Size size = simulator.camera.imageSize;
+    for (int tries = 0; count > 0 && tries < 100000; tries++)
+    {
+        const Point2d pixel(rng.uniform(0., size.width - 1.), rng.uniform(0., size.height - 1.));
+        const simulation::Surface plane = simulator.surface(pixel);
+        Vec3d foot;
+        if ((plane != simulation::LEFT && plane != simulation::RIGHT) || !simulator.locate(pixel, plane, foot))
+            continue;
+        foot[1] = height;
+        const Vec3d top = foot - Vec3d(0, rng.uniform(1., 3.), 0);
+        Point2d low, high;
+        if (!simulator.project(foot, low) || !simulator.project(top, high) || cv::norm(low - high) < 40 || !Rect(Point(), size).contains(low) ||
+            !Rect(Point(), size).contains(high))
+            continue;
+        Mat row = (Mat_<double>(1, 4) << low.x, low.y, high.x, high.y);
+        for (int j = 0; j < 4; j++)
+            row.at<double>(j) += rng.gaussian(0.3);
+        segments.push_back(row);
+        count--;
+    }
+    ASSERT_EQ(0, count);
+}
+
+// Two of three segments end anywhere on the walls; the others say how far the wall is.
+TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
+{
+    RNG rng(11);
+    std::vector<double> distanceErrors, speedErrors;
+    for (int i = 0; i < 20; i++)
+    {
+        const double left = rng.uniform(2., 4.), right = rng.uniform(2., 4.), speed = rng.uniform(8., 30.);
+        const RollingShutterCamera camera = simulation::paperCamera();
+        const Simulator simulator = Simulator::fromMetric(camera, 0.5, speed, left, right, 0);
+        simulation::SegmentOptions options;
+        options.count = 50;
+        options.inlierRatio = 0.8;
+        options.noise = 0.3;
+        Mat segments = simulation::randomSegments(simulator, options, rng).ends;
+        addContacts(simulator, camera.height, 25, rng, segments);
+
+        AckermannEstimator::Params params;
+        params.scaleFromRoad = true;
+        MotionPrior prior; // verticals alone say little of the line at infinity, and with it of the distance
+        prior.wallDirectionSigma = 0.005;
+        const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
+        ASSERT_EQ(MOTION_OK, motion.status);
+        ASSERT_GT(motion.wallDistance, 0);
+        EXPECT_NEAR(motion.G * camera.height, motion.direction * std::hypot(motion.B, motion.D) * motion.wallDistance, 1e-12);
+        distanceErrors.push_back(std::abs(motion.wallDistance / left - 1));
+        double found = 0;
+        EXPECT_TRUE(motion.speed(camera, found));
+        speedErrors.push_back(std::abs(found / speed - 1));
+
+        params.scaleFromRoad = false;
+        EXPECT_EQ(0, AckermannEstimator::create(camera, params)->estimate(segments).wallDistance);
+    }
+    std::sort(distanceErrors.begin(), distanceErrors.end());
+    std::sort(speedErrors.begin(), speedErrors.end());
+    RecordProperty("median_distance_error", format("%.3f", distanceErrors[10]));
+    RecordProperty("median_speed_error", format("%.3f", speedErrors[10]));
+    EXPECT_LT(distanceErrors[10], 0.1);
+    EXPECT_LT(speedErrors[10], 0.15);
+}
+
+}} // namespace
