@@ -446,6 +446,7 @@ TEST(RSAckermann_Estimator, minLength_and_maxSlant)
 
     p = params(truth);
     p.maxSlant = 0.02;
+    p.wallDistance = 0; // with it maxSpeed sets the limit
     AckermannEstimator::create(truth.camera, p)->estimate(segments.ends, labels);
     for (int i = 0; i < 60; i++)
     {

@@ -14,6 +14,7 @@ MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEs
     maxAlpha = params.maxSlant / 2;
     maxSpeed = maxRightSpeed = 4 * params.maxSlant;
     const double unit = camera.secondsPerUnitTime();
+    areMetric = unit > 0 && params.wallDistance > 0;
     if (unit > 0)
     {
         maxAlpha = std::min(maxAlpha, params.maxYawRate * unit / 2);
@@ -103,10 +104,11 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
         c.index = indices[k];
         const double dx = std::abs(c.u[0] - c.v[0]), dt = std::abs(c.timeU - c.timeV);
         const double possible = limits.maxSlant((c.u[0] + c.v[0]) / 2, camera.heading) + params.slantTolerance;
-        c.gate = std::min(possible, params.maxSlant) * dt;
+        const double steepest = limits.areMetric ? possible : std::min(possible, params.maxSlant);
+        c.gate = steepest * dt;
         if (dt > 0 && dx <= c.gate)
             verticals.push_back(c);
-        else if (dx > params.maxSlant * dt) // what is only nearly vertical belongs to neither
+        else if (dx > std::max(steepest, params.maxSlant) * dt) // what is only nearly vertical belongs to neither
             others.push_back(c);
     }
     std::sort(verticals.begin(), verticals.end(), isLeft);

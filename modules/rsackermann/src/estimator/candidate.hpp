@@ -31,6 +31,7 @@ struct MotionLimits
     double maxAlpha;
     double maxSpeed;      // of sqrt(B^2 + D^2)
     double maxRightSpeed; // of lambda sqrt(B^2 + D^2), which the right wall has in the place of it
+    bool areMetric;       // whether yaw rate and speed set the limits
 
     MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 

@@ -60,7 +60,7 @@ public:
         CV_PROP_RW int model;             //!< one of #MotionModel, default #MODEL_AUTO
         CV_PROP_RW int detector;          //!< one of #SegmentDetector, default #DETECTOR_LSD
         CV_PROP_RW double minLength;      //!< pixels; shorter segments are left out, default 35
-        CV_PROP_RW double maxSlant;       //!< largest tangent of the angle between a candidate and the vertical where the limits of motion give no smaller one, default 0.35
+        CV_PROP_RW double maxSlant;       //!< largest tangent of the angle between a candidate and the vertical, used unless maxYawRate and maxSpeed limit it, default 0.35
         CV_PROP_RW double slantTolerance; //!< tangent of the angle by which noise and an inexact gravity may exceed the limits of motion, default 0.06
         CV_PROP_RW int minCandidates;     //!< with fewer candidates no motion is estimated, default 6
         CV_PROP_RW double threshold;      //!< pixels; a candidate with a smaller residual is an inlier, default 0.5
