@@ -78,6 +78,15 @@ static bool isCheaper(const Fit& a, const Fit& b)
     return a.cost < b.cost;
 }
 
+// Mean square deviation of a fit's motion, with its covariance, from another model.
+static Matx<double, PARAMETERS, PARAMETERS> covarianceAround(const Fit& fit, const Model& model)
+{
+    Vec<double, PARAMETERS> difference;
+    for (int k = 0; k < PARAMETERS; k++)
+        difference[k] = fit.model.value[k] - model.value[k];
+    return fit.covariance + difference * difference.t();
+}
+
 // The best minimum, with the covariance of the mixture of all of them: another one that is nearly as good is as likely.
 static Fit mixture(std::vector<Fit>& minima)
 {
@@ -92,10 +101,7 @@ static Fit mixture(std::vector<Fit>& minima)
             isNew = std::abs(minima[i].model[P_ALPHA] - minima[j].model[P_ALPHA]) > 0.2 * std::sqrt(minima[0].covariance(P_ALPHA, P_ALPHA));
         if (!isNew || !(likelihood > 1e-6))
             continue;
-        Vec<double, PARAMETERS> difference;
-        for (int k = 0; k < PARAMETERS; k++)
-            difference[k] = minima[i].model.value[k] - minima[0].model.value[k];
-        best.covariance += likelihood * (minima[i].covariance + difference * difference.t());
+        best.covariance += likelihood * covarianceAround(minima[i], minima[0].model);
         sum += likelihood;
     }
     best.covariance *= 1 / sum;
@@ -207,11 +213,11 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
             break;
     }
 
-    // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does.
+    // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does, as seen from it.
     Fit best = bestOf(fits);
     for (size_t i = 0; i < fits.size(); i++)
         if (best.structure.motion == MODEL_3LA && fits[i].structure.motion == MODEL_4LA && fits[i].structure.walls == best.structure.walls)
-            best.covariance = fits[i].covariance;
+            best.covariance = covarianceAround(fits[i], best.model);
     return best;
 }
 
