@@ -6,6 +6,7 @@
 #include "workload.hpp"
 
 #include "opencv2/core/utility.hpp"
+#include "opencv2/imgproc.hpp"
 
 namespace benchmark {
 
@@ -38,10 +39,12 @@ void addEstimateFigures(Benchmark& benchmark)
         benchmark.figure(cv::format("estimate_%d_segments_ms", count), "ms", {works.back()}, scaled(1e3));
     }
     const int lsd = benchmark.work([]() -> Benchmark::Work {
-        const cv::Mat image = render(Drive(cv::Size(1920, 1080)));
-        return [image]() {
+        cv::Mat gray;
+        cv::cvtColor(render(Drive(cv::Size(1920, 1080))), gray, cv::COLOR_BGR2GRAY);
+        const cv::Ptr<cv::LineSegmentDetector> detector = cv::createLineSegmentDetector();
+        return [gray, detector]() {
             cv::Mat segments;
-            detectSegments(image, segments, DETECTOR_LSD);
+            detector->detect(gray, segments);
         };
     }, Benchmark::ONE_THREAD);
     benchmark.figure("estimate_over_lsd_1080p", "ratio", {works[1], lsd}, overOthers);

@@ -6,6 +6,7 @@
 #include "opencv2/core/ocl.hpp"
 #include "opencv2/imgproc.hpp"
 #include "checks.hpp"
+#include "detect/segment_finder.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -116,7 +117,7 @@ public:
         CV_INSTRUMENT_REGION();
         checkSource(src);
         Stopwatch watch;
-        detectSegments(src, segments, params.estimator.detector, params.estimator.minLength);
+        finder.find(src, params.estimator.detector, params.estimator.minLength, segments);
         timings = Vec4d(watch.lap(), 0, 0, 0);
         return estimateAndWarp(src, dst, mask);
     }
@@ -252,6 +253,7 @@ private:
     Params params;
     Ptr<AckermannEstimator> estimator;
     Ptr<WarpMapGenerator> generator;
+    SegmentFinder finder;
     MotionPrior prior;
     AckermannMotion carried; // to the next frame, where its status is MOTION_OK
     int framesSinceCarried;

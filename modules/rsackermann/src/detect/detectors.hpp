@@ -15,7 +15,8 @@ namespace rsackermann {
 //! The detectors' neighbourhoods don't fit into smaller images, which they don't all check.
 const int MIN_DETECTOR_SIZE = 16;
 
-void detectLSD(const Mat& gray, std::vector<Vec4f>& segments);
+//! @param scale by which the detector shrinks the image.
+void detectLSD(const Mat& gray, double scale, std::vector<Vec4f>& segments);
 void detectFLD(const Mat& gray, double minLength, std::vector<Vec4f>& segments);
 void detectEDLines(const Mat& gray, double minLength, std::vector<Vec4f>& segments);
 

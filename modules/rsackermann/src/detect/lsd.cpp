@@ -9,9 +9,8 @@
 namespace cv {
 namespace rsackermann {
 
-void detectLSD(const Mat& gray, std::vector<Vec4f>& segments)
+void detectLSD(const Mat& gray, double scale, std::vector<Vec4f>& segments)
 {
-    const double scale = 0.8; // the detector's default
     createLineSegmentDetector(LSD_REFINE_STD, scale)->detect(gray, segments);
 
     // The detector scales coordinates back about the corner of the image instead of the corner of its first pixel, whose

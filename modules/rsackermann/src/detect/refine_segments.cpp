@@ -58,7 +58,7 @@ bool findEdge(const float slopes[SLOPES], float sign, EdgePlace& place)
         if (sign * slopes[k] > sign * slopes[peak])
             peak = k;
     float sum = 0, moment = 0;
-    for (int k = std::max(peak - 2, 0); k <= std::min(peak + 2, SLOPES - 1); k++)
+    for (int k = peak - 1; k <= peak + 1; k++)
     {
         const float slope = std::max(sign * slopes[k], 0.f);
         sum += slope;

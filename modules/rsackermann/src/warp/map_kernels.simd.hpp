@@ -28,8 +28,19 @@ struct RowCubic
 
     RowCubic(const double (&p)[Patch::NODES][Patch::NODES], double row)
     {
+#if CV_SIMD128_64F
+        const v_float64x2 t = v_setall_f64(row);
+        v_float64x2 low = v_load(p[3]), high = v_load(p[3] + 2);
+        for (int m = 2; m >= 0; m--)
+        {
+            low = v_fma(low, t, v_load(p[m]));
+            high = v_fma(high, t, v_load(p[m] + 2));
+        }
+        v_store(c, v_cvt_f32(low, high));
+#else
         for (int n = 0; n < Patch::NODES; n++)
             c[n] = float(p[0][n] + row * (p[1][n] + row * (p[2][n] + row * p[3][n])));
+#endif
     }
 
     float at(float column) const { return c[0] + column * (c[1] + column * (c[2] + column * c[3])); }
@@ -102,8 +113,10 @@ int endOfPlane(const PlaneDepth* depths, int count, int plane, int column, int r
     for (int k = 0; k < count; k++)
     {
         const double approach = depths[k].perColumn - depths[plane].perColumn;
+        if (!(approach > 0))
+            continue;
         const double left = (depths[plane].at(column, row) - depths[k].at(column, row)) / approach;
-        if (approach > 0 && left < end - column)
+        if (left < end - column)
             end = column + std::max(cvCeil(left), 1);
     }
     return end;

@@ -31,6 +31,9 @@ enum SegmentLabel
 };
 
 /** @brief Detects line segments in an image.
+
+Images of more than 0.8 megapixels are searched in halved form, in which straight lines can still be seen. Then, and after
+detectors other than LSD, the ends are refined to a fraction of a pixel in the image itself.
 @param image grey or colour image, 8 or 16 bit.
 @param segments N x 4 matrix CV_32F with rows (x1, y1, x2, y2) in pixels.
 @param detector one of #SegmentDetector.

@@ -1,0 +1,159 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "opencv2/imgproc.hpp"
+#include "detectors.hpp"
+#include "refine_segments.hpp"
+#include "segment_finder.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+// LSD's own scale, and one that suffices where the ends are refined afterwards.
+static const double LSD_SCALE = 0.8, LSD_SCALE_REFINED = 0.62;
+
+static void checkArguments(const Mat& image, int detector, double minLength)
+{
+    const int channels = image.channels();
+    if (image.empty() || image.dims > 2)
+        CV_Error(Error::StsBadArg, "image is empty; a grey or colour image is expected");
+    if ((image.depth() != CV_8U && image.depth() != CV_16U) || (channels != 1 && channels != 3 && channels != 4))
+        CV_Error(Error::StsBadArg, format("image is of type %s; CV_8U or CV_16U with 1, 3 or 4 channels is expected",
+                                          typeToString(image.type()).c_str()));
+    if (detector < DETECTOR_LSD || detector > DETECTOR_EDLINES)
+        CV_Error(Error::StsBadArg, format("detector is %d; DETECTOR_LSD (0), DETECTOR_FLD (1) or DETECTOR_EDLINES (2) is expected", detector));
+    if (!(minLength >= 0) || cvIsInf(minLength))
+        CV_Error(Error::StsBadArg, format("minLength is %g; a number of pixels that isn't negative is expected", minLength));
+}
+
+static double lengthOf(const Vec4f& s)
+{
+    return std::hypot(s[2] - s[0], s[3] - s[1]);
+}
+
+// 16-bit images seldom use their whole range: the range of the data becomes 0..255.
+static void to8Bit(const Mat& gray, Mat& scaled)
+{
+    double low, high;
+    minMaxLoc(gray, &low, &high);
+    const double scale = high > low ? 255 / (high - low) : 0;
+    gray.convertTo(scaled, CV_8U, scale, -low * scale);
+}
+
+const Mat& SegmentFinder::toGray(const Mat& image)
+{
+    Mat& converted = image.depth() == CV_8U ? gray8U : gray16U;
+    if (image.channels() > 1)
+        cvtColor(image, converted, image.channels() == 3 ? COLOR_BGR2GRAY : COLOR_BGRA2GRAY);
+    if (image.depth() != CV_8U)
+        to8Bit(image.channels() > 1 ? converted : image, gray8U);
+    return image.type() == CV_8UC1 ? image : gray8U;
+}
+
+const Mat& SegmentFinder::shrink(const Mat& gray, int& scale)
+{
+    const Mat* small = &gray;
+    scale = 1;
+    for (int i = 0; small->total() > MAX_PIXELS; i = 1 - i, scale *= 2)
+    {
+        // An odd last row or column is left out.
+        const Rect even(0, 0, small->cols / 2 * 2, small->rows / 2 * 2);
+        resize((*small)(even), half[i], Size(small->cols / 2, small->rows / 2), 0, 0, INTER_AREA);
+        small = &half[i];
+    }
+    return *small;
+}
+
+namespace {
+
+class FindInStrips : public ParallelLoopBody
+{
+public:
+    FindInStrips(const std::vector<Mat>& strips_, int detector_, double minLength_, double lsdScale_,
+                 std::vector<std::vector<Vec4f> >& found_)
+        : strips(strips_), detector(detector_), minLength(minLength_), lsdScale(lsdScale_), found(found_)
+    {
+    }
+
+    void operator()(const Range& range) const CV_OVERRIDE
+    {
+        for (int i = range.start; i < range.end; i++)
+        {
+            found[i].clear();
+            if (detector == DETECTOR_LSD)
+                detectLSD(strips[i], lsdScale, found[i]);
+            else if (detector == DETECTOR_FLD)
+                detectFLD(strips[i], minLength, found[i]);
+            else
+                detectEDLines(strips[i], minLength, found[i]);
+        }
+    }
+
+private:
+    const std::vector<Mat>& strips;
+    int detector;
+    double minLength, lsdScale;
+    std::vector<std::vector<Vec4f> >& found;
+};
+
+} // namespace
+
+void SegmentFinder::findInStrips(const Mat& gray, int detector, double minLength, double lsdScale)
+{
+    const int count = std::max(cvRound(gray.cols / double(STRIP_WIDTH)), 1);
+    strips.resize(count);
+    foundInStrips.resize(count);
+    std::vector<Range> own(count), seen(count);
+    for (int i = 0; i < count; i++)
+    {
+        own[i] = Range(gray.cols * i / count, gray.cols * (i + 1) / count);
+        seen[i] = Range(std::max(own[i].start - OVERLAP, 0), std::min(own[i].end + OVERLAP, gray.cols));
+        // A copy: not all of the detectors leave their input alone or take parts of larger images.
+        gray.colRange(seen[i]).copyTo(strips[i]);
+    }
+    parallel_for_(Range(0, count), FindInStrips(strips, detector, minLength, lsdScale, foundInStrips));
+    found.clear();
+    for (int i = 0; i < count; i++)
+        for (size_t k = 0; k < foundInStrips[i].size(); k++)
+        {
+            const Vec4f s = foundInStrips[i][k] + Vec4f(float(seen[i].start), 0, float(seen[i].start), 0);
+            // In the overlap a segment is found twice and taken from the strip that has its middle.
+            const float middle = (s[0] + s[2]) / 2;
+            if ((i == 0 || middle >= own[i].start) && (i == count - 1 || middle < own[i].end))
+                found.push_back(s);
+        }
+}
+
+void SegmentFinder::find(InputArray image_, int detector, double minLength, OutputArray segments_)
+{
+    const Mat image = image_.getMat();
+    checkArguments(image, detector, minLength);
+    found.clear();
+    if (image.rows >= MIN_DETECTOR_SIZE && image.cols >= MIN_DETECTOR_SIZE)
+    {
+        const Mat& gray = toGray(image);
+        int scale;
+        const Mat& small = shrink(gray, scale);
+        const bool refined = scale > 1 || detector != DETECTOR_LSD;
+        findInStrips(small, detector, minLength / scale, refined ? LSD_SCALE_REFINED : LSD_SCALE);
+        const float shift = (scale - 1) / 2.f; // centre of the first pixel of the small image
+        for (size_t i = 0; i < found.size(); i++)
+            found[i] = found[i] * float(scale) + Vec4f::all(shift);
+        // The further away the ends are, the more steps it takes.
+        for (int step = 2 * scale; refined && step > 0; step /= 2)
+            refineSegments(gray, found);
+    }
+
+    int kept = 0;
+    for (size_t i = 0; i < found.size(); i++)
+        if (lengthOf(found[i]) >= minLength)
+            found[kept++] = found[i];
+    found.resize(kept);
+    segments_.create(kept, 4, CV_32F);
+    if (kept > 0)
+        Mat(found).reshape(1).copyTo(segments_);
+}
+
+}} // namespace cv::rsackermann

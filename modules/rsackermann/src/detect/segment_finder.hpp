@@ -1,0 +1,42 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_DETECT_SEGMENT_FINDER_HPP
+#define OPENCV_RSACKERMANN_SRC_DETECT_SEGMENT_FINDER_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+/** Finds line segments as detectSegments() does, with buffers that serve the next image, too.
+
+Time counts here: nearly all that a correction takes is detection.
+-# Large images are halved until they have MAX_PIXELS or less. What they show of straight lines can still be seen then.
+-# The rest is cut into strips, of which threads work off one each. Lines that are nearly vertical, which the estimation is
+   about, are seldom cut. The strips depend on the size of the image, not on the number of threads.
+-# The ends are refined in the image itself, unless it is that of LSD, which already is as exact as that.
+*/
+class SegmentFinder
+{
+public:
+    //! Arguments as in detectSegments().
+    void find(InputArray image, int detector, double minLength, OutputArray segments);
+
+private:
+    enum { MAX_PIXELS = 800000, STRIP_WIDTH = 800, OVERLAP = 48 };
+
+    const Mat& toGray(const Mat& image);
+    const Mat& shrink(const Mat& gray, int& scale);
+    void findInStrips(const Mat& gray, int detector, double minLength, double lsdScale);
+
+    Mat gray8U, gray16U, half[2];
+    std::vector<Mat> strips;
+    std::vector<std::vector<Vec4f> > foundInStrips;
+    std::vector<Vec4f> found;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_DETECT_SEGMENT_FINDER_HPP
