@@ -119,24 +119,36 @@ static Fit fitAllSegments(const RefinementProblem& problem, const Structure& str
         if (startFromStreetDirection(problem, structure, turned))
             refineFrom(problem, turned, structure, minima);
     }
-    const Fit valley = *std::min_element(minima.begin(), minima.end(), isCheaper);
-    const double sigma = std::sqrt(valley.covariance(P_ALPHA, P_ALPHA));
-    if (structure.motion == MODEL_4LA && sigma > 0)
-    {
-        // Yaw rate and walls can take each other's place: look for other minima to both sides along that valley.
-        const double steps[] = {-4, -2, 2, 4};
-        for (int k = 0; k < 4; k++)
-        {
-            Model start = valley.model;
-            for (int i = 0; i < PARAMETERS; i++)
-                start.value[i] += steps[k] * valley.covariance(i, P_ALPHA) / sigma;
-            if (problem.limits.allow(start))
-                refineFrom(problem, start, structure, minima);
-        }
-    }
-    Fit fit = mixture(minima);
+    Fit fit = *std::min_element(minima.begin(), minima.end(), isCheaper);
     fit.criterion = criterion(problem, structure, fit.cost);
     return fit;
+}
+
+// Refinement of a fit for another noise.
+static void refineAgain(const RefinementProblem& problem, Fit& fit)
+{
+    fit.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, fit.model, &fit.covariance);
+    fit.criterion = criterion(problem, fit.structure, fit.cost);
+}
+
+// Yaw rate and walls can take each other's place: looks for other minima to both sides along that valley.
+static void exploreValley(const RefinementProblem& problem, Fit& fit)
+{
+    const double sigma = std::sqrt(fit.covariance(P_ALPHA, P_ALPHA));
+    if (fit.structure.motion != MODEL_4LA || !(sigma > 0))
+        return;
+    std::vector<Fit> minima(1, fit);
+    const double steps[] = {-4, -2, 2, 4};
+    for (int k = 0; k < 4; k++)
+    {
+        Model start = fit.model;
+        for (int i = 0; i < PARAMETERS; i++)
+            start.value[i] += steps[k] * fit.covariance(i, P_ALPHA) / sigma;
+        if (problem.limits.allow(start))
+            refineFrom(problem, start, fit.structure, minima);
+    }
+    fit = mixture(minima);
+    fit.criterion = criterion(problem, fit.structure, fit.cost);
 }
 
 static const Fit& bestOf(const std::vector<Fit>& fits)
@@ -208,16 +220,20 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
         measureNoise(bestOf(fits), problem);
         dropHopeless(fits);
         for (size_t i = 0; i < fits.size(); i++)
-            fits[i] = fitAllSegments(problem, fits[i].structure, std::vector<Model>(1, fits[i].model));
+            refineAgain(problem, fits[i]);
         if (problem.sigma > before / 3)
             break;
     }
 
     // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does, as seen from it.
     Fit best = bestOf(fits);
+    exploreValley(problem, best);
     for (size_t i = 0; i < fits.size(); i++)
         if (best.structure.motion == MODEL_3LA && fits[i].structure.motion == MODEL_4LA && fits[i].structure.walls == best.structure.walls)
+        {
+            exploreValley(problem, fits[i]);
             best.covariance = covarianceAround(fits[i], best.model);
+        }
     return best;
 }
 
