@@ -90,6 +90,7 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionPrior& prior) 
     problem.prior = PriorTerms(prior, camera, params, limits);
     problem.heading = camera.heading;
     problem.focal = camera.cameraMatrix(0, 0);
+    // First guesses for the segments of a detector; selectMotion() measures the noise of the image.
     problem.sigma = 0.25;
     problem.directionSigma = 1;
     problem.lossScale = 3;
