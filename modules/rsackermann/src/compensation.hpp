@@ -11,29 +11,29 @@
 namespace cv {
 namespace rsackermann {
 
-//! sin(x)/x, also near 0.
-inline double sinc(double x)
+// A row turns the camera by a small angle, for which series are exact to double precision: up to this limit the first terms
+// left out are below x^12/13!, x^12/12! and x^11/13!, 1e-17, 1.3e-16 and 4e-17. T is double or a vector of them.
+const double LARGEST_IN_SERIES = 0.25;
+
+template <class T> void sincAndCosSeries(const T& x, T& sincX, T& cosX)
 {
-    return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
+    const T q = x * x, one(1);
+    sincX = one - q * (1. / 6) * (one - q * (1. / 20) * (one - q * (1. / 42) * (one - q * (1. / 72) * (one - q * (1. / 110)))));
+    cosX = one - q * (1. / 2) * (one - q * (1. / 12) * (one - q * (1. / 30) * (one - q * (1. / 56) * (one - q * (1. / 90)))));
 }
 
 //! Derivative of sinc.
-inline double sincDerivative(double x)
+template <class T> T sincDerivativeSeries(const T& x)
 {
-    return std::abs(x) < 1e-3 ? -x / 3 * (1 - x * x / 10) : (std::cos(x) - std::sin(x) / x) / x;
+    const T q = x * x, one(1);
+    return x * (-1. / 3) * (one - q * (1. / 10) * (one - q * (1. / 28) * (one - q * (1. / 54) * (one - q * (1. / 88)))));
 }
 
-/** sinc(x) and cos(x). A row turns the camera by a small angle, for which the series are exact to double precision: the
-first terms left out are below x^12/13! and x^12/12!, 1e-17 and 1.3e-16 at the limit.
-*/
+//! sinc(x) and cos(x) of any angle.
 inline void sincAndCos(double x, double& sincX, double& cosX)
 {
-    if (std::abs(x) <= 0.25)
-    {
-        const double q = x * x;
-        sincX = 1 - q * (1. / 6) * (1 - q * (1. / 20) * (1 - q * (1. / 42) * (1 - q * (1. / 72) * (1 - q * (1. / 110)))));
-        cosX = 1 - q * (1. / 2) * (1 - q * (1. / 12) * (1 - q * (1. / 30) * (1 - q * (1. / 56) * (1 - q * (1. / 90)))));
-    }
+    if (std::abs(x) <= LARGEST_IN_SERIES)
+        sincAndCosSeries(x, sincX, cosX);
     else
     {
         sincX = std::sin(x) / x;

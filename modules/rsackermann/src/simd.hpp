@@ -21,8 +21,11 @@ struct VTraits
 };
 
 template <typename V> inline V v_add(const V& a, const V& b) { return a + b; }
+template <typename V> inline V v_sub(const V& a, const V& b) { return a - b; }
 template <typename V> inline V v_mul(const V& a, const V& b) { return a * b; }
+template <typename V> inline V v_div(const V& a, const V& b) { return a / b; }
 template <typename V> inline V v_and(const V& a, const V& b) { return a & b; }
+template <typename V> inline V v_lt(const V& a, const V& b) { return a < b; }
 template <typename V> inline V v_gt(const V& a, const V& b) { return a > b; }
 template <typename V> inline V v_ge(const V& a, const V& b) { return a >= b; }
 template <typename V> inline V v_le(const V& a, const V& b) { return a <= b; }

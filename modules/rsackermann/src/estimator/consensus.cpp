@@ -5,7 +5,7 @@
 #include "../precomp.hpp"
 #include "../compensation.hpp"
 #include "consensus.hpp"
-#include "vertical_residual.hpp"
+#include "residual_kernels.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -113,18 +113,7 @@ int CandidateConsensus::generate(const int* sample, Model* models)
 
 double CandidateConsensus::score(const Model& model, double best, int& inliers) const
 {
-    const double limit = threshold * threshold;
-    const PreparedModel prepared(model, problem.heading);
-    double sum = 0;
-    inliers = 0;
-    for (size_t i = 0; i < problem.verticals.size() && sum < best; i++)
-    {
-        int wall;
-        const double r = problem.focal * verticalResidual(problem.verticals[i], prepared, wall, 0);
-        inliers += r * r < limit;
-        sum += std::min(r * r, limit);
-    }
-    return sum;
+    return scoreVerticals(problem.verticalArrays, PreparedModel(model, problem.heading), problem.focal, threshold, best, inliers);
 }
 
 void CandidateConsensus::optimize(Model& model) const

@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_DIRECTION_RESIDUAL_HPP
 
 #include "candidate.hpp"
-#include "jet.hpp"
+#include "prepared_model.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -17,24 +17,12 @@ Both ends are compensated on the plane on which they are seen; the distance betw
 point on the horizon, (D, 0, B) along and (-B, 0, D) across the street, is expressed as the lateral distance between the ends
 for a focal length of 1 (doc/theory.md, "Estimation").
 
-@param roadRatio distance of the left (or only) wall over the height of the camera: G = sqrt(B^2 + D^2) * roadRatio.
-@param translates whether B and D say where the street goes; otherwise P_STREET does.
+@param jacobian receives, unless it is null, the derivatives by the parameters.
 */
-Jet directionResidual(const Candidate& segment, const Model& model, double heading, double roadRatio, bool translates);
-
-//! directionResidual() without the derivatives.
-double directionResidualValue(const Candidate& segment, const Model& model, double heading, double roadRatio, bool translates);
+double directionResidual(const Candidate& segment, const PreparedModel& model, double* jacobian);
 
 //! The ends of a segment as the global-shutter camera sees them.
-struct CompensatedSegment
-{
-    Point2d u, v;
-
-    CompensatedSegment(const Candidate& segment, const Model& model, double heading, double roadRatio);
-
-    //! directionResidual() for a street along the given azimuth.
-    double residual(double street) const;
-};
+void compensateEnds(const Candidate& segment, const PreparedModel& model, Point2d& u, Point2d& v);
 
 }} // namespace cv::rsackermann
 

@@ -111,6 +111,7 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
     {
         RefinementProblem problem = makeProblem(prior);
         selectCandidates(segments, camera, params, problem.verticals, problem.others);
+        problem.arrange();
         for (size_t i = 0; i < problem.verticals.size(); i++)
             labels.at<uchar>(problem.verticals[i].index) = SEGMENT_OUTLIER;
         motion.candidates = (int)problem.verticals.size();

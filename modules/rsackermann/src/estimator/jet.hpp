@@ -5,8 +5,8 @@
 #ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_JET_HPP
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_JET_HPP
 
-#include "../compensation.hpp"
 #include "model.hpp"
+#include <cmath>
 
 namespace cv {
 namespace rsackermann {
@@ -36,14 +36,6 @@ struct Jet
     }
 };
 
-//! The variable as a number of type T, with or without derivatives.
-template <class T> T makeVariable(double value, Parameter p);
-template <> inline Jet makeVariable<Jet>(double value, Parameter p) { return Jet::variable(value, p); }
-template <> inline double makeVariable<double>(double value, Parameter) { return value; }
-
-inline double valueOf(const Jet& x) { return x.value; }
-inline double valueOf(double x) { return x; }
-
 //! a x + b y of the derivatives, with the given value.
 inline Jet combine(double value, double a, const Jet& x, double b, const Jet& y)
 {
@@ -61,17 +53,11 @@ inline Jet operator/(const Jet& x, const Jet& y)
     const double q = x.value / y.value;
     return combine(q, 1 / y.value, x, -q / y.value, y);
 }
-inline Jet operator-(const Jet& x) { return x.apply(-x.value, -1); }
 inline Jet operator*(double a, const Jet& x) { return x.apply(a * x.value, a); }
-inline Jet sin(const Jet& x) { return x.apply(std::sin(x.value), std::cos(x.value)); }
-inline Jet cos(const Jet& x) { return x.apply(std::cos(x.value), -std::sin(x.value)); }
-inline Jet sinc(const Jet& x) { return x.apply(sinc(x.value), sincDerivative(x.value)); }
 
-//! sqrt(x^2 + y^2) of numbers whose squares neither overflow nor vanish; std::hypot takes its time for the others.
-inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
 inline Jet length(const Jet& x, const Jet& y)
 {
-    const double l = length(x.value, y.value);
+    const double l = std::sqrt(x.value * x.value + y.value * y.value);
     return l > 0 ? combine(l, x.value / l, x, y.value / l, y) : Jet();
 }
 

@@ -8,6 +8,7 @@
 #include "candidate.hpp"
 #include "model.hpp"
 #include "prior_residuals.hpp"
+#include "segment_arrays.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -17,6 +18,7 @@ struct RefinementProblem
 {
     std::vector<Candidate> verticals; // from left to right
     std::vector<Candidate> others;    // may point along the street or across it
+    SegmentArrays verticalArrays, otherArrays;
     MotionLimits limits;
     PriorTerms prior;
     double heading;
@@ -31,13 +33,15 @@ struct RefinementProblem
         : limits(l), heading(0), focal(1), sigma(1), directionSigma(1), lossScale(1), roadRatio(1), gravitySigma(0)
     {
     }
+
+    //! Fills the arrays, after the segments have changed.
+    void arrange();
+    //! Weighs the arrays, after the focal length or a sigma has changed.
+    void weigh();
 };
 
 //! Which residuals count.
 enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
-
-//! Robust cost of a model: the sum of the losses of all residuals in units of their variances.
-double refinementCost(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const Model& model);
 
 /** Levenberg-Marquardt with the exact model on all candidates (doc/theory.md, "Estimation").
 @param structure which unknowns are free.

@@ -25,8 +25,9 @@ double roadRatioFromContacts(const RefinementProblem& problem, const Model& mode
         const double r = problem.focal * verticalResidual(c, prepared, wall, 0);
         if (!(std::abs(r) < threshold) || (wall != Scene::LEFT_WALL && wall != Scene::RIGHT_WALL))
             continue;
-        const CompensatedSegment ends(c, model, problem.heading, 0);
-        const Point2d& low = ends.u.y > ends.v.y ? ends.u : ends.v;
+        Point2d u, v;
+        compensateEnds(c, prepared, u, v);
+        const Point2d& low = u.y > v.y ? u : v;
         const double scale = wall == Scene::LEFT_WALL ? 1 : -model[P_LAMBDA];
         const double w = model.direction * scale * (model[P_D] - model[P_B] * low.x);
         const double belowHorizon = 0.02; // nearer to the horizon the ratio of small numbers says little

@@ -174,21 +174,22 @@ static double medianSigma(std::vector<double>& residuals, double gross, double o
 // The noise of the segments, as the residuals of a fit show it.
 static void measureNoise(const Fit& fit, RefinementProblem& problem)
 {
+    const PreparedModel prepared(fit.model, problem.heading, problem.roadRatio, fit.structure.translates());
     std::vector<double> verticals, others;
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         int wall;
-        verticals.push_back(problem.focal * std::abs(verticalResidual(problem.verticals[i], fit.model, problem.heading, wall, 0)));
+        verticals.push_back(problem.focal * std::abs(verticalResidual(problem.verticals[i], prepared, wall, 0)));
     }
     for (size_t i = 0; i < problem.others.size(); i++)
-        others.push_back(problem.focal * std::abs(directionResidualValue(problem.others[i], fit.model, problem.heading, problem.roadRatio,
-                                                                         fit.structure.translates())));
+        others.push_back(problem.focal * std::abs(directionResidual(problem.others[i], prepared, 0)));
     const double lossWidth = problem.lossScale * problem.sigma;
     const double low = 0.005, high = 0.6;
     problem.sigma = std::min(std::max(medianSigma(verticals, 4 * problem.sigma, problem.sigma), low), high);
     problem.directionSigma = std::min(std::max(medianSigma(others, 3 * problem.directionSigma, problem.directionSigma), problem.sigma), 1.);
     // Less noise doesn't make the deviations of real walls from planes smaller.
     problem.lossScale = std::max(problem.lossScale, 0.6 * lossWidth / problem.sigma);
+    problem.weigh();
 }
 
 // What is far behind can't win with another noise, and need not be refined again.

@@ -3,8 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "direction_residual.hpp"
-#include "robust_loss.hpp"
+#include "residual_kernels.hpp"
 #include "street_direction.hpp"
 
 namespace cv {
@@ -31,28 +30,22 @@ bool startFromStreetDirection(const RefinementProblem& problem, const Structure&
     const size_t minSegments = 5;
     if (problem.others.size() < minSegments)
         return false;
-    std::vector<CompensatedSegment> segments;
-    segments.reserve(problem.others.size());
-    for (size_t i = 0; i < problem.others.size(); i++)
-        segments.push_back(CompensatedSegment(problem.others[i], model, problem.heading, problem.roadRatio));
+    const int padded = problem.otherArrays.paddedSize();
+    AutoBuffer<double> points(4 * size_t(padded));
+    compensateSegments(problem.otherArrays, PreparedModel(model, problem.heading, problem.roadRatio), points.data());
 
     // Far wider than the noise: the motion, and with it the compensation, is still inexact.
     const double coarseness = 4, step = 0.01, range = 0.8;
-    const RobustLoss loss(1);
     const double scale = problem.focal / (coarseness * problem.directionSigma);
     double bestCost = DBL_MAX, best = 0;
     for (double offset = -range; offset <= range; offset += step)
     {
-        double cost = 0;
-        for (size_t i = 0; i < segments.size(); i++)
-        {
-            const double r = scale * segments[i].residual(problem.heading + offset);
-            cost += loss(r * r);
-        }
+        const double azimuth = problem.heading + offset;
+        const double cost = streetCost(points.data(), padded, std::sin(azimuth), std::cos(azimuth), scale);
         if (cost < bestCost)
         {
             bestCost = cost;
-            best = problem.heading + offset;
+            best = azimuth;
         }
     }
     model = turnStreet(model, structure, best);

@@ -5,26 +5,11 @@
 #ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_VERTICAL_RESIDUAL_HPP
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_VERTICAL_RESIDUAL_HPP
 
-#include "../compensation.hpp"
 #include "candidate.hpp"
-#include "model.hpp"
+#include "prepared_model.hpp"
 
 namespace cv {
 namespace rsackermann {
-
-//! A model with the sines and cosines that all segments share.
-struct PreparedModel
-{
-    Model model;
-    Heading heading;
-    double cosRoll, sinRoll, cosPitch, sinPitch;
-
-    PreparedModel(const Model& m, double heading_)
-        : model(m), heading(heading_), cosRoll(std::cos(m[P_ROLL])), sinRoll(std::sin(m[P_ROLL])), cosPitch(std::cos(m[P_PITCH])),
-          sinPitch(std::sin(m[P_PITCH]))
-    {
-    }
-};
 
 /** What remains between the compensated columns of the two ends of a candidate, p1(u) - p1(v), for a focal length of 1
 (doc/theory.md, "Estimation").
@@ -32,7 +17,7 @@ struct PreparedModel
 @param wall receives the wall on which the candidate is seen: a Scene::Plane.
 @param jacobian receives, unless it is null, the derivatives by the parameters.
 */
-double verticalResidual(const Candidate& candidate, const PreparedModel& prepared, int& wall, double* jacobian);
+double verticalResidual(const Candidate& candidate, const PreparedModel& model, int& wall, double* jacobian);
 
 inline double verticalResidual(const Candidate& candidate, const Model& model, double heading, int& wall, double* jacobian)
 {

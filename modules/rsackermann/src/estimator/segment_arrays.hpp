@@ -1,0 +1,41 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_SEGMENT_ARRAYS_HPP
+#define OPENCV_RSACKERMANN_SRC_ESTIMATOR_SEGMENT_ARRAYS_HPP
+
+#include "candidate.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+/** Candidates as one array for each of their numbers, for vectors.
+
+The arrays are filled up to a multiple of the largest vector; what fills them has the weight 0.
+*/
+class SegmentArrays
+{
+public:
+    enum Field { U_X, U_Y, V_X, V_Y, TIME_U, TIME_V, SCALE, FIELDS };
+    enum { MAX_LANES = 8 };
+
+    SegmentArrays() : count(0), padded(0) {}
+
+    void assign(const std::vector<Candidate>& segments);
+
+    //! Sets SCALE, by which a residual is to be multiplied: the focal length over the standard deviation.
+    void weigh(const std::vector<Candidate>& segments, double focal, double sigma);
+
+    int size() const { return count; }
+    int paddedSize() const { return padded; }
+    const double* operator[](Field field) const { return numbers.data() + size_t(field) * padded; }
+
+private:
+    int count, padded;
+    std::vector<double> numbers;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_ESTIMATOR_SEGMENT_ARRAYS_HPP

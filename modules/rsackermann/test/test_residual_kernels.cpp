@@ -1,0 +1,201 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+// Internals of the library that it doesn't export: the kernels with the vectors that the tests are compiled for, in a
+// namespace of their own.
+#undef CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
+#undef CV_CPU_OPTIMIZATION_NAMESPACE_END
+#define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace tested {
+#define CV_CPU_OPTIMIZATION_NAMESPACE_END }
+#include "../src/estimator/residual_kernels.simd.hpp"
+
+#include "../src/estimator/direction_residual.hpp"
+#include "../src/estimator/segment_arrays.cpp"
+#include "../src/estimator/vertical_residual.hpp"
+
+namespace opencv_test { namespace {
+
+namespace kernels = cv::rsackermann::tested;
+
+const double FOCAL = 800, SIGMA = 0.5;
+
+Model randomModel(RNG& rng)
+{
+    Model m;
+    m.direction = rng.uniform(0, 2) ? 1 : -1;
+    m[P_ALPHA] = rng.uniform(-0.1, 0.1);
+    m[P_B] = rng.uniform(-0.3, 0.3);
+    m[P_D] = rng.uniform(-0.1, 0.1);
+    m[P_LAMBDA] = rng.uniform(0, 3) ? rng.uniform(0.4, 2.5) : 0;
+    m[P_ROLL] = rng.uniform(-0.05, 0.05);
+    m[P_PITCH] = rng.uniform(-0.05, 0.05);
+    m[P_STREET] = rng.uniform(-1., 1.);
+    return m;
+}
+
+std::vector<Candidate> randomSegments(RNG& rng, int count, double slant, double largestTime)
+{
+    std::vector<Candidate> segments(count);
+    for (int i = 0; i < count; i++)
+    {
+        Candidate& c = segments[i];
+        c.u = Vec3d(rng.uniform(-0.6, 0.6), rng.uniform(-0.4, 0.4), 1);
+        c.v = Vec3d(c.u[0] + rng.uniform(-slant, slant), rng.uniform(-0.4, 0.4), 1);
+        c.timeU = rng.uniform(-largestTime, largestTime);
+        c.timeV = rng.uniform(-largestTime, largestTime);
+        c.sagitta = rng.uniform(0., 2.);
+    }
+    return segments;
+}
+
+FreeParameters randomParameters(RNG& rng)
+{
+    FreeParameters unknowns;
+    for (int p = 0; p < PARAMETERS; p++)
+        if (rng.uniform(0, 3))
+            unknowns.add(Parameter(p));
+    return unknowns;
+}
+
+typedef double (*Residual)(const Candidate&, const PreparedModel&, double*);
+
+double vertical(const Candidate& c, const PreparedModel& m, double* jacobian)
+{
+    int wall;
+    return verticalResidual(c, m, wall, jacobian);
+}
+
+// The sums over the residuals one by one.
+ResidualSums expectedSums(const std::vector<Candidate>& segments, const PreparedModel& m, const RobustLoss& loss, const FreeParameters& unknowns,
+                          Residual residual)
+{
+    ResidualSums sums;
+    for (size_t i = 0; i < segments.size(); i++)
+    {
+        const double scale = FOCAL / std::hypot(SIGMA, 0.3 * segments[i].sagitta);
+        double jacobian[PARAMETERS];
+        const double r = scale * residual(segments[i], m, jacobian), weight = loss.weight(r * r);
+        sums.cost += loss(r * r);
+        sums.weights += weight;
+        sums.influence2 += weight * weight * r * r;
+        sums.slopes += loss.influenceSlope(r * r);
+        for (int k = 0; k < unknowns.count; k++)
+        {
+            sums.gradient[k] += weight * scale * jacobian[unknowns.index[k]] * r;
+            for (int l = 0; l <= k; l++)
+                sums.hessian[k][l] += weight * scale * scale * jacobian[unknowns.index[k]] * jacobian[unknowns.index[l]];
+        }
+    }
+    return sums;
+}
+
+void compare(const ResidualSums& expected, const ResidualSums& sums, const FreeParameters& unknowns)
+{
+    const double eps = 1e-9;
+    ASSERT_NEAR(expected.cost, sums.cost, eps * (1 + expected.cost));
+    ASSERT_NEAR(expected.weights, sums.weights, eps * (1 + expected.weights));
+    ASSERT_NEAR(expected.influence2, sums.influence2, eps * (1 + expected.influence2));
+    ASSERT_NEAR(expected.slopes, sums.slopes, eps * (1 + expected.weights));
+    for (int k = 0; k < unknowns.count; k++)
+    {
+        ASSERT_NEAR(expected.gradient[k], sums.gradient[k], eps * (1 + std::sqrt(expected.hessian[k][k] * expected.cost))) << k;
+        for (int l = 0; l <= k; l++)
+            ASSERT_NEAR(expected.hessian[k][l], sums.hessian[k][l], eps * (1 + std::sqrt(expected.hessian[k][k] * expected.hessian[l][l]))) << k;
+    }
+}
+
+typedef void (*AddSegments)(const SegmentArrays&, const PreparedModel&, const RobustLoss&, const FreeParameters&, ResidualSums&);
+
+// Any number of segments, any unknowns, and row times within and beyond what the series serve.
+void testSums(AddSegments add, Residual residual, double slant)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 3000; i++)
+    {
+        const Model model = randomModel(rng);
+        const PreparedModel prepared(model, rng.uniform(-CV_PI, CV_PI), rng.uniform(1., 3.), rng.uniform(0, 2) == 1);
+        const std::vector<Candidate> segments = randomSegments(rng, rng.uniform(0, 20), slant, rng.uniform(0, 5) ? 0.5 : 5.);
+        const FreeParameters unknowns = randomParameters(rng);
+        const RobustLoss loss(rng.uniform(1., 100.));
+        SegmentArrays arrays;
+        arrays.assign(segments);
+        arrays.weigh(segments, FOCAL, SIGMA);
+        ResidualSums sums;
+        add(arrays, prepared, loss, unknowns, sums);
+        ASSERT_NO_FATAL_FAILURE(compare(expectedSums(segments, prepared, loss, unknowns, residual), sums, unknowns)) << i;
+    }
+}
+
+TEST(RSAckermann_ResidualKernels, sums_of_verticals)
+{
+    testSums(kernels::addVerticals, vertical, 0.05);
+}
+
+TEST(RSAckermann_ResidualKernels, sums_of_directions)
+{
+    testSums(kernels::addDirections, directionResidual, 0.5);
+}
+
+TEST(RSAckermann_ResidualKernels, score)
+{
+    RNG& rng = theRNG();
+    int stopped = 0;
+    for (int i = 0; i < 3000; i++)
+    {
+        const PreparedModel prepared(randomModel(rng), rng.uniform(-CV_PI, CV_PI));
+        const std::vector<Candidate> segments = randomSegments(rng, rng.uniform(0, 100), 0.01, 0.5);
+        SegmentArrays arrays;
+        arrays.assign(segments);
+        const double threshold = rng.uniform(1., 20.), best = rng.uniform(0, 2) ? DBL_MAX : rng.uniform(0., 1e4);
+        double expected = 0;
+        int expectedInliers = 0;
+        for (size_t k = 0; k < segments.size(); k++)
+        {
+            const double r = FOCAL * vertical(segments[k], prepared, 0);
+            expected += std::min(r * r, threshold * threshold);
+            expectedInliers += std::abs(r) < threshold;
+        }
+        int inliers = -1;
+        const double score = kernels::scoreVerticals(arrays, prepared, FOCAL, threshold, best, inliers);
+        if (expected > best)
+        {
+            ASSERT_GE(score, best);
+            stopped += score < expected * (1 - 1e-9);
+            continue;
+        }
+        ASSERT_NEAR(expected, score, 1e-9 * (1 + expected));
+        ASSERT_EQ(expectedInliers, inliers);
+    }
+    EXPECT_GT(stopped, 100);
+}
+
+// The cost of a street is that of the residuals of segments that another model, with the street there, sees.
+TEST(RSAckermann_ResidualKernels, street_cost)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 3000; i++)
+    {
+        Model model = randomModel(rng);
+        const double heading = rng.uniform(-CV_PI, CV_PI), ratio = rng.uniform(1., 3.), scale = rng.uniform(10., 500.);
+        const std::vector<Candidate> segments = randomSegments(rng, rng.uniform(0, 20), 0.5, 0.5);
+        SegmentArrays arrays;
+        arrays.assign(segments);
+        std::vector<double> points(4 * arrays.paddedSize() + 1);
+        kernels::compensateSegments(arrays, PreparedModel(model, heading, ratio), points.data());
+        const double street = rng.uniform(-1., 1.);
+        model[P_STREET] = street;
+        const PreparedModel prepared(model, heading, ratio, false);
+        double expected = 0;
+        for (size_t k = 0; k < segments.size(); k++)
+        {
+            const double r = scale * directionResidual(segments[k], prepared, 0);
+            expected += r * r / (1 + r * r);
+        }
+        ASSERT_NEAR(expected, kernels::streetCost(points.data(), arrays.paddedSize(), std::sin(street), std::cos(street), scale), 1e-9 * (1 + expected));
+    }
+}
+
+}} // namespace
