@@ -41,12 +41,12 @@ inline void sincAndCos(double x, double& sincX, double& cosX)
     }
 }
 
-//! The direction in which the vehicle drives, with its cosine and sine at hand.
+//! The direction in which the vehicle drives, with its cosine and sine at hand; angles turn into it.
 struct Heading
 {
-    double c, s;
+    double angle, c, s;
 
-    explicit Heading(double angle) : c(std::cos(angle)), s(std::sin(angle)) {}
+    Heading(double a) : angle(a), c(std::cos(a)), s(std::sin(a)) {}
 };
 
 /** The exact motion at one row time (doc/theory.md, "Motion").
@@ -75,7 +75,6 @@ struct RowMotion
     //! Without yaw.
     RowMotion(const Heading& heading, double t) : c(1), s(0), c2(heading.c), s2(heading.s), tau(t) {}
 
-    RowMotion(double alpha, double heading, double t) { *this = RowMotion(alpha, Heading(heading), t); }
 };
 
 /** A bearing turned into the reference frame, and how it shifts with the scaled inverse depth.

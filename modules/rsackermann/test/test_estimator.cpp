@@ -303,6 +303,31 @@ TEST(RSAckermann_Estimator, same_result_for_all_numbers_of_threads)
     setNumThreads(before);
 }
 
+// The vectors of another processor add up in another order: the same motion but for rounding.
+TEST(RSAckermann_Estimator, same_result_with_other_vectors)
+{
+    const Simulator truth = twoWalls.simulator();
+    const bool before = useOptimized();
+    for (int seed = 0; seed < 5; seed++)
+    {
+        const Segments segments = makeSegments(truth, 150, 0.7, 0.3, seed);
+        Mat labels, others;
+        setUseOptimized(true);
+        const AckermannMotion m = estimate(truth, segments.ends, labels);
+        setUseOptimized(false);
+        const AckermannMotion other = estimate(truth, segments.ends, others);
+        EXPECT_EQ(m.status, other.status);
+        EXPECT_EQ(m.model, other.model);
+        EXPECT_EQ(0, cvtest::norm(labels, others, NORM_INF));
+        const double eps = 1e-3;
+        EXPECT_NEAR(m.alpha, other.alpha, eps * std::sqrt(m.covariance(0, 0)));
+        EXPECT_NEAR(m.B, other.B, eps * std::sqrt(m.covariance(1, 1)));
+        EXPECT_NEAR(m.D, other.D, eps * std::sqrt(m.covariance(2, 2)));
+        EXPECT_NEAR(m.lambda, other.lambda, eps * std::sqrt(m.covariance(3, 3)));
+    }
+    setUseOptimized(before);
+}
+
 TEST(RSAckermann_Estimator, one_object_serves_many_threads)
 {
     const Simulator truth = twoWalls.simulator();

@@ -44,7 +44,7 @@ int CandidateConsensus::sampleSize() const
 int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* solutions) const
 {
     SolverOptions options;
-    options.heading = problem.heading;
+    options.heading = problem.heading.angle;
     options.maxAlpha = problem.limits.maxAlpha;
     options.maxSpeed = problem.limits.maxRightSpeed; // either wall may be the first one
     options.rollingShutterDepth = false;
@@ -69,9 +69,9 @@ int CandidateConsensus::directionOf(const MinimalSolution& s, const VerticalSegm
 }
 
 // Two walls can be described in two ways; the left one is to the left of the vehicle's forward direction.
-static void nameWalls(double heading, Model& m)
+static void nameWalls(const Heading& heading, Model& m)
 {
-    if (m[P_LAMBDA] > 0 && m.direction * (m[P_B] * std::cos(heading) + m[P_D] * std::sin(heading)) < 0)
+    if (m[P_LAMBDA] > 0 && m.direction * (m[P_B] * heading.c + m[P_D] * heading.s) < 0)
     {
         m[P_B] *= -m[P_LAMBDA];
         m[P_D] *= -m[P_LAMBDA];

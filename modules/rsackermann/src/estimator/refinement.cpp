@@ -144,13 +144,18 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
     const FreeParameters unknowns = freeParameters(problem, structure, evidence);
     const int n = unknowns.count;
     ResidualSums sums = evaluate(problem, structure, evidence, unknowns, model);
-    double damping = 1e-3;
+    const double startDamping = 1e-3, tolerance = 1e-6;
+    double damping = startDamping;
     for (int iteration = 0; iteration < maxIterations && n > 0 && damping < 1e8; iteration++)
     {
         Hessian damped = hessianOf(sums, n);
         damped.diagonal() *= 1 + damping;
         damped.diagonal().array() += 1e-9;
-        const Gradient step = damped.ldlt().solve(-Eigen::Map<const Gradient>(sums.gradient, n));
+        const Eigen::Map<const Gradient> gradient(sums.gradient, n);
+        const Gradient step = damped.ldlt().solve(-gradient);
+        // What a step gains where the cost is quadratic; far from there the damping is larger.
+        if (damping <= startDamping && -step.dot(gradient) < tolerance * (sums.cost + tolerance))
+            break;
         Model next = model;
         for (int i = 0; i < n; i++)
             next.value[unknowns.index[i]] += step[i];
@@ -166,7 +171,7 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
         model = next;
         sums = nextSums;
         damping = std::max(damping * 0.2, 1e-9);
-        if (before - sums.cost < 1e-6 * (sums.cost + 1e-6))
+        if (before - sums.cost < tolerance * (sums.cost + tolerance))
             break;
     }
     if (covariance)

@@ -5,6 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_REFINEMENT_HPP
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_REFINEMENT_HPP
 
+#include "../compensation.hpp"
 #include "candidate.hpp"
 #include "model.hpp"
 #include "prior_residuals.hpp"
@@ -21,7 +22,7 @@ struct RefinementProblem
     SegmentArrays verticalArrays, otherArrays;
     MotionLimits limits;
     PriorTerms prior;
-    double heading;
+    Heading heading;
     double focal;          // pixels
     double sigma;          // pixels, of the residual of a vertical
     double directionSigma; // pixels, of the residual of another segment

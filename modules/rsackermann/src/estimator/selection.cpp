@@ -13,13 +13,13 @@ namespace cv {
 namespace rsackermann {
 
 // Two walls are only seen together by a camera that looks along the street.
-static bool canSeeTwoWalls(double heading)
+static bool canSeeTwoWalls(const Heading& heading)
 {
-    return std::abs(std::cos(heading)) > 0.5;
+    return std::abs(heading.c) > 0.5;
 }
 
 // From simple to rich: the richer ones start from the simpler ones, too.
-static std::vector<Structure> allowedStructures(int model, double heading)
+static std::vector<Structure> allowedStructures(int model, const Heading& heading)
 {
     std::vector<Structure> structures(1, Structure(MODEL_NONE, 0));
     const int motions[3] = {MODEL_1LA, MODEL_3LA, MODEL_4LA};

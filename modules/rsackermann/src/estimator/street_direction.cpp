@@ -40,7 +40,7 @@ bool startFromStreetDirection(const RefinementProblem& problem, const Structure&
     double bestCost = DBL_MAX, best = 0;
     for (double offset = -range; offset <= range; offset += step)
     {
-        const double azimuth = problem.heading + offset;
+        const double azimuth = problem.heading.angle + offset;
         const double cost = streetCost(points.data(), padded, std::sin(azimuth), std::cos(azimuth), scale);
         if (cost < bestCost)
         {

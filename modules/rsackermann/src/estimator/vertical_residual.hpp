@@ -19,7 +19,7 @@ namespace rsackermann {
 */
 double verticalResidual(const Candidate& candidate, const PreparedModel& model, int& wall, double* jacobian);
 
-inline double verticalResidual(const Candidate& candidate, const Model& model, double heading, int& wall, double* jacobian)
+inline double verticalResidual(const Candidate& candidate, const Model& model, const Heading& heading, int& wall, double* jacobian)
 {
     return verticalResidual(candidate, PreparedModel(model, heading), wall, jacobian);
 }
