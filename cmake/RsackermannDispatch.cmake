@@ -1,40 +1,61 @@
-# What ocv_add_dispatched_file(FILE AVX2) does inside of OpenCV, for a build against an installed OpenCV.
+# What ocv_add_dispatched_file(FILE MODES...) does inside of OpenCV, for a build against an installed OpenCV.
 #
 # warp/maps.simd.hpp would hold the code; warp/maps.dispatch.cpp includes "maps.simd.hpp" and the generated
-# "warp/maps.simd_declarations.hpp", and chooses with CV_CPU_DISPATCH. The code is compiled a second time with AVX2 where
-# the compiler can do that.
+# "warp/maps.simd_declarations.hpp", and chooses with CV_CPU_DISPATCH. The code is compiled again for each of the modes (AVX2,
+# AVX512_SKX) that the compiler knows.
 
 include(CheckCXXCompilerFlag)
 
-set(RSACKERMANN_DISPATCH_HEADER "${CMAKE_CURRENT_LIST_DIR}/dispatch/cpu_dispatch.hpp")
+set(RSACKERMANN_DISPATCH_DIR "${CMAKE_CURRENT_LIST_DIR}/dispatch")
+set(RSACKERMANN_FLAGS_AVX2 -mavx2 -mfma -mf16c)
+set(RSACKERMANN_FLAGS_AVX512_SKX ${RSACKERMANN_FLAGS_AVX2} -mavx512f -mavx512cd -mavx512bw -mavx512dq -mavx512vl)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105593: the compiler's own header.
+  list(APPEND RSACKERMANN_FLAGS_AVX512_SKX -Wno-maybe-uninitialized)
+endif()
 
-# Adds to the target what each *.simd.hpp below source_dir needs.
-function(rsackermann_add_dispatched_files target source_dir)
-  file(GLOB_RECURSE simd_files CONFIGURE_DEPENDS RELATIVE "${source_dir}" "${source_dir}/*.simd.hpp")
-  if(NOT simd_files)
-    return()
-  endif()
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
-    check_cxx_compiler_flag("-mavx2 -mfma -mf16c" RSACKERMANN_COMPILER_HAS_AVX2)
-  endif()
+# Adds to the target the files below module_dir/src for which the CMakeLists.txt of the module has ocv_add_dispatched_file().
+function(rsackermann_add_dispatched_files target module_dir)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${module_dir}/CMakeLists.txt")
+  file(STRINGS "${module_dir}/CMakeLists.txt" calls REGEX "^ocv_add_dispatched_file\\(")
+  foreach(call IN LISTS calls)
+    string(REGEX REPLACE "^ocv_add_dispatched_file\\((.*)\\)" "\\1" arguments "${call}")
+    string(REPLACE " " ";" arguments "${arguments}")
+    rsackermann_add_dispatched_file(${target} "${module_dir}/src" ${arguments})
+  endforeach()
+endfunction()
 
+# Adds source_dir/NAME.simd.hpp in the modes that follow, the least first.
+function(rsackermann_add_dispatched_file target source_dir name)
   set(generated_dir "${PROJECT_BINARY_DIR}/dispatch")
-  target_include_directories(${target} PRIVATE "${generated_dir}")
-  foreach(simd_file IN LISTS simd_files)
-    string(REGEX REPLACE "\\.simd\\.hpp$" "" name "${simd_file}")
-    set(RSACKERMANN_SIMD_FILE "${source_dir}/${simd_file}")
-    set(RSACKERMANN_PRECOMP_FILE "${source_dir}/precomp.hpp")
-    set_property(SOURCE "${source_dir}/${name}.dispatch.cpp" APPEND PROPERTY
-      COMPILE_OPTIONS -include "${RSACKERMANN_DISPATCH_HEADER}")
-    if(RSACKERMANN_COMPILER_HAS_AVX2)
-      configure_file("${PROJECT_SOURCE_DIR}/cmake/dispatch/simd_declarations_avx2.hpp.in"
-        "${generated_dir}/${name}.simd_declarations.hpp" @ONLY)
-      configure_file("${PROJECT_SOURCE_DIR}/cmake/dispatch/simd_avx2.cpp.in" "${generated_dir}/${name}.avx2.cpp" @ONLY)
-      set_property(SOURCE "${generated_dir}/${name}.avx2.cpp" PROPERTY COMPILE_OPTIONS -mavx2 -mfma -mf16c)
-      target_sources(${target} PRIVATE "${generated_dir}/${name}.avx2.cpp")
-    else()
-      configure_file("${PROJECT_SOURCE_DIR}/cmake/dispatch/simd_declarations.hpp.in"
-        "${generated_dir}/${name}.simd_declarations.hpp" @ONLY)
+  set(RSACKERMANN_SIMD_FILE "${source_dir}/${name}.simd.hpp")
+  set(RSACKERMANN_PRECOMP_FILE "${source_dir}/precomp.hpp")
+  set(declarations "")
+  set(modes BASELINE)
+  foreach(RSACKERMANN_MODE IN LISTS ARGN)
+    rsackermann_check_mode(${RSACKERMANN_MODE})
+    if(RSACKERMANN_COMPILER_HAS_${RSACKERMANN_MODE})
+      string(TOLOWER "${generated_dir}/${name}.${RSACKERMANN_MODE}.cpp" source)
+      configure_file("${RSACKERMANN_DISPATCH_DIR}/simd_mode.cpp.in" "${source}" @ONLY)
+      set_property(SOURCE "${source}" PROPERTY COMPILE_OPTIONS ${RSACKERMANN_FLAGS_${RSACKERMANN_MODE}})
+      target_sources(${target} PRIVATE "${source}")
+      file(READ "${RSACKERMANN_DISPATCH_DIR}/simd_declarations.hpp.in" declaration)
+      string(CONFIGURE "${declaration}" declaration @ONLY)
+      string(APPEND declarations "${declaration}")
+      string(PREPEND modes "${RSACKERMANN_MODE}, ")
     endif()
   endforeach()
+  file(GENERATE OUTPUT "${generated_dir}/${name}.simd_declarations.hpp"
+    CONTENT "${declarations}#define CV_CPU_DISPATCH_MODES_ALL ${modes}\n")
+  target_include_directories(${target} PRIVATE "${generated_dir}")
+  set_property(SOURCE "${source_dir}/${name}.dispatch.cpp" APPEND PROPERTY
+    COMPILE_OPTIONS -include "${RSACKERMANN_DISPATCH_DIR}/cpu_dispatch.hpp")
+endfunction()
+
+# Sets RSACKERMANN_COMPILER_HAS_mode.
+function(rsackermann_check_mode mode)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
+    string(REPLACE ";" " " flags "${RSACKERMANN_FLAGS_${mode}}")
+    check_cxx_compiler_flag("${flags}" RSACKERMANN_COMPILER_HAS_${mode})
+  endif()
 endfunction()

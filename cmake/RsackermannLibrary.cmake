@@ -8,7 +8,7 @@ file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/s
 
 add_library(opencv_rsackermann ${library_sources})
 add_library(rsackermann::rsackermann ALIAS opencv_rsackermann)
-rsackermann_add_dispatched_files(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}/src")
+rsackermann_add_dispatched_files(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}")
 rsackermann_embed_opencl(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}/src/opencl")
 
 set_target_properties(opencv_rsackermann PROPERTIES

@@ -35,6 +35,15 @@ int addRectifyMap(Benchmark& benchmark, const cv::Size& size, const std::vector<
     });
 }
 
+int addDistortMap(Benchmark& benchmark, const std::vector<double>& lens, const std::shared_ptr<Maps>& maps)
+{
+    return benchmark.work([lens, maps]() -> Benchmark::Work {
+        const Drive drive(FULL_HD, lens);
+        const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(drive.camera);
+        return [generator, drive, maps]() { generator->initDistortMap(drive.motion, maps->columns, maps->rows); };
+    });
+}
+
 int addInitUndistort(Benchmark& benchmark, const std::vector<double>& lens, const std::shared_ptr<Maps>& maps)
 {
     return benchmark.work([lens, maps]() -> Benchmark::Work {
@@ -64,6 +73,8 @@ void addMapFigures(Benchmark& benchmark)
     benchmark.figure("rectify_map_lens_1080p_over_init_undistort", "ratio", {rectifyLens, addInitUndistort(benchmark, LENS, maps)},
                      overOthers);
     benchmark.figure("rectify_map_1080p_over_memset", "ratio", {rectify, addMemset(benchmark, maps)}, overOthers);
+    benchmark.figure("distort_map_1080p_ms", "ms", {addDistortMap(benchmark, NO_LENS, maps)}, scaled(1e3));
+    benchmark.figure("distort_map_lens_1080p_ms", "ms", {addDistortMap(benchmark, LENS, maps)}, scaled(1e3));
 
     const cv::Size small(640, 480), large(3840, 2160);
     const int first = addRectifyMap(benchmark, small, NO_LENS, std::make_shared<Maps>(small));

@@ -16,7 +16,7 @@ Directions behind every plane are at infinity (w = 0). All w have the sign of th
 */
 struct Scene
 {
-    enum Plane { INFINITE = 0, LEFT_WALL = 1, RIGHT_WALL = 2, ROAD = 3 };
+    enum Plane { INFINITE = 0, LEFT_WALL = 1, RIGHT_WALL = 2, ROAD = 3, PLANES = 4 };
 
     double B, D, lambda, G;
     double direction; // 1 forward, -1 reverse
@@ -48,9 +48,20 @@ struct Scene
     */
     double inverseDepth(const Vec3d& ray, double placeX, double placeZ) const
     {
+        double planes[PLANES];
+        inverseDepths(ray, placeX, placeZ, planes);
+        return nearestOf(planes[LEFT_WALL], planes[RIGHT_WALL], planes[ROAD]);
+    }
+
+    //! The same for each Plane, whether or not another one hides it.
+    void inverseDepths(const Vec3d& ray, double placeX, double placeZ, double planes[PLANES]) const
+    {
         const double left = D * ray[2] - B * ray[0];
         const double passed = D * placeZ - B * placeX;
-        return nearestOf(left / (1 - passed), -lambda * left / (1 + lambda * passed), G * ray[1]);
+        planes[INFINITE] = 0;
+        planes[LEFT_WALL] = left / (1 - passed);
+        planes[RIGHT_WALL] = -lambda * left / (1 + lambda * passed);
+        planes[ROAD] = G * ray[1];
     }
 
     //! Whether a camera at that place hasn't passed a wall. The planes never hide one another from such a place.

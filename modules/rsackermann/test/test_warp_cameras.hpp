@@ -39,10 +39,11 @@ inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::Roll
                                                         rng.uniform(2., 4.), rng.uniform(2., 4.), camera.heading + rng.uniform(-0.05, 0.05));
 }
 
-//! Mounts the camera at random: any heading, or forward, and a tilt of a few degrees.
+//! Mounts the camera at random: any heading, or exactly forward, sideways or backward, and a tilt of a few degrees.
 inline void mountAtRandom(cv::rsackermann::RollingShutterCamera& camera, RNG& rng)
 {
-    camera.heading = rng.uniform(0, 2) ? rng.uniform(-CV_PI, CV_PI) : 0;
+    const double headings[] = {0, CV_PI / 2, -CV_PI / 2, CV_PI};
+    camera.heading = rng.uniform(0, 2) ? rng.uniform(-CV_PI, CV_PI) : headings[rng.uniform(0, 4)];
     camera.setRollPitch(rng.uniform(-0.1, 0.1), rng.uniform(-0.15, 0.15));
     camera.referenceRow = rng.uniform(0., camera.imageSize.height - 1.);
 }

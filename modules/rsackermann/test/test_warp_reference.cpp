@@ -60,7 +60,7 @@ TEST_P(WarpReference, distort_map)
 {
     RNG rng(815);
     int seen[4] = {0};
-    for (int round = 0; round < 6; round++)
+    for (int round = 0; round < 12; round++)
     {
         RollingShutterCamera camera = lensCamera(std::get<0>(GetParam()));
         mountAtRandom(camera, rng);

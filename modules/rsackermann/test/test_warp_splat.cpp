@@ -93,6 +93,6 @@ TEST_P(WarpSplat, forward_mapping_agrees)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(RSAckermann, WarpSplat, testing::Values(NO_LENS, BROWN_5, FISHEYE_LENS));
+INSTANTIATE_TEST_CASE_P(RSAckermann, WarpSplat, testing::Values(ALL_LENSES));
 
 }} // namespace opencv_test::

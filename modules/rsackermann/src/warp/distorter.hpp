@@ -21,21 +21,42 @@ class Distorter
 public:
     explicit Distorter(const Shutter& shutter_) : shutter(shutter_) {}
 
+    //! What a raw pixel sees, whatever its depth.
+    struct View
+    {
+        Vec3d direction; // bearing in the orientation of the global-shutter camera
+        double x, z;     // place of the camera
+    };
+
+    //! The view of a raw pixel; false where there is none.
+    bool view(const Point2d& raw, View& v) const
+    {
+        Vec3d ray;
+        if (!undistort(raw, ray))
+            return false;
+        v.direction = shutter.up * ray;
+        v.x = v.z = 0;
+        if (!shutter.moving)
+            return true;
+        const RowMotion m = shutter.motionAt(shutter.rowTime(raw));
+        v.direction = Shutter::turnBack(v.direction, m);
+        v.x = m.tau * m.s2;
+        v.z = m.tau * m.c2;
+        return shutter.scene.isInside(v.x, v.z);
+    }
+
+    //! Ray of the global-shutter camera to the point of a view that has the scaled inverse depth w; false where it is behind.
+    bool rayTo(const View& v, double w, Vec3d& ray) const
+    {
+        ray = shutter.down * (v.direction + Vec3d(w * v.x, 0, w * v.z));
+        return ray[2] > 0;
+    }
+
     //! Ray of the global-shutter camera to the point of the planes that a raw pixel sees; false where there is none.
     bool solve(const Point2d& raw, Vec3d& ray) const
     {
-        if (!undistort(raw, ray))
-            return false;
-        if (shutter.moving)
-        {
-            const RowMotion m = shutter.motionAt(shutter.rowTime(raw));
-            if (!shutter.isInside(m))
-                return false;
-            const Vec3d a = Shutter::turnBack(shutter.up * ray, m);
-            const double w = shutter.scene.inverseDepth(a, m.tau * m.s2, m.tau * m.c2);
-            ray = shutter.down * Shutter::moveBack(a, w, m);
-        }
-        return ray[2] > 0;
+        View v;
+        return view(raw, v) && rayTo(v, shutter.moving ? shutter.scene.inverseDepth(v.direction, v.x, v.z) : 0, ray);
     }
 
     /** The same for a point of known depth.

@@ -16,6 +16,11 @@ void evaluatePatches(const Patch* patches, const PlaneDepth* depths, int count, 
     CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
 }
 
+void evaluatePatches(const Patch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step)
+{
+    CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
+}
+
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction)
 {
     CV_CPU_DISPATCH(packFixedPoint, (x, y, width, whole, fraction), CV_CPU_DISPATCH_MODES_ALL);

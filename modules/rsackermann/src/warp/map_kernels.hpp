@@ -19,6 +19,9 @@ namespace rsackermann {
 */
 void evaluatePatches(const Patch* patches, const PlaneDepth* depths, int count, const Size& size, float* x, float* y, size_t step);
 
+//! The same with depths that aren't linear; the pixel takes the patch with the largest.
+void evaluatePatches(const Patch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step);
+
 //! A row of coordinates in the formats CV_16SC2 and CV_16UC1, with INTER_BITS fractional bits; whole parts are saturated.
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
 

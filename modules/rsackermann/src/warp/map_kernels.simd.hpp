@@ -12,6 +12,7 @@ namespace rsackermann {
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
 void evaluatePatches(const Patch* patches, const PlaneDepth* depths, int count, const Size& size, float* x, float* y, size_t step);
+void evaluatePatches(const Patch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step);
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
 void packInterleaved(const float* x, const float* y, int width, float* xy);
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
@@ -20,14 +21,16 @@ void packMask(const float* x, const float* y, int width, float low, float highX,
 
 namespace {
 
-// A coordinate along one row of a patch. Next to what is constant along the row the rest is small: single precision takes
+// A polynomial along one row. Next to what is constant along the row the rest is small: single precision takes
 // no more from it than from the coordinate.
 struct RowCubic
 {
-    float c[Patch::NODES];
+    float c[Bicubic::NODES];
 
-    RowCubic(const double (&p)[Patch::NODES][Patch::NODES], double row)
+    RowCubic() {}
+    RowCubic(const Bicubic& bicubic, double row)
     {
+        const double (&p)[Bicubic::NODES][Bicubic::NODES] = bicubic.c;
 #if CV_SIMD128_64F
         const v_float64x2 t = v_setall_f64(row);
         v_float64x2 low = v_load(p[3]), high = v_load(p[3] + 2);
@@ -38,7 +41,7 @@ struct RowCubic
         }
         v_store(c, v_cvt_f32(low, high));
 #else
-        for (int n = 0; n < Patch::NODES; n++)
+        for (int n = 0; n < Bicubic::NODES; n++)
             c[n] = float(p[0][n] + row * (p[1][n] + row * (p[2][n] + row * p[3][n])));
 #endif
     }
@@ -61,10 +64,8 @@ struct WideRowCubic
 
 inline v_float32 columnsFrom(int first)
 {
-    float columns[VTraits<v_float32>::max_nlanes];
-    for (int i = 0; i < VTraits<v_float32>::vlanes(); i++)
-        columns[i] = float(first + i);
-    return vx_load(columns);
+    CV_DECL_ALIGNED(CV_SIMD_WIDTH) static const float lane[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    return v_add(vx_load_aligned(lane), vx_setall_f32(float(first)));
 }
 #endif
 
@@ -90,6 +91,48 @@ void evaluateRun(const Patch& patch, int row, int first, int last, int width, fl
     {
         x[i] = cubicX.at(float(i));
         y[i] = cubicY.at(float(i));
+    }
+}
+
+// A patch and its depth along one row.
+struct RowPatch
+{
+    RowCubic x, y, depth;
+
+    RowPatch() {}
+    RowPatch(const Patch& patch, const Bicubic& depth_, double row) : x(patch.x, row), y(patch.y, row), depth(depth_, row) {}
+};
+
+// A row of which every pixel takes the patch with the largest depth.
+void evaluateNearest(const RowPatch* patches, int count, int width, float* x, float* y)
+{
+    int i = 0;
+#if CV_SIMD
+    const int lanes = VTraits<v_float32>::vlanes();
+    for (; i <= width - lanes; i += lanes)
+    {
+        const v_float32 column = columnsFrom(i);
+        v_float32 nearest = WideRowCubic(patches[0].depth).at(column);
+        v_float32 placeX = WideRowCubic(patches[0].x).at(column), placeY = WideRowCubic(patches[0].y).at(column);
+        for (int k = 1; k < count; k++)
+        {
+            const v_float32 depth = WideRowCubic(patches[k].depth).at(column), nearer = v_gt(depth, nearest);
+            nearest = v_select(nearer, depth, nearest);
+            placeX = v_select(nearer, WideRowCubic(patches[k].x).at(column), placeX);
+            placeY = v_select(nearer, WideRowCubic(patches[k].y).at(column), placeY);
+        }
+        v_store(x + i, placeX);
+        v_store(y + i, placeY);
+    }
+#endif
+    for (; i < width; i++)
+    {
+        int best = 0;
+        for (int k = 1; k < count; k++)
+            if (patches[k].depth.at(float(i)) > patches[best].depth.at(float(i)))
+                best = k;
+        x[i] = patches[best].x.at(float(i));
+        y[i] = patches[best].y.at(float(i));
     }
 }
 
@@ -134,6 +177,22 @@ void evaluatePatches(const Patch* patches, const PlaneDepth* depths, int count, 
             evaluateRun(patches[plane], row, column, end, size.width, x, y);
             column = end;
         }
+}
+
+void evaluatePatches(const Patch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step)
+{
+    AutoBuffer<RowPatch, 4> rows(count);
+    for (int row = 0; row < size.height; row++, x += step, y += step)
+    {
+        if (count == 1)
+        {
+            evaluateRun(patches[0], row, 0, size.width, size.width, x, y);
+            continue;
+        }
+        for (int i = 0; i < count; i++)
+            rows[i] = RowPatch(patches[i], depths[i], row);
+        evaluateNearest(rows.data(), count, size.width, x, y);
+    }
 }
 
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction)

@@ -77,6 +77,9 @@ void MapWriter::Tile::setNone(const Point& pixel)
 
 void MapWriter::Tile::write()
 {
+    const bool inPlace = writer.type == CV_32FC1 && firstX != buffer[0], masked = !writer.mask.empty();
+    if (inPlace && !masked)
+        return;
     for (int i = 0; i < part.height; i++)
     {
         const Point first(part.x, part.y + i);
@@ -85,12 +88,12 @@ void MapWriter::Tile::write()
             packFixedPoint(rowX, rowY, part.width, writer.map1.ptr<short>(first.y) + 2 * first.x, writer.map2.ptr<ushort>(first.y) + first.x);
         else if (writer.type == CV_32FC2)
             packInterleaved(rowX, rowY, part.width, writer.map1.ptr<float>(first.y) + 2 * first.x);
-        else if (writer.type == CV_32FC1 && firstX == buffer[0])
+        else if (writer.type == CV_32FC1 && !inPlace)
         {
             std::copy(rowX, rowX + part.width, writer.map1.ptr<float>(first.y) + first.x);
             std::copy(rowY, rowY + part.width, writer.map2.ptr<float>(first.y) + first.x);
         }
-        if (!writer.mask.empty())
+        if (masked)
             packMask(rowX, rowY, part.width, -ROUNDED_PIXEL, float(writer.target.width - 1) + ROUNDED_PIXEL,
                      float(writer.target.height - 1) + ROUNDED_PIXEL, writer.mask.ptr(first.y) + first.x);
     }

@@ -11,6 +11,13 @@
 namespace cv {
 namespace rsackermann {
 
+//! Which image a map belongs to.
+enum WarpDirection
+{
+    WARP_RECTIFY, //!< the global-shutter image; its places are in the raw image
+    WARP_DISTORT  //!< the raw image; its places are in the global-shutter image
+};
+
 //! The global-shutter camera as the parameters and the rolling-shutter camera determine it.
 struct GlobalCamera
 {
@@ -20,13 +27,9 @@ struct GlobalCamera
     Size size;
 };
 
-//! For each pixel of the global-shutter camera the place in the raw image.
-void writeRectifyMap(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
-                     MapWriter& writer);
-
-//! For each pixel of the raw image the place in the global-shutter image.
-void writeDistortMap(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
-                     MapWriter& writer);
+//! For each pixel of one image the place in the other one.
+void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
+              MapWriter& writer);
 
 }} // namespace cv::rsackermann
 

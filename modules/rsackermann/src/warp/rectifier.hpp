@@ -13,7 +13,8 @@ namespace rsackermann {
 /** Finds the raw pixel that sees a point of the global-shutter image (doc/theory.md, "Warp").
 
 The row time t of the raw pixel is the fixed point of t -> row time of the pixel that would see the point at t. It is a
-contraction for every motion that a car can make; secant steps reach the fixed point in two or three evaluations.
+contraction for every motion that a car can make; secant steps reach the fixed point in two or three evaluations. The last
+step isn't evaluated: the place moves along with the row time at the rate that is known by then.
 */
 class Rectifier
 {
@@ -25,10 +26,12 @@ public:
         bool valid;
         double time;  // fixed point
         double slope; // derivative of the iterated function
+        Point2d rate; // that of the place
     };
 
-    Rectifier(const Shutter& shutter_, int maxIterations_, double tolerance)
-        : shutter(shutter_), maxIterations(maxIterations_), timeTolerance(tolerance * shutter_.timePerPixel())
+    //! @param tolerance pixels; the place is found where a step changes it by less.
+    Rectifier(const Shutter& shutter_, int maxIterations_, double tolerance_)
+        : shutter(shutter_), maxIterations(maxIterations_), tolerance(tolerance_), timeTolerance(tolerance_ * shutter_.timePerPixel())
     {
     }
 
@@ -45,7 +48,7 @@ public:
             return shutter.project(ray, raw);
         if (guess.valid && iterate(b, w, onPlane, guess, raw))
             return true;
-        guess.slope = 0;
+        guess = Guess();
         guess.time = shutter.project(ray, raw) ? shutter.rowTime(raw) : 0;
         guess.valid = iterate(b, w, onPlane, guess, raw);
         return guess.valid;
@@ -58,30 +61,47 @@ private:
         const double maxSlope = 0.9;
 
         double time = guess.time, slope = guess.slope, lastTime = 0, lastValue = 0;
+        Point2d rate = guess.rate, lastRaw;
         for (int i = 0; i < maxIterations; i++)
         {
             const RowMotion m = shutter.motionAt(time);
             if (!shutter.project(shutter.down * shutter.toRolling(b, w, m), raw))
                 return false;
             const double value = shutter.rowTime(raw);
-            if (std::abs(value - time) <= timeTolerance)
+            if (i > 0)
             {
-                guess.time = value;
+                slope = std::min((value - lastValue) / (time - lastTime), maxSlope);
+                rate = (raw - lastRaw) * (1 / (time - lastTime));
+            }
+            const double step = (value - time) / (1 - slope);
+            const Point2d change = rate * step;
+            if (isLast(value - time, change, guess.valid || i > 0))
+            {
+                raw += change;
+                guess.time = time + step;
                 guess.slope = slope;
+                guess.rate = rate;
                 return !onPlane || shutter.isInside(m);
             }
-            if (i > 0)
-                slope = std::min((value - lastValue) / (time - lastTime), maxSlope);
             lastTime = time;
             lastValue = value;
-            time += (value - time) / (1 - slope);
+            lastRaw = raw;
+            time += step;
         }
         return false;
     }
 
+    // The rate is that of a neighbour or a mean over the last step: it serves for small steps only.
+    bool isLast(double ahead, const Point2d& change, bool rateKnown) const
+    {
+        const double distance = std::abs(ahead);
+        return distance <= timeTolerance ||
+               (rateKnown && distance <= 10 * timeTolerance && std::max(std::abs(change.x), std::abs(change.y)) <= tolerance);
+    }
+
     const Shutter& shutter;
     int maxIterations;
-    double timeTolerance;
+    double tolerance, timeTolerance;
 };
 
 }} // namespace cv::rsackermann

@@ -10,15 +10,8 @@
 namespace cv {
 namespace rsackermann {
 
-// Pixels. Where the error of a patch is measured it is nearly as large as anywhere in the patch; with the rounding of the
-// places to single precision it stays far below the 1/32 pixel of cv::remap.
-static const double MAX_PATCH_ERROR = 2.5e-4;
-
-// Smaller squares are solved pixel by pixel.
-static const int MIN_PATCH = 16;
-
 TileRectifier::TileRectifier(const Shutter& shutter_, const Matx33d& matrix, int maxIterations, double tolerance)
-    : shutter(shutter_), forPixels(shutter_, maxIterations, tolerance), forPatches(shutter_, maxIterations, 0.1 * tolerance),
+    : shutter(shutter_), forPixels(shutter_, maxIterations, tolerance), forPatches(shutter_, maxIterations, 0.3 * tolerance),
       inverse(matrix.inv()), upright(shutter_.up * inverse)
 {
     const double time0 = shutter.rowTime(Point2d(0, 0));
@@ -34,23 +27,6 @@ TileRectifier::TileRectifier(const Shutter& shutter_, const Matx33d& matrix, int
         planes[i].perRow = w[1];
         planes[i].at0 = w[2];
     }
-}
-
-void TileRectifier::fill(MapWriter::Tile& tile) const
-{
-    fillSquare(Rect(tile.area().tl(), Size(MapWriter::TILE, MapWriter::TILE)), tile);
-}
-
-void TileRectifier::fillSquare(const Rect& square, MapWriter::Tile& tile) const
-{
-    const Rect seen = square & tile.area();
-    if (seen.empty() || fillByPatches(square, tile))
-        return;
-    if (square.width <= MIN_PATCH)
-        return fillByPixels(seen, tile);
-    const Size half(square.width / 2, square.height / 2);
-    for (int i = 0; i < 4; i++)
-        fillSquare(Rect(square.tl() + Point(i % 2 * half.width, i / 2 * half.height), half), tile);
 }
 
 bool TileRectifier::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
@@ -100,39 +76,41 @@ int TileRectifier::visiblePlanes(const Rect& square, PlaneDepth visible[PLANES])
 
 bool TileRectifier::fitPatch(const Rect& square, const PlaneDepth& depth, Patch& patch) const
 {
-    // The corners come first: they tell how the row time changes from one to the next.
-    static const int order[Patch::NODES * Patch::NODES][2] = {{0, 0}, {3, 0}, {0, 3}, {3, 3}, {1, 0}, {2, 0}, {0, 1}, {1, 1},
-                                                              {2, 1}, {3, 1}, {0, 2}, {1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}};
+    // First the first row and column of the places, then the last corner: they tell the row times of the others.
+    static const int order[Patch::NODES * Patch::NODES][2] = {{0, 0}, {3, 0}, {0, 3}, {3, 3}, {1, 0}, {2, 0}, {0, 1}, {0, 2},
+                                                              {1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}};
     const double step = square.width / (Patch::NODES - 1.);
-    Rectifier::Guess corner, guess;
-    Point2d slope = timeSlope;
+    Rectifier::Guess guess;
+    Point2d slope = timeSlope * step;
+    double twist = 0, times[Patch::NODES][Patch::NODES];
     Point2d nodes[Patch::NODES][Patch::NODES];
     for (int k = 0; k < Patch::NODES * Patch::NODES; k++)
     {
         const int n = order[k][0], m = order[k][1];
-        guess = corner;
-        guess.time += slope.x * n * step + slope.y * m * step;
+        if (k == 1 || k == 2)
+            guess.time = times[0][0] + n * slope.x + m * slope.y;
+        else if (n > 0 && m > 0)
+            guess.time = times[0][n] + times[m][0] - times[0][0] + n * m * twist;
+        else if (k > 0)
+            guess.time = n ? times[0][n - 1] + slope.x : times[m - 1][0] + slope.y;
         if (!solve(square, n * step, m * step, depth, guess, nodes[m][n]))
             return false;
-        if (k == 0)
-            corner = guess;
-        else if (k == 1)
-            slope.x = (guess.time - corner.time) / square.width;
+        times[m][n] = guess.time;
+        if (k == 1)
+            slope.x = (times[0][3] - times[0][0]) / 3;
         else if (k == 2)
-            slope.y = (guess.time - corner.time) / square.height;
+            slope.y = (times[3][0] - times[0][0]) / 3;
+        else if (k == 3)
+            twist = (times[3][3] - times[0][3] - times[3][0] + times[0][0]) / 9;
     }
 
     patch = Patch(nodes, step);
-    // The error is of fourth order along both axes. At these places it is nearly as large as anywhere, with signs of its two
-    // parts that are the same at the first one or at the second one.
-    const double column = 0.38 * step, rows[2] = {0.38 * step, 1.5 * step};
-    for (int k = 0; k < 2; k++)
+    for (int i = 0; i < Patch::CHECKS; i++)
     {
-        const Point2d expected = patch.at(column, rows[k]);
+        const Point2d check = Patch::check(i, step), expected = patch.at(check.x, check.y);
         Point2d place;
         guess.time = shutter.rowTime(expected);
-        if (!solve(square, column, rows[k], depth, guess, place) ||
-            !(std::max(std::abs(place.x - expected.x), std::abs(place.y - expected.y)) <= MAX_PATCH_ERROR))
+        if (!solve(square, check.x, check.y, depth, guess, place) || !Patch::isNear(place, expected))
             return false;
     }
     return true;

@@ -5,34 +5,27 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_TILE_RECTIFIER_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_TILE_RECTIFIER_HPP
 
-#include "map_writer.hpp"
 #include "patch.hpp"
 #include "rectifier.hpp"
+#include "tile_filler.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-/** Fills tiles of a rectify map (doc/theory.md, "Warp").
-
-On each plane of the scene the map is smooth. A square of it is interpolated between 4 x 4 places for each plane that can be
-seen in it, and every pixel takes the nearest plane. Further places in between tell the error; a square in which it is
-too large, or in which one of the places doesn't exist, is divided into quarters, and small ones are solved pixel by pixel.
-What a square becomes depends on its place alone: not on the size of the map, other tiles or the number of threads.
-*/
-class TileRectifier
+//! Fills tiles of a rectify map. On a plane the scaled inverse depth is a linear function of the pixel.
+class TileRectifier CV_FINAL : public TileFiller
 {
 public:
     //! @param matrix camera matrix of the global-shutter camera.
     TileRectifier(const Shutter& shutter, const Matx33d& matrix, int maxIterations, double tolerance);
 
-    void fill(MapWriter::Tile& tile) const;
+protected:
+    bool fillByPatches(const Rect& square, MapWriter::Tile& tile) const CV_OVERRIDE;
+    void fillByPixels(const Rect& area, MapWriter::Tile& tile) const CV_OVERRIDE;
 
 private:
-    enum { PLANES = 4 };
+    enum { PLANES = Scene::PLANES };
 
-    void fillSquare(const Rect& square, MapWriter::Tile& tile) const;
-    bool fillByPatches(const Rect& square, MapWriter::Tile& tile) const;
-    void fillByPixels(const Rect& area, MapWriter::Tile& tile) const;
     int visiblePlanes(const Rect& square, PlaneDepth visible[PLANES]) const;
     bool fitPatch(const Rect& square, const PlaneDepth& depth, Patch& patch) const;
     bool solve(const Rect& square, double column, double row, const PlaneDepth& depth, Rectifier::Guess& guess, Point2d& place) const;

@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "map_ocl.hpp"
 #include "maps.hpp"
 #include "pixels.hpp"
 #include "points.hpp"
-#include "rectify_ocl.hpp"
 #include "valid_area.hpp"
 
 namespace cv {
@@ -159,19 +159,13 @@ public:
     void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        checkMotion(motion);
-        m1type = normalizedMapType(m1type);
-        CV_OCL_RUN(map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2), oclRectifyMap(camera, params, motion, m1type, map1, map2, mask))
-        MapWriter writer(GlobalCamera(camera, params).size, camera.imageSize, m1type, map1, map2, mask);
-        writeRectifyMap(camera, params, motion, writer);
+        initMap(WARP_RECTIFY, motion, map1, map2, m1type, mask);
     }
 
     void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        checkMotion(motion);
-        MapWriter writer(camera.imageSize, GlobalCamera(camera, params).size, normalizedMapType(m1type), map1, map2, mask);
-        writeDistortMap(camera, params, motion, writer);
+        initMap(WARP_DISTORT, motion, map1, map2, m1type, mask);
     }
 
     void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths, OutputArray mask) const CV_OVERRIDE
@@ -192,7 +186,7 @@ public:
         checkMotion(motion);
         Mat mask(GlobalCamera(camera, params).size, CV_8UC1);
         MapWriter writer(camera.imageSize, mask);
-        writeRectifyMap(camera, params, motion, writer);
+        writeMap(WARP_RECTIFY, camera, params, motion, writer);
         return largestRectangle(mask);
     }
 
@@ -225,6 +219,18 @@ public:
 private:
     typedef void (*PointFunction)(const RollingShutterCamera&, const Matx33d&, const AckermannMotion&, const std::vector<Point2d>&,
                                   const std::vector<double>&, std::vector<Place>&);
+
+    void initMap(WarpDirection warp, const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask) const
+    {
+        checkMotion(motion);
+        m1type = normalizedMapType(m1type);
+        CV_OCL_RUN(map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2), oclWarpMap(warp, camera, params, motion, m1type, map1, map2, mask))
+        Size size = GlobalCamera(camera, params).size, target = camera.imageSize;
+        if (warp == WARP_DISTORT)
+            std::swap(size, target);
+        MapWriter writer(size, target, m1type, map1, map2, mask);
+        writeMap(warp, camera, params, motion, writer);
+    }
 
     void movePoints(PointFunction function, const AckermannMotion& motion, InputArray src_, OutputArray dst, InputArray depths,
                     OutputArray mask) const

@@ -30,7 +30,7 @@ public:
         CV_PROP_RW Matx33d newCameraMatrix; //!< intrinsics of the global-shutter camera; all 0 (default): those of the camera
         CV_PROP_RW Size newSize;            //!< image size of the global-shutter camera; 0 x 0 (default): that of the camera
         CV_PROP_RW int maxIterations;       //!< of the fixed point on the row time, default 10
-        CV_PROP_RW double tolerance;        //!< pixels; the fixed point stops where the row changes by less, default 1e-3
+        CV_PROP_RW double tolerance;        //!< pixels; the fixed point stops where a step changes the place by less, default 1e-3
 
         //! Writes all fields into the present node, a map.
         void write(FileStorage& fs) const;

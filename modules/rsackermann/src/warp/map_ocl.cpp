@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "rectify_ocl.hpp"
+#include "map_ocl.hpp"
 #include "shutter.hpp"
 
 #ifdef HAVE_OPENCL
@@ -13,10 +13,10 @@
 namespace cv {
 namespace rsackermann {
 
-// The same as in opencl/rectify_map.cl.
-struct Rectification
+// The same as in opencl/warp_map.cl.
+struct KernelWarp
 {
-    float newSkew, newFx, newFy, newCx, newCy;
+    float newFx, newFy, newCx, newCy, newSkew;
     float fx, fy, cx, cy;
     float k[12];
     float tilt[9];
@@ -31,25 +31,28 @@ struct Rectification
     int width, height;
 };
 
-static Rectification rectification(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion)
+static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+                             const AckermannMotion& motion)
 {
-    const Matx33d newMatrix = GlobalCamera(camera, params).matrix;
+    const GlobalCamera global(camera, params);
     const Lens<float> lens(camera);
-    const Matx33f up = motion.uprightRotation(camera);
+    const Matx33f tilt(lens.tilt);
+    const Matx33f up = motion.uprightRotation(camera), usedTilt = warp == WARP_RECTIFY ? tilt : tilt.inv();
     const Scene scene(motion);
+    const Size target = warp == WARP_RECTIFY ? camera.imageSize : global.size;
 
-    Rectification r;
-    r.newSkew = float(newMatrix(0, 1));
-    r.newFx = float(1 / newMatrix(0, 0));
-    r.newFy = float(1 / newMatrix(1, 1));
-    r.newCx = float(newMatrix(0, 2));
-    r.newCy = float(newMatrix(1, 2));
+    KernelWarp r;
+    r.newFx = float(global.matrix(0, 0));
+    r.newFy = float(global.matrix(1, 1));
+    r.newCx = float(global.matrix(0, 2));
+    r.newCy = float(global.matrix(1, 2));
+    r.newSkew = float(global.matrix(0, 1));
     r.fx = lens.fx;
     r.fy = lens.fy;
     r.cx = lens.cx;
     r.cy = lens.cy;
     std::copy(lens.k, lens.k + 12, r.k);
-    std::copy(lens.tilt, lens.tilt + 9, r.tilt);
+    std::copy(usedTilt.val, usedTilt.val + 9, r.tilt);
     r.maxRadius2 = lens.maxRadius2;
     std::copy(up.val, up.val + 9, r.up);
     r.B = float(scene.B);
@@ -66,14 +69,15 @@ static Rectification rectification(const RollingShutterCamera& camera, const War
     r.timeTolerance = std::max(float(params.tolerance), 1e-4f) * std::abs(r.timeStep);
     r.byRows = camera.isRowShutter();
     r.maxIterations = params.maxIterations;
-    r.width = camera.imageSize.width;
-    r.height = camera.imageSize.height;
+    r.width = target.width;
+    r.height = target.height;
     return r;
 }
 
-static String buildOptions(const Lens<float>& lens, bool moving, int m1type, bool mask)
+static String buildOptions(WarpDirection warp, const Lens<float>& lens, bool moving, int m1type, bool mask)
 {
-    String options = m1type == CV_32FC1 ? "-D MAP_32FC1" : m1type == CV_32FC2 ? "-D MAP_32FC2" : "-D MAP_16SC2";
+    String options = warp == WARP_RECTIFY ? "-D RECTIFY" : "-D DISTORT";
+    options += m1type == CV_32FC1 ? " -D MAP_32FC1" : m1type == CV_32FC2 ? " -D MAP_32FC2" : " -D MAP_16SC2";
     if (lens.kind == Lens<float>::BROWN)
         options += " -D LENS_BROWN";
     if (lens.kind == Lens<float>::FISHEYE)
@@ -87,15 +91,15 @@ static String buildOptions(const Lens<float>& lens, bool moving, int m1type, boo
     return options;
 }
 
-bool oclRectifyMap(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion, int m1type,
-                   OutputArray map1_, OutputArray map2_, OutputArray mask_)
+bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
+                int m1type, OutputArray map1_, OutputArray map2_, OutputArray mask_)
 {
-    ocl::Kernel kernel("rectifyMap", ocl::rsackermann::rectify_map_oclsrc,
-                       buildOptions(Lens<float>(camera), motion.status == MOTION_OK, m1type, mask_.needed()));
+    ocl::Kernel kernel("warpMap", ocl::rsackermann::warp_map_oclsrc,
+                       buildOptions(warp, Lens<float>(camera), motion.status == MOTION_OK, m1type, mask_.needed()));
     if (kernel.empty())
         return false;
 
-    const Size size = GlobalCamera(camera, params).size;
+    const Size size = warp == WARP_RECTIFY ? GlobalCamera(camera, params).size : camera.imageSize;
     map1_.create(size, m1type);
     UMat map1 = map1_.getUMat(), map2, mask;
     int index = kernel.set(0, ocl::KernelArg::WriteOnlyNoSize(map1));
@@ -120,8 +124,8 @@ bool oclRectifyMap(const RollingShutterCamera& camera, const WarpMapGenerator::P
     }
     index = kernel.set(index, size.height);
     index = kernel.set(index, size.width);
-    const Rectification r = rectification(camera, params, motion);
-    kernel.set(index, &r, sizeof(r));
+    const KernelWarp w = kernelWarp(warp, camera, params, motion);
+    kernel.set(index, &w, sizeof(w));
 
     size_t globalSize[] = {(size_t)size.width, (size_t)size.height};
     if (!kernel.run(2, globalSize, NULL, false))
