@@ -147,6 +147,46 @@ TEST_P(Detectors, large_images)
     }
 }
 
+// Large images are searched in halved form: the ends have to be exact in the image itself.
+TEST_P(Detectors, ends_in_large_images_are_exact)
+{
+    const Size size(1280, 800);
+    for (int i = 0; i < 6; i++)
+    {
+        const double slope = 0.011 * (i - 2.5);
+        std::vector<double> x;
+        for (int k = 0; k < 6; k++)
+            x.push_back(150 + 190 * k + 0.17 * i + 0.13 * k);
+        Mat segments;
+        detectSegments(bars(size, x, slope), segments, GetParam(), 100);
+        ASSERT_GE(segments.rows, int(x.size())) << slope;
+        for (int k = 0; k < segments.rows; k++)
+            for (int end = 0; end < 4; end += 2)
+            {
+                double error = 10;
+                for (size_t j = 0; j < x.size(); j++)
+                {
+                    const double e = segments.at<float>(k, end) - x[j] - slope * (segments.at<float>(k, end + 1) - size.height / 2);
+                    error = std::abs(e) < std::abs(error) ? e : error;
+                }
+                EXPECT_NEAR(0, error, 0.04) << slope << ", segment " << k;
+            }
+    }
+}
+
+TEST_P(Detectors, long_and_narrow_images)
+{
+    // Halved twice they would be too narrow for the detectors.
+    const Size sizes[] = {Size(60000, 17), Size(40, 60000)};
+    for (int i = 0; i < 2; i++)
+    {
+        Mat image(sizes[i], CV_8U, Scalar(60)), segments;
+        image(Rect(0, 0, sizes[i].width / 2, sizes[i].height / 2)).setTo(180);
+        EXPECT_NO_THROW(detectSegments(image, segments, GetParam(), 5)) << sizes[i];
+        EXPECT_EQ(4, segments.cols);
+    }
+}
+
 TEST_P(Detectors, same_for_any_number_of_threads)
 {
     const Size size(1920, 1080);

@@ -13,13 +13,26 @@ namespace {
 // Intensities across a segment: at REACH + 1/2, REACH - 1/2 ... -REACH - 1/2 pixels from it.
 enum { REACH = 3, INTENSITIES = 2 * REACH + 2, SLOPES = INTENSITIES - 1 };
 
-const int MAX_PLACES = 64;
-
-// Where along the segment, and how far beside it, the edge was found.
-struct EdgePlace
+// Where along a segment, from -1 to 1, and how many pixels beside it the edge was found. Up to the next multiple of LANES the
+// arrays go on with places that don't count.
+struct EdgePlaces
 {
-    float along, beside;
-    float weight;
+    enum { CAPACITY = 64, LANES = 4 };
+
+    int count;
+    float along[CAPACITY], beside[CAPACITY], counts[CAPACITY];
+
+    EdgePlaces() : count(0) {}
+
+    void push(float along_, float beside_)
+    {
+        if (count % LANES == 0)
+            for (int i = count; i < count + LANES; i++)
+                along[i] = beside[i] = counts[i] = 0;
+        along[count] = along_;
+        beside[count] = beside_;
+        counts[count++] = 1;
+    }
 };
 
 inline float bilinear(const Mat& gray, float x, float y)
@@ -51,7 +64,7 @@ bool slopesAcross(const Mat& gray, const Point2f& at, const Point2f& normal, flo
 }
 
 // Centre of gravity of the slope around its peak. The slope is made positive by the sign that it has along the segment.
-bool findEdge(const float slopes[SLOPES], float sign, EdgePlace& place)
+bool findEdge(const float slopes[SLOPES], float sign, float& beside)
 {
     int peak = 1;
     for (int k = 2; k < SLOPES - 1; k++)
@@ -65,100 +78,106 @@ bool findEdge(const float slopes[SLOPES], float sign, EdgePlace& place)
         moment += slope * (k - REACH);
     }
     const float least = 4; // grey levels
-    place.weight = sum;
-    place.beside = moment / std::max(sum, least);
+    beside = moment / std::max(sum, least);
     return sum >= least;
 }
 
 // The line beside = offset + slope along, fitted with weights that fall off with the distance (after Geman and McClure).
-bool fitLine(const std::vector<EdgePlace>& places, float& offset, float& slope)
+bool fitLine(const EdgePlaces& places, float& offset, float& slope)
 {
-    const double scale2 = 0.3 * 0.3;
+    const int lanes = EdgePlaces::LANES;
     offset = slope = 0;
     for (int i = 0; i < 5; i++)
     {
-        double s = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-        for (size_t k = 0; k < places.size(); k++)
+        const float scale = i == 0 ? 0 : 1 / (0.3f * 0.3f); // no weights at first
+        float s[lanes] = {}, sx[lanes] = {}, sy[lanes] = {}, sxx[lanes] = {}, sxy[lanes] = {};
+        for (int k = 0; k < places.count; k += lanes)
+            for (int j = 0; j < lanes; j++)
+            {
+                const float x = places.along[k + j], y = places.beside[k + j];
+                const float r = y - offset - slope * x, q = 1 + scale * r * r;
+                const float w = places.counts[k + j] / (q * q);
+                s[j] += w;
+                sx[j] += w * x;
+                sy[j] += w * y;
+                sxx[j] += w * x * x;
+                sxy[j] += w * x * y;
+            }
+        for (int j = 1; j < lanes; j++)
         {
-            const EdgePlace& p = places[k];
-            const double r = p.beside - offset - slope * p.along;
-            const double w = i == 0 ? 1 : 1 / ((1 + r * r / scale2) * (1 + r * r / scale2));
-            s += w;
-            sx += w * p.along;
-            sy += w * p.beside;
-            sxx += w * p.along * p.along;
-            sxy += w * p.along * p.beside;
+            s[0] += s[j];
+            sx[0] += sx[j];
+            sy[0] += sy[j];
+            sxx[0] += sxx[j];
+            sxy[0] += sxy[j];
         }
-        const double det = s * sxx - sx * sx;
-        if (!(det > 1e-6 * s * sxx))
+        const float det = s[0] * sxx[0] - sx[0] * sx[0];
+        if (!(det > 1e-5f * s[0] * s[0]))
             return false;
-        offset = float((sy * sxx - sx * sxy) / det);
-        slope = float((s * sxy - sx * sy) / det);
+        offset = (sy[0] * sxx[0] - sx[0] * sxy[0]) / det;
+        slope = (s[0] * sxy[0] - sx[0] * sy[0]) / det;
     }
     return true;
 }
 
-void refine(const Mat& gray, Vec4f& segment, std::vector<EdgePlace>& places)
+void refine(const Mat& gray, Vec4f& segment)
 {
     const Point2f first(segment[0], segment[1]), last(segment[2], segment[3]), middle = (first + last) * 0.5f;
     const float length = float(norm(last - first));
-    const int count = std::min(cvFloor(length), MAX_PLACES);
+    const int count = std::min(cvFloor(length), int(EdgePlaces::CAPACITY));
     if (count < 4)
         return;
     const Point2f along = (last - first) * (1 / length), normal(-along.y, along.x);
 
-    float slopes[MAX_PLACES][SLOPES], alongs[MAX_PLACES], total = 0;
+    float slopes[EdgePlaces::CAPACITY][SLOPES], alongs[EdgePlaces::CAPACITY], total = 0;
     int found = 0;
     for (int i = 0; i < count; i++)
     {
-        alongs[found] = ((i + 0.5f) / count - 0.5f) * length;
-        if (!slopesAcross(gray, middle + alongs[found] * along, normal, slopes[found]))
+        alongs[found] = (2 * i + 1.f) / count - 1;
+        if (!slopesAcross(gray, middle + alongs[found] * length / 2 * along, normal, slopes[found]))
             continue;
         for (int k = 1; k < SLOPES - 1; k++)
             total += slopes[found][k];
         found++;
     }
-    places.clear();
+    EdgePlaces places;
     for (int i = 0; i < found; i++)
     {
-        EdgePlace place;
-        place.along = alongs[i];
-        if (findEdge(slopes[i], total < 0 ? -1.f : 1.f, place))
-            places.push_back(place);
+        float beside;
+        if (findEdge(slopes[i], total < 0 ? -1.f : 1.f, beside))
+            places.push(alongs[i], beside);
     }
     float offset, slope;
-    if (int(places.size()) * 2 < count || !fitLine(places, offset, slope))
+    if (places.count * 2 < count || !fitLine(places, offset, slope) || std::abs(offset) + std::abs(slope) > REACH)
         return;
-    const float atFirst = offset - slope * length / 2, atLast = offset + slope * length / 2;
-    if (std::max(std::abs(atFirst), std::abs(atLast)) > REACH)
-        return;
-    const Point2f newFirst = first + atFirst * normal, newLast = last + atLast * normal;
+    const Point2f newFirst = first + (offset - slope) * normal, newLast = last + (offset + slope) * normal;
     segment = Vec4f(newFirst.x, newFirst.y, newLast.x, newLast.y);
 }
 
 class RefineBody : public ParallelLoopBody
 {
 public:
-    RefineBody(const Mat& gray_, std::vector<Vec4f>& segments_) : gray(gray_), segments(segments_) {}
+    RefineBody(const Mat& gray_, int steps_, std::vector<Vec4f>& segments_) : gray(gray_), steps(steps_), segments(segments_) {}
 
     void operator()(const Range& range) const CV_OVERRIDE
     {
-        std::vector<EdgePlace> places;
         for (int i = range.start; i < range.end; i++)
-            refine(gray, segments[i], places);
+            for (int step = 0; step < steps; step++)
+                refine(gray, segments[i]);
     }
 
 private:
     const Mat& gray;
+    int steps;
     std::vector<Vec4f>& segments;
 };
 
 } // namespace
 
-void refineSegments(const Mat& gray, std::vector<Vec4f>& segments)
+void refineSegments(const Mat& gray, int steps, std::vector<Vec4f>& segments)
 {
-    const double segmentsPerStripe = 64;
-    parallel_for_(Range(0, int(segments.size())), RefineBody(gray, segments), segments.size() / segmentsPerStripe);
+    const double segmentsPerStripe = 32;
+    parallel_for_(Range(0, int(segments.size())), RefineBody(gray, steps, segments), segments.size() / segmentsPerStripe);
 }
 
 }} // namespace cv::rsackermann

@@ -15,9 +15,10 @@ namespace rsackermann {
 Across each segment the place of the edge is measured at many points, and a line is fitted to the places. The ends move
 along the normal of the segment only. A segment along which there is no edge stays as it is.
 @param gray CV_8UC1.
+@param steps the further away the ends are, the more it takes.
 @param segments (x1, y1, x2, y2) within some pixels of the edges.
 */
-void refineSegments(const Mat& gray, std::vector<Vec4f>& segments);
+void refineSegments(const Mat& gray, int steps, std::vector<Vec4f>& segments);
 
 }} // namespace cv::rsackermann
 

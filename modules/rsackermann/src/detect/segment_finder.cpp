@@ -11,8 +11,12 @@
 namespace cv {
 namespace rsackermann {
 
-// LSD's own scale, and one that suffices where the ends are refined afterwards.
-static const double LSD_SCALE = 0.8, LSD_SCALE_REFINED = 0.62;
+// The scale of LSD: its own one. Where the ends are refined afterwards, an image of that many pixels suffices.
+static double lsdScale(const Mat& image, bool isRefined)
+{
+    const double own = 0.8, enoughPixels = 200000;
+    return isRefined ? std::min(own, std::sqrt(enoughPixels / image.total())) : own;
+}
 
 static void checkArguments(const Mat& image, int detector, double minLength)
 {
@@ -56,7 +60,7 @@ const Mat& SegmentFinder::shrink(const Mat& gray, int& scale)
 {
     const Mat* small = &gray;
     scale = 1;
-    for (int i = 0; small->total() > MAX_PIXELS; i = 1 - i, scale *= 2)
+    for (int i = 0; small->total() > MAX_PIXELS && std::min(small->rows, small->cols) >= 2 * MIN_DETECTOR_SIZE; i = 1 - i, scale *= 2)
     {
         // An odd last row or column is left out.
         const Rect even(0, 0, small->cols / 2 * 2, small->rows / 2 * 2);
@@ -71,9 +75,9 @@ namespace {
 class FindInStrips : public ParallelLoopBody
 {
 public:
-    FindInStrips(const std::vector<Mat>& strips_, int detector_, double minLength_, double lsdScale_,
+    FindInStrips(const std::vector<Mat>& strips_, int detector_, double minLength_, double scale_,
                  std::vector<std::vector<Vec4f> >& found_)
-        : strips(strips_), detector(detector_), minLength(minLength_), lsdScale(lsdScale_), found(found_)
+        : strips(strips_), detector(detector_), minLength(minLength_), scale(scale_), found(found_)
     {
     }
 
@@ -83,7 +87,7 @@ public:
         {
             found[i].clear();
             if (detector == DETECTOR_LSD)
-                detectLSD(strips[i], lsdScale, found[i]);
+                detectLSD(strips[i], scale, found[i]);
             else if (detector == DETECTOR_FLD)
                 detectFLD(strips[i], minLength, found[i]);
             else
@@ -94,15 +98,14 @@ public:
 private:
     const std::vector<Mat>& strips;
     int detector;
-    double minLength, lsdScale;
+    double minLength, scale;
     std::vector<std::vector<Vec4f> >& found;
 };
 
 } // namespace
 
-void SegmentFinder::findInStrips(const Mat& gray, int detector, double minLength, double lsdScale)
+void SegmentFinder::findInStrips(const Mat& gray, int count, int detector, double minLength, double scale)
 {
-    const int count = std::max(cvRound(gray.cols / double(STRIP_WIDTH)), 1);
     strips.resize(count);
     foundInStrips.resize(count);
     std::vector<Range> own(count), seen(count);
@@ -113,7 +116,7 @@ void SegmentFinder::findInStrips(const Mat& gray, int detector, double minLength
         // A copy: not all of the detectors leave their input alone or take parts of larger images.
         gray.colRange(seen[i]).copyTo(strips[i]);
     }
-    parallel_for_(Range(0, count), FindInStrips(strips, detector, minLength, lsdScale, foundInStrips));
+    parallel_for_(Range(0, count), FindInStrips(strips, detector, minLength, scale, foundInStrips));
     found.clear();
     for (int i = 0; i < count; i++)
         for (size_t k = 0; k < foundInStrips[i].size(); k++)
@@ -126,6 +129,16 @@ void SegmentFinder::findInStrips(const Mat& gray, int detector, double minLength
         }
 }
 
+// Drops what is shorter.
+void SegmentFinder::keepLong(double minLength)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < found.size(); i++)
+        if (lengthOf(found[i]) >= minLength)
+            found[kept++] = found[i];
+    found.resize(kept);
+}
+
 void SegmentFinder::find(InputArray image_, int detector, double minLength, OutputArray segments_)
 {
     const Mat image = image_.getMat();
@@ -136,21 +149,21 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
         const Mat& gray = toGray(image);
         int scale;
         const Mat& small = shrink(gray, scale);
-        const bool refined = scale > 1 || detector != DETECTOR_LSD;
-        findInStrips(small, detector, minLength / scale, refined ? LSD_SCALE_REFINED : LSD_SCALE);
+        const bool isRefined = scale > 1 || detector != DETECTOR_LSD;
+        const int stripCount = isRefined ? std::max(cvRound(small.cols / double(STRIP_WIDTH)), 1) : 1;
+        findInStrips(small, stripCount, detector, minLength / scale, lsdScale(small, isRefined));
         const float shift = (scale - 1) / 2.f; // centre of the first pixel of the small image
         for (size_t i = 0; i < found.size(); i++)
             found[i] = found[i] * float(scale) + Vec4f::all(shift);
-        // The further away the ends are, the more steps it takes.
-        for (int step = 2 * scale; refined && step > 0; step /= 2)
-            refineSegments(gray, found);
+        if (isRefined)
+        {
+            // Ends that move across a segment hardly make it longer. The further away they are, the more steps it takes.
+            keepLong(0.9 * minLength);
+            refineSegments(gray, 2 + cvRound(std::log2(double(scale))), found);
+        }
     }
-
-    int kept = 0;
-    for (size_t i = 0; i < found.size(); i++)
-        if (lengthOf(found[i]) >= minLength)
-            found[kept++] = found[i];
-    found.resize(kept);
+    keepLong(minLength);
+    const int kept = int(found.size());
     segments_.create(kept, 4, CV_32F);
     if (kept > 0)
         Mat(found).reshape(1).copyTo(segments_);

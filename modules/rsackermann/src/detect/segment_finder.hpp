@@ -14,9 +14,10 @@ namespace rsackermann {
 
 Time counts here: nearly all that a correction takes is detection.
 -# Large images are halved until they have MAX_PIXELS or less. What they show of straight lines can still be seen then.
--# The rest is cut into strips, of which threads work off one each. Lines that are nearly vertical, which the estimation is
-   about, are seldom cut. The strips depend on the size of the image, not on the number of threads.
--# The ends are refined in the image itself, unless it is that of LSD, which already is as exact as that.
+-# Unless that is the image itself and LSD searches it, it is cut into strips, of which threads work off one each. Lines that are
+   nearly vertical, which the estimation is about, are seldom cut. The strips depend on the size of the image, not on the number of
+   threads.
+-# The ends are then refined in the image itself; those of LSD in it already are as exact as that.
 */
 class SegmentFinder
 {
@@ -25,11 +26,12 @@ public:
     void find(InputArray image, int detector, double minLength, OutputArray segments);
 
 private:
-    enum { MAX_PIXELS = 800000, STRIP_WIDTH = 800, OVERLAP = 48 };
+    enum { MAX_PIXELS = 800000, STRIP_WIDTH = 480, OVERLAP = 48 };
 
     const Mat& toGray(const Mat& image);
     const Mat& shrink(const Mat& gray, int& scale);
-    void findInStrips(const Mat& gray, int detector, double minLength, double lsdScale);
+    void findInStrips(const Mat& gray, int count, int detector, double minLength, double scale);
+    void keepLong(double minLength);
 
     Mat gray8U, gray16U, half[2];
     std::vector<Mat> strips;
