@@ -3,11 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "cases.hpp"
+#include "table.hpp"
 
 #include "opencv2/imgcodecs.hpp"
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 namespace experiments {
 
@@ -85,34 +84,14 @@ std::vector<Case> renderedCases(const Options& options)
     return cases;
 }
 
-// A line of comma-separated values; empty at the end.
-std::vector<std::string> readFields(std::istream& file)
-{
-    std::string line;
-    std::getline(file, line);
-    if (!line.empty() && line.back() == '\r')
-        line.pop_back();
-    std::vector<std::string> fields;
-    std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');)
-        fields.push_back(field);
-    return fields;
-}
-
 // Walls at 2.5 m and 3 m, camera at 1.6 m, the car follows the street.
 std::vector<Case> photoCases(const Options& options)
 {
     const std::string folder = options.text("photos") + "/";
-    std::ifstream list((folder + "frames.csv").c_str());
-    static const std::vector<std::string> columns = {"name", "focal_px", "roll_deg", "pitch_deg", "line_at_infinity_px"};
-    if (readFields(list) != columns)
-        throw InputError(folder + "frames.csv can't be read or has other columns than name,focal_px,roll_deg,pitch_deg,"
-                                  "line_at_infinity_px");
     std::vector<Case> cases;
-    for (std::vector<std::string> fields = readFields(list); !fields.empty(); fields = readFields(list))
+    for (const std::vector<std::string>& fields :
+         readTable(folder + "frames.csv", {"name", "focal_px", "roll_deg", "pitch_deg", "line_at_infinity_px"}))
     {
-        if (fields.size() != columns.size())
-            throw InputError(folder + "frames.csv: a line hasn't five columns");
         const cv::Mat photo = cv::imread(folder + fields[0]);
         if (photo.empty())
             throw InputError(folder + fields[0] + " can't be read");

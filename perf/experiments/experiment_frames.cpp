@@ -1,0 +1,185 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "options.hpp"
+#include "table.hpp"
+
+#include "opencv2/core/optim.hpp"
+#include "opencv2/imgcodecs.hpp"
+#include "opencv2/imgproc.hpp"
+#include "opencv2/rsackermann.hpp"
+#include <cstdio>
+
+using namespace cv::rsackermann;
+using namespace experiments;
+using namespace rsackermann_samples;
+
+namespace {
+
+const char* const ABOUT =
+    "Compares corrected rolling-shutter frames with global-shutter images: PSNR in dB before, and what is gained by the estimated\n"
+    "motion, by the motion that fits the global-shutter image best, and by that with roll and pitch fitted, too.\n";
+
+const char* const KEYS =
+    "{help       |        | print this message}"
+    "{frames     |        | folder with frames.csv (name,focal_px,roll_deg,pitch_deg,heading_deg) and, for each name, a folder with "
+    "rolling.png and global_middle.png}"
+    "{threads    |        | number of threads}";
+
+struct Frame
+{
+    std::string name;
+    RollingShutterCamera camera;
+    cv::Mat rolling, global;
+};
+
+cv::Mat readImage(const std::string& file)
+{
+    const cv::Mat image = cv::imread(file);
+    if (image.empty())
+        throw InputError(file + " can't be read");
+    return image;
+}
+
+Frame readFrame(const std::string& folder, const std::vector<std::string>& row)
+{
+    const double degree = CV_PI / 180;
+    double values[4];
+    for (int i = 0; i < 4; i++)
+        values[i] = parseNumber(row[i + 1], "frames.csv");
+    Frame frame;
+    frame.name = row[0];
+    frame.rolling = readImage(folder + row[0] + "/rolling.png");
+    frame.global = readImage(folder + row[0] + "/global_middle.png");
+    if (frame.rolling.size() != frame.global.size())
+        throw InputError(folder + row[0] + ": the two images differ in size");
+    frame.camera = RollingShutterCamera::fromFocal(frame.rolling.size(), values[0]);
+    frame.camera.setRollPitch(values[1] * degree, values[2] * degree);
+    frame.camera.heading = values[3] * degree;
+    return frame;
+}
+
+// PSNR of the correction by a motion; what it doesn't fill stays as it was, so that leaving out pixels doesn't pay.
+double psnr(const Frame& frame, const WarpMapGenerator& generator, const AckermannMotion& motion)
+{
+    cv::Mat x, y, mask, corrected, result = frame.rolling.clone();
+    generator.initRectifyMap(motion, x, y, CV_32FC1, mask);
+    cv::remap(frame.rolling, corrected, x, y, cv::INTER_LINEAR);
+    corrected.copyTo(result, mask);
+    return cv::PSNR(result, frame.global);
+}
+
+// PSNR to be maximised over alpha, B, D and, where wanted, roll and pitch, in steps that move pixels about equally.
+class Misfit : public cv::MinProblemSolver::Function
+{
+public:
+    Misfit(const Frame& frame_, const AckermannMotion& start_, bool fitGravity_)
+        : frame(frame_), start(start_), fitGravity(fitGravity_), generator(WarpMapGenerator::create(frame_.camera))
+    {
+    }
+
+    int getDims() const CV_OVERRIDE { return fitGravity ? 5 : 3; }
+
+    double calc(const double* x) const CV_OVERRIDE { return -psnr(frame, *generator, at(x)); }
+
+    cv::Mat1d steps() const { return row({0.005, 0.01, 0.01, 0.01, 0.01}); }
+
+    cv::Mat1d first() const { return row({start.alpha, start.B, start.D, start.rollCorrection, start.pitchCorrection}); }
+
+    AckermannMotion at(const double* x) const
+    {
+        AckermannMotion m = start;
+        m.status = MOTION_OK;
+        m.model = MODEL_4LA;
+        m.alpha = x[0];
+        m.B = x[1];
+        m.D = x[2];
+        if (fitGravity)
+        {
+            m.rollCorrection = x[3];
+            m.pitchCorrection = x[4];
+        }
+        // The wall is seen at the heading, to the side of which it lies.
+        m.direction = m.D >= 0 ? 1 : -1;
+        return m;
+    }
+
+private:
+    cv::Mat1d row(const std::vector<double>& values) const { return cv::Mat(values, true).reshape(1, 1).colRange(0, getDims()); }
+
+    const Frame& frame;
+    AckermannMotion start;
+    bool fitGravity;
+    cv::Ptr<WarpMapGenerator> generator;
+};
+
+Frame blurred(const Frame& frame, double sigma)
+{
+    cv::Mat rolling, global;
+    cv::GaussianBlur(frame.rolling, rolling, cv::Size(), sigma);
+    cv::GaussianBlur(frame.global, global, cv::Size(), sigma);
+    Frame result = frame;
+    result.rolling = rolling;
+    result.global = global;
+    return result;
+}
+
+// From coarse to fine, as the misfit of a sharp image has many minima.
+AckermannMotion fitMotion(const Frame& frame, const AckermannMotion& start, bool fitGravity)
+{
+    AckermannMotion motion = start;
+    for (double sigma : {8., 2., 0.})
+    {
+        const Frame image = sigma > 0 ? blurred(frame, sigma) : frame;
+        const cv::Ptr<Misfit> misfit = cv::makePtr<Misfit>(image, motion, fitGravity);
+        cv::Mat1d x = misfit->first();
+        cv::DownhillSolver::create(misfit, misfit->steps(), cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 300, 1e-4))
+            ->minimize(x);
+        motion = misfit->at(x[0]);
+    }
+    return motion;
+}
+
+int run(int argc, const char* const* argv)
+{
+    Options options(argc, argv, KEYS);
+    if (options.given("help"))
+    {
+        options.printHelp(ABOUT);
+        return 0;
+    }
+    if (!options.arguments().empty() || !options.given("frames"))
+        throw UsageError("--frames=FOLDER is expected");
+    if (options.given("threads"))
+        cv::setNumThreads(options.integer("threads", 1, 1024));
+    const std::string folder = options.text("frames") + "/";
+
+    double sums[3] = {0, 0, 0};
+    const std::vector<std::vector<std::string> > rows =
+        readTable(folder + "frames.csv", {"name", "focal_px", "roll_deg", "pitch_deg", "heading_deg"});
+    std::printf("frame\tbefore\testimated\tbest motion\tand gravity\n");
+    for (const std::vector<std::string>& row : rows)
+    {
+        const Frame frame = readFrame(folder, row);
+        const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(frame.camera);
+        const double before = psnr(frame, *generator, AckermannMotion());
+        const AckermannMotion estimated = AckermannEstimator::create(frame.camera)->estimateFromImage(frame.rolling);
+        double gains[3] = {psnr(frame, *generator, estimated) - before, 0, 0};
+        for (int fitGravity = 0; fitGravity < 2; fitGravity++)
+            for (const AckermannMotion& start : {estimated, AckermannMotion()})
+                gains[1 + fitGravity] = std::max(gains[1 + fitGravity], psnr(frame, *generator, fitMotion(frame, start, fitGravity > 0)) - before);
+        std::printf("%s\t%.2f\t%+.2f\t%+.2f\t%+.2f\n", frame.name.c_str(), before, gains[0], gains[1], gains[2]);
+        for (int i = 0; i < 3; i++)
+            sums[i] += gains[i] / double(rows.size());
+    }
+    std::printf("mean\t\t%+.2f\t%+.2f\t%+.2f\n", sums[0], sums[1], sums[2]);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return runProgram(run, argc, argv);
+}
