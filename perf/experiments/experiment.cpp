@@ -39,16 +39,71 @@ RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowled
 MotionPrior toldMotion(const street::StreetScene& truth, const Knowledge& knowledge, cv::RNG& rng)
 {
     MotionPrior prior;
-    prior.speed = truth.speed + rng.gaussian(knowledge.speedSigma);
+    const double error = knowledge.exactPriors ? 0 : 1;
+    prior.speed = truth.speed + rng.gaussian(error * knowledge.speedSigma);
     prior.speedSigma = knowledge.speedSigma;
-    prior.yawRate = truth.yawRate + rng.gaussian(knowledge.yawRateSigma);
+    prior.yawRate = truth.yawRate + rng.gaussian(error * knowledge.yawRateSigma);
     prior.yawRateSigma = knowledge.yawRateSigma;
+    prior.wallDirection = truth.wallDirection + rng.gaussian(error * knowledge.wallDirectionSigma);
+    prior.wallDirectionSigma = knowledge.wallDirectionSigma;
     return prior;
 }
 
 double sigmaOf(double variance, double unit)
 {
     return variance > 0 ? std::sqrt(variance) / unit : NOT_KNOWN;
+}
+
+// The segments of the global-shutter image with their ends where the rolling shutter shows them.
+cv::Mat exactSegments(const Case& c, const AckermannEstimator::Params& params)
+{
+    const cv::Mat image = c.photo.empty() ? street::StreetRenderer(c.camera, c.scene).globalShutter() : c.photo;
+    cv::Mat segments, moved;
+    detectSegments(image, segments, params.detector, params.minLength);
+    WarpMapGenerator::create(libraryCamera(c.camera))->distortPoints(libraryMotion(c.camera, c.scene), segments.reshape(2, segments.rows * 2), moved);
+    return moved.reshape(1, segments.rows);
+}
+
+// The segments that the largest slant allows to be vertical in the scene.
+cv::Mat verticalOnes(const cv::Mat& segments, double maxSlant)
+{
+    cv::Mat verticals(0, 4, CV_32F);
+    for (int i = 0; i < segments.rows; i++)
+    {
+        const cv::Vec4f s = segments.at<cv::Vec4f>(i);
+        if (std::abs(s[0] - s[2]) <= maxSlant * std::abs(s[1] - s[3]))
+            verticals.push_back(segments.row(i));
+    }
+    return verticals;
+}
+
+// Mean displacement that errors with the motion's covariance would leave, by the maps of motions drawn with it.
+double predictedDisplacement(const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Mat maps[2], const cv::Mat& mask, int samples,
+                             cv::RNG& rng)
+{
+    cv::Mat values, vectors;
+    cv::eigen(cv::Mat(motion.covariance), values, vectors);
+    double sum = 0;
+    for (int i = 0; i < samples; i++)
+    {
+        cv::Vec4d change;
+        for (int k = 0; k < 4; k++)
+        {
+            const double size = rng.gaussian(std::sqrt(std::max(0., values.at<double>(k))));
+            change += size * cv::Vec4d(vectors.ptr<double>(k));
+        }
+        AckermannMotion other = motion;
+        other.alpha += change[0];
+        other.B += change[1];
+        other.D += change[2];
+        other.lambda = std::max(other.lambda + change[3], 0.);
+        const double size = std::hypot(motion.B, motion.D);
+        other.G *= size > 0 ? std::hypot(other.B, other.D) / size : 1;
+        cv::Mat changed[2];
+        WarpMapGenerator::create(camera)->initRectifyMap(other, changed[0], changed[1]);
+        sum += meanDistance(changed[0], changed[1], maps[0], maps[1], mask);
+    }
+    return sum / samples;
 }
 
 } // namespace
@@ -67,13 +122,22 @@ cv::Mat makeImage(const Case& c)
     return image;
 }
 
-Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::Params& params, const Knowledge& knowledge, unsigned seed)
+Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experiment, unsigned seed)
 {
+    const Knowledge& knowledge = experiment.knowledge;
+    const AckermannEstimator::Params& params = experiment.params;
     cv::RNG rng(seed * 7717u + 1);
     rng.next(); // the first normal deviate of a small seed is 0
     const RollingShutterCamera camera = toldCamera(c.camera, knowledge, rng);
     const MotionPrior prior = toldMotion(c.scene, knowledge, rng);
-    const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimateFromImage(image, cv::noArray(), cv::noArray(), prior);
+    cv::Mat segments;
+    if (experiment.segments.exact)
+        segments = exactSegments(c, params);
+    else
+        detectSegments(image, segments, params.detector, params.minLength);
+    if (experiment.segments.verticalsOnly)
+        segments = verticalOnes(segments, params.maxSlant);
+    const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, cv::noArray(), prior);
 
     cv::Mat identity[2], truth[2], estimated[2], mask;
     identityMaps(c.camera.size, identity[0], identity[1]);
@@ -98,6 +162,9 @@ Result evaluate(const Case& c, const cv::Mat& image, const AckermannEstimator::P
     const cv::Matx44d covariance = motion.metricCovariance(camera);
     result.yawRateSigma = ok ? sigmaOf(covariance(0, 0), CV_PI / 180) : NOT_KNOWN;
     result.speedSigma = ok ? sigmaOf(covariance(1, 1), 1 / 3.6) : NOT_KNOWN;
+    result.floor = ok && experiment.floorSamples > 0
+                       ? predictedDisplacement(camera, motion, estimated, mask, experiment.floorSamples, rng)
+                       : NOT_KNOWN;
     return result;
 }
 

@@ -16,8 +16,19 @@ struct Knowledge
     double focalError;    //!< of the focal length: 0.1 for 10 % too long
     double speedSigma;    //!< metres per second, of the error of a known speed; 0: it isn't known
     double yawRateSigma;  //!< radians per second, of the error of a known yaw rate; 0: it isn't known
+    double wallDirectionSigma; //!< radians, of the error of a known line at infinity; 0: it isn't known
+    bool exactPriors;     //!< what is known has no error, whatever its standard deviation
 
-    Knowledge() : gravityNoise(0), focalError(0), speedSigma(0), yawRateSigma(0) {}
+    Knowledge() : gravityNoise(0), focalError(0), speedSigma(0), yawRateSigma(0), wallDirectionSigma(0), exactPriors(false) {}
+};
+
+//! Which segments the estimator gets.
+struct SegmentChoice
+{
+    bool verticalsOnly; //!< those that may be images of vertical lines
+    bool exact;         //!< found in the global-shutter image, their ends moved by the true motion: without errors of detection in a bent image
+
+    SegmentChoice() : verticalsOnly(false), exact(false) {}
 };
 
 //! One rolling-shutter image with known truth.
@@ -40,6 +51,18 @@ struct Result
     double speedError;          //!< km/h; NaN where the speed isn't known
     double speedSigma;          //!< its standard deviation as the estimator sees it; NaN where there is none
     double deltaError;          //!< pixels; NaN where there are no walls
+    double floor;               //!< displacement in pixels that the estimator's covariance predicts; NaN where it wasn't asked for
+};
+
+//! What an experiment does with its images.
+struct Experiment
+{
+    cv::rsackermann::AckermannEstimator::Params params;
+    Knowledge knowledge;
+    SegmentChoice segments;
+    int floorSamples; //!< motions drawn from the covariance to predict the displacement; 0: it isn't predicted
+
+    Experiment() : floorSamples(0) {}
 };
 
 //! The rolling-shutter image of a case.
@@ -47,8 +70,7 @@ cv::Mat makeImage(const Case& c);
 
 /** Estimates the motion from an image and compares the map with the true one.
 @param seed of the errors in what the estimator is told. */
-Result evaluate(const Case& c, const cv::Mat& image, const cv::rsackermann::AckermannEstimator::Params& params,
-                const Knowledge& knowledge, unsigned seed);
+Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experiment, unsigned seed);
 
 //! Quantile of the numbers among the values, NaN where there is none.
 double quantile(std::vector<double> values, double fraction);

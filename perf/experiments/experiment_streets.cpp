@@ -23,14 +23,45 @@ const char* const KEYS =
     "where there are none)}"
     "{speed_sigma | 0     | km/h; the estimator is told the speed with errors of this standard deviation; 0: it isn't told}"
     "{yaw_rate_sigma | 0  | deg/s; the same for the yaw rate}"
+    "{wall_direction_sigma | 0 | degrees; the same for the line at infinity of the walls}"
+    "{exact_priors |      | these values are told without errors, but with their standard deviations}"
     "{focal_error | 0     | of the focal length that the estimator is told, percent}"
     "{model      | auto   | auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | lsd, fld or edlines}"
+    "{only_verticals |    | the estimator gets no segments but those that may be vertical}"
+    "{exact_segments |    | segments of the global-shutter image, moved by the true motion, in the place of detected ones}"
+    "{floor      | 0      | number of motions drawn from the covariance of each estimate to predict the displacement left}"
     "{quiet      |        | print the summary only}"
     "{save       |        | folder for the rolling-shutter images}"
     "{threads    |        | number of threads}";
 
 const double DEGREE = CV_PI / 180, KMH = 1 / 3.6;
+
+Experiment makeExperiment(const Options& options, const std::vector<Case>& cases)
+{
+    Experiment experiment;
+    Knowledge& knowledge = experiment.knowledge;
+    knowledge.gravityNoise = options.number("gravity_noise", 0, 45) * DEGREE;
+    knowledge.speedSigma = options.number("speed_sigma", 0, 1000) * KMH;
+    knowledge.yawRateSigma = options.number("yaw_rate_sigma", 0, 1000) * DEGREE;
+    knowledge.wallDirectionSigma = options.number("wall_direction_sigma", 0, 90) * DEGREE;
+    knowledge.exactPriors = options.flag("exact_priors");
+    knowledge.focalError = options.number("focal_error", -90, 1000) / 100;
+    AckermannEstimator::Params& params = experiment.params;
+    static const int models[] = {MODEL_AUTO, MODEL_4LA, MODEL_3LA, MODEL_1LA, MODEL_NONE};
+    params.model = models[options.choice("model", {"auto", "4la", "3la", "1la", "none"})];
+    params.detector = options.choice("detector", {"lsd", "fld", "edlines"});
+    if (!cases.empty())
+        params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
+    if (options.given("gravity_sigma"))
+        params.gravitySigma = options.number("gravity_sigma", 0, 45) * DEGREE;
+    else if (knowledge.gravityNoise > 0)
+        params.gravitySigma = knowledge.gravityNoise;
+    experiment.segments.verticalsOnly = options.flag("only_verticals");
+    experiment.segments.exact = options.flag("exact_segments");
+    experiment.floorSamples = options.integer("floor", 0, 1000);
+    return experiment;
+}
 
 int run(int argc, const char* const* argv)
 {
@@ -46,21 +77,7 @@ int run(int argc, const char* const* argv)
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const std::vector<Case> cases = makeCases(options);
 
-    Knowledge knowledge;
-    knowledge.gravityNoise = options.number("gravity_noise", 0, 45) * DEGREE;
-    knowledge.speedSigma = options.number("speed_sigma", 0, 1000) * KMH;
-    knowledge.yawRateSigma = options.number("yaw_rate_sigma", 0, 1000) * DEGREE;
-    knowledge.focalError = options.number("focal_error", -90, 1000) / 100;
-    AckermannEstimator::Params params;
-    static const int models[] = {MODEL_AUTO, MODEL_4LA, MODEL_3LA, MODEL_1LA, MODEL_NONE};
-    params.model = models[options.choice("model", {"auto", "4la", "3la", "1la", "none"})];
-    params.detector = options.choice("detector", {"lsd", "fld", "edlines"});
-    if (!cases.empty())
-        params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
-    if (options.given("gravity_sigma"))
-        params.gravitySigma = options.number("gravity_sigma", 0, 45) * DEGREE;
-    else if (knowledge.gravityNoise > 0)
-        params.gravitySigma = knowledge.gravityNoise;
+    const Experiment experiment = makeExperiment(options, cases);
     const unsigned seed = unsigned(options.integer("seed", 0, 1 << 20));
     const std::string save = options.given("save") ? options.text("save") + "/" : "";
 
@@ -71,7 +88,7 @@ int run(int argc, const char* const* argv)
             const cv::Mat image = makeImage(cases[i]);
             if (!save.empty())
                 cv::imwrite(save + cv::format("%03d_", i) + cases[i].name + ".png", image);
-            results[i] = evaluate(cases[i], image, params, knowledge, seed + unsigned(i));
+            results[i] = evaluate(cases[i], image, experiment, seed + unsigned(i));
         }
     }, double(cases.size()));
 

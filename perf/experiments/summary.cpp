@@ -14,9 +14,9 @@ namespace {
 void printCase(const Case& c, const Result& r)
 {
     static const char* const statuses[] = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
-    std::printf("%s\t%.0f\t%.0f\t%s\t%d\t%d\t%d\t%.3f\t%.3f\t%.2f\t%.2f\t%.2f\t%.2f\t%.1f\n", c.name.c_str(), c.scene.speed * 3.6,
+    std::printf("%s\t%.0f\t%.0f\t%s\t%d\t%d\t%d\t%.3f\t%.3f\t%.2f\t%.2f\t%.2f\t%.2f\t%.1f\t%.3f\n", c.name.c_str(), c.scene.speed * 3.6,
                 c.scene.yawRate * 180 / CV_PI, statuses[r.status], r.model, r.candidates, r.inliers, r.raw, r.left, r.yawRateError, r.yawRateSigma,
-                r.speedError, r.speedSigma, r.deltaError);
+                r.speedError, r.speedSigma, r.deltaError, r.floor);
 }
 
 // How often the truth lies within two and three of the estimator's standard deviations.
@@ -40,19 +40,20 @@ void printCoverage(const char* name, const std::vector<double>& ratios)
 void printCases(const std::vector<Case>& cases, const std::vector<Result>& results)
 {
     std::printf("case\tspeed\tyaw_rate\tstatus\tmodel\tcandidates\tinliers\traw_px\tleft_px\tyaw_rate_error\tyaw_rate_sigma\tspeed_error\t"
-                "speed_sigma\tdelta_error_px\n");
+                "speed_sigma\tdelta_error_px\tfloor_px\n");
     for (size_t i = 0; i < cases.size(); i++)
         printCase(cases[i], results[i]);
 }
 
 void printSummary(const std::vector<Result>& results)
 {
-    std::vector<double> values[5], ratios[2];
+    enum { COLUMNS = 6 };
+    std::vector<double> values[COLUMNS], ratios[2];
     int ok = 0, worse = 0;
     for (const Result& r : results)
     {
-        const double row[5] = {r.raw, r.left, std::abs(r.yawRateError), std::abs(r.speedError), std::abs(r.deltaError)};
-        for (int i = 0; i < 5; i++)
+        const double row[COLUMNS] = {r.raw, r.left, std::abs(r.yawRateError), std::abs(r.speedError), std::abs(r.deltaError), r.floor};
+        for (int i = 0; i < COLUMNS; i++)
             values[i].push_back(row[i]);
         ratios[0].push_back(std::abs(r.yawRateError) / r.yawRateSigma);
         ratios[1].push_back(std::abs(r.speedError) / r.speedSigma);
@@ -60,12 +61,13 @@ void printSummary(const std::vector<Result>& results)
         worse += r.left > r.raw + 1e-6;
     }
     static const char* const names[] = {"displacement raw, px", "displacement left, px", "yaw rate error, deg/s", "speed error, km/h",
-                                        "line at infinity error, px"};
+                                        "line at infinity error, px", "predicted by covariance, px"};
     std::printf("\n%d cases, %d with status ok, %d worse than the raw image\n", int(results.size()), ok, worse);
     std::printf("%-28s %8s %8s %8s %8s\n", "", "median", "p90", "mean", "max");
-    for (int i = 0; i < 5; i++)
-        std::printf("%-28s %8.3f %8.3f %8.3f %8.3f\n", names[i], quantile(values[i], 0.5), quantile(values[i], 0.9), mean(values[i]),
-                    quantile(values[i], 1));
+    for (int i = 0; i < COLUMNS; i++)
+        if (!std::isnan(mean(values[i])))
+            std::printf("%-28s %8.3f %8.3f %8.3f %8.3f\n", names[i], quantile(values[i], 0.5), quantile(values[i], 0.9), mean(values[i]),
+                        quantile(values[i], 1));
     printCoverage("yaw rate", ratios[0]);
     printCoverage("speed", ratios[1]);
 }
