@@ -16,7 +16,6 @@ struct Knowledge
     int streetLines;     // segments along the street, beside 60 of which four in five are vertical lines
     double gravityNoise; // degrees, standard deviation of the errors of roll and pitch, which the estimator knows of
     double speedSigma;   // m/s, of the error of a known speed; 0: it isn't known
-    double least2, least3; // shares of the truth within two and three standard deviations
 };
 
 void PrintTo(const Knowledge& knowledge, std::ostream* out) { *out << knowledge.name; }
@@ -82,12 +81,11 @@ struct Coverage
 class RSAckermann_Covariance : public testing::TestWithParam<Knowledge> {};
 
 // For standard deviations that are those of the errors a share of 95.4 % is expected within two and 99.7 % within three of
-// them; the goal is 90 % and 98 %. It is not reached for every value yet (doc/results.md, "Calibration of the covariance"):
-// the bounds are a little below what is reached, so that it doesn't get worse unnoticed.
+// them. Larger ones would pass, too, if they weren't bounded: at most 99.5 % may lie within two.
 TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
 {
     const Knowledge& knowledge = GetParam();
-    const int frames = 500;
+    const int frames = 1000;
     const double degree = CV_PI / 180;
     RNG rng(2018);
     Coverage coverage[4];
@@ -126,15 +124,13 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
         RecordProperty(cv::format("within_2_sigma_of_value_%d", k).c_str(), cv::format("%.3f", share2).c_str());
         RecordProperty(cv::format("within_3_sigma_of_value_%d", k).c_str(), cv::format("%.3f", share3).c_str());
         EXPECT_GE(c.known, frames * 4 / 5) << names[k];
-        EXPECT_GE(share2, knowledge.least2) << names[k];
-        EXPECT_GE(share3, knowledge.least3) << names[k];
+        EXPECT_GE(share2, 0.90) << names[k];
+        EXPECT_LE(share2, 0.995) << names[k];
+        EXPECT_GE(share3, 0.98) << names[k];
     }
 }
 
-const Knowledge knowledges[] = {{"verticals", 0, 0, 0, 0.68, 0.80},
-                                {"street_lines", 40, 0, 0, 0.90, 0.96},
-                                {"speed", 40, 0, 0.5, 0.90, 0.97},
-                                {"gravity_off_by_1_degree", 40, 1, 0, 0.83, 0.92}};
+const Knowledge knowledges[] = {{"verticals", 0, 0, 0}, {"street_lines", 40, 0, 0}, {"speed", 40, 0, 0.5}, {"gravity_off_by_1_degree", 40, 1, 0}};
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, RSAckermann_Covariance, testing::ValuesIn(knowledges));
 

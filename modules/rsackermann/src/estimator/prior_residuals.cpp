@@ -12,7 +12,7 @@ namespace rsackermann {
 PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                        const MotionLimits& limits)
     : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma), hasPrevious(false),
-      usualAlpha(0.4 * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDirectionSigma), reversePenalty(-2 * std::log(params.reverseProbability))
+      usualAlpha(0.5 * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDirectionSigma), reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
     if (unit > 0 && prior.yawRateSigma > 0)
@@ -72,6 +72,11 @@ int PriorTerms::evaluate(const Model& model, const Structure& structure, Jet res
     // The cost of a residual is its square.
     if (headingSigma > 0 && structure.translates())
         residuals[n++] = (1 / headingSigma) * (std::cos(heading) * D - std::sin(heading) * B) / (length(B, D) + 1e-12);
+    if (structure.walls == 2)
+    {
+        const Jet ratio = Jet::variable(model[P_LAMBDA], P_LAMBDA);
+        residuals[n++] = (1 / usualLogRatio()) * ratio.apply(std::log(ratio.value), 1 / ratio.value);
+    }
     if (model.direction < 0)
         residuals[n++] = Jet(std::sqrt(reversePenalty));
     if (hasPrevious)

@@ -30,7 +30,10 @@ struct PriorTerms
     PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                const MotionLimits& limits);
 
-    enum { MAX_RESIDUALS = 10 };
+    //! Standard deviation of the logarithm of the ratio of the walls: one is seldom far more distant than the other.
+    static double usualLogRatio() { return 0.8; }
+
+    enum { MAX_RESIDUALS = 11 };
     //! @return number of residuals.
     int evaluate(const Model& model, const Structure& structure, Jet residuals[MAX_RESIDUALS]) const;
 };

@@ -139,7 +139,7 @@ static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem
 }
 
 double refine(const RefinementProblem& problem, const Structure& structure, Evidence evidence, int maxIterations, Model& model,
-              Matx<double, PARAMETERS, PARAMETERS>* covariance)
+              Matx<double, PARAMETERS, PARAMETERS>* covariance, double* inflation)
 {
     const FreeParameters unknowns = freeParameters(problem, structure, evidence);
     const int n = unknowns.count;
@@ -174,6 +174,8 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
         if (before - sums.cost < tolerance * (sums.cost + tolerance))
             break;
     }
+    if (inflation)
+        *inflation = covarianceInflation(sums, n);
     if (covariance)
         *covariance = covarianceAt(problem, structure, unknowns, model, sums);
     return sums.cost;

@@ -48,10 +48,12 @@ enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
 @param structure which unknowns are free.
 @param model start and result.
 @param covariance receives, unless it is null, the covariance of all parameters; 0 for those that aren't free.
+@param inflation receives, unless it is null, the factor by which the covariance of what the segments say exceeds the inverse of
+their normal equations.
 @return cost of the result.
 */
 double refine(const RefinementProblem& problem, const Structure& structure, Evidence evidence, int maxIterations, Model& model,
-              Matx<double, PARAMETERS, PARAMETERS>* covariance = 0);
+              Matx<double, PARAMETERS, PARAMETERS>* covariance = 0, double* inflation = 0);
 
 }} // namespace cv::rsackermann
 

@@ -3,10 +3,12 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "consensus.hpp"
 #include "direction_residual.hpp"
 #include "lo_ransac.hpp"
 #include "selection.hpp"
 #include "street_direction.hpp"
+#include "uncertainty.hpp"
 #include "vertical_residual.hpp"
 
 namespace cv {
@@ -56,99 +58,18 @@ static bool fitVerticals(const RefinementProblem& problem, const AckermannEstima
     return true;
 }
 
-// Bayesian information criterion, with a larger penalty than for independent errors: those of neighbouring segments are
-// alike. A second wall belongs to the scene rather than to the motion and costs no more than what it explains by chance.
-static double criterion(const RefinementProblem& problem, const Structure& structure, double cost)
-{
-    const double dependence = 1.5, secondWall = 2;
-    const int unknowns = (structure.turns() ? 1 : 0) + (structure.translates() ? 2 : 0);
-    return cost + dependence * unknowns * std::log((double)problem.verticals.size()) + (structure.walls == 2 ? secondWall : 0);
-}
-
-static void refineFrom(const RefinementProblem& problem, const Model& start, const Structure& structure, std::vector<Fit>& minima)
-{
-    Fit next(structure);
-    next.model = start;
-    next.cost = refine(problem, structure, ALL_SEGMENTS, 30, next.model, &next.covariance);
-    minima.push_back(next);
-}
-
-static bool isCheaper(const Fit& a, const Fit& b)
-{
-    return a.cost < b.cost;
-}
-
-// Mean square deviation of a fit's motion, with its covariance, from another model.
-static Matx<double, PARAMETERS, PARAMETERS> covarianceAround(const Fit& fit, const Model& model)
-{
-    Vec<double, PARAMETERS> difference;
-    for (int k = 0; k < PARAMETERS; k++)
-        difference[k] = fit.model.value[k] - model.value[k];
-    return fit.covariance + difference * difference.t();
-}
-
-// The best minimum, with the covariance of the mixture of all of them: another one that is nearly as good is as likely.
-static Fit mixture(std::vector<Fit>& minima)
-{
-    std::sort(minima.begin(), minima.end(), isCheaper);
-    Fit best = minima[0];
-    double sum = 1;
-    for (size_t i = 1; i < minima.size(); i++)
-    {
-        const double likelihood = std::exp(-(minima[i].cost - best.cost) / 2);
-        bool isNew = minima[i].model.direction == best.model.direction;
-        for (size_t j = 0; j < i && isNew; j++)
-            isNew = std::abs(minima[i].model[P_ALPHA] - minima[j].model[P_ALPHA]) > 0.2 * std::sqrt(minima[0].covariance(P_ALPHA, P_ALPHA));
-        if (!isNew || !(likelihood > 1e-6))
-            continue;
-        best.covariance += likelihood * covarianceAround(minima[i], minima[0].model);
-        sum += likelihood;
-    }
-    best.covariance *= 1 / sum;
-    return best;
-}
-
 // Joint refinement from several starts, and from each with the street where the other segments see it.
 static Fit fitAllSegments(const RefinementProblem& problem, const Structure& structure, const std::vector<Model>& starts)
 {
     std::vector<Fit> minima;
     for (size_t i = 0; i < starts.size(); i++)
     {
-        refineFrom(problem, starts[i], structure, minima);
-        Model turned = starts[i];
-        if (startFromStreetDirection(problem, structure, turned))
-            refineFrom(problem, turned, structure, minima);
+        minima.push_back(refineFrom(problem, starts[i], structure));
+        Model towardsStreet = starts[i];
+        if (startFromStreetDirection(problem, structure, towardsStreet))
+            minima.push_back(refineFrom(problem, towardsStreet, structure));
     }
-    Fit fit = *std::min_element(minima.begin(), minima.end(), isCheaper);
-    fit.criterion = criterion(problem, structure, fit.cost);
-    return fit;
-}
-
-// Refinement of a fit for another noise.
-static void refineAgain(const RefinementProblem& problem, Fit& fit)
-{
-    fit.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, fit.model, &fit.covariance);
-    fit.criterion = criterion(problem, fit.structure, fit.cost);
-}
-
-// Yaw rate and walls can take each other's place: looks for other minima to both sides along that valley.
-static void exploreValley(const RefinementProblem& problem, Fit& fit)
-{
-    const double sigma = std::sqrt(fit.covariance(P_ALPHA, P_ALPHA));
-    if (fit.structure.motion != MODEL_4LA || !(sigma > 0))
-        return;
-    std::vector<Fit> minima(1, fit);
-    const double steps[] = {-4, -2, 2, 4};
-    for (int k = 0; k < 4; k++)
-    {
-        Model start = fit.model;
-        for (int i = 0; i < PARAMETERS; i++)
-            start.value[i] += steps[k] * fit.covariance(i, P_ALPHA) / sigma;
-        if (problem.limits.allow(start))
-            refineFrom(problem, start, fit.structure, minima);
-    }
-    fit = mixture(minima);
-    fit.criterion = criterion(problem, fit.structure, fit.cost);
+    return *std::min_element(minima.begin(), minima.end(), isCheaper);
 }
 
 static const Fit& bestOf(const std::vector<Fit>& fits)
@@ -199,6 +120,40 @@ static void dropHopeless(std::vector<Fit>& fits)
     fits.erase(std::remove_if(fits.begin(), fits.end(), [best, far](const Fit& f) { return f.criterion > best + far; }), fits.end());
 }
 
+// What a structure makes of the model of another one; false where that says nothing of its walls.
+static bool convert(const Fit& from, const Structure& to, Model& model)
+{
+    model = from.model;
+    if (!to.turns())
+        model[P_ALPHA] = 0;
+    if (!to.translates())
+    {
+        if (from.structure.translates())
+            model[P_STREET] = azimuthOf(from.model);
+        model[P_B] = model[P_D] = model[P_LAMBDA] = 0;
+        model.direction = 0;
+        return true;
+    }
+    if (to.walls == 2 && from.structure.walls == 1)
+        model[P_LAMBDA] = 1;
+    return from.structure.walls > 0 && from.structure.walls <= to.walls;
+}
+
+// Structures compare fairly where each has the best minimum that it can have: starts from the one of the best fit, too.
+static void startFromBest(const RefinementProblem& problem, std::vector<Fit>& fits)
+{
+    const Fit best = bestOf(fits);
+    for (size_t i = 0; i < fits.size(); i++)
+    {
+        Model start;
+        if (!convert(best, fits[i].structure, start))
+            continue;
+        const Fit other = refineFrom(problem, start, fits[i].structure);
+        if (other.cost < fits[i].cost)
+            fits[i] = other;
+    }
+}
+
 Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& params)
 {
     const std::vector<Structure> structures = allowedStructures(params.model, problem.heading);
@@ -214,6 +169,8 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
         fits.push_back(fitAllSegments(problem, structures[i], starts));
     }
 
+    startFromBest(problem, fits);
+
     // Again with the noise that was found, which decides how much evidence there is; until it stays about the same.
     for (int pass = 0; pass < 4; pass++)
     {
@@ -226,15 +183,12 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
             break;
     }
 
-    // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does, as seen from it.
-    Fit best = bestOf(fits);
-    exploreValley(problem, best);
+    const double relevant = 20, lowest = bestOf(fits).criterion;
     for (size_t i = 0; i < fits.size(); i++)
-        if (best.structure.motion == MODEL_3LA && fits[i].structure.motion == MODEL_4LA && fits[i].structure.walls == best.structure.walls)
-        {
+        if (fits[i].criterion < lowest + relevant)
             exploreValley(problem, fits[i]);
-            best.covariance = covarianceAround(fits[i], best.model);
-        }
+    Fit best = bestOf(fits);
+    addOtherStructures(fits, best);
     return best;
 }
 

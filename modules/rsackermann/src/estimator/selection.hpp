@@ -5,22 +5,10 @@
 #ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_SELECTION_HPP
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_SELECTION_HPP
 
-#include "consensus.hpp"
+#include "fit.hpp"
 
 namespace cv {
 namespace rsackermann {
-
-//! A motion structure with its best model.
-struct Fit
-{
-    Structure structure;
-    Model model;
-    double cost;      // robust, in units of sigma^2
-    double criterion; // information criterion; the lower the better
-    Matx<double, PARAMETERS, PARAMETERS> covariance;
-
-    explicit Fit(const Structure& s) : structure(s), cost(DBL_MAX), criterion(DBL_MAX) {}
-};
 
 /** Fits all motion structures that Params::model and the heading allow and returns the one with the best Bayesian information
 criterion (doc/theory.md, "Estimation"). A camera at rest is among them.

@@ -1,0 +1,198 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "uncertainty.hpp"
+#include <Eigen/Cholesky>
+
+namespace cv {
+namespace rsackermann {
+
+typedef Matx<double, PARAMETERS, PARAMETERS> Covariance;
+
+static double azimuthVariance(const Fit& fit)
+{
+    const double B = fit.model[P_B], D = fit.model[P_D], size2 = B * B + D * D;
+    const Covariance& C = fit.covariance;
+    return (B * B * C(P_D, P_D) + D * D * C(P_B, P_B) - 2 * B * D * C(P_B, P_D)) / (size2 * size2);
+}
+
+// Logarithm of the volume of the ellipsoid of a fit's covariance, for a ratio of the walls on a logarithmic scale.
+static double logVolume(const Fit& fit)
+{
+    int free[PARAMETERS], n = 0;
+    for (int i = 0; i < PARAMETERS; i++)
+        if (fit.covariance(i, i) > 0)
+            free[n++] = i;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, PARAMETERS, PARAMETERS> correlation(n, n);
+    double sum = fit.model[P_LAMBDA] > 0 ? -std::log(fit.model[P_LAMBDA]) : 0;
+    for (int i = 0; i < n; i++)
+    {
+        const double variance = fit.covariance(free[i], free[i]);
+        sum += 0.5 * std::log(variance);
+        for (int j = 0; j < n; j++)
+            correlation(i, j) = fit.covariance(free[i], free[j]) / std::sqrt(variance * fit.covariance(free[j], free[j]));
+    }
+    return sum + 0.5 * std::log(std::max(correlation.ldlt().vectorD().prod(), 1e-30));
+}
+
+// By how much the logarithm of a fit's likelihood is below that of the best one. The segments say less than their number, by the
+// same factor as in the covariance.
+static double worse(const Fit& fit, const Fit& best)
+{
+    return (fit.cost - best.cost) / (2 * best.inflation);
+}
+
+// Sum of mean square deviations from a model, each with the logarithm of its weight.
+class Mixture
+{
+public:
+    Mixture() : weight(0), logScale(-DBL_MAX) {}
+
+    void add(double logWeight, const Covariance& deviation)
+    {
+        // The largest weight so far is 1: none overflows.
+        if (logWeight > logScale)
+        {
+            const double rescaled = weight > 0 ? std::exp(logScale - logWeight) : 0;
+            sum *= rescaled;
+            weight *= rescaled;
+            logScale = logWeight;
+        }
+        const double w = std::exp(logWeight - logScale);
+        sum += w * deviation;
+        weight += w;
+    }
+
+    Covariance mean() const { return sum * (1 / weight); }
+
+private:
+    Covariance sum;
+    double weight, logScale;
+};
+
+// Where the two are one minimum, found twice.
+static bool isSame(const Fit& a, const Fit& b)
+{
+    const double near2 = 0.2 * 0.2, alpha = a.model[P_ALPHA] - b.model[P_ALPHA], azimuth = azimuthOf(a.model) - azimuthOf(b.model);
+    return alpha * alpha <= near2 * a.covariance(P_ALPHA, P_ALPHA) && azimuth * azimuth <= near2 * azimuthVariance(a);
+}
+
+// Other minima to both sides along the direction in which the yaw rate is least known; the first one is the cheapest.
+static std::vector<Fit> findMinima(const RefinementProblem& problem, const Fit& fit)
+{
+    std::vector<Fit> minima(1, fit);
+    const double sigma = std::sqrt(fit.covariance(P_ALPHA, P_ALPHA)), steps[] = {-4, -2, 2, 4};
+    for (int k = 0; k < 4; k++)
+    {
+        Model start = fit.model;
+        for (int i = 0; i < PARAMETERS; i++)
+            start.value[i] += steps[k] * fit.covariance(i, P_ALPHA) / sigma;
+        if (problem.limits.allow(start))
+            minima.push_back(refineFrom(problem, start, fit.structure));
+    }
+    std::sort(minima.begin(), minima.end(), isCheaper);
+    return minima;
+}
+
+// Adds the fits with given walls from an azimuth on to one side, until they are as good as impossible.
+static void addSide(const RefinementProblem& problem, const Fit& best, double sigma, double first, double side, Mixture& mixture)
+{
+    const double growth = 1.5, farthest = 0.5, impossible = 6, exactness = 1e-4;
+    RefinementProblem pinned = problem;
+    pinned.prior.streetSigma = exactness * sigma;
+    Fit fit = best;
+    int tooExpensive = 0;
+    double azimuth = azimuthOf(best.model) + first, step = 0.7 * sigma, width = step;
+    // There may be a low place behind a high one, as verticals change from one wall to the other.
+    while (tooExpensive < 2 && std::abs(azimuth - azimuthOf(best.model)) < farthest)
+    {
+        pinned.prior.street = azimuth;
+        fit.model = turned(fit.model, azimuth - azimuthOf(fit.model));
+        fit.cost = refine(pinned, fit.structure, ALL_SEGMENTS, 10, fit.model, &fit.covariance);
+        if (problem.prior.streetSigma > 0)
+            fit.cost += std::pow(std::sin(azimuth - problem.prior.street) / problem.prior.streetSigma, 2);
+        mixture.add(std::log(width) + logVolume(fit) - worse(fit, best), covarianceAround(fit, best.model));
+        tooExpensive = worse(fit, best) > impossible ? tooExpensive + 1 : 0;
+        azimuth += side * step;
+        width = (1 + growth) / 2 * step;
+        step *= growth;
+    }
+}
+
+// Mean square deviation of the motion, integrated over the azimuth of the walls: what verticals alone say of it, and of all that
+// depends on it, is far from normal.
+static Covariance integrateOverAzimuth(const RefinementProblem& problem, const Fit& best)
+{
+    const double largest = 0.1, sigma = std::min(std::sqrt(azimuthVariance(best)), largest);
+    if (!(sigma > 0))
+        return best.covariance;
+    Mixture mixture;
+    addSide(problem, best, sigma, 0, -1, mixture);
+    addSide(problem, best, sigma, 0.7 * sigma, 1, mixture);
+    return mixture.mean();
+}
+
+void exploreValley(const RefinementProblem& problem, Fit& fit)
+{
+    if (fit.structure.motion != MODEL_4LA || !(fit.covariance(P_ALPHA, P_ALPHA) > 0))
+        return;
+    const std::vector<Fit> minima = findMinima(problem, fit);
+    fit = minima[0];
+    Mixture mixture;
+    mixture.add(0, integrateOverAzimuth(problem, fit));
+    const double volume = logVolume(fit), unlikely = -14;
+    for (size_t i = 1; i < minima.size(); i++)
+    {
+        const double logWeight = logVolume(minima[i]) - volume - worse(minima[i], fit);
+        bool isNew = minima[i].model.direction == fit.model.direction;
+        for (size_t j = 0; j < i && isNew; j++)
+            isNew = !isSame(minima[i], minima[j]);
+        if (isNew && logWeight > unlikely)
+            mixture.add(logWeight, covarianceAround(minima[i], fit.model));
+    }
+    fit.covariance = mixture.mean();
+}
+
+// A fit with another number of walls in terms of the best one: the same direction of the walls, and a ratio of the walls of which
+// it says nothing.
+static Fit inTermsOf(const Fit& best, const Fit& fit)
+{
+    Fit other = fit;
+    if (other.model[P_B] * best.model[P_B] + other.model[P_D] * best.model[P_D] < 0)
+    {
+        other.model[P_B] *= -1;
+        other.model[P_D] *= -1;
+    }
+    other.model[P_LAMBDA] = best.model[P_LAMBDA];
+    for (int i = 0; i < PARAMETERS; i++)
+        other.covariance(i, P_LAMBDA) = other.covariance(P_LAMBDA, i) = 0;
+    other.covariance(P_LAMBDA, P_LAMBDA) = best.covariance(P_LAMBDA, P_LAMBDA);
+    return other;
+}
+
+void addOtherStructures(const std::vector<Fit>& fits, Fit& best)
+{
+    if (!best.structure.translates())
+        return;
+    // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does, as seen from it.
+    for (size_t i = 0; i < fits.size(); i++)
+        if (best.structure.motion == MODEL_3LA && fits[i].structure.motion == MODEL_4LA && fits[i].structure.walls == best.structure.walls)
+            best.covariance = covarianceAround(fits[i], best.model);
+    Mixture mixture;
+    mixture.add(0, best.covariance);
+    for (size_t i = 0; i < fits.size(); i++)
+    {
+        if (fits[i].structure.motion != MODEL_4LA || fits[i].structure.walls == best.structure.walls)
+            continue;
+        double lowest = fits[i].criterion;
+        for (size_t j = 0; j < fits.size(); j++)
+            if (fits[j].structure.walls == fits[i].structure.walls)
+                lowest = std::min(lowest, fits[j].criterion);
+        mixture.add(-(lowest - best.criterion) / 2, covarianceAround(inTermsOf(best, fits[i]), best.model));
+    }
+    best.covariance = mixture.mean();
+}
+
+}} // namespace cv::rsackermann

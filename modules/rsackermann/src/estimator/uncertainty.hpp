@@ -1,0 +1,25 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_UNCERTAINTY_HPP
+#define OPENCV_RSACKERMANN_SRC_ESTIMATOR_UNCERTAINTY_HPP
+
+#include "fit.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+/** Follows the valley of a 4-LA fit, in which yaw rate and walls take each other's place (doc/theory.md, "Estimation").
+@param fit becomes the best minimum that is found, with the mean square deviation from it over the valley as its covariance.
+*/
+void exploreValley(const RefinementProblem& problem, Fit& fit);
+
+/** What isn't known of a fit because another structure explains the image nearly as well: adds to its covariance.
+@param fits of all structures; those of 4-LA have been explored.
+*/
+void addOtherStructures(const std::vector<Fit>& fits, Fit& best);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_ESTIMATOR_UNCERTAINTY_HPP
