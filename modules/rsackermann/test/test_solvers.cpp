@@ -169,6 +169,19 @@ int runKnownSpeed(const Problem& p, bool twoWalls, MinimalSolution* s)
     return solveKnownSpeed(segments, twoWalls, std::hypot(p.truth.B, p.truth.D), p.options, s);
 }
 
+int runKnownWallDirection(const Problem& p, bool twoWalls, MinimalSolution* s)
+{
+    const VerticalSegment segments[] = {p.segments[0], p.segments[1], p.segments[3]};
+    return solveKnownWallDirection(segments, twoWalls, std::atan2(p.truth.D, p.truth.B), p.options, s);
+}
+
+//! The same with the opposite of the walls' two directions.
+int runKnownOppositeDirection(const Problem& p, bool twoWalls, MinimalSolution* s)
+{
+    const VerticalSegment segments[] = {p.segments[0], p.segments[1], p.segments[3]};
+    return solveKnownWallDirection(segments, twoWalls, std::atan2(-p.truth.D, -p.truth.B), p.options, s);
+}
+
 //! Largest relative difference of yaw, walls and their ratio.
 double difference(const MinimalSolution& a, const MinimalSolution& truth)
 {
@@ -282,6 +295,15 @@ TEST_P(RSAckermann_WallSolvers, solveKnownSpeed_finds_exact_motion)
     const std::vector<double> errors = bestErrors(generator, runKnownSpeed, BOTH, GetParam(), 8);
     RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
     EXPECT_GE(shareBelow(errors, 1e-6), 0.99);
+}
+
+TEST_P(RSAckermann_WallSolvers, solveKnownWallDirection_finds_exact_motion)
+{
+    ExactGenerator generator;
+    const std::vector<double> errors = bestErrors(generator, runKnownWallDirection, BOTH, GetParam(), 6);
+    RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
+    EXPECT_GE(shareBelow(errors, 1e-6), 0.99);
+    EXPECT_GE(shareBelow(bestErrors(generator, runKnownOppositeDirection, BOTH, GetParam(), 6), 1e-6), 0.99);
 }
 
 //! A random motion of the paper's experiments and the images of three lines on the left and one on the right wall.
@@ -399,6 +421,7 @@ void expectNoSolution(const VerticalSegment segments[4], const char* what, bool 
         EXPECT_EQ(0, solveKnownYawRate(three, twoWalls, 0, options, solutions)) << what << ", heading " << options.heading;
         if (knownSpeedIsDegenerate)
         {
+            EXPECT_EQ(0, solveKnownWallDirection(three, twoWalls, 0.2, options, solutions)) << what << ", heading " << options.heading;
             EXPECT_EQ(0, solveKnownSpeed(three, twoWalls, 0.2, options, solutions)) << what << ", heading " << options.heading;
         }
         EXPECT_EQ(0, solve4LA(segments, twoWalls, options, solutions)) << what << ", heading " << options.heading;
@@ -489,8 +512,8 @@ TEST(RSAckermann_Solvers, special_values)
     const double values[] = {0, -0., 1, -1, 0.1, -0.1, 0.25, 1e-9, -1e-9, 1e-17, 1e-160, 1e-300, DBL_MIN, 4.9e-324, DBL_EPSILON, 1e9, -1e9,
                              1e160, -1e160, DBL_MAX, -DBL_MAX, infinity, -infinity, nan, CV_PI / 2, -CV_PI / 2, CV_PI};
     const int count = int(sizeof(values) / sizeof(values[0]));
-    const Solver solvers[] = {run1LA, run3LA, run4LA, run4LAExact, runKnownYawRate, runKnownSpeed};
-    const int most[] = {1, 1, 3, 8, 1, 8};
+    const Solver solvers[] = {run1LA, run3LA, run4LA, run4LAExact, runKnownYawRate, runKnownSpeed, runKnownWallDirection};
+    const int most[] = {1, 1, 3, 8, 1, 8, 6};
     const int solverCount = int(sizeof(solvers) / sizeof(solvers[0]));
     ExactGenerator generator;
     RNG rng(7);

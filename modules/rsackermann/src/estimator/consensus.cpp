@@ -36,9 +36,15 @@ bool CandidateConsensus::knowsSpeed() const
     return structure.motion == MODEL_4LA && !knowsYawRate() && prior.sizeSigma > 0 && prior.sizeSigma < 0.1 * std::abs(prior.size);
 }
 
+bool CandidateConsensus::knowsWallDirection() const
+{
+    const double vague = 0.02; // radians
+    return structure.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 && problem.prior.streetSigma < vague;
+}
+
 int CandidateConsensus::sampleSize() const
 {
-    return structure.sampleSize() - (knowsYawRate() || knowsSpeed() ? 1 : 0);
+    return structure.sampleSize() - (knowsYawRate() || knowsSpeed() || knowsWallDirection() ? 1 : 0);
 }
 
 int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* solutions) const
@@ -53,6 +59,8 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
         return solveKnownYawRate(segments, twoWalls, problem.prior.alpha, options, solutions);
     if (knowsSpeed())
         return solveKnownSpeed(segments, twoWalls, std::abs(problem.prior.size), options, solutions);
+    if (knowsWallDirection())
+        return solveKnownWallDirection(segments, twoWalls, problem.prior.street, options, solutions);
     switch (structure.motion)
     {
     case MODEL_1LA: return solve1LA(segments[0], options, solutions);

@@ -35,6 +35,7 @@ public:
 private:
     bool knowsYawRate() const;
     bool knowsSpeed() const;
+    bool knowsWallDirection() const;
     int solve(const VerticalSegment* segments, MinimalSolution* solutions) const;
     int directionOf(const MinimalSolution& solution, const VerticalSegment& left) const;
 

@@ -29,15 +29,16 @@ bool solveWalls(const Constraint& first, const Constraint& second, const Constra
     solution.lambda = 0;
     if (!(solution.B * solution.B + solution.D * solution.D > degenerate * degenerate))
         return false; // vertical lines that stay where they are tell nothing about walls
-    if (right)
-    {
-        const double slope = right->d * solution.D + right->b * solution.B;
-        if (!(std::abs(slope) > degenerate * std::abs(right->e)))
-            return false;
-        solution.lambda = right->e / slope;
-        return solution.lambda > 0;
-    }
-    return true;
+    return !right || solveRatio(*right, solution);
+}
+
+bool solveRatio(const Constraint& right, MinimalSolution& solution)
+{
+    const double degenerate = 1e-10, slope = right.d * solution.D + right.b * solution.B;
+    if (!(std::abs(slope) > degenerate * std::abs(right.e)))
+        return false;
+    solution.lambda = right.e / slope;
+    return solution.lambda > 0;
 }
 
 bool solveWallsFromThree(const Constraint c[3], const Constraint* right, MinimalSolution& solution)

@@ -65,6 +65,9 @@ inline double determinant(const Constraint& a, const Constraint& b, const Constr
 //! (B, D) from two constraints, and lambda from that of a segment on the right wall. Returns false where they are degenerate.
 bool solveWalls(const Constraint& first, const Constraint& second, const Constraint* right, MinimalSolution& solution);
 
+//! lambda from (B, D) and the constraint of a segment on the right wall. Returns false where it is degenerate or not positive.
+bool solveRatio(const Constraint& right, MinimalSolution& solution);
+
 //! solveWalls() with the pair of three constraints that is farthest from being parallel.
 bool solveWallsFromThree(const Constraint constraints[3], const Constraint* right, MinimalSolution& solution);
 

@@ -4,61 +4,29 @@
 
 #include "../precomp.hpp"
 #include "common.hpp"
-#include "polynomial.hpp"
+#include "smooth_roots.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-// With n = first x second parallel to (1, D, B): D^2 + B^2 - size^2, times n_e^2.
-static double speedExcess(const VerticalSegment* segments, const Heading& heading, double size, double alpha)
-{
-    const Constraint n = TurnedSegment(segments[0], alpha, heading).constraint().cross(TurnedSegment(segments[1], alpha, heading).constraint());
-    return n.d * n.d + n.b * n.b - size * size * n.e * n.e;
-}
+namespace {
 
-enum { DEGREE = 8 };
-
-// Coefficients of the polynomial in alpha / maxAlpha through the excess at evenly spread alphas, by divided differences. Each
-// component of n is a product of two constraints of degree 2, but for terms of higher order in the small angles.
-static void interpolateExcess(const VerticalSegment* segments, const Heading& heading, double size, double maxAlpha, double c[DEGREE + 1])
+// With n = first x second parallel to (1, D, B): D^2 + B^2 - size^2, times n_e^2. Each component of n is a product of two
+// constraints of degree 2 in alpha, but for terms of higher order in the small angles.
+struct SpeedExcess
 {
-    double x[DEGREE + 1], difference[DEGREE + 1];
-    for (int i = 0; i <= DEGREE; i++)
-    {
-        x[i] = 2. * i / DEGREE - 1;
-        difference[i] = speedExcess(segments, heading, size, maxAlpha * x[i]);
-    }
-    for (int k = 1; k <= DEGREE; k++)
-        for (int i = DEGREE; i >= k; i--)
-            difference[i] = (difference[i] - difference[i - 1]) / (x[i] - x[i - k]);
-    std::fill(c, c + DEGREE + 1, 0.);
-    for (int i = DEGREE; i >= 0; i--)
-    {
-        // c = c * (x - x[i]) + difference[i]
-        for (int j = DEGREE; j > 0; j--)
-            c[j] = c[j - 1] - x[i] * c[j];
-        c[0] = difference[i] - x[i] * c[0];
-    }
-}
+    const VerticalSegment* segments;
+    Heading heading;
+    double size;
 
-// Secant steps on the exact excess.
-static double polish(const VerticalSegment* segments, const Heading& heading, double size, double maxAlpha, double alpha)
-{
-    double before = alpha + 1e-5 * maxAlpha, valueBefore = speedExcess(segments, heading, size, before);
-    for (int i = 0; i < 8; i++)
+    double operator()(double alpha) const
     {
-        const double value = speedExcess(segments, heading, size, alpha);
-        if (value == valueBefore)
-            return alpha;
-        const double step = value * (alpha - before) / (value - valueBefore);
-        before = alpha;
-        valueBefore = value;
-        alpha -= step;
-        if (std::abs(step) < 1e-14 * maxAlpha)
-            return alpha;
+        const Constraint n = TurnedSegment(segments[0], alpha, heading).constraint().cross(TurnedSegment(segments[1], alpha, heading).constraint());
+        return n.d * n.d + n.b * n.b - size * size * n.e * n.e;
     }
-    return alpha;
-}
+};
+
+} // namespace
 
 // doc/theory.md, "Solvers": the alphas at which the walls of two segments have the given speed.
 int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double size, const SolverOptions& options, MinimalSolution solutions[8])
@@ -69,17 +37,16 @@ int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double size,
     for (int i = 0; i < n; i++)
         if (!isUsable(segments[i]))
             return 0;
+    enum { DEGREE = 8 };
     const Heading heading(options.heading);
-    double polynomial[DEGREE + 1], roots[DEGREE];
-    interpolateExcess(segments, heading, size, options.maxAlpha, polynomial);
-    const int found = realRoots(polynomial, DEGREE, -1, 1, roots);
+    const SpeedExcess excess = {segments, heading, size};
+    double alphas[DEGREE];
+    const int found = smoothRoots<DEGREE>(excess, options.maxAlpha, alphas);
     int count = 0;
     for (int k = 0; k < found; k++)
     {
         MinimalSolution& s = solutions[count];
-        s.alpha = polish(segments, heading, size, options.maxAlpha, roots[k] * options.maxAlpha);
-        if (!(std::abs(s.alpha) <= options.maxAlpha))
-            continue;
+        s.alpha = alphas[k];
         TurnedSegment turned[3];
         Constraint constraints[3];
         for (int i = 0; i < n; i++)

@@ -111,6 +111,17 @@ CV_EXPORTS int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls,
 CV_EXPORTS int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double size, const SolverOptions& options,
                                MinimalSolution solutions[8]);
 
+/** @brief Yaw rate and speed for a known line at infinity of the walls, exact.
+@param segments two images of vertical lines on the left (or only) wall and, where twoWalls, a third one on the right wall.
+@param twoWalls whether there is a third segment; otherwise lambda is 0.
+@param azimuth of the walls in the upright frame, radians; either of their two directions.
+@param options heading and limits.
+@param solutions receives at most six solutions.
+@return number of solutions; 0 for degenerate segments.
+ */
+CV_EXPORTS int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, double azimuth, const SolverOptions& options,
+                                       MinimalSolution solutions[6]);
+
 //! @}
 
 }} // namespace cv::rsackermann

@@ -1,0 +1,89 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "common.hpp"
+#include "smooth_roots.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+namespace {
+
+// With (B, D) = size * (cos, sin) of the azimuth a constraint is e + size * q = 0. For two of them e1 q2 - e2 q1 vanishes; it is of
+// degree 4 in alpha, but for terms of higher order in the small angles.
+struct Disagreement
+{
+    const VerticalSegment* segments;
+    Heading heading, walls;
+
+    double q(const Constraint& c) const { return c.d * walls.s + c.b * walls.c; }
+
+    double operator()(double alpha) const
+    {
+        const Constraint first = TurnedSegment(segments[0], alpha, heading).constraint(), second = TurnedSegment(segments[1], alpha, heading).constraint();
+        return first.e * q(second) - second.e * q(first);
+    }
+
+    // Whether it is anything else than rounding errors at an alpha.
+    bool isInformative(double alpha) const
+    {
+        const double degenerate = 1e-10;
+        const Constraint first = TurnedSegment(segments[0], alpha, heading).constraint(), second = TurnedSegment(segments[1], alpha, heading).constraint();
+        const double scale2 = first.length2() * second.length2(), value = first.e * q(second) - second.e * q(first);
+        return value * value > degenerate * degenerate * scale2;
+    }
+};
+
+} // namespace
+
+// The walls of two segments that agree, and the ratio from a third one.
+static bool solveSize(const Disagreement& d, const Constraint* constraints, bool twoWalls, MinimalSolution& solution)
+{
+    const double standstill = 1e-6, q0 = d.q(constraints[0]), q1 = d.q(constraints[1]);
+    const double size = -(constraints[0].e * q0 + constraints[1].e * q1) / (q0 * q0 + q1 * q1);
+    // Vertical lines that stay where they are tell nothing about walls. Nor does a size that isn't finite.
+    if (!(std::abs(size) > standstill))
+        return false;
+    solution.B = size * d.walls.c;
+    solution.D = size * d.walls.s;
+    solution.lambda = 0;
+    return !twoWalls || solveRatio(constraints[2], solution);
+}
+
+// doc/theory.md, "Solvers": the alphas at which two segments agree on the size of (B, D).
+int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, double azimuth, const SolverOptions& options, MinimalSolution solutions[6])
+{
+    if (cvIsNaN(azimuth) || cvIsInf(azimuth))
+        return 0;
+    const int n = twoWalls ? 3 : 2;
+    for (int i = 0; i < n; i++)
+        if (!isUsable(segments[i]))
+            return 0;
+    enum { DEGREE = 6 };
+    const Heading heading(options.heading), walls(azimuth);
+    const Disagreement disagreement = {segments, heading, walls};
+    if (!disagreement.isInformative(options.maxAlpha) && !disagreement.isInformative(-options.maxAlpha))
+        return 0;
+    double alphas[DEGREE];
+    const int found = smoothRoots<DEGREE>(disagreement, options.maxAlpha, alphas);
+    int count = 0;
+    for (int k = 0; k < found; k++)
+    {
+        MinimalSolution& s = solutions[count];
+        s.alpha = alphas[k];
+        TurnedSegment turned[3];
+        Constraint constraints[3];
+        for (int i = 0; i < n; i++)
+        {
+            turned[i] = TurnedSegment(segments[i], s.alpha, heading);
+            constraints[i] = turned[i].constraint();
+        }
+        if (solveSize(disagreement, constraints, twoWalls, s) && isWithinLimits(s, options) && areOnWalls(s, turned, 2, twoWalls))
+            count++;
+    }
+    return count;
+}
+
+}} // namespace cv::rsackermann
