@@ -11,7 +11,7 @@ set(RSACKERMANN_FLAGS_AVX2 -mavx2 -mfma -mf16c)
 set(RSACKERMANN_FLAGS_AVX512_SKX ${RSACKERMANN_FLAGS_AVX2} -mavx512f -mavx512cd -mavx512bw -mavx512dq -mavx512vl)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105593: the compiler's own header.
-  list(APPEND RSACKERMANN_FLAGS_AVX512_SKX -Wno-maybe-uninitialized)
+  list(APPEND RSACKERMANN_FLAGS_AVX512_SKX -Wno-maybe-uninitialized -Wno-uninitialized)
 endif()
 
 # Adds to the target the files below module_dir/src for which the CMakeLists.txt of the module has ocv_add_dispatched_file().

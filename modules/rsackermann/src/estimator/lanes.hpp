@@ -15,84 +15,95 @@ namespace {
 
 #if CV_SIMD_64F && !defined(CV_SIMD_SCALABLE)
 
+template <class Number> struct VectorOf;
+template <> struct VectorOf<double> { typedef v_float64 type; };
+template <> struct VectorOf<float> { typedef v_float32 type; };
+
+inline v_float64 setAll(double x, double) { return vx_setall_f64(x); }
+inline v_float32 setAll(double x, float) { return vx_setall_f32(float(x)); }
+
 //! As many numbers as a vector of the processor holds; the residuals are written for it and for double.
-struct Lanes
+template <class Number> struct LanesOf
 {
-    enum { COUNT = VTraits<v_float64>::max_nlanes };
+    typedef typename VectorOf<Number>::type Vector;
+    enum { COUNT = VTraits<Vector>::max_nlanes };
 
-    v_float64 v;
+    struct Mask
+    {
+        Vector v;
+    };
 
-    Lanes() {}
-    Lanes(const v_float64& v_) : v(v_) {}
-    Lanes(double x) : v(vx_setall_f64(x)) {}
+    Vector v;
 
-    static Lanes load(const double* p) { return vx_load(p); }
-    void store(double* p) const { v_store(p, v); }
+    LanesOf() {}
+    LanesOf(const Vector& v_) : v(v_) {}
+    LanesOf(double x) : v(setAll(x, Number())) {}
+
+    static LanesOf load(const Number* p) { return vx_load(p); }
+    void store(Number* p) const { v_store(p, v); }
     double sum() const { return v_reduce_sum(v); }
-};
 
-struct LanesMask
-{
-    v_float64 v;
+    friend LanesOf operator+(const LanesOf& a, const LanesOf& b) { return v_add(a.v, b.v); }
+    friend LanesOf operator-(const LanesOf& a, const LanesOf& b) { return v_sub(a.v, b.v); }
+    friend LanesOf operator*(const LanesOf& a, const LanesOf& b) { return v_mul(a.v, b.v); }
+    friend LanesOf operator/(const LanesOf& a, const LanesOf& b) { return v_div(a.v, b.v); }
+    friend Mask operator<(const LanesOf& a, const LanesOf& b) { return Mask{v_lt(a.v, b.v)}; }
+    friend Mask operator>(const LanesOf& a, const LanesOf& b) { return Mask{v_gt(a.v, b.v)}; }
+    friend LanesOf choose(const Mask& condition, const LanesOf& a, const LanesOf& b) { return v_select(condition.v, a.v, b.v); }
+    friend bool isAnyTrue(const Mask& condition) { return v_check_any(condition.v); }
+    friend LanesOf squareRoot(const LanesOf& x) { return v_sqrt(x.v); }
+    friend LanesOf magnitude(const LanesOf& x) { return v_abs(x.v); }
 };
-
-inline Lanes operator+(const Lanes& a, const Lanes& b) { return v_add(a.v, b.v); }
-inline Lanes operator-(const Lanes& a, const Lanes& b) { return v_sub(a.v, b.v); }
-inline Lanes operator*(const Lanes& a, const Lanes& b) { return v_mul(a.v, b.v); }
-inline Lanes operator/(const Lanes& a, const Lanes& b) { return v_div(a.v, b.v); }
-inline LanesMask operator<(const Lanes& a, const Lanes& b) { return LanesMask{v_lt(a.v, b.v)}; }
-inline LanesMask operator>(const Lanes& a, const Lanes& b) { return LanesMask{v_gt(a.v, b.v)}; }
-inline Lanes choose(const LanesMask& condition, const Lanes& a, const Lanes& b) { return v_select(condition.v, a.v, b.v); }
-inline bool isAnyTrue(const LanesMask& condition) { return v_check_any(condition.v); }
-inline Lanes squareRoot(const Lanes& x) { return v_sqrt(x.v); }
-inline Lanes magnitude(const Lanes& x) { return v_abs(x.v); }
 
 #else
 
 //! One number, where the processor has no vectors of them.
-struct Lanes
+template <class Number> struct LanesOf
 {
     enum { COUNT = 1 };
 
-    double v;
+    Number v;
 
-    Lanes() {}
-    Lanes(double x) : v(x) {}
+    LanesOf() {}
+    LanesOf(double x) : v(Number(x)) {}
 
-    static Lanes load(const double* p) { return *p; }
-    void store(double* p) const { *p = v; }
+    static LanesOf load(const Number* p) { return LanesOf(*p); }
+    void store(Number* p) const { *p = v; }
     double sum() const { return v; }
+
+    friend LanesOf operator+(const LanesOf& a, const LanesOf& b) { return LanesOf(a.v + b.v); }
+    friend LanesOf operator-(const LanesOf& a, const LanesOf& b) { return LanesOf(a.v - b.v); }
+    friend LanesOf operator*(const LanesOf& a, const LanesOf& b) { return LanesOf(a.v * b.v); }
+    friend LanesOf operator/(const LanesOf& a, const LanesOf& b) { return LanesOf(a.v / b.v); }
+    friend bool operator<(const LanesOf& a, const LanesOf& b) { return a.v < b.v; }
+    friend bool operator>(const LanesOf& a, const LanesOf& b) { return a.v > b.v; }
+    friend LanesOf choose(bool condition, const LanesOf& a, const LanesOf& b) { return condition ? a : b; }
+    friend LanesOf squareRoot(const LanesOf& x) { return LanesOf(std::sqrt(x.v)); }
+    friend LanesOf magnitude(const LanesOf& x) { return LanesOf(std::abs(x.v)); }
 };
-
-inline Lanes operator+(const Lanes& a, const Lanes& b) { return a.v + b.v; }
-inline Lanes operator-(const Lanes& a, const Lanes& b) { return a.v - b.v; }
-inline Lanes operator*(const Lanes& a, const Lanes& b) { return a.v * b.v; }
-inline Lanes operator/(const Lanes& a, const Lanes& b) { return a.v / b.v; }
-typedef bool LanesMask;
-
-inline bool operator<(const Lanes& a, const Lanes& b) { return a.v < b.v; }
-inline bool operator>(const Lanes& a, const Lanes& b) { return a.v > b.v; }
-inline Lanes choose(bool condition, const Lanes& a, const Lanes& b) { return condition ? a : b; }
-inline bool isAnyTrue(bool condition) { return condition; }
-inline Lanes squareRoot(const Lanes& x) { return std::sqrt(x.v); }
-inline Lanes magnitude(const Lanes& x) { return std::abs(x.v); }
 
 #endif
 
 //! The angles of a car's motion seldom leave the range of the series: one by one.
-inline void sincTerms(const Lanes& x, Lanes& sincX, Lanes& cosX, Lanes& slope)
+template <class Number> void sincTerms(const LanesOf<Number>& x, LanesOf<Number>& sincX, LanesOf<Number>& cosX, LanesOf<Number>& slope)
 {
-    double angles[Lanes::COUNT], s[Lanes::COUNT], c[Lanes::COUNT], d[Lanes::COUNT];
+    Number angles[LanesOf<Number>::COUNT], s[LanesOf<Number>::COUNT], c[LanesOf<Number>::COUNT], d[LanesOf<Number>::COUNT];
     x.store(angles);
     sincX.store(s);
     cosX.store(c);
     slope.store(d);
-    for (int i = 0; i < Lanes::COUNT; i++)
+    for (int i = 0; i < LanesOf<Number>::COUNT; i++)
         if (std::abs(angles[i]) > LARGEST_IN_SERIES)
-            rsackermann::sincTerms(angles[i], s[i], c[i], d[i]);
-    sincX = Lanes::load(s);
-    cosX = Lanes::load(c);
-    slope = Lanes::load(d);
+        {
+            double exactSinc, exactCos, exactSlope;
+            rsackermann::sincTerms(angles[i], exactSinc, exactCos, exactSlope);
+            s[i] = Number(exactSinc);
+            c[i] = Number(exactCos);
+            d[i] = Number(exactSlope);
+        }
+    sincX = LanesOf<Number>::load(s);
+    cosX = LanesOf<Number>::load(c);
+    slope = LanesOf<Number>::load(d);
 }
 
 } // namespace

@@ -26,16 +26,23 @@ double streetCost(const double* points, int padded, double streetX, double stree
 
 namespace {
 
-typedef TurnedEnd<Lanes> End;
+typedef LanesOf<double> Lanes;
 
-End endU(const SegmentArrays& s, int i, const PreparedModel& m)
+template <class Number> LanesOf<Number> load(const SegmentArrays& segments, SegmentArrays::Field field, int i)
 {
-    return End(Lanes::load(s[SegmentArrays::U_X] + i), Lanes::load(s[SegmentArrays::U_Y] + i), Lanes::load(s[SegmentArrays::TIME_U] + i), m);
+    return LanesOf<Number>::load(segments.at(field, Number()) + i);
 }
 
-End endV(const SegmentArrays& s, int i, const PreparedModel& m)
+template <class Number> TurnedEnd<LanesOf<Number> > endU(const SegmentArrays& s, int i, const PreparedModel& m)
 {
-    return End(Lanes::load(s[SegmentArrays::V_X] + i), Lanes::load(s[SegmentArrays::V_Y] + i), Lanes::load(s[SegmentArrays::TIME_V] + i), m);
+    return TurnedEnd<LanesOf<Number> >(load<Number>(s, SegmentArrays::U_X, i), load<Number>(s, SegmentArrays::U_Y, i),
+                                       load<Number>(s, SegmentArrays::TIME_U, i), m);
+}
+
+template <class Number> TurnedEnd<LanesOf<Number> > endV(const SegmentArrays& s, int i, const PreparedModel& m)
+{
+    return TurnedEnd<LanesOf<Number> >(load<Number>(s, SegmentArrays::V_X, i), load<Number>(s, SegmentArrays::V_Y, i),
+                                       load<Number>(s, SegmentArrays::TIME_V, i), m);
 }
 
 // ResidualSums in vectors.
@@ -101,11 +108,11 @@ void addVerticals(const SegmentArrays& segments, const PreparedModel& model, con
     Sums total(loss, unknowns);
     for (int i = 0; i < segments.size(); i += Lanes::COUNT)
     {
-        const End u = endU(segments, i, model), v = endV(segments, i, model);
+        const TurnedEnd<Lanes> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
         const VerticalTerms<Lanes> residual(u, v, model);
         Lanes by[PARAMETERS];
         residual.derivatives(u, v, model, tilt, by);
-        total.add(residual.value, by, Lanes::load(segments[SegmentArrays::SCALE] + i));
+        total.add(residual.value, by, load<double>(segments, SegmentArrays::SCALE, i));
     }
     total.addTo(sums);
 }
@@ -118,31 +125,33 @@ void addDirections(const SegmentArrays& segments, const PreparedModel& model, co
     Sums total(loss, unknowns);
     for (int i = 0; i < segments.size(); i += Lanes::COUNT)
     {
-        const End u = endU(segments, i, model), v = endV(segments, i, model);
+        const TurnedEnd<Lanes> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
         const CompensatedEnd<Lanes> a(u, model), b(v, model);
         const DirectionTerms<Lanes> residual(Chord<Lanes>(a.x, a.y, b.x, b.y), streetX, streetZ);
         Lanes by[PARAMETERS];
         residual.derivatives(u, v, a, b, model, tilt, by);
-        total.add(residual.value, by, Lanes::load(segments[SegmentArrays::SCALE] + i));
+        total.add(residual.value, by, load<double>(segments, SegmentArrays::SCALE, i));
     }
     total.addTo(sums);
 }
 
+// In single precision, which is 1e-4 pixels: a score only chooses among samples.
 double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold, double best, int& inliers)
 {
-    const Lanes limit(threshold * threshold);
+    typedef LanesOf<float> Vector;
+    const Vector limit(threshold * threshold);
     const int betweenChecks = 4;
     double sum = 0, inside = 0;
     int i = 0;
     while (i < segments.size() && sum < best)
     {
-        Lanes part(0.), count(0.);
-        for (int k = 0; k < betweenChecks && i < segments.size(); k++, i += Lanes::COUNT)
+        Vector part(0.), count(0.);
+        for (int k = 0; k < betweenChecks && i < segments.size(); k++, i += Vector::COUNT)
         {
-            const VerticalTerms<Lanes> residual(endU(segments, i, model), endV(segments, i, model), model);
-            const Lanes r = residual.value * focal, r2 = r * r;
+            const VerticalTerms<Vector> residual(endU<float>(segments, i, model), endV<float>(segments, i, model), model);
+            const Vector r = residual.value * focal, r2 = r * r;
             part = part + choose(r2 < limit, r2, limit);
-            count = count + choose(r2 < limit, Lanes(1), Lanes(0.));
+            count = count + choose(r2 < limit, Vector(1), Vector(0.));
         }
         sum += part.sum();
         inside += count.sum();
@@ -157,7 +166,7 @@ void compensateSegments(const SegmentArrays& segments, const PreparedModel& mode
     const int padded = segments.paddedSize();
     for (int i = 0; i < padded; i += Lanes::COUNT)
     {
-        const CompensatedEnd<Lanes> a(endU(segments, i, model), model), b(endV(segments, i, model), model);
+        const CompensatedEnd<Lanes> a(endU<double>(segments, i, model), model), b(endV<double>(segments, i, model), model);
         a.x.store(points + i);
         a.y.store(points + padded + i);
         b.x.store(points + 2 * padded + i);
@@ -179,7 +188,7 @@ double streetCost(const double* points, int padded, double streetX, double stree
         chord.momentAround(acrossX, x, across2, acrossLength2);
         along2 = along2 * along2;
         across2 = across2 * across2;
-        const LanesMask isAlong = along2 * acrossLength2 < across2 * alongLength2;
+        const Lanes::Mask isAlong = along2 * acrossLength2 < across2 * alongLength2;
         const Lanes moment2 = scale2 * choose(isAlong, along2, across2), length2 = choose(isAlong, alongLength2, acrossLength2);
         sum = sum + moment2 / (length2 + moment2);
     }

@@ -20,6 +20,7 @@ void SegmentArrays::assign(const std::vector<Candidate>& segments)
         for (int field = 0; field < SCALE; field++)
             numbers[size_t(field) * padded + i] = values[field];
     }
+    rounded.assign(numbers.begin(), numbers.begin() + size_t(SCALE) * padded);
 }
 
 // A detector fits a chord to an image that the lens has bent: its ends are off by a part of the sagitta.

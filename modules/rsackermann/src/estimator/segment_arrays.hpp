@@ -18,7 +18,7 @@ class SegmentArrays
 {
 public:
     enum Field { U_X, U_Y, V_X, V_Y, TIME_U, TIME_V, SCALE, FIELDS };
-    enum { MAX_LANES = 8 };
+    enum { MAX_LANES = 16 };
 
     SegmentArrays() : count(0), padded(0) {}
 
@@ -29,11 +29,14 @@ public:
 
     int size() const { return count; }
     int paddedSize() const { return padded; }
-    const double* operator[](Field field) const { return numbers.data() + size_t(field) * padded; }
+    //! In the precision of the second argument, which is only there to choose it. There is SCALE in double precision alone.
+    const double* at(Field field, double) const { return numbers.data() + size_t(field) * padded; }
+    const float* at(Field field, float) const { return rounded.data() + size_t(field) * padded; }
 
 private:
     int count, padded;
     std::vector<double> numbers;
+    std::vector<float> rounded;
 };
 
 }} // namespace cv::rsackermann
