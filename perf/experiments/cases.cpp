@@ -20,6 +20,7 @@ const char* const CASE_KEYS =
     "{seed       | 0      | of the first rendered street and of the errors of what the estimator is told}"
     "{speeds     |        | km/h, with commas between (default 10,42.5,75,107.5,140; with photographs 40,100)}"
     "{yaw_rates  |        | deg/s, with commas between (default 10,-10,30,-30,50,-50,70,-70; with photographs 30,-50)}"
+    "{width      | 640    | of the rendered images, pixels; their height and the focal length go with it}"
     "{lens       |        | coefficients of the rendered camera's lens, as of cv::projectPoints, with commas between}"
     "{roll       | 0      | of the rendered camera, degrees}"
     "{pitch      | 0      | of the rendered camera, degrees}"
@@ -60,7 +61,8 @@ std::vector<street::StreetScene> makeMotions(const Options& options, const std::
 // The paper's camera and street. A camera that looks to a side sees the wall of that side only.
 std::vector<Case> renderedCases(const Options& options)
 {
-    street::StreetCamera camera(cv::Size(640, 380), 816, READ_OUT / 380, 1.2);
+    const int width = options.integer("width", 160, 16000), height = cvRound(width * 380 / 640.);
+    street::StreetCamera camera(cv::Size(width, height), 816 * width / 640., READ_OUT / height, 1.2);
     const double direction = options.number("direction", -180, 180);
     if (options.given("lens"))
         camera.lens = options.numbers("lens");
