@@ -145,10 +145,13 @@ static void startFromBest(const RefinementProblem& problem, std::vector<Fit>& fi
     const Fit best = bestOf(fits);
     for (size_t i = 0; i < fits.size(); i++)
     {
+        // Without translation and with gravity known little is left that could have several minima.
+        const Structure& structure = fits[i].structure;
+        const bool isBest = structure.motion == best.structure.motion && structure.walls == best.structure.walls;
         Model start;
-        if (!convert(best, fits[i].structure, start))
+        if (isBest || (!structure.translates() && problem.gravitySigma == 0) || !convert(best, structure, start))
             continue;
-        const Fit other = refineFrom(problem, start, fits[i].structure);
+        const Fit other = refineFrom(problem, start, structure);
         if (other.cost < fits[i].cost)
             fits[i] = other;
     }
@@ -183,7 +186,7 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
             break;
     }
 
-    const double relevant = 20, lowest = bestOf(fits).criterion;
+    const double relevant = 10, lowest = bestOf(fits).criterion;
     for (size_t i = 0; i < fits.size(); i++)
         if (fits[i].criterion < lowest + relevant)
             exploreValley(problem, fits[i]);

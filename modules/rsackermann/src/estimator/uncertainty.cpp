@@ -96,25 +96,37 @@ static std::vector<Fit> findMinima(const RefinementProblem& problem, const Fit& 
     return minima;
 }
 
+// The model with walls along another azimuth and the other unknowns where they are to be expected then.
+static Model predict(const MotionLimits& limits, const Fit& fit, double azimuth)
+{
+    const double B = fit.model[P_B], D = fit.model[P_D], size2 = B * B + D * D, angle = azimuth - azimuthOf(fit.model);
+    Model model = fit.model;
+    for (int i = 0; i < PARAMETERS; i++)
+        model.value[i] += (B * fit.covariance(i, P_D) - D * fit.covariance(i, P_B)) / size2 / azimuthVariance(fit) * angle;
+    model = turned(model, azimuth - azimuthOf(model));
+    return limits.allow(model) ? model : turned(fit.model, angle);
+}
+
 // Adds the fits with given walls from an azimuth on to one side, until they are as good as impossible.
 static void addSide(const RefinementProblem& problem, const Fit& best, double sigma, double first, double side, Mixture& mixture)
 {
-    const double growth = 1.5, farthest = 0.5, impossible = 6, exactness = 1e-4;
+    const double growth = 1.5, farthest = 0.5, impossible = 6, hopeless = 30, exactness = 1e-4;
     RefinementProblem pinned = problem;
     pinned.prior.streetSigma = exactness * sigma;
     Fit fit = best;
     int tooExpensive = 0;
-    double azimuth = azimuthOf(best.model) + first, step = 0.7 * sigma, width = step;
+    double azimuth = azimuthOf(best.model) + first, step = sigma, width = step;
     // There may be a low place behind a high one, as verticals change from one wall to the other.
     while (tooExpensive < 2 && std::abs(azimuth - azimuthOf(best.model)) < farthest)
     {
         pinned.prior.street = azimuth;
-        fit.model = turned(fit.model, azimuth - azimuthOf(fit.model));
-        fit.cost = refine(pinned, fit.structure, ALL_SEGMENTS, 10, fit.model, &fit.covariance);
+        fit.model = predict(problem.limits, fit, azimuth);
+        fit.cost = refine(pinned, fit.structure, ALL_SEGMENTS, 8, fit.model, &fit.covariance);
         if (problem.prior.streetSigma > 0)
             fit.cost += std::pow(std::sin(azimuth - problem.prior.street) / problem.prior.streetSigma, 2);
         mixture.add(std::log(width) + logVolume(fit) - worse(fit, best), covarianceAround(fit, best.model));
-        tooExpensive = worse(fit, best) > impossible ? tooExpensive + 1 : 0;
+        const double excess = worse(fit, best);
+        tooExpensive = excess > hopeless ? 2 : excess > impossible ? tooExpensive + 1 : 0;
         azimuth += side * step;
         width = (1 + growth) / 2 * step;
         step *= growth;
@@ -130,7 +142,7 @@ static Covariance integrateOverAzimuth(const RefinementProblem& problem, const F
         return best.covariance;
     Mixture mixture;
     addSide(problem, best, sigma, 0, -1, mixture);
-    addSide(problem, best, sigma, 0.7 * sigma, 1, mixture);
+    addSide(problem, best, sigma, sigma, 1, mixture);
     return mixture.mean();
 }
 
