@@ -16,6 +16,7 @@ using namespace cv::rsackermann;
 const char* const JOB_KEYS =
     "{help       |        | print this message}"
     "{wall       |        | metres to the left (or only) wall; makes the speed metric}"
+    "{scale_from_road |   | without --wall: find its distance from --height and wall segments that stand on the road}"
     "{speed      |        | km/h that the car reports, negative in reverse; needs the line delay and --wall}"
     "{speed_sigma |       | standard deviation of --speed in km/h (default 2)}"
     "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
@@ -47,6 +48,7 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
         params.gravitySigma = options.number("gravity_sigma", 0, 45) * CV_PI / 180;
     if (options.given("wall"))
         params.wallDistance = options.number("wall", 0, 1e5, false);
+    params.scaleFromRoad = options.flag("scale_from_road");
 }
 
 void warnUseless(const std::string& option, const std::string& missing)
@@ -84,6 +86,15 @@ MotionPrior readPrior(const Options& options, const Job& job)
     if (yawRate && !metric)
         warnUseless("yaw_rate", delay);
     return prior;
+}
+
+void checkScale(const Job& job)
+{
+    const AckermannEstimator::Params& params = job.params.estimator;
+    if (params.scaleFromRoad && params.wallDistance > 0)
+        throw UsageError("--scale_from_road and --wall exclude each other");
+    if (params.scaleFromRoad && !(job.camera.height > 0))
+        warnUseless("scale_from_road", "--height");
 }
 
 std::string target(const Options& options, const std::string& name)
@@ -156,6 +167,7 @@ Job readJob(const Options& options)
         throw UsageError("there is no input");
     job.camera = readCameraOptions(options);
     readEstimator(options, job.params.estimator);
+    checkScale(job);
     job.prior = readPrior(options, job);
     job.params.carryMotion = options.flag("carry");
     job.output = target(options, "output");

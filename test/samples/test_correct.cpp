@@ -144,6 +144,22 @@ TEST(Correct, speed_and_yaw_rate_known_from_elsewhere)
               resultOf(correct(street + Arguments{"--speed=58", "--yaw_rate=41"})));
 }
 
+TEST(Correct, scale_from_the_road)
+{
+    const Arguments image = {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--report=-"};
+    EXPECT_TRUE(resultOf(correct(image + Arguments{"--height=1.2"}))["speed_km_h"].is_null());
+    // The walls of the street are 2.5 m away, the camera is 1.2 m high.
+    const Json withWall = resultOf(correct(image + Arguments{"--height=1.2", "--wall=2.5"}));
+    const Json fromRoad = resultOf(correct(image + Arguments{"--height=1.2", "--scale_from_road"}));
+    const double speed = withWall["speed_km_h"].get<double>();
+    EXPECT_NEAR(speed, fromRoad["speed_km_h"].get<double>(), 0.1 * speed);
+
+    const Outcome noHeight = correct({streetFolder() + "/rolling.png", "--focal=816", "--report=-", "--scale_from_road"});
+    EXPECT_EQ(0, noHeight.exitCode);
+    EXPECT_NE(std::string::npos, noHeight.messages.find("--scale_from_road is of no use without --height")) << noHeight.messages;
+    EXPECT_EQ(2, correct(image + Arguments{"--wall=2.5", "--scale_from_road"}).exitCode);
+}
+
 TEST(Correct, what_is_known_but_of_no_use)
 {
     const Arguments image = {streetFolder() + "/rolling.png", "--focal=816", "--report=-"};

@@ -10,7 +10,7 @@ TEST(CorrectUsage, help_names_every_option)
 {
     const Outcome outcome = correct({"--help"});
     EXPECT_EQ(0, outcome.exitCode);
-    for (const char* name : {"camera", "focal", "line_delay", "readout", "scan", "reference", "roll", "pitch", "heading", "height", "gravity_sigma", "wall",
+    for (const char* name : {"camera", "focal", "line_delay", "readout", "scan", "reference", "roll", "pitch", "heading", "height", "gravity_sigma", "wall", "scale_from_road",
                              "speed", "speed_sigma", "yaw_rate", "yaw_rate_sigma", "carry",
                              "model", "detector", "lines", "seed", "threads", "output", "overlay", "report", "maps", "shard", "skip_existing",
                              "overwrite"})
