@@ -18,6 +18,7 @@ const char* const CASE_KEYS =
     "{rest       |        | the car is at rest}"
     "{scenes     | 3      | number of rendered streets}"
     "{seed       | 0      | of the first rendered street and of the errors of what the estimator is told}"
+    "{draws      | 1      | how often each image is used, with other errors of what the estimator is told}"
     "{speeds     |        | km/h, with commas between (default 10,42.5,75,107.5,140; with photographs 40,100)}"
     "{yaw_rates  |        | deg/s, with commas between (default 10,-10,30,-30,50,-50,70,-70; with photographs 30,-50)}"
     "{width      | 640    | of the rendered images, pixels; their height and the focal length go with it}"
@@ -119,7 +120,11 @@ std::vector<Case> photoCases(const Options& options)
 
 std::vector<Case> makeCases(const Options& options)
 {
-    return options.given("photos") ? photoCases(options) : renderedCases(options);
+    const std::vector<Case> images = options.given("photos") ? photoCases(options) : renderedCases(options);
+    std::vector<Case> cases;
+    for (int draws = options.integer("draws", 1, 1000); draws > 0; draws--)
+        cases.insert(cases.end(), images.begin(), images.end());
+    return cases;
 }
 
 } // namespace experiments

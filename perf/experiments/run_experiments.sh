@@ -68,9 +68,10 @@ for error in -30 -20 -10 10 20 30; do
 done
 if [ -n "$photos" ]; then
     row "photographs" "left<=0.80 p90<=1.2" --photos="$photos"
-    row "photographs, speed ± 2 km/h" "left<=0.25 p90<=0.60" --photos="$photos" --speed_sigma=2
-    row "photographs, yaw rate ± 1 deg/s" "left<=0.25 p90<=0.50" --photos="$photos" --yaw_rate_sigma=1
-    row "photographs, both" "left<=0.10 p90<=0.50" --photos="$photos" --speed_sigma=2 --yaw_rate_sigma=1
+    row "photographs, speed ± 2 km/h" "left<=0.25 p90<=0.60" --photos="$photos" --speed_sigma=2 --draws=10
+    row "photographs, yaw rate ± 1 deg/s" "left<=0.25 p90<=0.50" --photos="$photos" --yaw_rate_sigma=1 --draws=10
+    row "photographs, both" "left<=0.10 p90<=0.50" --photos="$photos" --speed_sigma=2 --yaw_rate_sigma=1 --draws=10
+    row "photographs, both and line at infinity, told without errors" "" --photos="$photos" --speed_sigma=2 --yaw_rate_sigma=1 --wall_direction_sigma=0.02 --exact_priors
     row "photographs, at rest" "max<=0.10" --photos="$photos" --rest
 fi
 [ "$missed" = 0 ] || { echo "$missed goals aren't reached" >&2; exit 1; }
