@@ -89,7 +89,7 @@ bool fitLine(const EdgePlaces& places, float& offset, float& slope)
     offset = slope = 0;
     for (int i = 0; i < 5; i++)
     {
-        const float scale = i == 0 ? 0 : 1 / (0.3f * 0.3f); // no weights at first
+        const float scale = i == 0 ? 0 : 1; // no weights at first, then those of a pixel
         float s[lanes] = {}, sx[lanes] = {}, sy[lanes] = {}, sxx[lanes] = {}, sxy[lanes] = {};
         for (int k = 0; k < places.count; k += lanes)
             for (int j = 0; j < lanes; j++)
@@ -120,11 +120,11 @@ bool fitLine(const EdgePlaces& places, float& offset, float& slope)
     return true;
 }
 
-void refine(const Mat& gray, Vec4f& segment)
+void refine(const Mat& gray, int maxPlaces, Vec4f& segment)
 {
     const Point2f first(segment[0], segment[1]), last(segment[2], segment[3]), middle = (first + last) * 0.5f;
     const float length = float(norm(last - first));
-    const int count = std::min(cvFloor(length), int(EdgePlaces::CAPACITY));
+    const int count = std::min(cvFloor(length), maxPlaces);
     if (count < 4)
         return;
     const Point2f along = (last - first) * (1 / length), normal(-along.y, along.x);
@@ -162,8 +162,13 @@ public:
     void operator()(const Range& range) const CV_OVERRIDE
     {
         for (int i = range.start; i < range.end; i++)
-            for (int step = 0; step < steps; step++)
-                refine(gray, segments[i]);
+        {
+            // Few places bring a segment near the edge.
+            const int fewPlaces = 24;
+            for (int step = 1; step < steps; step++)
+                refine(gray, fewPlaces, segments[i]);
+            refine(gray, EdgePlaces::CAPACITY, segments[i]);
+        }
     }
 
 private:
