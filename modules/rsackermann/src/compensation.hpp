@@ -17,16 +17,16 @@ const double LARGEST_IN_SERIES = 0.25;
 
 template <class T> void sincAndCosSeries(const T& x, T& sincX, T& cosX)
 {
-    const T q = x * x, one(1);
-    sincX = one - q * (1. / 6) * (one - q * (1. / 20) * (one - q * (1. / 42) * (one - q * (1. / 72) * (one - q * (1. / 110)))));
-    cosX = one - q * (1. / 2) * (one - q * (1. / 12) * (one - q * (1. / 30) * (one - q * (1. / 56) * (one - q * (1. / 90)))));
+    const T q = x * x;
+    sincX = T(1) + q * (T(-1. / 6) + q * (T(1. / 120) + q * (T(-1. / 5040) + q * (T(1. / 362880) - q * (1. / 39916800)))));
+    cosX = T(1) + q * (T(-1. / 2) + q * (T(1. / 24) + q * (T(-1. / 720) + q * (T(1. / 40320) - q * (1. / 3628800)))));
 }
 
 //! Derivative of sinc.
 template <class T> T sincDerivativeSeries(const T& x)
 {
-    const T q = x * x, one(1);
-    return x * (-1. / 3) * (one - q * (1. / 10) * (one - q * (1. / 28) * (one - q * (1. / 54) * (one - q * (1. / 88)))));
+    const T q = x * x;
+    return x * (T(-1. / 3) + q * (T(1. / 30) + q * (T(-1. / 840) + q * (T(1. / 45360) - q * (1. / 3991680)))));
 }
 
 //! sinc(x) and cos(x) of any angle.

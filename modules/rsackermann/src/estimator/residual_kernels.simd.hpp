@@ -69,13 +69,14 @@ public:
         weights = weights + weight;
         influence2 = influence2 + weight * weight * r2;
         slopes = slopes + weight * (one - Lanes(4) * (one - a));
-        const Lanes weighted = weight * scale;
+        Lanes scaled[PARAMETERS];
         for (int i = 0; i < unknowns.count; i++)
         {
-            const Lanes J = by[unknowns.index[i]] * weighted;
-            gradient[i] = gradient[i] + J * r;
+            scaled[i] = by[unknowns.index[i]] * scale;
+            const Lanes weighted = scaled[i] * weight;
+            gradient[i] = gradient[i] + weighted * r;
             for (int j = 0; j <= i; j++)
-                hessian[i][j] = hessian[i][j] + J * (by[unknowns.index[j]] * scale);
+                hessian[i][j] = hessian[i][j] + weighted * scaled[j];
         }
     }
 
