@@ -74,7 +74,6 @@ struct RowMotion
 
     //! Without yaw.
     RowMotion(const Heading& heading, double t) : c(1), s(0), c2(heading.c), s2(heading.s), tau(t) {}
-
 };
 
 /** A bearing turned into the reference frame, and how it shifts with the scaled inverse depth.

@@ -24,13 +24,6 @@ struct Scene
     Scene() : B(0), D(0), lambda(0), G(0), direction(1) {}
     explicit Scene(const AckermannMotion& m) : B(m.B), D(m.D), lambda(m.lambda), G(m.G), direction(m.direction < 0 ? -1 : 1) {}
 
-    double leftWall(double x) const { return D - B * x; }
-    double rightWall(double x) const { return lambda * (B * x - D); }
-    double road(double y) const { return G * y; }
-
-    //! w of the nearest plane at the global-shutter point (x, y).
-    double inverseDepth(double x, double y) const { return inverseDepth(Vec3d(x, y, 1)); }
-
     /** w z of the nearest plane in the direction (x, y, z) of the global-shutter camera.
 
     This is the form of w for directions of any scale, also such that don't point forward.
@@ -69,21 +62,6 @@ struct Scene
     {
         const double passed = D * placeZ - B * placeX;
         return passed < 1 && -lambda * passed < 1;
-    }
-
-    //! The plane of inverseDepth().
-    Plane nearest(double x, double y) const
-    {
-        const double w[3] = {direction * leftWall(x), direction * rightWall(x), direction * road(y)};
-        Plane plane = INFINITE;
-        double best = 0;
-        for (int i = 0; i < 3; i++)
-            if (w[i] > best)
-            {
-                best = w[i];
-                plane = Plane(i + 1);
-            }
-        return plane;
     }
 
 private:

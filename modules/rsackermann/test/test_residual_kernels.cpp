@@ -12,13 +12,21 @@
 #define CV_CPU_OPTIMIZATION_NAMESPACE_END }
 #include "../src/estimator/residual_kernels.simd.hpp"
 
+// And what they are where there are no vectors.
+#undef CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
+#define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace tested_without_vectors {
+#undef CV_SIMD_64F
+#define CV_SIMD_64F 0
+#include "../src/estimator/residual_kernels.simd.hpp"
+
 #include "../src/estimator/direction_residual.hpp"
 #include "../src/estimator/segment_arrays.cpp"
 #include "../src/estimator/vertical_residual.hpp"
 
 namespace opencv_test { namespace {
 
-namespace kernels = cv::rsackermann::tested;
+namespace vectors = cv::rsackermann::tested;
+namespace scalars = cv::rsackermann::tested_without_vectors;
 
 const double FOCAL = 800, SIGMA = 0.5;
 
@@ -77,11 +85,12 @@ ResidualSums expectedSums(const std::vector<Candidate>& segments, const Prepared
     {
         const double scale = FOCAL / std::hypot(SIGMA, 0.3 * segments[i].sagitta);
         double jacobian[PARAMETERS];
-        const double r = scale * residual(segments[i], m, jacobian), weight = loss.weight(r * r);
-        sums.cost += loss(r * r);
+        const double r = scale * residual(segments[i], m, jacobian), s2 = loss.scale2, q = s2 + r * r;
+        const double weight = s2 * s2 / (q * q), influence = weight * r;
+        sums.cost += r * r * s2 / q;
         sums.weights += weight;
-        sums.influence2 += weight * weight * r * r;
-        sums.slopes += loss.influenceSlope(r * r);
+        sums.influence2 += influence * influence;
+        sums.slopes += s2 * s2 * (s2 - 3 * r * r) / (q * q * q);
         for (int k = 0; k < unknowns.count; k++)
         {
             sums.gradient[k] += weight * scale * jacobian[unknowns.index[k]] * r;
@@ -131,15 +140,19 @@ void testSums(AddSegments add, Residual residual, double slant)
 
 TEST(RSAckermann_ResidualKernels, sums_of_verticals)
 {
-    testSums(kernels::addVerticals, vertical, 0.05);
+    testSums(vectors::addVerticals, vertical, 0.05);
+    testSums(scalars::addVerticals, vertical, 0.05);
 }
 
 TEST(RSAckermann_ResidualKernels, sums_of_directions)
 {
-    testSums(kernels::addDirections, directionResidual, 0.5);
+    testSums(vectors::addDirections, directionResidual, 0.5);
+    testSums(scalars::addDirections, directionResidual, 0.5);
 }
 
-TEST(RSAckermann_ResidualKernels, score)
+typedef double (*Score)(const SegmentArrays&, const PreparedModel&, double, double, double, int&);
+
+void testScore(Score scoreVerticals)
 {
     RNG& rng = theRNG();
     int stopped = 0;
@@ -161,7 +174,7 @@ TEST(RSAckermann_ResidualKernels, score)
             undecided += std::abs(std::abs(r) - threshold) < precision;
         }
         int inliers = -1;
-        const double score = kernels::scoreVerticals(arrays, prepared, FOCAL, threshold, best, inliers);
+        const double score = scoreVerticals(arrays, prepared, FOCAL, threshold, best, inliers);
         if (expected - error > best)
         {
             ASSERT_GE(score, best);
@@ -172,6 +185,12 @@ TEST(RSAckermann_ResidualKernels, score)
         ASSERT_NEAR(expectedInliers, inliers, undecided);
     }
     EXPECT_GT(stopped, 100);
+}
+
+TEST(RSAckermann_ResidualKernels, score)
+{
+    testScore(vectors::scoreVerticals);
+    testScore(scalars::scoreVerticals);
 }
 
 // The cost of a street is that of the residuals of segments that another model, with the street there, sees.
@@ -186,7 +205,8 @@ TEST(RSAckermann_ResidualKernels, street_cost)
         SegmentArrays arrays;
         arrays.assign(segments);
         std::vector<double> points(4 * arrays.paddedSize() + 1);
-        kernels::compensateSegments(arrays, PreparedModel(model, heading, ratio), points.data());
+        const Model unturned = model;
+        vectors::compensateSegments(arrays, PreparedModel(unturned, heading, ratio), points.data());
         const double street = rng.uniform(-1., 1.);
         model[P_STREET] = street;
         const PreparedModel prepared(model, heading, ratio, false);
@@ -196,7 +216,10 @@ TEST(RSAckermann_ResidualKernels, street_cost)
             const double r = scale * directionResidual(segments[k], prepared, 0);
             expected += r * r / (1 + r * r);
         }
-        ASSERT_NEAR(expected, kernels::streetCost(points.data(), arrays.paddedSize(), std::sin(street), std::cos(street), scale), 1e-9 * (1 + expected));
+        const double x = std::sin(street), z = std::cos(street), eps = 1e-9 * (1 + expected);
+        ASSERT_NEAR(expected, vectors::streetCost(points.data(), arrays.paddedSize(), x, z, scale), eps);
+        scalars::compensateSegments(arrays, PreparedModel(unturned, heading, ratio), points.data());
+        ASSERT_NEAR(expected, scalars::streetCost(points.data(), arrays.paddedSize(), x, z, scale), eps);
     }
 }
 

@@ -47,9 +47,10 @@ inline float bilinear(const Mat& gray, float x, float y)
 // Slopes of the intensity across a segment at a point of it. Returns false near the border of the image.
 bool slopesAcross(const Mat& gray, const Point2f& at, const Point2f& normal, float slopes[SLOPES])
 {
-    const float reach = REACH + 0.5f;
+    // The points are added up: they may end somewhat farther away.
+    const float reach = REACH + 0.5f, rounding = 0.02f;
     const float dx = reach * std::abs(normal.x), dy = reach * std::abs(normal.y);
-    if (!(at.x - dx >= 0 && at.y - dy >= 0 && at.x + dx < gray.cols - 1 && at.y + dy < gray.rows - 1))
+    if (!(at.x - dx >= rounding && at.y - dy >= rounding && at.x + dx < gray.cols - 1 - rounding && at.y + dy < gray.rows - 1 - rounding))
         return false;
     Point2f p = at - reach * normal;
     float last = bilinear(gray, p.x, p.y);

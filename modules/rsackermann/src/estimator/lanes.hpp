@@ -13,7 +13,7 @@ CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
 namespace {
 
-#if CV_SIMD_64F && !defined(CV_SIMD_SCALABLE)
+#if CV_SIMD_64F
 
 template <class Number> struct VectorOf;
 template <> struct VectorOf<double> { typedef v_float64 type; };
@@ -61,6 +61,8 @@ template <class Number> struct LanesOf
 template <class Number> struct LanesOf
 {
     enum { COUNT = 1 };
+
+    typedef bool Mask;
 
     Number v;
 

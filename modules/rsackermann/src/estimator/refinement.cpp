@@ -95,8 +95,7 @@ static Hessian hessianOf(const ResidualSums& sums, int size)
     return hessian;
 }
 
-// Two walls are seen together where the line at infinity lies between their verticals.
-static bool wallsAreSeen(const RefinementProblem& problem, const Structure& structure, const Model& m)
+bool wallsAreSeen(const RefinementProblem& problem, const Structure& structure, const Model& m)
 {
     if (structure.walls != 2)
         return true;
@@ -178,7 +177,7 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
         *inflation = covarianceInflation(sums, n);
     if (covariance)
         *covariance = covarianceAt(problem, structure, unknowns, model, sums);
-    return sums.cost;
+    return sums.cost < DBL_MAX ? sums.cost : DBL_MAX;
 }
 
 }} // namespace cv::rsackermann

@@ -41,6 +41,9 @@ struct RefinementProblem
     void weigh();
 };
 
+//! Whether a model has its walls where verticals are: two walls are seen together where the line at infinity lies between them.
+bool wallsAreSeen(const RefinementProblem& problem, const Structure& structure, const Model& model);
+
 //! Which residuals count.
 enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
 
@@ -50,7 +53,7 @@ enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
 @param covariance receives, unless it is null, the covariance of all parameters; 0 for those that aren't free.
 @param inflation receives, unless it is null, the factor by which the covariance of what the segments say exceeds the inverse of
 their normal equations.
-@return cost of the result.
+@return cost of the result; DBL_MAX where it isn't finite.
 */
 double refine(const RefinementProblem& problem, const Structure& structure, Evidence evidence, int maxIterations, Model& model,
               Matx<double, PARAMETERS, PARAMETERS>* covariance = 0, double* inflation = 0);

@@ -64,7 +64,8 @@ public:
     void add(const Lanes& value, const Lanes* by, const Lanes& scale)
     {
         const Lanes one(1), r = scale * value, r2 = r * r;
-        const Lanes a = scale2 / (scale2 + r2), weight = choose(scale > Lanes(0.), a * a, Lanes(0.)); // of RobustLoss
+        // The weight of RobustLoss is its derivative by r^2; the influence is r * weight.
+        const Lanes a = scale2 / (scale2 + r2), weight = choose(scale > Lanes(0.), a * a, Lanes(0.));
         cost = cost + r2 * a;
         weights = weights + weight;
         influence2 = influence2 + weight * weight * r2;

@@ -8,28 +8,14 @@
 namespace cv {
 namespace rsackermann {
 
-/** Geman-McClure loss of a squared residual: r^2 for small residuals, at most scale^2 for large ones. */
+/** Geman-McClure loss r^2 s^2 / (s^2 + r^2) of a residual r with the scale s: r^2 for small residuals, at most s^2 for large ones
+(doc/theory.md, "Estimation").
+*/
 struct RobustLoss
 {
     double scale2;
 
     explicit RobustLoss(double scale) : scale2(scale * scale) {}
-
-    double operator()(double r2) const { return r2 * scale2 / (scale2 + r2); }
-
-    //! Derivative of influence r * weight(r^2) by r.
-    double influenceSlope(double r2) const
-    {
-        const double a = scale2 / (scale2 + r2);
-        return a * a * (1 - 4 * r2 * a / scale2);
-    }
-
-    //! Factor by which the residual counts in the normal equations: the derivative of the loss by r^2.
-    double weight(double r2) const
-    {
-        const double a = scale2 / (scale2 + r2);
-        return a * a;
-    }
 };
 
 }} // namespace cv::rsackermann

@@ -151,6 +151,8 @@ static void startFromBest(const RefinementProblem& problem, std::vector<Fit>& fi
         Model start;
         if (isBest || (!structure.translates() && problem.gravitySigma == 0) || !convert(best, structure, start))
             continue;
+        if (!problem.limits.allow(start) || !wallsAreSeen(problem, structure, start))
+            continue;
         const Fit other = refineFrom(problem, start, structure);
         if (other.cost < fits[i].cost)
             fits[i] = other;

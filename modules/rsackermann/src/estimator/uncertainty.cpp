@@ -18,7 +18,7 @@ static double azimuthVariance(const Fit& fit)
     return (B * B * C(P_D, P_D) + D * D * C(P_B, P_B) - 2 * B * D * C(P_B, P_D)) / (size2 * size2);
 }
 
-// Logarithm of the volume of the ellipsoid of a fit's covariance, for a ratio of the walls on a logarithmic scale.
+// Logarithm of the volume of the ellipsoid of a fit's covariance. It is the same whichever of the walls is called the left one.
 static double logVolume(const Fit& fit)
 {
     int free[PARAMETERS], n = 0;
@@ -26,7 +26,7 @@ static double logVolume(const Fit& fit)
         if (fit.covariance(i, i) > 0)
             free[n++] = i;
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, PARAMETERS, PARAMETERS> correlation(n, n);
-    double sum = fit.model[P_LAMBDA] > 0 ? -std::log(fit.model[P_LAMBDA]) : 0;
+    double sum = 0;
     for (int i = 0; i < n; i++)
     {
         const double variance = fit.covariance(free[i], free[i]);
@@ -52,6 +52,8 @@ public:
 
     void add(double logWeight, const Covariance& deviation)
     {
+        if (!(logWeight > -DBL_MAX))
+            return;
         // The largest weight so far is 1: none overflows.
         if (logWeight > logScale)
         {
@@ -72,10 +74,17 @@ private:
     double weight, logScale;
 };
 
+// From one azimuth to another, less than half a turn.
+static double angleBetween(double from, double to)
+{
+    return std::remainder(to - from, 2 * CV_PI);
+}
+
 // Where the two are one minimum, found twice.
 static bool isSame(const Fit& a, const Fit& b)
 {
-    const double near2 = 0.2 * 0.2, alpha = a.model[P_ALPHA] - b.model[P_ALPHA], azimuth = azimuthOf(a.model) - azimuthOf(b.model);
+    const double near2 = 0.2 * 0.2, alpha = a.model[P_ALPHA] - b.model[P_ALPHA];
+    const double azimuth = angleBetween(azimuthOf(a.model), azimuthOf(b.model));
     return alpha * alpha <= near2 * a.covariance(P_ALPHA, P_ALPHA) && azimuth * azimuth <= near2 * azimuthVariance(a);
 }
 
@@ -99,7 +108,7 @@ static std::vector<Fit> findMinima(const RefinementProblem& problem, const Fit& 
 // The model with walls along another azimuth and the other unknowns where they are to be expected then.
 static Model predict(const MotionLimits& limits, const Fit& fit, double azimuth)
 {
-    const double B = fit.model[P_B], D = fit.model[P_D], size2 = B * B + D * D, angle = azimuth - azimuthOf(fit.model);
+    const double B = fit.model[P_B], D = fit.model[P_D], size2 = B * B + D * D, angle = angleBetween(azimuthOf(fit.model), azimuth);
     Model model = fit.model;
     for (int i = 0; i < PARAMETERS; i++)
         model.value[i] += (B * fit.covariance(i, P_D) - D * fit.covariance(i, P_B)) / size2 / azimuthVariance(fit) * angle;
@@ -107,42 +116,43 @@ static Model predict(const MotionLimits& limits, const Fit& fit, double azimuth)
     return limits.allow(model) ? model : turned(fit.model, angle);
 }
 
-// Adds the fits with given walls from an azimuth on to one side, until they are as good as impossible.
-static void addSide(const RefinementProblem& problem, const Fit& best, double sigma, double first, double side, Mixture& mixture)
+// Adds a fit with walls along a given azimuth. Returns by how much it is worse than the best one.
+static double addPinned(RefinementProblem& pinned, const PriorTerms& prior, const Fit& best, double azimuth, double width, Fit& fit,
+                        Mixture& mixture)
 {
-    const double growth = 1.5, farthest = 0.5, impossible = 6, hopeless = 30, exactness = 1e-4;
-    RefinementProblem pinned = problem;
-    pinned.prior.streetSigma = exactness * sigma;
-    Fit fit = best;
-    int tooExpensive = 0;
-    double azimuth = azimuthOf(best.model) + first, step = sigma, width = step;
-    // There may be a low place behind a high one, as verticals change from one wall to the other.
-    while (tooExpensive < 2 && std::abs(azimuth - azimuthOf(best.model)) < farthest)
-    {
-        pinned.prior.street = azimuth;
-        fit.model = predict(problem.limits, fit, azimuth);
-        fit.cost = refine(pinned, fit.structure, ALL_SEGMENTS, 8, fit.model, &fit.covariance);
-        if (problem.prior.streetSigma > 0)
-            fit.cost += std::pow(std::sin(azimuth - problem.prior.street) / problem.prior.streetSigma, 2);
-        mixture.add(std::log(width) + logVolume(fit) - worse(fit, best), covarianceAround(fit, best.model));
-        const double excess = worse(fit, best);
-        tooExpensive = excess > hopeless ? 2 : excess > impossible ? tooExpensive + 1 : 0;
-        azimuth += side * step;
-        width = (1 + growth) / 2 * step;
-        step *= growth;
-    }
+    pinned.prior.street = azimuth;
+    fit.model = predict(pinned.limits, fit, azimuth);
+    fit.cost = refine(pinned, fit.structure, ALL_SEGMENTS, 8, fit.model, &fit.covariance);
+    if (prior.streetSigma > 0)
+        fit.cost += std::pow(std::sin(azimuth - prior.street) / prior.streetSigma, 2);
+    mixture.add(std::log(width) + logVolume(fit) - worse(fit, best), covarianceAround(fit, best.model));
+    return worse(fit, best);
 }
 
 // Mean square deviation of the motion, integrated over the azimuth of the walls: what verticals alone say of it, and of all that
-// depends on it, is far from normal.
+// depends on it, is far from normal. To both sides the steps grow, until the fits are as good as impossible.
 static Covariance integrateOverAzimuth(const RefinementProblem& problem, const Fit& best)
 {
-    const double largest = 0.1, sigma = std::min(std::sqrt(azimuthVariance(best)), largest);
-    if (!(sigma > 0))
+    const double growth = 1.5, farthest = 0.5, largestStep = 0.1, impossible = 6, hopeless = 30, exactness = 1e-3;
+    const double first = std::min(std::sqrt(azimuthVariance(best)), largestStep), middle = azimuthOf(best.model);
+    if (!(first > 0))
         return best.covariance;
+    RefinementProblem pinned = problem;
+    pinned.prior.streetSigma = exactness * first;
     Mixture mixture;
-    addSide(problem, best, sigma, 0, -1, mixture);
-    addSide(problem, best, sigma, sigma, 1, mixture);
+    Fit central = best;
+    addPinned(pinned, problem.prior, best, middle, first, central, mixture);
+    for (int side = -1; side <= 1; side += 2)
+    {
+        Fit fit = central;
+        int tooExpensive = 0;
+        // There may be a low place behind a high one, as verticals change from one wall to the other.
+        for (double step = first, offset = first; tooExpensive < 2 && offset < farthest; step *= growth, offset += step)
+        {
+            const double excess = addPinned(pinned, problem.prior, best, middle + side * offset, (1 + growth) / 2 * step, fit, mixture);
+            tooExpensive = excess > hopeless ? 2 : excess > impossible ? tooExpensive + 1 : 0;
+        }
+    }
     return mixture.mean();
 }
 
