@@ -42,6 +42,13 @@ void initMap(const Ptr<WarpMapGenerator>& generator, bool distort, const Ackerma
 
 typedef testing::TestWithParam<std::tuple<int, int, bool> > WarpOpenCL; // TestLens, ScanDirection, whether to distort
 
+RollingShutterCamera scannedCamera(const WarpOpenCL::ParamType& param)
+{
+    RollingShutterCamera camera = lensCamera(std::get<0>(param));
+    camera.scanDirection = std::get<1>(param);
+    return camera;
+}
+
 TEST_P(WarpOpenCL, equals_CPU)
 {
     skipWithoutDevice();
@@ -83,8 +90,7 @@ TEST_P(WarpOpenCL, map_types)
 {
     skipWithoutDevice();
     const bool distort = std::get<2>(GetParam());
-    RollingShutterCamera camera = lensCamera(std::get<0>(GetParam()));
-    camera.scanDirection = std::get<1>(GetParam());
+    const RollingShutterCamera camera = scannedCamera(GetParam());
     const AckermannMotion motion = AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, 0);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     UMat columns, rows, mask, xy, none(3, 3, CV_8U), whole, fraction;
@@ -115,8 +121,7 @@ TEST_P(WarpOpenCL, preallocated_outputs_are_reused)
 {
     skipWithoutDevice();
     const bool distort = std::get<2>(GetParam());
-    RollingShutterCamera camera = lensCamera(std::get<0>(GetParam()));
-    camera.scanDirection = std::get<1>(GetParam());
+    const RollingShutterCamera camera = scannedCamera(GetParam());
     const AckermannMotion motion = AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, 0);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     Mat expected1, expected2, expectedMask;

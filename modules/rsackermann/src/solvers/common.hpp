@@ -82,6 +82,34 @@ left (or only) wall first, then, where twoWalls, one on the right wall.
 */
 bool areOnWalls(const MinimalSolution& solution, const TurnedSegment* segments, int left, bool twoWalls);
 
+/** The solutions at some alphas.
+@param segments two on the left (or only) wall and, where twoWalls, a third one on the right wall.
+@param solveAt makes the walls of a solution from the constraints of the segments at its alpha; false where there are none.
+@return number of solutions.
+*/
+template <class SolveAt>
+int solutionsAt(const double* alphas, int count, const VerticalSegment* segments, bool twoWalls, const SolverOptions& options,
+                const SolveAt& solveAt, MinimalSolution* solutions)
+{
+    const Heading heading(options.heading);
+    int found = 0;
+    for (int k = 0; k < count; k++)
+    {
+        MinimalSolution& s = solutions[found];
+        s.alpha = alphas[k];
+        TurnedSegment turned[3];
+        Constraint constraints[3];
+        for (int i = 0; i < (twoWalls ? 3 : 2); i++)
+        {
+            turned[i] = TurnedSegment(segments[i], s.alpha, heading);
+            constraints[i] = turned[i].constraint();
+        }
+        if (solveAt(constraints, s) && isWithinLimits(s, options) && areOnWalls(s, turned, 2, twoWalls))
+            found++;
+    }
+    return found;
+}
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_SOLVERS_COMMON_HPP

@@ -42,23 +42,8 @@ int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double size,
     const SpeedExcess excess = {segments, heading, size};
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(excess, options.maxAlpha, alphas);
-    int count = 0;
-    for (int k = 0; k < found; k++)
-    {
-        MinimalSolution& s = solutions[count];
-        s.alpha = alphas[k];
-        TurnedSegment turned[3];
-        Constraint constraints[3];
-        for (int i = 0; i < n; i++)
-        {
-            turned[i] = TurnedSegment(segments[i], s.alpha, heading);
-            constraints[i] = turned[i].constraint();
-        }
-        if (solveWalls(constraints[0], constraints[1], twoWalls ? constraints + 2 : 0, s) && isWithinLimits(s, options) &&
-            areOnWalls(s, turned, 2, twoWalls))
-            count++;
-    }
-    return count;
+    const auto solveAt = [twoWalls](const Constraint* c, MinimalSolution& s) { return solveWalls(c[0], c[1], twoWalls ? c + 2 : 0, s); };
+    return solutionsAt(alphas, found, segments, twoWalls, options, solveAt, solutions);
 }
 
 }} // namespace cv::rsackermann

@@ -68,22 +68,8 @@ int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, doub
         return 0;
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(disagreement, options.maxAlpha, alphas);
-    int count = 0;
-    for (int k = 0; k < found; k++)
-    {
-        MinimalSolution& s = solutions[count];
-        s.alpha = alphas[k];
-        TurnedSegment turned[3];
-        Constraint constraints[3];
-        for (int i = 0; i < n; i++)
-        {
-            turned[i] = TurnedSegment(segments[i], s.alpha, heading);
-            constraints[i] = turned[i].constraint();
-        }
-        if (solveSize(disagreement, constraints, twoWalls, s) && isWithinLimits(s, options) && areOnWalls(s, turned, 2, twoWalls))
-            count++;
-    }
-    return count;
+    const auto solveAt = [&](const Constraint* constraints, MinimalSolution& s) { return solveSize(disagreement, constraints, twoWalls, s); };
+    return solutionsAt(alphas, found, segments, twoWalls, options, solveAt, solutions);
 }
 
 }} // namespace cv::rsackermann
