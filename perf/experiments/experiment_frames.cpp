@@ -19,7 +19,8 @@ namespace {
 
 const char* const ABOUT =
     "Compares corrected rolling-shutter frames with global-shutter images: PSNR in dB before, and what is gained by the estimated\n"
-    "motion, by the motion that fits the global-shutter image best, and by that with roll and pitch fitted, too.\n";
+    "motion, by the motion that fits the global-shutter image best, and by that with roll and pitch fitted, too; then the number of\n"
+    "candidates for verticals, and how many of them are vertical to half a pixel after the estimated and after the best motion.\n";
 
 const char* const KEYS =
     "{help       |        | print this message}"
@@ -141,6 +142,36 @@ AckermannMotion fitMotion(const Frame& frame, const AckermannMotion& start, bool
     return motion;
 }
 
+// Candidates whose corrected ends are in the same column of an upright camera, to half a pixel.
+int countVerticals(const Frame& frame, const AckermannMotion& motion, const cv::Mat& candidates)
+{
+    if (candidates.empty())
+        return 0;
+    cv::Mat ends;
+    WarpMapGenerator::create(frame.camera)->correctPoints(motion, candidates.reshape(1, 2 * candidates.rows), ends);
+    const cv::Matx33d upright = frame.camera.uprightRotation * frame.camera.cameraMatrix.inv();
+    std::vector<double> columns;
+    for (int i = 0; i < ends.rows; i++)
+    {
+        const cv::Vec3d ray = upright * cv::Vec3d(ends.at<float>(i, 0), ends.at<float>(i, 1), 1);
+        columns.push_back(frame.camera.cameraMatrix(0, 0) * ray[0] / ray[2]);
+    }
+    int count = 0;
+    for (size_t i = 0; i < columns.size(); i += 2)
+        count += std::abs(columns[i] - columns[i + 1]) < 0.5;
+    return count;
+}
+
+// The segments that the estimator takes for images of verticals.
+cv::Mat candidatesOf(const cv::Mat& segments, const cv::Mat& labels)
+{
+    cv::Mat candidates(0, 4, CV_32F);
+    for (int i = 0; i < labels.rows; i++)
+        if (labels.at<uchar>(i) != SEGMENT_REJECTED)
+            candidates.push_back(segments.row(i));
+    return candidates;
+}
+
 int run(int argc, const char* const* argv)
 {
     Options options(argc, argv, KEYS);
@@ -158,18 +189,28 @@ int run(int argc, const char* const* argv)
     double sums[3] = {0, 0, 0};
     const std::vector<std::vector<std::string> > rows =
         readTable(folder + "frames.csv", {"name", "focal_px", "roll_deg", "pitch_deg", "heading_deg"});
-    std::printf("frame\tbefore\testimated\tbest motion\tand gravity\n");
+    std::printf("frame\tbefore\testimated\tbest motion\tand gravity\tcandidates\testimated\tbest\n");
     for (const std::vector<std::string>& row : rows)
     {
         const Frame frame = readFrame(folder, row);
         const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(frame.camera);
         const double before = psnr(frame, *generator, AckermannMotion());
-        const AckermannMotion estimated = AckermannEstimator::create(frame.camera)->estimateFromImage(frame.rolling);
-        double gains[3] = {psnr(frame, *generator, estimated) - before, 0, 0};
+        cv::Mat segments, labels;
+        const AckermannMotion estimated = AckermannEstimator::create(frame.camera)->estimateFromImage(frame.rolling, segments, labels);
+        const cv::Mat candidates = candidatesOf(segments, labels);
+        double gains[3] = {psnr(frame, *generator, estimated) - before, -DBL_MAX, -DBL_MAX};
+        AckermannMotion best;
         for (int fitGravity = 0; fitGravity < 2; fitGravity++)
             for (const AckermannMotion& start : {estimated, AckermannMotion()})
-                gains[1 + fitGravity] = std::max(gains[1 + fitGravity], psnr(frame, *generator, fitMotion(frame, start, fitGravity > 0)) - before);
-        std::printf("%s\t%.2f\t%+.2f\t%+.2f\t%+.2f\n", frame.name.c_str(), before, gains[0], gains[1], gains[2]);
+            {
+                const AckermannMotion fitted = fitMotion(frame, start, fitGravity > 0);
+                const double gain = psnr(frame, *generator, fitted) - before;
+                if (gain > gains[1 + fitGravity] && !fitGravity)
+                    best = fitted;
+                gains[1 + fitGravity] = std::max(gains[1 + fitGravity], gain);
+            }
+        std::printf("%s\t%.2f\t%+.2f\t%+.2f\t%+.2f\t%d\t%d\t%d\n", frame.name.c_str(), before, gains[0], gains[1], gains[2], candidates.rows,
+                    countVerticals(frame, estimated, candidates), countVerticals(frame, best, candidates));
         for (int i = 0; i < 3; i++)
             sums[i] += gains[i] / double(rows.size());
     }
