@@ -258,52 +258,43 @@ TEST(RSAckermann_Solvers, solve1LA_finds_pure_rotation)
     EXPECT_EQ(1, shareBelow(errors, 1e-6));
 }
 
+// At least the given share of random problems has the true motion among its solutions.
+template <class Generator> void expectFound(Generator generator, Solver solver, Motion motion, bool twoWalls, int maxSolutions, double least)
+{
+    const double share = shareBelow(bestErrors(generator, solver, motion, twoWalls, maxSolutions), 1e-6);
+    testing::Test::RecordProperty("share", format("%.4f", share));
+    EXPECT_GE(share, least);
+}
+
 TEST_P(RSAckermann_WallSolvers, solve3LA_finds_pure_translation)
 {
-    ExactGenerator generator;
-    const std::vector<double> errors = bestErrors(generator, run3LA, TRANSLATION, GetParam(), 1);
-    RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
-    EXPECT_GE(shareBelow(errors, 1e-6), 0.999);
+    expectFound(ExactGenerator(), run3LA, TRANSLATION, GetParam(), 1, 0.999);
 }
 
 TEST_P(RSAckermann_WallSolvers, solve4LA_finds_its_own_model)
 {
-    CubicGenerator generator;
-    const std::vector<double> errors = bestErrors(generator, run4LA, BOTH, GetParam(), 3);
-    RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
-    EXPECT_GE(shareBelow(errors, 1e-6), 0.999);
+    expectFound(CubicGenerator(), run4LA, BOTH, GetParam(), 3, 0.999);
 }
 
 TEST_P(RSAckermann_WallSolvers, solve4LAExact_finds_exact_motion)
 {
-    ExactGenerator generator;
-    const std::vector<double> errors = bestErrors(generator, run4LAExact, BOTH, GetParam(), 8);
-    RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
-    EXPECT_GE(shareBelow(errors, 1e-6), 0.99);
+    expectFound(ExactGenerator(), run4LAExact, BOTH, GetParam(), 8, 0.99);
 }
 
 TEST_P(RSAckermann_WallSolvers, solveKnownYawRate_finds_exact_motion)
 {
-    ExactGenerator generator;
-    const std::vector<double> errors = bestErrors(generator, runKnownYawRate, BOTH, GetParam(), 1);
-    EXPECT_GE(shareBelow(errors, 1e-6), 0.999);
+    expectFound(ExactGenerator(), runKnownYawRate, BOTH, GetParam(), 1, 0.999);
 }
 
 TEST_P(RSAckermann_WallSolvers, solveKnownSpeed_finds_exact_motion)
 {
-    ExactGenerator generator;
-    const std::vector<double> errors = bestErrors(generator, runKnownSpeed, BOTH, GetParam(), 8);
-    RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
-    EXPECT_GE(shareBelow(errors, 1e-6), 0.99);
+    expectFound(ExactGenerator(), runKnownSpeed, BOTH, GetParam(), 8, 0.99);
 }
 
 TEST_P(RSAckermann_WallSolvers, solveKnownWallDirection_finds_exact_motion)
 {
-    ExactGenerator generator;
-    const std::vector<double> errors = bestErrors(generator, runKnownWallDirection, BOTH, GetParam(), 6);
-    RecordProperty("share", format("%.4f", shareBelow(errors, 1e-6)));
-    EXPECT_GE(shareBelow(errors, 1e-6), 0.99);
-    EXPECT_GE(shareBelow(bestErrors(generator, runKnownOppositeDirection, BOTH, GetParam(), 6), 1e-6), 0.99);
+    expectFound(ExactGenerator(), runKnownWallDirection, BOTH, GetParam(), 6, 0.99);
+    expectFound(ExactGenerator(), runKnownOppositeDirection, BOTH, GetParam(), 6, 0.99);
 }
 
 //! A random motion of the paper's experiments and the images of three lines on the left and one on the right wall.

@@ -24,7 +24,6 @@ template <class T> struct CompensatedEnd
     T kept, depth;            // 1 - w z of the place, w z of the bearing
     T x, y, inverse;          // the point, and 1/h3
 
-    CompensatedEnd() {}
     CompensatedEnd(const TurnedEnd<T>& end, const PreparedModel& m)
     {
         choosePlane(end, m);
@@ -94,7 +93,7 @@ template <class T> struct Chord
     {
     }
 
-    //! The distance from the vanishing point to the segment is moment / sqrt(length2), times |z|.
+    //! The lateral distance between the ends, as seen from the vanishing point, is moment / sqrt(length2).
     void momentAround(const T& x, const T& z, T& moment, T& length2) const
     {
         const T dx = x - z * middleX, dy = T(0) - z * middleY, leastLength2(1e-24);

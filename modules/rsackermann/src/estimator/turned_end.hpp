@@ -33,8 +33,8 @@ template <class T> struct TurnedEnd
     T y;                // height of the bearing
     T N, M;             // direction in the horizontal plane
     T c2, s2;           // cos, sin of theta/2 + heading
-    T tau, tauByAlpha;  // (c2, s2) tau: place of the camera
-    T across, along;    // of the direction to the motion
+    T tau, tauByAlpha;  // the camera is at tau (s2, c2) in the horizontal plane
+    T across, along;    // parts of the direction (N, M) across and along that of the camera's place
 
     //! @param bx, by upright bearing of the end, with z = 1.
     TurnedEnd(const T& bx, const T& by, const T& t_, const PreparedModel& m) : t(t_)
