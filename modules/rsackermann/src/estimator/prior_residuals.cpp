@@ -11,7 +11,7 @@ namespace rsackermann {
 
 PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                        const MotionLimits& limits)
-    : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma), hasPrevious(false),
+    : alpha(0), alphaSigma(0), sampleAlpha(0), sampleAlphaSigma(0), size(0), sizeSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma), hasPrevious(false),
       usualAlpha(0.5 * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDirectionSigma), reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
@@ -20,6 +20,8 @@ PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& cam
         alpha = prior.yawRate * unit / 2;
         alphaSigma = prior.yawRateSigma * unit / 2;
     }
+    sampleAlpha = alpha;
+    sampleAlphaSigma = alphaSigma;
     if (unit > 0 && prior.speedSigma > 0 && params.wallDistance > 0)
     {
         size = prior.speed * unit / params.wallDistance;
@@ -53,6 +55,12 @@ PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& cam
         for (int j = 0; j < 4; j++)
             previousInformation(i, j) = isKnown[i] && isKnown[j] ? whitening(i, j) : 0;
     hasPrevious = true;
+    const double carriedSigma = std::sqrt(covariance(0, 0));
+    if (isKnown[0] && (!(sampleAlphaSigma > 0) || carriedSigma < sampleAlphaSigma))
+    {
+        sampleAlpha = m.alpha;
+        sampleAlphaSigma = carriedSigma;
+    }
 }
 
 int PriorTerms::evaluate(const Model& model, const Structure& structure, Jet residuals[MAX_RESIDUALS]) const

@@ -17,6 +17,7 @@ deviations (doc/theory.md, "Estimation"). A sigma of 0: not known.
 struct PriorTerms
 {
     double alpha, alphaSigma;
+    double sampleAlpha, sampleAlphaSigma; // for sampling: alpha, or that of the previous frame where it is more exact
     double size, sizeSigma;       // of sqrt(B^2 + D^2), with the sign of the direction
     double street, streetSigma;   // azimuth of the street
     double previous[4];           // alpha, B, D, lambda
@@ -26,7 +27,7 @@ struct PriorTerms
     double heading, headingSigma; // the walls are along the vehicle's forward direction, more or less
     double reversePenalty;        // cost of driving backward
 
-    PriorTerms() : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(0), streetSigma(0), hasPrevious(false), usualAlpha(0), heading(0), headingSigma(0), reversePenalty(0) {}
+    PriorTerms() : alpha(0), alphaSigma(0), sampleAlpha(0), sampleAlphaSigma(0), size(0), sizeSigma(0), street(0), streetSigma(0), hasPrevious(false), usualAlpha(0), heading(0), headingSigma(0), reversePenalty(0) {}
     PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                const MotionLimits& limits);
 
