@@ -30,6 +30,9 @@ const char* const CASE_KEYS =
     "{left       | 2.5    | metres to the left wall of the rendered street, 0: there is none}"
     "{right      | 3      | metres to its right wall, 0: there is none}"
     "{clutter    | 0      | share of slanted lines in the rendered streets, 0..1}"
+    "{stagger    | 0      | metres: each rendered house stands back from its wall by its own amount between 0 and this}"
+    "{obstacles  | 0      | parked cars, posts and leaning trees on 100 m of each side of the rendered streets; cars park only where the "
+    "wall is 2.8 m away}"
     "{noise      | 1      | of the rendered images, grey levels}";
 
 namespace {
@@ -81,6 +84,8 @@ std::vector<Case> renderedCases(const Options& options)
             scene.right = toTheLeft ? 0 : options.number("right", 0, 1000);
             scene.seed = unsigned(first + i);
             scene.clutter = options.number("clutter", 0, 1);
+            scene.stagger = options.number("stagger", 0, 10);
+            scene.obstacles = options.number("obstacles", 0, 100);
             scene.noise = options.number("noise", 0, 100);
             cases.push_back(Case(cv::format("street_%d", first + i), camera, scene));
         }

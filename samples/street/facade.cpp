@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "facade.hpp"
+#include "texture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,35 +14,6 @@ namespace {
 
 const double FIRST = -40, LAST = 260, TOP = 20; // extent of the facades in metres
 const int COLUMNS = int(LAST - FIRST), ROWS = int(TOP);
-
-// A repeatable random number in [0, 1) for a cell of a grid.
-double cellNoise(int a, int b)
-{
-    unsigned h = unsigned(a) * 0x9E3779B1u ^ (unsigned(b) * 0x85EBCA77u + 0xC2B2AE3Du);
-    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
-    h = (h ^ (h >> 12)) * 0x297A2D39u;
-    return (h ^ (h >> 15)) * (1 / 4294967296.);
-}
-
-// How much of a detail of a given size is left where a pixel covers footprint metres.
-double visibility(double size, double footprint)
-{
-    return std::min(1., std::max(0., 1.5 - footprint / size));
-}
-
-// Courses of bricks with light joints; 0 on average.
-double bricks(double u, double v, double footprint)
-{
-    const double length = 0.24, course = 0.083, joint = 0.012;
-    const double visible = visibility(course / 2, footprint);
-    if (visible <= 0)
-        return 0;
-    const int row = int(std::floor(v / course));
-    const double shifted = u + (row & 1) * length / 2;
-    const int column = int(std::floor(shifted / length));
-    const bool inJoint = v - row * course < joint || shifted - column * length < joint;
-    return visible * (inJoint ? 0.15 : 0.12 * (cellNoise(column, row) - 0.5) - 0.03);
-}
 
 cv::Vec3f randomColour(cv::RNG& rng, double low, double high)
 {
@@ -102,7 +74,10 @@ void Facade::paintHouse(cv::RNG& rng, double u0, double u1, double height)
 {
     const cv::Vec3f wall = randomColour(rng, 90, 190), frame = rng.uniform(0, 2) ? wall * 1.3 : wall * 0.6;
     const double ground = rng.uniform(2.9, 3.6), storey = rng.uniform(2.6, 3.2), plinth = rng.uniform(0.3, 0.7);
-    paint(u0, u1, 0, height, wall, rng.uniform(0, 3) > 0);
+    const bool isBrick = rng.uniform(0, 3) > 0;
+    const House house = {u0, u1, height, wall, isBrick};
+    houses_.push_back(house);
+    paint(u0, u1, 0, height, wall, isBrick);
     paint(u0, u1, 0, plinth, wall * 0.65);
     paint(u0, u1, height - 0.35, height, wall * 0.7);
     paint(u0, u1, ground - 0.15, ground, wall * 1.2);
@@ -161,6 +136,14 @@ bool Facade::sample(double u, double v, double footprint, cv::Vec3f& colour) con
         return true;
     }
     return false;
+}
+
+cv::Vec3f Facade::sampleGable(int house, double depth, double v, double footprint) const
+{
+    // Darker than the front, as a wall that the sun doesn't reach: the corner between the two is an edge.
+    const House& h = houses_[house];
+    const cv::Vec3f colour = h.colour * (0.75f * brightness_);
+    return h.bricks ? colour * (1 + bricks(depth, v, footprint)) : colour;
 }
 
 cv::Vec3f sampleRoad(double u, double a, double width, double footprint)

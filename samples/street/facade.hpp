@@ -17,6 +17,13 @@ The paint is a list of parallelograms with horizontal upper and lower sides; wha
 class Facade
 {
 public:
+    struct House
+    {
+        double u0, u1, height;
+        cv::Vec3f colour; // of the wall
+        bool bricks;
+    };
+
     /** @param seed of the random numbers.
         @param clutter share of windows, doors and pipes that are slanted instead of upright.
         @param brightness of the whole wall. */
@@ -27,6 +34,12 @@ public:
         @param colour result.
         @return false above the roof. */
     bool sample(double u, double v, double footprint, cv::Vec3f& colour) const;
+
+    //! The houses in the order of u, without gaps.
+    const std::vector<House>& houses() const { return houses_; }
+
+    //! Colour of the side of a house, depth metres behind the plane of the facades.
+    cv::Vec3f sampleGable(int house, double depth, double v, double footprint) const;
 
 private:
     struct Patch
@@ -45,6 +58,7 @@ private:
 
     double clutter_, brightness_;
     double slant_; // of the patches being painted
+    std::vector<House> houses_;
     std::vector<Patch> patches_;
     std::vector<std::vector<int> > cells_; // patches that touch a cell of one square metre
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace street {
 
@@ -38,17 +39,20 @@ StreetCamera::StreetCamera(const cv::Size& imageSize, double focal, double delay
 {
 }
 
-StreetScene::StreetScene() : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), seed(0), clutter(0), noise(1)
+StreetScene::StreetScene()
+    : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), seed(0), clutter(0), stagger(0), obstacles(0), noise(1)
 {
 }
 
 StreetRenderer::StreetRenderer(const StreetCamera& camera, const StreetScene& scene)
     : camera_(camera), scene_(scene), upright_(uprightFrom(camera.roll, camera.pitch)),
       along_(std::sin(scene.wallDirection), 0, std::cos(scene.wallDirection)),
-      across_(std::cos(scene.wallDirection), 0, -std::sin(scene.wallDirection)), leftFacade_(2 * scene.seed, scene.clutter, 1.05),
-      rightFacade_(2 * scene.seed + 1, scene.clutter, 0.85)
+      across_(std::cos(scene.wallDirection), 0, -std::sin(scene.wallDirection)),
+      left_(Facade(2 * scene.seed, scene.clutter, 1.05), scene.left, scene.stagger, scene.obstacles, 2 * scene.seed),
+      right_(Facade(2 * scene.seed + 1, scene.clutter, 0.85), scene.right, scene.stagger, scene.obstacles, 2 * scene.seed + 1)
 {
     CV_Assert(scene.left >= 0 && scene.right >= 0 && camera.height > 0);
+    CV_Assert(scene.stagger >= 0 && scene.obstacles >= 0);
     CV_Assert(camera.scan >= 0 && camera.scan <= 3);
 }
 
@@ -95,7 +99,7 @@ StreetRenderer::Hit StreetRenderer::cast(const cv::Vec3d& origin, const cv::Vec3
     const double gap[3] = {-scene_.left - side, scene_.right - side, camera_.height - origin[1]};
     const double rate[3] = {sideways, sideways, ray[1]};
     const bool present[3] = {scene_.left > 0, scene_.right > 0, true};
-    Hit hit = {0, 0};
+    Hit hit = {0, 0, {StreetSide::Surface::FRONT, 0}};
     for (int i = 0; i < 3; i++)
     {
         const double distance = gap[i] / rate[i];
@@ -105,7 +109,39 @@ StreetRenderer::Hit StreetRenderer::cast(const cv::Vec3d& origin, const cv::Vec3
             hit.distance = distance;
         }
     }
+    if (scene_.stagger > 0 || scene_.obstacles > 0)
+        castUneven(origin, ray, hit);
     return hit;
+}
+
+void StreetRenderer::castUneven(const cv::Vec3d& origin, const cv::Vec3d& ray, Hit& hit) const
+{
+    Hit nearest = {0, std::numeric_limits<double>::infinity(), hit.surface};
+    if (ray[1] > 0) // the road goes on behind the planes of the walls
+    {
+        nearest.plane = 3;
+        nearest.distance = (camera_.height - origin[1]) / ray[1];
+    }
+    if (scene_.left > 0 && left_.cast(placeAt(1, origin), directionAt(1, ray), nearest.distance, nearest.surface))
+        nearest.plane = 1;
+    if (scene_.right > 0 && right_.cast(placeAt(2, origin), directionAt(2, ray), nearest.distance, nearest.surface))
+        nearest.plane = 2;
+    if (nearest.plane)
+        hit = nearest;
+    else // the sky counts as a part of the walls' planes here too, so that the true maps of both kinds of street compare
+        hit.surface.kind = StreetSide::Surface::NOTHING;
+}
+
+cv::Vec3d StreetRenderer::directionAt(int plane, const cv::Vec3d& v) const
+{
+    const double side = across_.dot(v);
+    return cv::Vec3d(along_.dot(v), plane == 1 ? -side : side, -v[1]);
+}
+
+cv::Vec3d StreetRenderer::placeAt(int plane, const cv::Vec3d& v) const
+{
+    const double side = across_.dot(v);
+    return cv::Vec3d(along_.dot(v), plane == 1 ? -side - scene_.left : side - scene_.right, camera_.height - v[1]);
 }
 
 cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) const
@@ -116,12 +152,11 @@ cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) 
     if (!hit.plane)
         return sky;
     const cv::Vec3d place = origin + ray * hit.distance;
-    const double u = along_.dot(place), v = camera_.height - place[1];
     const double metres = hit.distance * cv::norm(ray), footprint = metres / camera_.fx;
     cv::Vec3f paint;
     if (hit.plane == 3)
-        paint = sampleRoad(u, across_.dot(place) + scene_.left, scene_.left + scene_.right, footprint);
-    else if (!(hit.plane == 1 ? leftFacade_ : rightFacade_).sample(u, v, footprint, paint))
+        paint = sampleRoad(along_.dot(place), across_.dot(place) + scene_.left, scene_.left + scene_.right, footprint);
+    else if (!(hit.plane == 1 ? left_ : right_).sample(hit.surface, placeAt(hit.plane, place), footprint, paint))
         return sky;
     const double clear = std::exp(-metres / HAZE);
     return paint * clear + sky * (1 - clear);

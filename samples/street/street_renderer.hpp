@@ -5,7 +5,7 @@
 #ifndef RSACKERMANN_SAMPLES_STREET_RENDERER_HPP
 #define RSACKERMANN_SAMPLES_STREET_RENDERER_HPP
 
-#include "facade.hpp"
+#include "street_side.hpp"
 
 namespace street {
 
@@ -35,6 +35,8 @@ struct StreetScene
     double wallDirection;      //!< radians from the optical axis to the direction along the walls
     unsigned seed;             //!< of the facades and the noise
     double clutter;            //!< share of slanted lines, 0..1
+    double stagger;            //!< metres: each house stands back from its wall by its own amount between 0 and this
+    double obstacles;          //!< cars, posts and trees on 100 m of each side
     double noise;              //!< standard deviation of the image noise in grey levels
 
     StreetScene();
@@ -74,6 +76,7 @@ private:
     {
         int plane;       // 0 none, 1 left wall, 2 right wall, 3 road
         double distance; // in lengths of the ray
+        StreetSide::Surface surface; // where the plane is that of a wall
     };
 
     cv::Mat render(bool moving, int samples) const;
@@ -84,12 +87,16 @@ private:
     cv::Vec3d uprightRay(const cv::Point2d& pixel, bool throughLens) const;
     bool project(const cv::Vec3d& upright, bool throughLens, cv::Point2d& pixel) const;
     Hit cast(const cv::Vec3d& origin, const cv::Vec3d& ray) const;
+    void castUneven(const cv::Vec3d& origin, const cv::Vec3d& ray, Hit& hit) const;
+    // In the terms of the side of the street of a plane.
+    cv::Vec3d directionAt(int plane, const cv::Vec3d& v) const;
+    cv::Vec3d placeAt(int plane, const cv::Vec3d& v) const;
 
     StreetCamera camera_;
     StreetScene scene_;
     cv::Matx33d upright_; // turns the camera frame upright
     cv::Vec3d along_, across_;
-    Facade leftFacade_, rightFacade_;
+    StreetSide left_, right_;
 };
 
 } // namespace street
