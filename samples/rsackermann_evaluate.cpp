@@ -95,10 +95,19 @@ int run(int argc, const char* const* argv)
         printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, lineAtInfinity);
     }
     if (truth.scene.left > 0 && truth.scene.right > 0)
-        printRow("wall distances, left/right", truth.scene.left / truth.scene.right, report.value("lambda", nlohmann::json()));
+        printRow("wall distances, left/right", truth.scene.left / truth.scene.right, report.value("wall_ratio", nlohmann::json()));
+    // Before and after are compared at the same pixels.
+    const int seen = cv::countNonZero(mask);
+    mask &= placesOf(estimated[0], estimated[1]);
+    const int compared = cv::countNonZero(mask);
     std::printf("\n%-26s %10s %10s\n", "", "before", "after");
-    std::printf("%-26s %10.3f %10.3f\n", "mean displacement, px", meanDistance(identity[0], identity[1], exact[0], exact[1], mask),
-                meanDistance(estimated[0], estimated[1], exact[0], exact[1], mask));
+    if (compared > 0)
+        std::printf("%-26s %10.3f %10.3f\n", "mean displacement, px", meanDistance(identity[0], identity[1], exact[0], exact[1], mask),
+                    meanDistance(estimated[0], estimated[1], exact[0], exact[1], mask));
+    else
+        std::printf("%-26s %10s %10s\n", "mean displacement, px", "-", "-");
+    if (compared < seen)
+        std::printf("%d of %d pixels have no place in the estimated maps and don't count\n", seen - compared, seen);
     return 0;
 }
 

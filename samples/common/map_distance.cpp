@@ -6,11 +6,17 @@
 
 namespace rsackermann_samples {
 
+cv::Mat placesOf(const cv::Mat& columns, const cv::Mat& rows)
+{
+    const float none = -16384; // in both maps, see cv::rsackermann::WarpMapGenerator::initRectifyMap
+    return (columns != none) | (rows != none);
+}
+
 double meanDistance(const cv::Mat& columns1, const cv::Mat& rows1, const cv::Mat& columns2, const cv::Mat& rows2, const cv::Mat& mask)
 {
     cv::Mat distance;
     cv::magnitude(columns1 - columns2, rows1 - rows2, distance);
-    return cv::mean(distance, mask)[0];
+    return cv::mean(distance, mask & placesOf(columns1, rows1) & placesOf(columns2, rows2))[0];
 }
 
 void identityMaps(const cv::Size& size, cv::Mat& columns, cv::Mat& rows)

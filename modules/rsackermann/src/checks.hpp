@@ -31,6 +31,14 @@ inline void checkNotNegative(double value, const char* name, const char* meaning
         CV_Error(Error::StsBadArg, format("%s is %g; a positive number, or 0 for %s, is expected", name, value, meaningOfZero));
 }
 
+//! Throws unless the value is finite and within the limits, which belong to the range.
+inline void checkRange(double value, double low, double high, const char* name)
+{
+    checkFinite(value, name);
+    if (value < low || value > high)
+        CV_Error(Error::StsBadArg, format("%s is %g; a number from %g to %g is expected", name, value, low, high));
+}
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_CHECKS_HPP

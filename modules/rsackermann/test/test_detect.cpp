@@ -55,6 +55,96 @@ TEST_P(Detectors, finds_the_sides_in_images_of_every_type)
     }
 }
 
+//! Facades with noise as a 16-bit camera sees them: levels from low to high, noise with a hundredth of that as its deviation.
+Mat facades16(double low, double high)
+{
+    Mat image(380, 640, CV_32F, Scalar(0)), blurred, result;
+    RNG rng(5);
+    for (int i = 0; i < 60; i++)
+    {
+        const Rect window(rng.uniform(0, 600), rng.uniform(0, 300), rng.uniform(15, 60), rng.uniform(40, 160));
+        rectangle(image, window, Scalar(rng.uniform(0., 1.)), FILLED);
+    }
+    GaussianBlur(image, blurred, Size(), 0.8);
+    Mat noise(image.size(), CV_32F);
+    rng.fill(noise, RNG::NORMAL, 0, 0.01);
+    Mat(blurred + noise).convertTo(result, CV_16U, high - low, low);
+    return result;
+}
+
+//! Share of the segments that lie on one of the others: both ends within a pixel of its line, and the middle beside it.
+double shareFound(const Mat& segments, const Mat& others)
+{
+    int found = 0;
+    for (int i = 0; i < segments.rows; i++)
+    {
+        const Vec4f s = *segments.ptr<Vec4f>(i);
+        bool isFound = false;
+        for (int j = 0; j < others.rows && !isFound; j++)
+        {
+            const Vec4f other = *others.ptr<Vec4f>(j);
+            const Point2d a(other[0], other[1]), b(other[2], other[3]), p(s[0], s[1]), q(s[2], s[3]), along = (b - a) / cv::norm(b - a);
+            const double middle = along.dot((p + q) / 2 - a);
+            isFound = std::abs(along.cross(p - a)) < 1 && std::abs(along.cross(q - a)) < 1 && middle > 0 && middle < cv::norm(b - a);
+        }
+        found += isFound;
+    }
+    return segments.rows > 0 ? found / double(segments.rows) : 0;
+}
+
+TEST_P(Detectors, bright_and_dark_pixels_in_16_bit_images)
+{
+    for (int scale = 1; scale <= 3; scale += 2)
+    {
+        Mat image, expected;
+        resize(facades16(3000, 6000), image, Size(), scale, scale, INTER_CUBIC);
+        detectSegments(image, expected, GetParam(), 30 * scale);
+        ASSERT_GE(expected.rows, 40);
+        const int values[] = {65535, 0};
+        for (int i = 0; i < 2; i++)
+        {
+            Mat onePixel = image.clone(), lamp = image.clone(), segments;
+            onePixel.at<ushort>(0, 5) = ushort(values[i]);
+            detectSegments(onePixel, segments, GetParam(), 30 * scale);
+            EXPECT_GE(shareFound(expected, segments), 0.95) << values[i] << ", scale " << scale;
+            EXPECT_GE(shareFound(segments, expected), 0.95) << values[i] << ", scale " << scale;
+
+            // Half a percent of the image: the contrast changes a little, and the segments near the threshold with it.
+            circle(lamp, Point(600, 350) * scale, 20 * scale, Scalar(values[i]), FILLED);
+            detectSegments(lamp, segments, GetParam(), 30 * scale);
+            EXPECT_GE(shareFound(expected, segments), 0.6) << values[i] << ", scale " << scale;
+        }
+    }
+}
+
+// What is seen doesn't depend on where in the 16 bits it is.
+TEST_P(Detectors, dark_and_low_contrast_in_16_bit_images)
+{
+    Mat expected;
+    detectSegments(facades16(8000, 56000), expected, GetParam(), 30);
+    ASSERT_GE(expected.rows, 40);
+    const int levels[][2] = {{3000, 6000}, {100, 400}, {200, 264}, {60000, 60300}};
+    for (int i = 0; i < 4; i++)
+    {
+        Mat segments;
+        detectSegments(facades16(levels[i][0], levels[i][1]), segments, GetParam(), 30);
+        EXPECT_GE(shareFound(expected, segments), 0.8) << levels[i][0];
+        EXPECT_GE(shareFound(segments, expected), 0.8) << levels[i][0];
+    }
+}
+
+// Fewer than a hundredth of the pixels differ from the rest, and are all that there is to see.
+TEST_P(Detectors, few_bright_pixels_in_16_bit_images)
+{
+    Mat image(240, 320, CV_16U, Scalar(1000)), segments;
+    image(Rect(160, 60, 2, 120)).setTo(3000);
+    detectSegments(image, segments, GetParam(), 60);
+    EXPECT_GE(segments.rows, 1);
+    for (int i = 0; i < segments.rows; i++)
+        for (int end = 0; end < 4; end += 2)
+            EXPECT_NEAR(160.5, segments.at<float>(i, end), 2);
+}
+
 //! A slightly slanted edge, column = x + slope (row - 120), each pixel the mean of the area around its centre.
 Mat edge(double x, double slope, bool brightRight)
 {
@@ -185,6 +275,23 @@ TEST_P(Detectors, long_and_narrow_images)
         EXPECT_NO_THROW(detectSegments(image, segments, GetParam(), 5)) << sizes[i];
         EXPECT_EQ(4, segments.cols);
     }
+}
+
+// For the borders of the strips the width is multiplied by their number, which doesn't fit an int here.
+TEST_P(Detectors, very_wide_image)
+{
+    // LSD searches strips of halved images only.
+    const Size size = GetParam() == DETECTOR_LSD ? Size(2200000, 40) : Size(1100000, 31);
+    const int edge = size.width - 100001;
+    Mat image(size, CV_8U, Scalar(60)), segments;
+    image.colRange(edge, size.width).setTo(180);
+    ASSERT_NO_THROW(detectSegments(image, segments, GetParam(), 5));
+    if (GetParam() != DETECTOR_LSD) // at the scale of LSD so low an image shows nothing
+    {
+        EXPECT_GE(segments.rows, 1);
+    }
+    for (int i = 0; i < segments.rows; i++)
+        EXPECT_NEAR(edge - 0.5, segments.at<float>(i, 0), 2);
 }
 
 TEST_P(Detectors, same_for_any_number_of_threads)

@@ -189,6 +189,42 @@ const BadField badFields[] = {
     BadField("wallDirectionSigma", [](MotionPrior& p) { p.wallDirectionSigma = -1; }),
     BadField("previousNoise", [](MotionPrior& p) { p.previousNoise = -1; }),
     BadField("previousNoise", [](MotionPrior& p) { p.previousNoise = NaN; }),
+    BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = NaN; }),
+    BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = -infinity; }),
+    BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = 10.1; }),
+    BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = -10.1; }),
+    BadField("prior.previous.B", [](MotionPrior& p) { p.previous.B = NaN; }),
+    BadField("prior.previous.B", [](MotionPrior& p) { p.previous.B = -infinity; }),
+    BadField("prior.previous.B", [](MotionPrior& p) { p.previous.B = 101; }),
+    BadField("prior.previous.B", [](MotionPrior& p) { p.previous.B = -101; }),
+    BadField("prior.previous.D", [](MotionPrior& p) { p.previous.D = NaN; }),
+    BadField("prior.previous.D", [](MotionPrior& p) { p.previous.D = -infinity; }),
+    BadField("prior.previous.D", [](MotionPrior& p) { p.previous.D = 101; }),
+    BadField("prior.previous.D", [](MotionPrior& p) { p.previous.D = -101; }),
+    BadField("prior.previous.G", [](MotionPrior& p) { p.previous.G = NaN; }),
+    BadField("prior.previous.G", [](MotionPrior& p) { p.previous.G = -infinity; }),
+    BadField("prior.previous.G", [](MotionPrior& p) { p.previous.G = 1.1e6; }),
+    BadField("prior.previous.G", [](MotionPrior& p) { p.previous.G = -1.1e6; }),
+    BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = NaN; }),
+    BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = -infinity; }),
+    BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = 3.2; }),
+    BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = -3.2; }),
+    BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = NaN; }),
+    BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = -infinity; }),
+    BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = 3.2; }),
+    BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = -3.2; }),
+    BadField("prior.previous.lambda", [](MotionPrior& p) { p.previous.lambda = NaN; }),
+    BadField("prior.previous.lambda", [](MotionPrior& p) { p.previous.lambda = infinity; }),
+    BadField("prior.previous.lambda", [](MotionPrior& p) { p.previous.lambda = -0.1; }),
+    BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = NaN; }),
+    BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = infinity; }),
+    BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = -0.1; }),
+    BadField("prior.previous.lambda", [](MotionPrior& p) { p.previous.lambda = 1.1e6; }),
+    BadField("prior.previous.covariance(0, 0)", [](MotionPrior& p) { p.previous.covariance(0, 0) = NaN; }),
+    BadField("prior.previous.covariance(1, 2)", [](MotionPrior& p) { p.previous.covariance(1, 2) = infinity; }),
+    BadField("prior.previous.covariance(3, 3)", [](MotionPrior& p) { p.previous.covariance(3, 3) = -infinity; }),
+    BadField("prior.previous.rms", [](MotionPrior& p) { p.previous.rms = NaN; }),
+    BadField("prior.previous.rms", [](MotionPrior& p) { p.previous.rms = infinity; }),
 };
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_PriorCheck, testing::ValuesIn(badFields));
 
@@ -209,6 +245,67 @@ TEST_P(RSAckermann_PriorCheck, names_the_field)
     EXPECT_NE(std::string::npos, message.find(GetParam().first)) << message;
     const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
     EXPECT_THROW(estimator->estimate(Mat(), noArray(), prior), cv::Exception);
+}
+
+std::string complaintOf(const MotionPrior& prior)
+{
+    try
+    {
+        prior.check();
+    }
+    catch (const cv::Exception& e)
+    {
+        return e.err;
+    }
+    return std::string();
+}
+
+TEST(RSAckermann_PreviousMotion, says_what_is_expected_of_the_previous_motion)
+{
+    MotionPrior prior;
+    prior.previous.alpha = NaN;
+    EXPECT_EQ("prior.previous.alpha is nan; a finite number is expected", complaintOf(prior));
+    prior.previous.alpha = -11;
+    EXPECT_EQ("prior.previous.alpha is -11; a number from -10 to 10 is expected", complaintOf(prior));
+    prior.previous.alpha = 0;
+    prior.previous.lambda = -2;
+    EXPECT_EQ("prior.previous.lambda is -2; a number from 0 to 1e+06 is expected", complaintOf(prior));
+}
+
+TEST(RSAckermann_PreviousMotion, accepts_the_limits)
+{
+    MotionPrior prior;
+    for (int sign = -1; sign <= 1; sign += 2)
+    {
+        AckermannMotion& m = prior.previous;
+        m.alpha = sign * 10;
+        m.B = m.D = sign * 100;
+        m.G = sign * 1e6;
+        m.lambda = sign < 0 ? 0 : 1e6;
+        m.rollCorrection = m.pitchCorrection = sign * CV_PI;
+        m.wallDistance = sign < 0 ? 0 : 1e6;
+        EXPECT_EQ("", complaintOf(prior));
+    }
+}
+
+// Motions at the limits leave an estimate finite.
+TEST(RSAckermann_Prior, previous_frame_at_the_limits)
+{
+    const Simulator truth = street();
+    for (int sign = -1; sign <= 1; sign += 2)
+    {
+        MotionPrior prior;
+        prior.previousNoise = 0.1;
+        prior.previous.status = MOTION_OK;
+        prior.previous.model = MODEL_4LA;
+        prior.previous.alpha = sign * 10;
+        prior.previous.B = prior.previous.D = sign * 100;
+        prior.previous.lambda = 1e6;
+        const AckermannMotion m = estimate(truth, 0, prior);
+        const double values[] = {m.alpha, m.B, m.D, m.lambda, m.G, m.rollCorrection, m.pitchCorrection, m.rms};
+        for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
+            EXPECT_FALSE(cvIsNaN(values[i]) || cvIsInf(values[i])) << "sign " << sign << ", value " << i;
+    }
 }
 
 }} // namespace

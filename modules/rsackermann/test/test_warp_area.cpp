@@ -143,4 +143,41 @@ TEST(RSAckermann_WarpArea, bad_arguments)
     EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), 0, Size(-1, 5)), cv::Exception);
 }
 
+// One pixel a side has no extent that could be fitted to that of the raw image.
+TEST(RSAckermann_WarpArea, sizes_of_few_pixels)
+{
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(lensCamera(BROWN_5));
+    const Size tooSmall[] = {Size(1, 1), Size(1, 100), Size(100, 1)};
+    for (int i = 0; i < 3; i++)
+    {
+        EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), 0, tooSmall[i]), cv::Exception) << tooSmall[i];
+        WarpMapGenerator::Params params;
+        params.newSize = tooSmall[i];
+        const Ptr<WarpMapGenerator> ofThatSize = WarpMapGenerator::create(generator->getCamera(), params);
+        EXPECT_THROW(ofThatSize->optimalNewCameraMatrix(AckermannMotion(), 0), cv::Exception) << tooSmall[i];
+    }
+    std::string message;
+    try
+    {
+        generator->optimalNewCameraMatrix(AckermannMotion(), 0, Size(1, 100));
+    }
+    catch (const cv::Exception& e)
+    {
+        message = e.err;
+    }
+    EXPECT_NE(std::string::npos, message.find("newSize is 1 x 100; at least 2 x 2 is expected")) << message;
+
+    const Size smallest[] = {Size(2, 2), Size(2, 100), Size(100, 2)};
+    for (int i = 0; i < 3; i++)
+        for (double alpha = 0; alpha <= 1; alpha += 0.5)
+        {
+            WarpMapGenerator::Params params;
+            params.newSize = smallest[i];
+            params.newCameraMatrix = generator->optimalNewCameraMatrix(AckermannMotion(), alpha, smallest[i]);
+            EXPECT_GT(params.newCameraMatrix(0, 0), 0) << smallest[i] << ", alpha " << alpha;
+            EXPECT_GT(params.newCameraMatrix(1, 1), 0) << smallest[i] << ", alpha " << alpha;
+            EXPECT_NO_THROW(WarpMapGenerator::create(generator->getCamera(), params)) << smallest[i] << ", alpha " << alpha;
+        }
+}
+
 }} // namespace opencv_test::

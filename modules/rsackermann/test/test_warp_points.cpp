@@ -316,6 +316,48 @@ TEST(RSAckermann_WarpPoints, points_without_a_place)
     }
 }
 
+// Where cv::remap finds nothing there is no place, and just before it there is one. Of points and of maps the same is said.
+TEST(RSAckermann_WarpPoints, places_at_the_limit_of_maps)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    const std::vector<Point2d> points = {Point2d(32766, 100),  Point2d(32768, 100),  Point2d(100, 32766),  Point2d(100, 32768),
+                                         Point2d(-32766, 100), Point2d(-32768, 100), Point2d(100, -32766), Point2d(100, -32768)};
+    for (int distort = 0; distort < 2; distort++)
+    {
+        std::vector<Point2d> got;
+        Mat mask;
+        if (distort)
+            generator->distortPoints(AckermannMotion(), points, got, noArray(), mask);
+        else
+            generator->correctPoints(AckermannMotion(), points, got, noArray(), mask);
+        for (int i = 0; i < 8; i++)
+        {
+            const bool exists = i % 2 == 0;
+            EXPECT_EQ(exists ? 255 : 0, mask.at<uchar>(i)) << points[i];
+            EXPECT_LE(cv::norm(got[i] - (exists ? points[i] : Point2d(-16384, -16384))), 1e-6) << points[i];
+        }
+    }
+
+    // The pixel in the middle of the global-shutter image is seen at 32766, the one below it at 32768 and so on.
+    WarpMapGenerator::Params params;
+    const Matx33d& K = camera.cameraMatrix;
+    const double step = 2, middle = 190;
+    params.newCameraMatrix = Matx33d(K(0, 0), 0, K(0, 2), 0, K(1, 1) / step, middle - (32766 - K(1, 2)) / step, 0, 0, 1);
+    const Ptr<WarpMapGenerator> far = WarpMapGenerator::create(camera, params);
+    Mat map1, map2;
+    far->initRectifyMap(AckermannMotion(), map1, map2);
+    for (int y = 185; y <= 195; y++)
+    {
+        const Mat pixel(Matx12d(100, y));
+        Mat raw;
+        far->distortPoints(AckermannMotion(), pixel, raw);
+        const double expected = y <= middle ? 32766 + step * (y - middle) : -16384;
+        EXPECT_NEAR(expected, raw.at<double>(0, 1), 1e-6) << y;
+        EXPECT_NEAR(expected, map2.at<float>(y, 100), 1e-2) << y;
+    }
+}
+
 // The pose of the row that sees a point explains where it is seen: what visual odometry asks for.
 TEST(RSAckermann_WarpPoints, poses_of_rows)
 {

@@ -7,6 +7,7 @@
 #include "detectors.hpp"
 #include "refine_segments.hpp"
 #include "segment_finder.hpp"
+#include <numeric>
 
 namespace cv {
 namespace rsackermann {
@@ -37,11 +38,44 @@ static double lengthOf(const Vec4f& s)
     return std::hypot(s[2] - s[0], s[3] - s[1]);
 }
 
-// 16-bit images seldom use their whole range: the range of the data becomes 0..255.
+// How often each value occurs in a 16-bit image; in a large one only as many rows are looked at as it takes.
+static std::vector<int> histogramOf(const Mat& gray)
+{
+    const size_t enoughPixels = 200000;
+    const int rowStep = std::max(int(std::min(gray.total() / enoughPixels, size_t(gray.rows / MIN_DETECTOR_SIZE))), 1);
+    std::vector<int> counts(USHRT_MAX + 1);
+    for (int y = 0; y < gray.rows; y += rowStep)
+    {
+        const ushort* row = gray.ptr<ushort>(y);
+        for (int x = 0; x < gray.cols; x++)
+            counts[row[x]]++;
+    }
+    return counts;
+}
+
+// The range of the values without a share, less than one half, of the darkest and of the brightest pixels.
+static Range rangeWithout(double share, const std::vector<int>& counts)
+{
+    const double pixels = share * std::accumulate(counts.begin(), counts.end(), 0.);
+    Range range(0, USHRT_MAX);
+    for (double n = counts[range.start]; n <= pixels; n += counts[range.start])
+        range.start++;
+    for (double n = counts[range.end]; n <= pixels; n += counts[range.end])
+        range.end--;
+    return range;
+}
+
+// 16-bit images seldom use their whole range: the range of the data becomes 0..255. So that a lamp or a defective pixel takes no
+// contrast from the rest, the darkest and the brightest hundredth of the pixels don't count. A tenth more on either side keeps what
+// goes only a little beyond, as where the slope of an edge is cut the edge is displaced.
 static void to8Bit(const Mat& gray, Mat& scaled)
 {
-    double low, high;
-    minMaxLoc(gray, &low, &high);
+    const std::vector<int> counts = histogramOf(gray);
+    Range range = rangeWithout(0.01, counts);
+    if (range.start >= range.end) // all but a few pixels are the same: what there is to see are the few
+        range = rangeWithout(0, counts);
+    const double margin = 0.1 * (range.end - range.start);
+    const double low = range.start - margin, high = range.end + margin;
     const double scale = high > low ? 255 / (high - low) : 0;
     gray.convertTo(scaled, CV_8U, scale, -low * scale);
 }
@@ -111,7 +145,7 @@ void SegmentFinder::findInStrips(const Mat& gray, int count, int detector, doubl
     std::vector<Range> own(count), seen(count);
     for (int i = 0; i < count; i++)
     {
-        own[i] = Range(gray.cols * i / count, gray.cols * (i + 1) / count);
+        own[i] = Range(int(int64(gray.cols) * i / count), int(int64(gray.cols) * (i + 1) / count));
         seen[i] = Range(std::max(own[i].start - OVERLAP, 0), std::min(own[i].end + OVERLAP, gray.cols));
         // A copy: not all of the detectors leave their input alone or take parts of larger images.
         gray.colRange(seen[i]).copyTo(strips[i]);

@@ -13,6 +13,24 @@ MotionPrior::MotionPrior()
 {
 }
 
+// The limits are far beyond what any car does or any estimate returns. Within them nothing overflows that is computed from the motion.
+static void checkPrevious(const AckermannMotion& m)
+{
+    const double maxAlpha = 10, maxWall = 100, maxRoad = 1e6, maxRatio = 1e6;
+    checkRange(m.alpha, -maxAlpha, maxAlpha, "prior.previous.alpha");
+    checkRange(m.B, -maxWall, maxWall, "prior.previous.B");
+    checkRange(m.D, -maxWall, maxWall, "prior.previous.D");
+    checkRange(m.lambda, 0, maxRatio, "prior.previous.lambda");
+    checkRange(m.G, -maxRoad, maxRoad, "prior.previous.G");
+    checkRange(m.rollCorrection, -CV_PI, CV_PI, "prior.previous.rollCorrection");
+    checkRange(m.pitchCorrection, -CV_PI, CV_PI, "prior.previous.pitchCorrection");
+    checkNotNegative(m.wallDistance, "prior.previous.wallDistance", "unknown");
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            checkFinite(m.covariance(i, j), format("prior.previous.covariance(%d, %d)", i, j).c_str());
+    checkFinite(m.rms, "prior.previous.rms");
+}
+
 void MotionPrior::check() const
 {
     checkFinite(speed, "prior.speed");
@@ -22,6 +40,7 @@ void MotionPrior::check() const
     checkFinite(wallDirection, "prior.wallDirection");
     checkNotNegative(wallDirectionSigma, "prior.wallDirectionSigma", "not known");
     checkNotNegative(previousNoise, "prior.previousNoise", "no previous frame");
+    checkPrevious(previous);
 }
 
 }} // namespace cv::rsackermann

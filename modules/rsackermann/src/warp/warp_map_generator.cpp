@@ -56,6 +56,14 @@ static void checkSize(const Size& size)
         CV_Error(Error::StsBadArg, format("newSize is %d x %d; a positive width and height, or 0 x 0, are expected", size.width, size.height));
 }
 
+// The first and the last pixel of a row and of a column fix the focal lengths: they have to be two.
+static void checkSpan(const Size& size)
+{
+    if (size.width < 2 || size.height < 2)
+        CV_Error(Error::StsBadArg, format("newSize is %d x %d; at least 2 x 2 is expected, as the focal lengths follow from the distance of "
+                                          "the outermost pixels", size.width, size.height));
+}
+
 static void checkParams(const WarpMapGenerator::Params& params)
 {
     checkNewCameraMatrix(params.newCameraMatrix);
@@ -198,7 +206,9 @@ public:
         if (!(alpha >= 0 && alpha <= 1))
             CV_Error(Error::StsBadArg, format("alpha is %g; a number from 0 to 1 is expected", alpha));
         const GlobalCamera global(camera, params);
-        return optimalMatrix(camera, motion, alpha, newSize == Size() ? global.size : newSize, global.matrix);
+        const Size size = newSize == Size() ? global.size : newSize;
+        checkSpan(size);
+        return optimalMatrix(camera, motion, alpha, size, global.matrix);
     }
 
     void write(FileStorage& fs) const CV_OVERRIDE

@@ -65,7 +65,8 @@ public:
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the raw image and 0 elsewhere.
 
     A pixel for which there is no place in the raw image (behind the camera, beyond the lens model, no convergence, at an
-    instant at which the camera would have passed a wall) is mapped to (-16384, -16384).
+    instant at which the camera would have passed a wall, a coordinate beyond +-32767, where cv::remap finds nothing) is mapped to
+    (-16384, -16384).
      */
     CV_WRAP virtual void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type = CV_32FC1,
                                         OutputArray mask = noArray()) const = 0;
@@ -80,7 +81,7 @@ public:
 
     A raw pixel sees the nearest plane along its ray, or infinity where the ray meets none. The planes surround the camera
     without hiding one another, unless it passes a wall; rows at whose instant it would have done so are mapped to
-    (-16384, -16384), and so are pixels for which the lens model has no ray.
+    (-16384, -16384), and so are pixels for which the lens model has no ray or whose place has a coordinate beyond +-32767.
      */
     CV_WRAP virtual void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type = CV_32FC1,
                                         OutputArray mask = noArray()) const = 0;
@@ -92,7 +93,10 @@ public:
     @param depths metres along the optical axis of the global-shutter camera to each point, N values CV_32F or CV_64F; for
     points whose value is not positive, and without this argument, the planes of the motion are used. Depths need
     AckermannMotion::wallDistance, or AckermannMotion::G and RollingShutterCamera::height.
-    @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not.
+    @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not, and 0
+    for the others.
+
+    A point has no place where a pixel at that point would have none in a map: a place with a coordinate beyond +-32767 is none.
      */
     CV_WRAP virtual void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths = noArray(),
                                        OutputArray mask = noArray()) const = 0;
@@ -118,7 +122,7 @@ public:
     @param motion the motion; AckermannMotion() for a matrix that stays the same from frame to frame.
     @param alpha 0: all pixels of the global-shutter image are seen in the raw image; 1: all pixels of the raw image are
     seen in the global-shutter image; between them a mixture.
-    @param newSize image size of the global-shutter camera; 0 x 0: Params::newSize.
+    @param newSize image size of the global-shutter camera, at least 2 x 2; 0 x 0: Params::newSize.
     @return the matrix; the present one of the global-shutter camera where a border of the raw image has no place in it.
      */
     CV_WRAP virtual Matx33d optimalNewCameraMatrix(const AckermannMotion& motion, double alpha, const Size& newSize = Size()) const = 0;
