@@ -5,14 +5,14 @@
 #include "table.hpp"
 #include "options.hpp"
 
+#include <algorithm>
 #include <fstream>
-#include <sstream>
 
 namespace experiments {
 
 using rsackermann_samples::InputError;
 
-// A line of comma-separated values; empty at the end.
+// A line of comma-separated values; empty at the end. A value in quotes may have commas.
 static std::vector<std::string> readFields(std::istream& file)
 {
     std::string line;
@@ -20,28 +20,39 @@ static std::vector<std::string> readFields(std::istream& file)
     if (!line.empty() && line.back() == '\r')
         line.pop_back();
     std::vector<std::string> fields;
-    std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');)
-        fields.push_back(field);
+    bool quoted = false;
+    for (size_t i = 0; i < line.size(); i++)
+    {
+        if (i == 0 || (line[i] == ',' && !quoted))
+            fields.push_back("");
+        if (line[i] == '"')
+            quoted = !quoted;
+        else if (line[i] != ',' || quoted)
+            fields.back() += line[i];
+    }
     return fields;
 }
 
 std::vector<std::vector<std::string> > readTable(const std::string& file, const std::vector<std::string>& columns)
 {
     std::ifstream stream(file.c_str());
-    if (readFields(stream) != columns)
+    const std::vector<std::string> names = readFields(stream);
+    std::vector<size_t> places;
+    for (const std::string& column : columns)
     {
-        std::string expected;
-        for (const std::string& column : columns)
-            expected += (expected.empty() ? "" : ",") + column;
-        throw InputError(file + " can't be read or has other columns than " + expected);
+        places.push_back(std::find(names.begin(), names.end(), column) - names.begin());
+        if (places.back() == names.size())
+            throw InputError(file + " can't be read or has no column " + column);
     }
     std::vector<std::vector<std::string> > rows;
     for (std::vector<std::string> fields = readFields(stream); !fields.empty(); fields = readFields(stream))
     {
-        if (fields.size() != columns.size())
+        if (fields.size() != names.size())
             throw InputError(file + ": a line has another number of columns than the first");
-        rows.push_back(fields);
+        std::vector<std::string> row;
+        for (size_t place : places)
+            row.push_back(fields[place]);
+        rows.push_back(row);
     }
     return rows;
 }
