@@ -168,6 +168,13 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     return result;
 }
 
+void setGravitySigma(double sigma, AckermannEstimator::Params& params)
+{
+    params.gravitySigma = sigma;
+    if (sigma > 0)
+        params.vehiclePitchSigma = sigma;
+}
+
 double quantile(std::vector<double> values, double fraction)
 {
     values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }), values.end());

@@ -72,6 +72,9 @@ cv::Mat makeImage(const Case& c);
 @param seed of the errors in what the estimator is told. */
 Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experiment, unsigned seed);
 
+//! What the estimator is told of the errors of roll and pitch, in radians; 0: there are none.
+void setGravitySigma(double sigma, cv::rsackermann::AckermannEstimator::Params& params);
+
 //! Quantile of the numbers among the values, NaN where there is none.
 double quantile(std::vector<double> values, double fraction);
 double mean(const std::vector<double>& values);

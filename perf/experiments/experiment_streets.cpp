@@ -54,9 +54,9 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
     if (!cases.empty())
         params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
     if (options.given("gravity_sigma"))
-        params.gravitySigma = options.number("gravity_sigma", 0, 45) * DEGREE;
+        setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
     else if (knowledge.gravityNoise > 0)
-        params.gravitySigma = knowledge.gravityNoise;
+        setGravitySigma(knowledge.gravityNoise, params);
     experiment.segments.verticalsOnly = options.flag("only_verticals");
     experiment.segments.exact = options.flag("exact_segments");
     experiment.floorSamples = options.integer("floor", 0, 1000);

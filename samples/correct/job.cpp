@@ -17,12 +17,12 @@ const char* const JOB_KEYS =
     "{help       |        | print this message}"
     "{wall       |        | metres to the left (or only) wall; makes the speed metric}"
     "{scale_from_road |   | without --wall: find its distance from --height and wall segments that stand on the road}"
-    "{speed      |        | km/h that the car reports, negative in reverse; needs the line delay and --wall}"
+    "{speed      |        | km/h that the car reports, negative in reverse; needs the line delay; with --height it gives the road}"
     "{speed_sigma |       | standard deviation of --speed in km/h (default 2)}"
     "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
     "{yaw_rate_sigma |    | standard deviation of --yaw_rate in deg/s (default 1)}"
     "{carry      |        | the inputs, or the frames of each video, are consecutive: what is known of one helps with the next}"
-    "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default)}"
+    "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's roll 1, of its pitch 0.3)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
     "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one image}"
@@ -45,7 +45,11 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
     params.detector = options.choice("detector", {"lsd", "fld", "edlines"});
     params.seed = options.integer("seed", 0, INT_MAX);
     if (options.given("gravity_sigma"))
+    {
         params.gravitySigma = options.number("gravity_sigma", 0, 45) * CV_PI / 180;
+        if (params.gravitySigma > 0)
+            params.vehiclePitchSigma = params.gravitySigma;
+    }
     if (options.given("wall"))
         params.wallDistance = options.number("wall", 0, 1e5, false);
     params.scaleFromRoad = options.flag("scale_from_road");
@@ -81,8 +85,6 @@ MotionPrior readPrior(const Options& options, const Job& job)
     const std::string delay = "the line delay (--line_delay, --readout or in the camera file)";
     if (speed && !metric)
         warnUseless("speed", delay);
-    if (speed && !(job.params.estimator.wallDistance > 0))
-        warnUseless("speed", "--wall");
     if (yawRate && !metric)
         warnUseless("yaw_rate", delay);
     return prior;

@@ -56,7 +56,7 @@ std::string reportLine(const FrameReport& frame)
     line["alpha"] = orNull(ok, m.alpha);
     line["beta"] = orNull(ok, m.B);
     line["delta"] = orNull(ok && m.B != 0, m.delta());
-    line["lambda"] = orNull(ok && m.lambda > 0, m.lambda);
+    line["wall_ratio"] = orNull(ok && m.lambda > 0, m.lambda);
     line["yaw_rate_deg_s"] = orNull(yawRateKnown, yawRate * 180 / CV_PI);
     line["speed_km_h"] = orNull(speedKnown, speed * 3.6);
     const cv::Matx44d covariance = m.metricCovariance(frame.camera);
@@ -66,6 +66,9 @@ std::string reportLine(const FrameReport& frame)
     line["candidates"] = m.candidates;
     line["inliers"] = m.inliers;
     line["rms_px"] = orNull(ok && m.inliers > 0, m.rms);
+    const bool expected = m.status == MOTION_OK || m.status == MOTION_NOT_SIGNIFICANT;
+    line["expected_px_raw"] = orNull(expected, m.expectedRaw);
+    line["expected_px_left"] = orNull(expected, m.expectedLeft);
     line["mean_shift_px"] = frame.meanShift;
     line["ms_detect"] = frame.timings[0];
     line["ms_estimate"] = frame.timings[1];

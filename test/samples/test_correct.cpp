@@ -80,8 +80,9 @@ TEST(Correct, street_with_known_motion)
 
 TEST(Correct, report_keys)
 {
-    const char* const keys[] = {"input", "status", "model", "alpha", "beta", "delta", "lambda", "yaw_rate_deg_s", "speed_km_h", "yaw_rate_sigma",
-                                "speed_sigma", "segments", "candidates", "inliers", "rms_px", "mean_shift_px", "ms_detect", "ms_estimate", "ms_map",
+    const char* const keys[] = {"input", "status", "model", "alpha", "beta", "delta", "wall_ratio", "yaw_rate_deg_s", "speed_km_h", "yaw_rate_sigma",
+                                "speed_sigma", "segments", "candidates", "inliers", "rms_px", "expected_px_raw",
+                                "expected_px_left", "mean_shift_px", "ms_detect", "ms_estimate", "ms_map",
                                 "ms_remap"};
     const TemporaryFolder folder;
     ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--focal=816", "--report=" + (folder / "report.jsonl")}).exitCode);

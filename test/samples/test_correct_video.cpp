@@ -75,7 +75,7 @@ TEST_F(CorrectVideo, each_frame_is_corrected_as_an_image)
         EXPECT_EQ(video_, got["input"]);
         EXPECT_EQ(i, got["frame"]);
         EXPECT_EQ(i % 2 ? "too_few_segments" : "ok", got["status"]);
-        for (const char* key : {"status", "alpha", "beta", "delta", "lambda", "segments", "inliers", "mean_shift_px"})
+        for (const char* key : {"status", "alpha", "beta", "delta", "wall_ratio", "segments", "inliers", "mean_shift_px"})
             EXPECT_EQ(expected[key], got[key]) << key;
         // The codec loses some grey levels.
         const cv::Mat image = cv::imread(out_ / "alone.png");

@@ -76,7 +76,7 @@ TEST(Simulate, camera_that_looks_to_the_right_at_one_wall)
     ASSERT_EQ(0, corrected.exitCode) << corrected.messages;
     const nlohmann::json report = nlohmann::json::parse(contentOf(folder / "report.jsonl"));
     EXPECT_EQ("ok", report["status"]);
-    EXPECT_TRUE(report["lambda"].is_null());
+    EXPECT_TRUE(report["wall_ratio"].is_null());
     EXPECT_NEAR(40, report["speed_km_h"].get<double>(), 4);
     const Outcome evaluated = evaluate({"--truth=" + (folder / "truth.json"), "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
     EXPECT_EQ(0, evaluated.exitCode);

@@ -101,7 +101,10 @@ TEST(RSAckermann_Corrector, corrects_what_the_simulator_distorts)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const Simulator simulator = Simulator::fromMetric(camera, 0.6, 20, 2.5, 3, 0);
-    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    RollingShutterCorrector::Params params;
+    params.estimator.gravitySigma = 0;
+    params.estimator.wallDistance = 2.5; // with the camera's height it says where the road is
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
     Mat dst, map1, map2, rest1, rest2;
     corrector->correctWithSegments(noiseImage(camera.imageSize, CV_8UC1), streetSegments(camera, 0.6, 20), dst);
     corrector->getMaps(map1, map2);
@@ -127,7 +130,9 @@ TEST(RSAckermann_Corrector, lens_and_shutter)
             const RollingShutterCamera& camera = lens ? distorted : plain;
             const Simulator simulator = Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, 0);
             const Mat segments = simulation::randomSegments(simulator, options, rng).ends;
-            const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+            RollingShutterCorrector::Params params;
+            params.estimator.gravitySigma = 0;
+            const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
             Mat dst, map1, map2;
             corrector->correctWithSegments(Mat(camera.imageSize, CV_8U, Scalar(0)), segments, dst);
             corrector->getMaps(map1, map2);
@@ -306,6 +311,7 @@ public:
     CorrectorOfFrames() : camera(simulation::paperCamera())
     {
         params.estimator.wallDistance = 2.5;
+        params.estimator.gravitySigma = 0;
         params.carryMotion = true;
         params.previousNoise = 0.05;
         corrector = RollingShutterCorrector::create(camera, params);

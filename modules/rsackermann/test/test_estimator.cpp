@@ -117,6 +117,11 @@ void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     EXPECT_EQ(a.candidates, b.candidates);
     EXPECT_EQ(a.inliers, b.inliers);
     EXPECT_EQ(a.rms, b.rms);
+    EXPECT_EQ(a.scale, b.scale);
+    EXPECT_EQ(a.expectedRaw, b.expectedRaw);
+    EXPECT_EQ(a.expectedLeft, b.expectedLeft);
+    EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
+    EXPECT_EQ(a.covariance, b.covariance);
 }
 
 /** The least-squares fit on the true inliers, from the truth on, with the simulator's geometry and numerical derivatives:
@@ -642,10 +647,9 @@ TEST(RSAckermann_Estimator, limits_of_the_motion)
     p.maxYawRate = 10 * degree;
     p.maxSpeed = 5;
     const AckermannMotion m = AckermannEstimator::create(truth.camera, p)->estimate(segments.ends);
-    double yawRate, speed;
-    ASSERT_TRUE(m.yawRate(truth.camera, yawRate));
+    double speed;
     m.speed(truth.camera, speed);
-    EXPECT_LE(std::abs(yawRate), p.maxYawRate * 1.001);
+    EXPECT_LE(std::abs(2 * m.alpha / truth.camera.secondsPerUnitTime()), p.maxYawRate * 1.001);
     EXPECT_LE(std::abs(speed), p.maxSpeed * 1.001);
 }
 
@@ -739,7 +743,11 @@ Params exampleParams()
     p.maxSpeed = 33;
     p.wallDistance = 4.5;
     p.roadRatio = 1.5;
+    p.scaleFromRoad = true;
     p.gravitySigma = 0.01;
+    p.vehiclePitchSigma = 0.02;
+    p.wallDirectionSigma = 0.3;
+    p.reverseProbability = 0.125;
     return p;
 }
 
@@ -759,7 +767,11 @@ void expectSame(const Params& a, const Params& b)
     EXPECT_EQ(a.maxSpeed, b.maxSpeed);
     EXPECT_EQ(a.wallDistance, b.wallDistance);
     EXPECT_EQ(a.roadRatio, b.roadRatio);
+    EXPECT_EQ(a.scaleFromRoad, b.scaleFromRoad);
     EXPECT_EQ(a.gravitySigma, b.gravitySigma);
+    EXPECT_EQ(a.vehiclePitchSigma, b.vehiclePitchSigma);
+    EXPECT_EQ(a.wallDirectionSigma, b.wallDirectionSigma);
+    EXPECT_EQ(a.reverseProbability, b.reverseProbability);
 }
 
 TEST(RSAckermann_EstimatorParams, defaults)
@@ -774,6 +786,9 @@ TEST(RSAckermann_EstimatorParams, defaults)
     EXPECT_NEAR(90 * degree, p.maxYawRate, 1e-12);
     EXPECT_NEAR(200 / 3.6, p.maxSpeed, 1e-12);
     EXPECT_EQ(0, p.wallDistance);
+    EXPECT_EQ(0, p.roadRatio);
+    EXPECT_NEAR(1 * degree, p.gravitySigma, 1e-12);
+    EXPECT_NEAR(0.3 * degree, p.vehiclePitchSigma, 1e-12);
     EXPECT_NO_THROW(p.check());
     EXPECT_NO_THROW(exampleParams().check());
 }
@@ -857,10 +872,14 @@ const BadField badFields[] = {
     BadField("maxSpeed", [](Params& p) { p.maxSpeed = NaN; }),
     BadField("wallDistance", [](Params& p) { p.wallDistance = -1; }),
     BadField("wallDistance", [](Params& p) { p.wallDistance = NaN; }),
-    BadField("roadRatio", [](Params& p) { p.roadRatio = 0; }),
+    BadField("roadRatio", [](Params& p) { p.roadRatio = -1; }),
     BadField("roadRatio", [](Params& p) { p.roadRatio = NaN; }),
     BadField("gravitySigma", [](Params& p) { p.gravitySigma = -0.1; }),
     BadField("gravitySigma", [](Params& p) { p.gravitySigma = infinity; }),
+    BadField("vehiclePitchSigma", [](Params& p) { p.vehiclePitchSigma = 0; }),
+    BadField("vehiclePitchSigma", [](Params& p) { p.vehiclePitchSigma = NaN; }),
+    BadField("wallDirectionSigma", [](Params& p) { p.wallDirectionSigma = -1; }),
+    BadField("reverseProbability", [](Params& p) { p.reverseProbability = 0; }),
 };
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorParamsCheck, testing::ValuesIn(badFields));
 

@@ -29,6 +29,12 @@ AckermannMotion exampleMotion()
     m.candidates = 61;
     m.inliers = 47;
     m.rms = 0.25;
+    m.scale = SCALE_SPEED;
+    m.rollYawAmbiguous = true;
+    m.expectedRaw = 3.5;
+    m.expectedLeft = 1.25;
+    for (int i = 0; i < 16; i++)
+        m.covariance.val[i] = 0.01 * (i + 1);
     return m;
 }
 
@@ -48,6 +54,11 @@ void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     EXPECT_EQ(a.candidates, b.candidates);
     EXPECT_EQ(a.inliers, b.inliers);
     EXPECT_EQ(a.rms, b.rms);
+    EXPECT_EQ(a.scale, b.scale);
+    EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
+    EXPECT_EQ(a.expectedRaw, b.expectedRaw);
+    EXPECT_EQ(a.expectedLeft, b.expectedLeft);
+    EXPECT_EQ(a.covariance, b.covariance);
 }
 
 //! A camera at a random tilt and heading.

@@ -28,7 +28,7 @@ namespace opencv_test { namespace {
 namespace vectors = cv::rsackermann::tested;
 namespace scalars = cv::rsackermann::tested_without_vectors;
 
-const double FOCAL = 800, SIGMA = 0.5;
+const double FOCAL = 800, SIGMA = 0.5, LEAN = 0.002;
 
 Model randomModel(RNG& rng)
 {
@@ -83,14 +83,15 @@ ResidualSums expectedSums(const std::vector<Candidate>& segments, const Prepared
     ResidualSums sums;
     for (size_t i = 0; i < segments.size(); i++)
     {
-        const double scale = FOCAL / std::hypot(SIGMA, 0.3 * segments[i].sagitta);
+        const double leaning = FOCAL * LEAN * cv::norm(segments[i].u - segments[i].v);
+        const double scale = FOCAL / std::hypot(std::hypot(SIGMA, 0.3 * segments[i].sagitta), leaning);
         double jacobian[PARAMETERS];
         const double r = scale * residual(segments[i], m, jacobian), s2 = loss.scale2, q = s2 + r * r;
-        const double weight = s2 * s2 / (q * q), influence = weight * r;
-        sums.cost += r * r * s2 / q;
+        const double weight = loss.weight * s2 * s2 / (q * q), influence = weight * r;
+        sums.cost += loss.weight * r * r * s2 / q;
         sums.weights += weight;
         sums.influence2 += influence * influence;
-        sums.slopes += s2 * s2 * (s2 - 3 * r * r) / (q * q * q);
+        sums.slopes += loss.weight * s2 * s2 * (s2 - 3 * r * r) / (q * q * q);
         for (int k = 0; k < unknowns.count; k++)
         {
             sums.gradient[k] += weight * scale * jacobian[unknowns.index[k]] * r;
@@ -128,10 +129,10 @@ void testSums(AddSegments add, Residual residual, double slant)
         const PreparedModel prepared(model, rng.uniform(-CV_PI, CV_PI), rng.uniform(1., 3.), rng.uniform(0, 2) == 1);
         const std::vector<Candidate> segments = randomSegments(rng, rng.uniform(0, 20), slant, rng.uniform(0, 5) ? 0.5 : 5.);
         const FreeParameters unknowns = randomParameters(rng);
-        const RobustLoss loss(rng.uniform(1., 100.));
+        const RobustLoss loss(rng.uniform(1., 100.), rng.uniform(0.1, 1.));
         SegmentArrays arrays;
         arrays.assign(segments);
-        arrays.weigh(segments, FOCAL, SIGMA);
+        arrays.weigh(segments, FOCAL, SIGMA, LEAN);
         ResidualSums sums;
         add(arrays, prepared, loss, unknowns, sums);
         ASSERT_NO_FATAL_FAILURE(compare(expectedSums(segments, prepared, loss, unknowns, residual), sums, unknowns)) << i;

@@ -54,6 +54,7 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
 
         AckermannEstimator::Params params;
         params.scaleFromRoad = true;
+        params.gravitySigma = 0;
         MotionPrior prior; // verticals alone say little of the line at infinity, and with it of the distance
         prior.wallDirectionSigma = 0.005;
         const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);

@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "../scene.hpp"
 #include "../segments.hpp"
+#include "posterior.hpp"
 #include "road_contact.hpp"
 #include "selection.hpp"
 #include "significance.hpp"
@@ -77,7 +78,10 @@ public:
 private:
     AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
     RefinementProblem makeProblem(const MotionPrior& prior) const;
-    void report(const RefinementProblem& problem, const Fit& fit, AckermannMotion& motion, Mat& labels) const;
+    int findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found, AckermannMotion& motion, Mat& labels) const;
+    Posterior withExpectation(const RefinementProblem& problem, const UsualDrive& usual, const Fit& fit) const;
+    double labelInliers(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const;
+    void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const;
 
     RollingShutterCamera camera;
     Params params;
@@ -94,9 +98,8 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionPrior& prior) 
     problem.sigma = 0.25;
     problem.directionSigma = 1;
     problem.lossScale = 3;
-    const bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
-    problem.roadRatio = knowsRoad ? params.wallDistance / camera.height : params.roadRatio;
     problem.gravitySigma = params.gravitySigma;
+    problem.vehiclePitchSigma = params.vehiclePitchSigma;
     return problem;
 }
 
@@ -110,73 +113,139 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
     else
     {
         RefinementProblem problem = makeProblem(prior);
+        const UsualDrive usual(prior, camera, params, problem.limits);
+        problem.roadRatio = usual.roadRatio();
         selectCandidates(segments, camera, params, problem.verticals, problem.others);
         problem.arrange();
         for (size_t i = 0; i < problem.verticals.size(); i++)
             labels.at<uchar>(problem.verticals[i].index) = SEGMENT_OUTLIER;
         motion.candidates = (int)problem.verticals.size();
-        if (motion.candidates < params.minCandidates)
-            motion.status = MOTION_TOO_FEW_SEGMENTS;
+        Posterior found;
+        motion.status = motion.candidates < params.minCandidates ? MOTION_TOO_FEW_SEGMENTS
+                                                                 : findMotion(problem, usual, found, motion, labels);
+        motion.expectedRaw = found.expectedRaw;
+        motion.expectedLeft = found.expectedLeft;
+        if (motion.status == MOTION_OK)
+            report(problem, prior, found, motion);
         else
-            report(problem, selectMotion(problem, params), motion, labels);
+            motion.expectedLeft = motion.expectedRaw;
     }
     if (labels_.needed())
         labels.copyTo(labels_);
     return motion;
 }
 
-void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Fit& fit, AckermannMotion& motion, Mat& labels) const
+// Returns the status.
+int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found, AckermannMotion& motion,
+                                       Mat& labels) const
+{
+    if (params.model == MODEL_AUTO && params.gravitySigma > 0)
+    {
+        problem.usual = &usual;
+        problem.prior.usualAlpha = 0;
+        if (!explorePosterior(problem, params, DisplacementField(camera), found))
+            return MOTION_NO_CONSENSUS;
+        labelInliers(problem, found, motion, labels);
+    }
+    else
+    {
+        found = withExpectation(problem, usual, selectMotion(problem, params));
+        const double chance = labelInliers(problem, found, motion, labels);
+        if (logFalseAlarms(motion.candidates, motion.inliers, found.structure.sampleSize(), chance) > 0)
+            return MOTION_NO_CONSENSUS;
+    }
+    return found.structure.motion != MODEL_NONE && found.expectedLeft < found.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+}
+
+Posterior AckermannEstimatorImpl::withExpectation(const RefinementProblem& problem, const UsualDrive& usual, const Fit& fit) const
+{
+    const DisplacementField field(camera);
+    Posterior found;
+    found.model = fit.model;
+    found.structure = fit.structure;
+    found.covariance = fit.covariance;
+    double variance;
+    usual.road(fit.model, found.G, variance);
+    const bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
+    if (params.scaleFromRoad && !knowsRoad && fit.structure.translates() && camera.height > 0)
+    {
+        const double ratio = roadRatioFromContacts(problem, fit.model, params.threshold);
+        if (ratio > 0)
+            found.G = (fit.model.direction < 0 ? -1 : 1) * std::hypot(fit.model[P_B], fit.model[P_D]) * ratio;
+    }
+    DisplacementField::Values displacement;
+    DisplacementField::Variances variances;
+    field.displacement(found.model, found.G, displacement);
+    field.variance(found.model, found.G, variance, found.covariance, variances);
+    found.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
+    found.expectedLeft = DisplacementField::meanDistance(displacement, displacement, variances);
+    return found;
+}
+
+// Returns the mean probability that a candidate with a random slant is an inlier.
+double AckermannEstimatorImpl::labelInliers(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const
 {
     double sum = 0, chance = 0;
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         const Candidate& c = problem.verticals[i];
-        chance += std::min(1., params.threshold / (problem.focal * c.gate)) / motion.candidates;
+        // Real verticals lean: what they do usually is no disagreement.
+        const double leaning = 2 * problem.focal * problem.lean * norm(c.u - c.v), threshold = std::max(params.threshold, leaning);
+        chance += std::min(1., threshold / (problem.focal * c.gate)) / motion.candidates;
         int wall;
-        const double r = problem.focal * verticalResidual(c, fit.model, problem.heading, wall, 0);
-        if (!(std::abs(r) < params.threshold))
+        const double r = problem.focal * verticalResidual(c, found.model, problem.heading, wall, 0);
+        if (!(std::abs(r) < threshold))
             continue;
         labels.at<uchar>(c.index) = wall == Scene::RIGHT_WALL ? SEGMENT_RIGHT_WALL : SEGMENT_LEFT_WALL;
         motion.inliers++;
         sum += r * r;
     }
     motion.rms = motion.inliers > 0 ? std::sqrt(sum / motion.inliers) : 0;
-    if (logFalseAlarms(motion.candidates, motion.inliers, fit.structure.sampleSize(), chance) > 0)
-    {
-        motion.status = MOTION_NO_CONSENSUS;
-        return;
-    }
-    if (fit.structure.motion == MODEL_NONE)
-        return;
-    motion.status = MOTION_OK;
-    motion.model = fit.structure.motion;
-    motion.alpha = fit.model[P_ALPHA];
-    motion.B = fit.model[P_B];
-    motion.D = fit.model[P_D];
-    motion.lambda = fit.model[P_LAMBDA];
-    motion.direction = fit.model.direction < 0 ? -1 : 1;
-    motion.rollCorrection = fit.model[P_ROLL];
-    motion.pitchCorrection = fit.model[P_PITCH];
-    motion.wallDistance = fit.structure.translates() ? params.wallDistance : 0;
-    double roadRatio = problem.roadRatio;
-    bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
-    if (params.scaleFromRoad && !knowsRoad && fit.structure.translates() && camera.height > 0)
-    {
-        const double found = roadRatioFromContacts(problem, fit.model, params.threshold);
-        if (found > 0)
-        {
-            knowsRoad = true;
-            roadRatio = found;
-            motion.wallDistance = found * camera.height;
-        }
-    }
-    if (knowsRoad || fit.structure.walls == 2)
-        motion.G = motion.direction * std::hypot(motion.B, motion.D) * roadRatio;
+    return chance;
+}
+
+void AckermannEstimatorImpl::report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const
+{
+    const Model& m = found.model;
+    motion.model = found.structure.motion;
+    motion.alpha = m[P_ALPHA];
+    motion.B = m[P_B];
+    motion.D = m[P_D];
+    motion.lambda = m[P_LAMBDA];
+    motion.G = found.G;
+    motion.direction = m.direction < 0 ? -1 : 1;
+    motion.rollCorrection = m[P_ROLL];
+    motion.pitchCorrection = m[P_PITCH];
     for (int i = P_ALPHA; i <= P_LAMBDA; i++)
         for (int j = P_ALPHA; j <= P_LAMBDA; j++)
-            motion.covariance(i, j) = fit.covariance(i, j);
-    const double variances = fit.covariance(P_ALPHA, P_ALPHA) * fit.covariance(P_ROLL, P_ROLL);
-    motion.rollYawAmbiguous = variances > 0 && std::abs(fit.covariance(P_ALPHA, P_ROLL)) > 0.9 * std::sqrt(variances);
+            motion.covariance(i, j) = found.covariance(i, j);
+    const double variances = found.covariance(P_ALPHA, P_ALPHA) * found.covariance(P_ROLL, P_ROLL);
+    motion.rollYawAmbiguous = variances > 0 && std::abs(found.covariance(P_ALPHA, P_ROLL)) > 0.9 * std::sqrt(variances);
+
+    // What is measured gives a length; what is usual doesn't.
+    const double speed = std::hypot(motion.B, motion.D), unit = camera.secondsPerUnitTime();
+    if (!(speed > 0))
+        return;
+    if (params.wallDistance > 0)
+    {
+        motion.scale = SCALE_WALL;
+        motion.wallDistance = params.wallDistance;
+    }
+    else if (unit > 0 && prior.speedSigma > 0)
+    {
+        motion.scale = SCALE_SPEED;
+        motion.wallDistance = std::abs(prior.speed) * unit / speed;
+    }
+    else if (params.scaleFromRoad && camera.height > 0)
+    {
+        const double ratio = roadRatioFromContacts(problem, m, params.threshold);
+        if (ratio > 0)
+        {
+            motion.scale = SCALE_ROAD;
+            motion.wallDistance = ratio * camera.height;
+            motion.G = motion.direction * speed * ratio;
+        }
+    }
 }
 
 } // namespace

@@ -10,8 +10,8 @@ namespace rsackermann {
 
 AckermannEstimator::Params::Params()
     : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6), threshold(0.5),
-      confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0), roadRatio(2), scaleFromRoad(false),
-      gravitySigma(0), wallDirectionSigma(0.4), reverseProbability(0.02)
+      confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0), roadRatio(0), scaleFromRoad(false),
+      gravitySigma(CV_PI / 180), vehiclePitchSigma(0.3 * CV_PI / 180), wallDirectionSigma(0.4), reverseProbability(0.02)
 {
 }
 
@@ -22,6 +22,7 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "threshold" << threshold << "confidence" << confidence << "max_iterations" << maxIterations << "seed" << seed;
     fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
     fs << "road_ratio" << roadRatio << "scale_from_road" << scaleFromRoad << "gravity_sigma" << gravitySigma;
+    fs << "vehicle_pitch_sigma" << vehiclePitchSigma;
     fs << "wall_direction_sigma" << wallDirectionSigma << "reverse_probability" << reverseProbability;
 }
 
@@ -43,6 +44,7 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     cv::read(fn["road_ratio"], roadRatio, roadRatio);
     cv::read(fn["scale_from_road"], scaleFromRoad, scaleFromRoad);
     cv::read(fn["gravity_sigma"], gravitySigma, gravitySigma);
+    cv::read(fn["vehicle_pitch_sigma"], vehiclePitchSigma, vehiclePitchSigma);
     cv::read(fn["wall_direction_sigma"], wallDirectionSigma, wallDirectionSigma);
     cv::read(fn["reverse_probability"], reverseProbability, reverseProbability);
 }
@@ -66,8 +68,9 @@ void AckermannEstimator::Params::check() const
     checkPositive(maxYawRate, "params.maxYawRate");
     checkPositive(maxSpeed, "params.maxSpeed");
     checkNotNegative(wallDistance, "params.wallDistance", "unknown");
-    checkPositive(roadRatio, "params.roadRatio");
+    checkNotNegative(roadRatio, "params.roadRatio", "what is usual");
     checkNotNegative(gravitySigma, "params.gravitySigma", "exact");
+    checkPositive(vehiclePitchSigma, "params.vehiclePitchSigma");
     checkNotNegative(wallDirectionSigma, "params.wallDirectionSigma", "unknown");
     if (!(reverseProbability > 0 && reverseProbability <= 1))
         CV_Error(Error::StsBadArg, format("params.reverseProbability is %g; a number above 0 and up to 1 is expected", reverseProbability));

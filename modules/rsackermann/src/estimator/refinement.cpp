@@ -22,8 +22,8 @@ void RefinementProblem::arrange()
 
 void RefinementProblem::weigh()
 {
-    verticalArrays.weigh(verticals, focal, sigma);
-    otherArrays.weigh(others, focal, directionSigma);
+    verticalArrays.weigh(verticals, focal, sigma, lean);
+    otherArrays.weigh(others, focal, directionSigma, lean);
 }
 
 static FreeParameters freeParameters(const RefinementProblem& problem, const Structure& structure, Evidence evidence)
@@ -68,20 +68,31 @@ static void addPriors(const RefinementProblem& problem, const Structure& structu
     const int n = problem.prior.evaluate(model, structure, prior);
     for (int i = 0; i < n; i++)
         addJet(prior[i], unknowns, sums);
+    if (problem.usual)
+    {
+        Jet usual[UsualDrive::MAX_RESIDUALS];
+        const int m = problem.usual->evaluate(model, structure, usual);
+        for (int i = 0; i < m; i++)
+            addJet(usual[i], unknowns, sums);
+    }
     if (problem.gravitySigma > 0)
-        for (int p = P_ROLL; p <= P_PITCH; p++)
-            addJet((1 / problem.gravitySigma) * Jet::variable(model.value[p], Parameter(p)), unknowns, sums);
+    {
+        // About the vehicle's axes: the crown of a road and the suspension roll a car more than they pitch it.
+        const Jet roll = Jet::variable(model[P_ROLL], P_ROLL), pitch = Jet::variable(model[P_PITCH], P_PITCH);
+        addJet((1 / problem.gravitySigma) * (problem.heading.c * roll - problem.heading.s * pitch), unknowns, sums);
+        addJet((1 / problem.vehiclePitchSigma) * (problem.heading.s * roll + problem.heading.c * pitch), unknowns, sums);
+    }
 }
 
 static ResidualSums evaluate(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const FreeParameters& unknowns,
                              const Model& model)
 {
-    const RobustLoss loss(problem.lossScale);
+    const RobustLoss loss(problem.lossScale, problem.verticalWeight), otherLoss(problem.lossScale, problem.otherWeight);
     const PreparedModel prepared(model, problem.heading, problem.roadRatio, structure.translates());
     ResidualSums sums;
     addVerticals(problem.verticalArrays, prepared, loss, unknowns, sums);
     if (evidence == ALL_SEGMENTS)
-        addDirections(problem.otherArrays, prepared, loss, unknowns, sums);
+        addDirections(problem.otherArrays, prepared, otherLoss, unknowns, sums);
     addPriors(problem, structure, unknowns, model, sums);
     return sums;
 }

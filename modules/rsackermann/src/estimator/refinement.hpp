@@ -10,6 +10,7 @@
 #include "model.hpp"
 #include "prior_residuals.hpp"
 #include "segment_arrays.hpp"
+#include "usual_drive.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -25,13 +26,19 @@ struct RefinementProblem
     Heading heading;
     double focal;          // pixels
     double sigma;          // pixels, of the residual of a vertical
+    double lean;           // radians, by which verticals of the scene lean, whatever their length
     double directionSigma; // pixels, of the residual of another segment
     double lossScale;      // of the robust loss, in sigmas
+    double verticalWeight; // of the evidence of a vertical: below 1 if they err together
+    double otherWeight;    // the same for another segment
     double roadRatio;      // distance of the left (or only) wall over the height of the camera
-    double gravitySigma;   // radians, 0: exact
+    double gravitySigma;   // radians, of the vehicle's roll; 0: gravity is exact
+    double vehiclePitchSigma; // radians, of its pitch
+    const UsualDrive* usual; // how cars drive and what streets look like; 0: not used
 
     explicit RefinementProblem(const MotionLimits& l)
-        : limits(l), heading(0), focal(1), sigma(1), directionSigma(1), lossScale(1), roadRatio(1), gravitySigma(0)
+        : limits(l), heading(0), focal(1), sigma(1), lean(0), directionSigma(1), lossScale(1), verticalWeight(1), otherWeight(1), roadRatio(1),
+          gravitySigma(0), vehiclePitchSigma(0), usual(0)
     {
     }
 

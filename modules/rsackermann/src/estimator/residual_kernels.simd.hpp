@@ -50,7 +50,7 @@ class Sums
 {
 public:
     Sums(const RobustLoss& loss, const FreeParameters& unknowns_)
-        : unknowns(unknowns_), scale2(loss.scale2), cost(0.), weights(0.), influence2(0.), slopes(0.)
+        : unknowns(unknowns_), lossWeight(loss.weight), scale2(loss.scale2), cost(0.), weights(0.), influence2(0.), slopes(0.)
     {
         for (int i = 0; i < unknowns.count; i++)
         {
@@ -65,8 +65,8 @@ public:
     {
         const Lanes one(1), r = scale * value, r2 = r * r;
         // The weight of RobustLoss is its derivative by r^2; the influence is r * weight.
-        const Lanes a = scale2 / (scale2 + r2), weight = choose(scale > Lanes(0.), a * a, Lanes(0.));
-        cost = cost + r2 * a;
+        const Lanes a = scale2 / (scale2 + r2), weight = choose(scale > Lanes(0.), lossWeight * a * a, Lanes(0.));
+        cost = cost + lossWeight * r2 * a;
         weights = weights + weight;
         influence2 = influence2 + weight * weight * r2;
         slopes = slopes + weight * (one - Lanes(4) * (one - a));
@@ -97,7 +97,7 @@ public:
 
 private:
     const FreeParameters& unknowns;
-    Lanes scale2, cost, weights, influence2, slopes;
+    Lanes lossWeight, scale2, cost, weights, influence2, slopes;
     Lanes gradient[PARAMETERS], hessian[PARAMETERS][PARAMETERS];
 };
 

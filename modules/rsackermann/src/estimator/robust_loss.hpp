@@ -8,14 +8,15 @@
 namespace cv {
 namespace rsackermann {
 
-/** Geman-McClure loss r^2 s^2 / (s^2 + r^2) of a residual r with the scale s: r^2 for small residuals, at most s^2 for large ones
-(doc/theory.md, "Estimation").
+/** Geman-McClure loss w r^2 s^2 / (s^2 + r^2) of a residual r with the scale s and the weight w: w r^2 for small residuals, at most
+w s^2 for large ones (doc/theory.md, "Estimation").
 */
 struct RobustLoss
 {
     double scale2;
+    double weight; // below 1 if segments err together
 
-    explicit RobustLoss(double scale) : scale2(scale * scale) {}
+    explicit RobustLoss(double scale, double weight_ = 1) : scale2(scale * scale), weight(weight_) {}
 };
 
 }} // namespace cv::rsackermann

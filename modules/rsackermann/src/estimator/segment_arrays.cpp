@@ -24,16 +24,16 @@ void SegmentArrays::assign(const std::vector<Candidate>& segments)
 }
 
 // A detector fits a chord to an image that the lens has bent: its ends are off by a part of the sagitta.
-static double segmentSigma(const Candidate& segment, double sigma)
+static double detectionSigma(const Candidate& segment, double sigma)
 {
     const double part = 0.3;
     return std::hypot(sigma, part * segment.sagitta);
 }
 
-void SegmentArrays::weigh(const std::vector<Candidate>& segments, double focal, double sigma)
+void SegmentArrays::weigh(const std::vector<Candidate>& segments, double focal, double sigma, double lean)
 {
     for (int i = 0; i < count; i++)
-        numbers[size_t(SCALE) * padded + i] = focal / segmentSigma(segments[i], sigma);
+        numbers[size_t(SCALE) * padded + i] = focal / std::hypot(detectionSigma(segments[i], sigma), focal * lean * norm(segments[i].u - segments[i].v));
 }
 
 }} // namespace cv::rsackermann

@@ -24,8 +24,11 @@ public:
 
     void assign(const std::vector<Candidate>& segments);
 
-    //! Sets SCALE, by which a residual is to be multiplied: the focal length over the standard deviation.
-    void weigh(const std::vector<Candidate>& segments, double focal, double sigma);
+    /** Sets SCALE, by which a residual is to be multiplied: the focal length over the standard deviation.
+    @param sigma pixels by which a detector errs.
+    @param lean radians by which the line in the scene leans.
+    */
+    void weigh(const std::vector<Candidate>& segments, double focal, double sigma, double lean);
 
     int size() const { return count; }
     int paddedSize() const { return padded; }

@@ -18,8 +18,7 @@ static double azimuthVariance(const Fit& fit)
     return (B * B * C(P_D, P_D) + D * D * C(P_B, P_B) - 2 * B * D * C(P_B, P_D)) / (size2 * size2);
 }
 
-// Logarithm of the volume of the ellipsoid of a fit's covariance. It is the same whichever of the walls is called the left one.
-static double logVolume(const Fit& fit)
+double logVolume(const Fit& fit)
 {
     int free[PARAMETERS], n = 0;
     for (int i = 0; i < PARAMETERS; i++)

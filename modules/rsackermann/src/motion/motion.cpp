@@ -12,7 +12,8 @@ namespace rsackermann {
 
 AckermannMotion::AckermannMotion()
     : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), B(0), D(0), lambda(0), G(0), direction(1), rollCorrection(0),
-      pitchCorrection(0), wallDistance(0), covariance(Matx44d::zeros()), rollYawAmbiguous(false), candidates(0), inliers(0), rms(0)
+      pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), covariance(Matx44d::zeros()), rollYawAmbiguous(false), candidates(0), inliers(0), rms(0), expectedRaw(0),
+      expectedLeft(0)
 {
 }
 
@@ -40,6 +41,7 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
         m.B = scale * std::cos(wallDirection);
         m.D = scale * std::sin(wallDirection);
     }
+    m.scale = m.wallDistance > 0 ? SCALE_WALL : camera.height > 0 ? SCALE_ROAD : SCALE_UNKNOWN;
     if (leftDistance > 0 && rightDistance > 0)
         m.lambda = leftDistance / rightDistance;
     if (camera.height > 0)
@@ -57,8 +59,9 @@ double AckermannMotion::delta() const
 bool AckermannMotion::yawRate(const RollingShutterCamera& camera, double& radiansPerSecond) const
 {
     const double unit = camera.secondsPerUnitTime();
-    radiansPerSecond = unit > 0 ? 2 * alpha / unit : 0;
-    return unit > 0;
+    const bool known = unit > 0 && (status == MOTION_OK || status == MOTION_NOT_SIGNIFICANT);
+    radiansPerSecond = known ? 2 * alpha / unit : 0;
+    return known;
 }
 
 bool AckermannMotion::speed(const RollingShutterCamera& camera, double& metresPerSecond) const
@@ -111,6 +114,7 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "status" << status << "model" << model;
     fs << "alpha" << alpha << "B" << B << "D" << D << "lambda" << lambda << "G" << G << "direction" << direction;
     fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance" << wallDistance;
+    fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_left" << expectedLeft;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
 }
@@ -128,6 +132,9 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["roll_correction"], rollCorrection, rollCorrection);
     cv::read(fn["pitch_correction"], pitchCorrection, pitchCorrection);
     cv::read(fn["wall_distance"], wallDistance, wallDistance);
+    cv::read(fn["scale"], scale, scale);
+    cv::read(fn["expected_raw"], expectedRaw, expectedRaw);
+    cv::read(fn["expected_left"], expectedLeft, expectedLeft);
     cv::read(fn["covariance"], covariance, covariance);
     cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);
     cv::read(fn["candidates"], candidates, candidates);

@@ -19,9 +19,10 @@ static double wayPerUnitTime(const RollingShutterCamera& camera, const Ackermann
         return 0;
     if (wall > 0 && motion.wallDistance > 0)
         return (motion.direction < 0 ? -wall : wall) * motion.wallDistance;
-    if (motion.G == 0 || !(camera.height > 0))
-        CV_Error(Error::StsBadArg, format("depths are given, but motion.wallDistance is %g m and motion.G is %g with camera.height %g m; "
-                                          "one of the two must give the speed", motion.wallDistance, motion.G, camera.height));
+    if (motion.scale == SCALE_UNKNOWN || motion.G == 0 || !(camera.height > 0))
+        CV_Error(Error::StsBadArg, format("depths are given, but motion.wallDistance is %g m, and motion.G is %g with motion.scale %d and "
+                                          "camera.height %g m; one of the two must give the speed",
+                                          motion.wallDistance, motion.G, motion.scale, camera.height));
     return motion.G * camera.height;
 }
 

@@ -45,10 +45,14 @@ CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int det
 
 Vertical lines of the scene (walls, posts, windows) are slanted and bent by the motion. The estimator
 -# keeps the segments that can be images of vertical lines within the limits of motion,
--# finds a consensus with minimal solvers (solve1LA, solve3LA, solve4LA) in a locally optimised RANSAC @cite chum2003locally ,
 -# refines the motion with the exact model and a robust loss on all candidates; the other segments say where the street goes
     and, with the candidates, what is wrong with gravity; the prior counts as further measurements,
--# chooses the model by an information criterion; a motion that isn't significant is reported as none.
+-# averages the correction over all motions that are possible, a camera at rest among them, weighted by their probability, so that the
+    displacement that is to be expected is the smallest. If that isn't below that of the raw image, or if no motion is more probable than
+    some, none is reported.
+
+With Params::gravitySigma 0, or with a Params::model, a consensus of minimal solvers (solve1LA, solve3LA, solve4LA) in a locally optimised
+RANSAC @cite chum2003locally is refined in place of the average, and an information criterion chooses the model.
 
 The result is the same for the same seed, whatever the number of threads.
 @sa @cite purkait2018minimal
@@ -73,9 +77,12 @@ public:
         CV_PROP_RW double maxYawRate;     //!< radians per second, default 90 degrees per second; used where lineDelay is known
         CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used where lineDelay and the wall's distance are known
         CV_PROP_RW double wallDistance;   //!< metres to the left (or only) wall; 0: unknown (default)
-        CV_PROP_RW double roadRatio;      //!< distance of the left (or only) wall over the camera's height, assumed where one of them is unknown, default 2
+        CV_PROP_RW double roadRatio;      //!< distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0 (default): what is usual in streets, walls at 8 m and cameras at 1.3 m
         CV_PROP_RW bool scaleFromRoad;    //!< where wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on the road, default false
-        CV_PROP_RW double gravitySigma;   //!< radians; standard deviation of the camera's roll and pitch, which are then corrected; 0: exact (default)
+        /** radians; standard deviation of the vehicle's roll, by which the camera's upright rotation is off against the verticals of the scene and
+        which is then corrected. 0: the upright rotation is exact; default 1 degree: what the crown of a road and the suspension do */
+        CV_PROP_RW double gravitySigma;
+        CV_PROP_RW double vehiclePitchSigma; //!< radians; the same for the vehicle's pitch, used unless gravitySigma is 0, default 0.3 degrees
         CV_PROP_RW double wallDirectionSigma; //!< standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0: unknown, default 0.4
         CV_PROP_RW double reverseProbability; //!< probability that the car drives backward, default 0.02
 

@@ -33,6 +33,15 @@ enum MotionModel
     MODEL_4LA = 4    //!< yaw rate, speed and walls
 };
 
+//! What the metres of a motion rest on.
+enum MotionScale
+{
+    SCALE_UNKNOWN = 0, //!< there are none: the road is assumed where it usually is
+    SCALE_WALL = 1,    //!< AckermannEstimator::Params::wallDistance
+    SCALE_ROAD = 2,    //!< RollingShutterCamera::height, and walls that are seen to stand on the road
+    SCALE_SPEED = 3    //!< MotionPrior::speed
+};
+
 /** @brief The motion of the car during one image and the coarse depth of the scene.
 
 The scaled inverse depth \f$w = \beta / s\f$ of the scene is linear on each plane at the global-shutter point
@@ -65,7 +74,7 @@ public:
     /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second; positive to the right.
     @param camera the camera with which the motion was estimated.
     @param radiansPerSecond receives the yaw rate; 0 where it is unknown.
-    @return false where lineDelay is unknown.
+    @return false where lineDelay is unknown, or where nothing is known of the motion: too few segments, no consensus, not observable.
      */
     CV_WRAP bool yawRate(const RollingShutterCamera& camera, CV_OUT double& radiansPerSecond) const;
 
@@ -114,6 +123,7 @@ public:
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
     CV_PROP_RW double wallDistance;    //!< metres to the left (or only) wall; 0: unknown
+    CV_PROP_RW int scale;              //!< one of #MotionScale
 
     CV_PROP_RW Matx44d covariance;     //!< of (alpha, B, D, lambda), including what isn't known of gravity; 0 for what isn't part of the model
     CV_PROP_RW bool rollYawAmbiguous;  //!< whether roll and yaw rate can't be told apart: what isn't known of the roll decides the yaw rate
@@ -121,6 +131,9 @@ public:
     CV_PROP_RW int candidates; //!< segments that passed the gates
     CV_PROP_RW int inliers;    //!< candidates that agree with the motion
     CV_PROP_RW double rms;     //!< root mean square residual of the inliers in pixels
+
+    CV_PROP_RW double expectedRaw;  //!< mean displacement in pixels that is to be expected of the raw image
+    CV_PROP_RW double expectedLeft; //!< mean displacement in pixels that is to be expected of the corrected image
 };
 
 /** @brief What is known of the motion from elsewhere: the car's bus, a gyro, calibration, the frame before.
@@ -136,7 +149,7 @@ public:
     //! Throws cv::Exception with the name and value of the first field that is out of range.
     CV_WRAP void check() const;
 
-    CV_PROP_RW double speed;        //!< metres per second, negative in reverse; needs AckermannEstimator::Params::wallDistance and RollingShutterCamera::lineDelay
+    CV_PROP_RW double speed;        //!< metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; says most with AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road
     CV_PROP_RW double speedSigma;   //!< standard deviation of speed; 0 (default): not known
     CV_PROP_RW double yawRate;      //!< radians per second, positive to the right; needs RollingShutterCamera::lineDelay
     CV_PROP_RW double yawRateSigma; //!< standard deviation of yawRate; 0 (default): not known

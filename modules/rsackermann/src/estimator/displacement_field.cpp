@@ -1,0 +1,125 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../camera/rays.hpp"
+#include "displacement_field.hpp"
+#include "opencv2/rsackermann/motion.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+DisplacementField::DisplacementField(const RollingShutterCamera& camera)
+    : focal(camera.cameraMatrix(0, 0)), headingSine(std::sin(camera.heading)), headingCosine(std::cos(camera.heading))
+{
+    std::vector<Point2d> pixels, rays;
+    for (int i = 0; i < ROWS; i++)
+        for (int j = 0; j < COLUMNS; j++)
+            pixels.push_back(Point2d((j + 0.5) / COLUMNS * camera.imageSize.width - 0.5, (i + 0.5) / ROWS * camera.imageSize.height - 0.5));
+    undistortedRays(camera, pixels, rays);
+    for (int k = 0; k < POINTS; k++)
+    {
+        const Vec3d bearing = camera.uprightRotation * Vec3d(rays[k].x, rays[k].y, 1);
+        const double z = std::max(bearing[2], 0.1); // never behind a camera that looks steeply up or down
+        points[k].x = bearing[0] / z;
+        points[k].y = bearing[1] / z;
+        points[k].t = camera.rowTime(pixels[k]);
+    }
+}
+
+namespace {
+
+// Scaled inverse depth of the nearest plane at a point and its derivatives.
+struct NearestPlane
+{
+    double w, byB, byD, byLambda, byG;
+
+    NearestPlane(const Model& m, double G, double x, double y) : w(0), byB(0), byD(0), byLambda(0), byG(0)
+    {
+        const double sign = m.direction < 0 ? -1 : 1, wall = m[P_D] - m[P_B] * x;
+        const double left = sign * wall, right = -m[P_LAMBDA] * left, road = sign * G * y;
+        if (left > 0 && left >= right && left >= road)
+        {
+            w = wall;
+            byB = -x;
+            byD = 1;
+        }
+        else if (right > 0 && right >= road)
+        {
+            w = -m[P_LAMBDA] * wall;
+            byB = m[P_LAMBDA] * x;
+            byD = -m[P_LAMBDA];
+            byLambda = -wall;
+        }
+        else if (road > 0)
+        {
+            w = G * y;
+            byG = y;
+        }
+    }
+};
+
+} // namespace
+
+void DisplacementField::displacement(const Model& m, double G, Values& values) const
+{
+    for (int k = 0; k < POINTS; k++)
+    {
+        const double x = points[k].x, y = points[k].y, f = focal * points[k].t;
+        const double w = NearestPlane(m, G, x, y).w;
+        values[2 * k] = f * (2 * m[P_ALPHA] * (1 + x * x) + w * (headingSine - x * headingCosine));
+        values[2 * k + 1] = f * (2 * m[P_ALPHA] * x * y - w * y * headingCosine);
+    }
+}
+
+void DisplacementField::variance(const Model& m, double G, double varianceG, const Matx<double, PARAMETERS, PARAMETERS>& C,
+                                 Variances& values) const
+{
+    for (int k = 0; k < POINTS; k++)
+    {
+        const double x = points[k].x, y = points[k].y, f = focal * points[k].t;
+        const NearestPlane plane(m, G, x, y);
+        const double rx = 2 * (1 + x * x), ry = 2 * x * y, tx = headingSine - x * headingCosine, ty = -y * headingCosine;
+        const double j[4] = {0, plane.byB, plane.byD, plane.byLambda};
+        double vw = plane.byG * plane.byG * varianceG, cross = 0;
+        for (int a = 1; a < 4; a++)
+        {
+            cross += C(P_ALPHA, a) * j[a];
+            for (int b = 1; b < 4; b++)
+                vw += j[a] * C(a, b) * j[b];
+        }
+        const double va = C(P_ALPHA, P_ALPHA);
+        values[k] = std::max(0., f * f * ((rx * rx + ry * ry) * va + 2 * (rx * tx + ry * ty) * cross + (tx * tx + ty * ty) * vw));
+    }
+}
+
+double DisplacementField::meanDistance(const Values& a, const Values& b, const Variances& variance)
+{
+    const double ofMean = 2 / CV_PI; // the mean of a normal deviate's magnitude, squared, over its variance
+    double sum = 0;
+    for (int k = 0; k < POINTS; k++)
+    {
+        const double dx = a[2 * k] - b[2 * k], dy = a[2 * k + 1] - b[2 * k + 1];
+        sum += std::sqrt(dx * dx + dy * dy + ofMean * variance[k]);
+    }
+    return sum / POINTS;
+}
+
+int DisplacementField::mainMotion(const Model& model, double G) const
+{
+    const double nothing = 0.05; // of the displacement
+    Model turning, moving = model;
+    turning[P_ALPHA] = model[P_ALPHA];
+    moving[P_ALPHA] = 0;
+    Values byTurning, byMoving;
+    displacement(turning, 0, byTurning);
+    displacement(moving, G, byMoving);
+    const Variances exact;
+    const double turn = meanDistance(byTurning, Values(), exact), move = meanDistance(byMoving, Values(), exact);
+    if (turn + move == 0)
+        return MODEL_NONE;
+    return move < nothing * turn ? MODEL_1LA : turn < nothing * move ? MODEL_3LA : MODEL_4LA;
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,301 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "consensus.hpp"
+#include "lo_ransac.hpp"
+#include "motion_mixture.hpp"
+#include "slant_noise.hpp"
+#include "street_direction.hpp"
+#include "uncertainty.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+// doc/theory.md, "Evidence" and "Posterior", have the reasons.
+static const int CONSENSUS_ITERATIONS = 500;  // it is one start of several
+static const double LOSS_SCALE = 2;           // in scales of the slants
+static const double DEPENDENCE_BY_TILT = 6;   // how many more verticals say what one would, if roll and pitch are free
+static const double TILT_OF_DEPENDENCE = CV_PI / 180;
+static const double LEAN_OF_DEPENDENCE = 0.3 * CV_PI / 180;
+static const double CROWDED = 20;             // candidates within a facade's width
+static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
+static const double LARGEST_DEPENDENCE = 8;
+
+namespace {
+
+// A motion structure with the logarithm of its prior probability, given that the camera moves.
+struct Hypothesis
+{
+    Structure structure;
+    double logPrior;
+};
+
+class Explorer
+{
+public:
+    Explorer(RefinementProblem& problem_, const AckermannEstimator::Params& params_, const DisplacementField& field)
+        : problem(problem_), params(params_), usual(*problem_.usual), mixture(field, usual)
+    {
+    }
+
+    bool run(Posterior& result)
+    {
+        problem.lossScale = LOSS_SCALE;
+        problem.lean = 0;
+        problem.weigh();
+        const bool ahead = std::abs(problem.heading.c) > 0.5;
+        const Hypothesis all[] = {{Structure(MODEL_1LA, 0), std::log(0.05)}, {Structure(MODEL_4LA, ahead ? 2 : 1), std::log(0.7)}};
+        std::vector<Fit> fits;
+        for (int i = 0; i < 2; i++)
+            fits.push_back(bestFit(all[i].structure));
+        const size_t best = fits[1].cost < fits[0].cost ? 1 : 0;
+        if (!(fits[best].cost < DBL_MAX))
+            return false;
+        measureNoise(fits, best);
+        addRest();
+        for (int i = 0; i < 2; i++)
+            if (fits[i].cost < DBL_MAX)
+                sweep(fits[i], all[i].logPrior);
+        result = mixture.best();
+        return true;
+    }
+
+private:
+    // What is usual, what verticals agree on, and a pure rotation.
+    std::vector<Model> starts(const Structure& structure) const
+    {
+        std::vector<Model> models;
+        Model m;
+        m[P_STREET] = problem.heading.angle;
+        Model consensus;
+        if (findConsensus(structure, consensus))
+            models.push_back(consensus);
+        if (!structure.translates())
+        {
+            m[P_ALPHA] = usual.yawRateIsTold() ? usual.toldAlpha() : medianAlpha();
+            models.push_back(m);
+            return models;
+        }
+        m[P_ALPHA] = usual.toldAlpha();
+        m[P_LAMBDA] = structure.walls == 2 ? 1 : 0;
+        const double factors[] = {0.5, 2};
+        for (int direction = 1; direction >= -1; direction -= 2)
+            for (int i = 0; i < 2; i++)
+            {
+                // One start is enough for what is rare.
+                if ((usual.toldDirection() != 0 && direction != usual.toldDirection()) || (direction < 0 && usual.toldDirection() == 0 && i != 1))
+                    continue;
+                const double speed = direction * factors[i] * usual.usualScaledSpeed(direction);
+                m[P_B] = speed * problem.heading.c;
+                m[P_D] = speed * problem.heading.s;
+                m.direction = direction;
+                // The only wall is on the side on which the verticals are.
+                const double column = problem.verticals[problem.verticals.size() / 2].u[0];
+                if (structure.walls == 1 && direction * (m[P_D] - m[P_B] * column) < 0)
+                {
+                    m[P_B] *= -1;
+                    m[P_D] *= -1;
+                }
+                models.push_back(m);
+            }
+        if (!usual.yawRateIsTold())
+        {
+            models.push_back(models.back());
+            models.back()[P_ALPHA] = medianAlpha();
+        }
+        return models;
+    }
+
+    bool findConsensus(const Structure& structure, Model& model) const
+    {
+        RansacOptions options;
+        options.confidence = params.confidence;
+        options.maxIterations = std::min(params.maxIterations, CONSENSUS_ITERATIONS);
+        options.seed = (uint64)params.seed;
+        CandidateConsensus consensus(problem, structure, params.threshold);
+        double score;
+        return loRansac(consensus, options, model, score);
+    }
+
+    // The motion without translation that half of the candidates exceed: one segment tells it (doc/theory.md, "Solvers", 1-LA).
+    double medianAlpha() const
+    {
+        std::vector<double> alphas;
+        for (size_t i = 0; i < problem.verticals.size(); i++)
+        {
+            const Candidate& c = problem.verticals[i];
+            alphas.push_back(0.5 * (std::atan(c.v[0]) - std::atan(c.u[0])) / (c.timeU - c.timeV));
+        }
+        std::nth_element(alphas.begin(), alphas.begin() + alphas.size() / 2, alphas.end());
+        const double limit = 0.9 * problem.limits.maxAlpha;
+        return std::min(std::max(alphas[alphas.size() / 2], -limit), limit);
+    }
+
+    bool isAllowed(const Structure& structure, const Model& model) const
+    {
+        return problem.limits.allow(model) && wallsAreSeen(problem, structure, model);
+    }
+
+    Fit bestFit(const Structure& structure) const
+    {
+        Fit best(structure);
+        const std::vector<Model> models = starts(structure);
+        for (size_t i = 0; i < models.size(); i++)
+        {
+            Model start = models[i];
+            for (int pass = 0; pass < 2; pass++)
+            {
+                if (pass > 0 && !startFromStreetDirection(problem, structure, start))
+                    break;
+                if (!isAllowed(structure, start))
+                    continue;
+                const Fit fit = refineFrom(problem, start, structure);
+                if (fit.cost < best.cost)
+                    best = fit;
+            }
+        }
+        return best;
+    }
+
+    // Noise and fits, in turn, until the noise stays about the same; then by how much the evidence says less than its number.
+    void measureNoise(std::vector<Fit>& fits, size_t best)
+    {
+        const int passes = 3;
+        const double same = 1.3;
+        for (int pass = 0; pass < passes; pass++)
+        {
+            const double before = problem.lean;
+            setNoise(fits[best]);
+            refineAll(fits);
+            if (problem.lean < same * before && before < same * problem.lean)
+                break;
+        }
+        const Slants slants(problem, fits[best].model, fits[best].structure.translates());
+        double neighbours;
+        const double measured = dependenceOf(slants, noise, problem.focal, neighbours);
+        // What verticals have in common looks like roll, pitch and motion: free unknowns take it up, and the residuals don't show it.
+        const double leaning = noise.lean / LEAN_OF_DEPENDENCE;
+        const double hidden = DEPENDENCE_BY_TILT * std::min(1., problem.gravitySigma / TILT_OF_DEPENDENCE) * std::min(1., neighbours / CROWDED) *
+                              std::min(1., leaning * leaning);
+        dependence = std::min(LARGEST_DEPENDENCE, std::max(measured, 1 + hidden));
+        problem.verticalWeight = 1 / dependence;
+        problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
+        ownNoise = ownNoiseOf(fits[best]);
+        refineAll(fits);
+    }
+
+    void setNoise(const Fit& fit)
+    {
+        noise = fitSlantNoise(Slants(problem, fit.model, fit.structure.translates()), problem.focal);
+        problem.sigma = noise.pixels;
+        problem.lean = noise.lean;
+        problem.weigh();
+    }
+
+    void refineAll(std::vector<Fit>& fits) const
+    {
+        for (size_t i = 0; i < fits.size(); i++)
+            if (fits[i].cost < DBL_MAX)
+                refineAgain(problem, fits[i]);
+    }
+
+    // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the refinement.
+    double ownNoiseOf(const Fit& fit) const
+    {
+        const Slants slants(problem, fit.model, fit.structure.translates());
+        double cost = 0;
+        for (size_t i = 0; i < slants.size(); i++)
+        {
+            const double error = problem.sigma / (problem.focal * slants.length[i]);
+            const double r2 = slants.slant[i] * slants.slant[i] / (problem.lean * problem.lean + error * error), s2 = LOSS_SCALE * LOSS_SCALE;
+            cost += r2 * s2 / (r2 + s2);
+        }
+        return fitSlantNoise(slants, problem.focal).logLikelihood + cost / 2;
+    }
+
+    // Laplace's approximation of what a fit at one yaw rate contributes.
+    double logEvidence(const Fit& fit, const Structure& structure) const
+    {
+        double volume = logVolume(fit) - usual.logVolume(structure);
+        // In the logarithms of the wall's scaled speed and of the ratio, and in the azimuth.
+        if (structure.translates())
+            volume -= 2 * std::log(std::hypot(fit.model[P_B], fit.model[P_D]));
+        if (structure.walls == 2)
+            volume -= std::log(fit.model[P_LAMBDA]);
+        return volume - fit.cost / 2;
+    }
+
+    // Each hypothesis may have its own noise: a motion that explains what another one takes for noise must not be paid twice.
+    double logNoise(const Fit& fit) const { return (ownNoiseOf(fit) - ownNoise) / dependence; }
+
+    void addRest()
+    {
+        const Structure none(MODEL_NONE, 0);
+        Model still;
+        still[P_STREET] = problem.heading.angle;
+        const Fit fit = refineFrom(problem, still, none);
+        mixture.add(fit, none, logEvidence(fit, none) + logNoise(fit) + usual.logRest());
+    }
+
+    // Adds motions with the yaw rates to both sides of a fit, until they are improbable.
+    void sweep(const Fit& fit, double logPrior)
+    {
+        const double growth = 1.25, improbable = 7, halfSigmas = 0.7;
+        const Structure pinned(fit.structure.translates() ? MODEL_3LA : MODEL_NONE, fit.structure.walls);
+        const double variance = fit.covariance(P_ALPHA, P_ALPHA), sigma = variance > 0 ? std::sqrt(variance) : usual.alphaScale();
+        const double first = std::min(halfSigmas * sigma, 0.5 * usual.alphaScale());
+        const double logWeight = logPrior + logNoise(fit);
+        Fit middle(pinned);
+        middle.model = fit.model;
+        double highest = addPinned(fit.structure, first, logWeight, middle);
+        for (int side = -1; side <= 1; side += 2)
+        {
+            Fit last = middle;
+            for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha; step *= growth, offset += step)
+            {
+                Model next = last.model;
+                for (int i = 0; i < PARAMETERS && variance > 0; i++)
+                    next.value[i] += side * step * fit.covariance(i, P_ALPHA) / variance;
+                if (!isAllowed(fit.structure, next))
+                    next = last.model;
+                next[P_ALPHA] = fit.model[P_ALPHA] + side * offset;
+                if (!problem.limits.allow(next))
+                    break;
+                last.model = next;
+                const double added = addPinned(fit.structure, (1 + growth) / 2 * step, logWeight, last);
+                highest = std::max(highest, added);
+                if (added < highest - improbable)
+                    break;
+            }
+        }
+    }
+
+    // Refines and adds the motion at the yaw rate of a fit. Returns the logarithm of its density.
+    double addPinned(const Structure& structure, double width, double logWeight, Fit& fit)
+    {
+        const int iterations = 8;
+        fit.cost = refine(problem, fit.structure, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
+        const double density = logWeight + logEvidence(fit, structure) + usual.logYawDensity(fit.model[P_ALPHA]);
+        mixture.add(fit, structure, density + std::log(width));
+        return density;
+    }
+
+    RefinementProblem& problem;
+    const AckermannEstimator::Params& params;
+    const UsualDrive& usual;
+    MotionMixture mixture;
+    SlantNoise noise;  // of the best fit
+    double dependence; // by which the verticals say less than their number
+    double ownNoise;   // of the best fit
+};
+
+} // namespace
+
+bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params, const DisplacementField& field, Posterior& result)
+{
+    return Explorer(problem, params, field).run(result);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_POSTERIOR_HPP
+#define OPENCV_RSACKERMANN_SRC_ESTIMATOR_POSTERIOR_HPP
+
+#include "displacement_field.hpp"
+#include "fit.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! What the segments and all that is known besides say of the motion.
+struct Posterior
+{
+    Model model;         //!< the correction with the smallest expected displacement
+    double G;            //!< slope of the road's scaled inverse depth
+    Structure structure; //!< of the model
+    Matx<double, PARAMETERS, PARAMETERS> covariance; //!< mean square deviation from the model
+    double expectedRaw, expectedLeft; //!< mean displacement in pixels to be expected of the image as it is, and after the correction
+
+    Posterior() : G(0), structure(MODEL_NONE, 0), expectedRaw(0), expectedLeft(0) {}
+};
+
+/** Averages the correction over the motions that are possible, weighted by their probability (doc/theory.md, "Posterior").
+
+A camera at rest, a pure rotation and a motion between walls are explored over the yaw rate; the other unknowns are refined at each.
+@param problem with a distribution of usual drives; its noise becomes what was found.
+@return false if no motion within the limits could be refined.
+*/
+bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params, const DisplacementField& field, Posterior& result);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_ESTIMATOR_POSTERIOR_HPP

@@ -1,0 +1,259 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_simulator.hpp"
+
+// What the estimator makes of segments if gravity is uncertain, as it is on real streets.
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+const double degree = CV_PI / 180;
+
+//! A camera as cars have them: 2048 x 1024 pixels, read out in 38 ms.
+RollingShutterCamera carCamera()
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(2048, 1024), 2260);
+    camera.lineDelay = 37.7e-6;
+    camera.height = 1.3;
+    return camera;
+}
+
+//! Segments of vertical lines all over the image of a camera at rest that lean by N(0, sigma).
+Mat leaningSegments(const RollingShutterCamera& camera, int count, double sigma, RNG& rng)
+{
+    const double width = camera.imageSize.width, height = camera.imageSize.height;
+    Mat segments(count, 4, CV_64F);
+    for (int i = 0; i < count; i++)
+    {
+        const double length = rng.uniform(0.15, 0.4) * height, x = rng.uniform(0.1, 0.9) * width, y = rng.uniform(0.02, 0.98) * (height - length);
+        const double lean = length * std::tan(rng.gaussian(sigma));
+        double* s = segments.ptr<double>(i);
+        s[0] = x - lean / 2;
+        s[1] = y;
+        s[2] = x + lean / 2;
+        s[3] = y + length;
+    }
+    return segments;
+}
+
+//! Segments on the walls of a street that lean by N(0, 0.3 degrees), and clutter.
+Mat streetSegments(const Simulator& street, RNG& rng)
+{
+    simulation::SegmentOptions options;
+    options.count = 80;
+    options.inlierRatio = 0.8;
+    options.noise = 0.3;
+    options.minLength = 80;
+    options.maxLength = 400;
+    Mat segments;
+    simulation::randomSegments(street, options, rng).ends.convertTo(segments, CV_64F);
+    for (int i = 0; i < segments.rows; i++)
+    {
+        double* s = segments.ptr<double>(i);
+        const double lean = std::tan(rng.gaussian(0.3 * degree)) * (s[3] - s[1]);
+        s[0] -= lean / 2;
+        s[2] += lean / 2;
+    }
+    return segments;
+}
+
+//! Mean distance of the maps of two motions where both have a place.
+double mapDistance(const RollingShutterCamera& camera1, const AckermannMotion& motion1, const RollingShutterCamera& camera2, const AckermannMotion& motion2)
+{
+    Mat x1, y1, x2, y2, mask1, mask2, distance;
+    WarpMapGenerator::create(camera1)->initRectifyMap(motion1, x1, y1, CV_32FC1, mask1);
+    WarpMapGenerator::create(camera2)->initRectifyMap(motion2, x2, y2, CV_32FC1, mask2);
+    magnitude(x1 - x2, y1 - y2, distance);
+    return mean(distance, mask1 & mask2)[0];
+}
+
+//! The same camera with an upright rotation that is off.
+RollingShutterCamera tilted(RollingShutterCamera camera, double roll, double pitch)
+{
+    camera.setRollPitch(roll, pitch);
+    return camera;
+}
+
+AckermannMotion estimate(const RollingShutterCamera& camera, const Mat& segments, const MotionPrior& prior = MotionPrior(),
+                         const AckermannEstimator::Params& params = AckermannEstimator::Params())
+{
+    return AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
+}
+
+TEST(RSAckermann_Posterior, lines_that_lean_are_no_motion)
+{
+    RNG rng(1);
+    int moved = 0;
+    for (int i = 0; i < 100; i++)
+        moved += estimate(carCamera(), leaningSegments(carCamera(), 40, 1 * degree, rng)).status == MOTION_OK;
+    RecordProperty("moved_percent", moved);
+    EXPECT_LE(moved, 3);
+}
+
+TEST(RSAckermann_Posterior, roll_that_is_not_told_is_no_motion)
+{
+    RNG rng(2);
+    int moved = 0;
+    for (int i = 0; i < 100; i++)
+    {
+        const RollingShutterCamera told = tilted(carCamera(), rng.gaussian(1 * degree), rng.gaussian(0.3 * degree));
+        moved += estimate(told, leaningSegments(carCamera(), 60, 0.3 * degree, rng)).status == MOTION_OK;
+    }
+    EXPECT_LE(moved, 5);
+}
+
+TEST(RSAckermann_Posterior, copies_of_a_segment_are_one_witness)
+{
+    const Mat one = (Mat_<double>(1, 4) << 1500, 300, 1512, 700);
+    Mat copies;
+    repeat(one, 6, 1, copies);
+    EXPECT_NE(MOTION_OK, estimate(carCamera(), copies).status);
+}
+
+// What the verticals say is worth less than a gyro.
+TEST(RSAckermann_Posterior, verticals_do_not_overrule_a_gyro)
+{
+    RNG rng(3);
+    int beyond = 0;
+    const int frames = 50;
+    for (int i = 0; i < frames; i++)
+    {
+        const double yawRate = rng.uniform(-20., 20.) * degree, sigma = 1 * degree;
+        const Simulator street = Simulator::fromMetric(carCamera(), yawRate, rng.uniform(5., 20.), rng.uniform(5., 12.), rng.uniform(5., 12.), 0);
+        MotionPrior prior;
+        prior.yawRate = yawRate + rng.gaussian(sigma);
+        prior.yawRateSigma = sigma;
+        const RollingShutterCamera told = tilted(carCamera(), rng.gaussian(1 * degree), rng.gaussian(0.3 * degree));
+        const AckermannMotion motion = estimate(told, streetSegments(street, rng), prior);
+        double found = 0;
+        if (motion.status == MOTION_OK && motion.yawRate(told, found))
+            beyond += std::abs(found - yawRate) > 2.5 * sigma;
+    }
+    EXPECT_LE(beyond, 2);
+}
+
+TEST(RSAckermann_Posterior, speed_and_height_give_the_road)
+{
+    RNG rng(4);
+    const double speed = 14;
+    const Simulator street = Simulator::fromMetric(carCamera(), 0.05, speed, 6, 8, 0);
+    MotionPrior prior;
+    prior.speed = speed;
+    prior.speedSigma = 0.5;
+    const AckermannMotion motion = estimate(carCamera(), streetSegments(street, rng), prior);
+    ASSERT_EQ(MOTION_OK, motion.status);
+    const double G = speed * carCamera().secondsPerUnitTime() / carCamera().height;
+    EXPECT_NEAR(G, motion.G, 0.02 * G);
+    EXPECT_EQ(SCALE_SPEED, motion.scale);
+    double found = 0;
+    EXPECT_TRUE(motion.speed(carCamera(), found));
+    EXPECT_NEAR(speed, found, 1e-9);
+}
+
+TEST(RSAckermann_Posterior, a_guess_is_no_scale)
+{
+    RNG rng(5);
+    const Simulator street = Simulator::fromMetric(carCamera(), 0.05, 14, 6, 8, 0);
+    const AckermannMotion motion = estimate(carCamera(), streetSegments(street, rng));
+    ASSERT_EQ(MOTION_OK, motion.status);
+    EXPECT_GT(motion.G, 0); // the maps have a road
+    EXPECT_EQ(SCALE_UNKNOWN, motion.scale);
+    double found = 1;
+    EXPECT_FALSE(motion.speed(carCamera(), found));
+    EXPECT_EQ(0, found);
+    Mat corrected;
+    EXPECT_THROW(WarpMapGenerator::create(carCamera())->correctPoints(motion, Mat1d(Matx12d(300, 200)), corrected, Mat1d(1, 1, 10.)), cv::Exception);
+}
+
+// Frames drawn from what is usual, with verticals that lean and gravity that is off: what the estimator expects is what happens.
+TEST(RSAckermann_Posterior, improves_what_it_expects_to_improve)
+{
+    RNG rng(6);
+    double raw = 0, left = 0, expectedRaw = 0, expectedLeft = 0;
+    int ok = 0, worse = 0;
+    const int frames = 100;
+    for (int i = 0; i < frames; i++)
+    {
+        const double yawRate = rng.gaussian(4 * degree), speed = 12 * std::exp(rng.gaussian(0.5));
+        const double walls[2] = {8 * std::exp(rng.gaussian(0.5)), 8 * std::exp(rng.gaussian(0.5))};
+        const double direction = rng.gaussian(0.03);
+        const Simulator street = Simulator::fromMetric(carCamera(), yawRate, speed, walls[0], walls[1], direction);
+        const RollingShutterCamera told = tilted(carCamera(), rng.gaussian(1 * degree), rng.gaussian(0.3 * degree));
+        const AckermannMotion motion = estimate(told, streetSegments(street, rng));
+        if (motion.status != MOTION_OK)
+        {
+            EXPECT_EQ(motion.expectedRaw, motion.expectedLeft);
+            continue;
+        }
+        ok++;
+        EXPECT_LT(motion.expectedLeft, motion.expectedRaw);
+        const AckermannMotion truth = AckermannMotion::fromMetric(carCamera(), yawRate, speed, walls[0], walls[1], direction);
+        const double before = mapDistance(carCamera(), AckermannMotion(), carCamera(), truth);
+        const double after = mapDistance(told, motion, carCamera(), truth);
+        raw += before;
+        left += after;
+        expectedRaw += motion.expectedRaw;
+        expectedLeft += motion.expectedLeft;
+        worse += after > 1.1 * before && after > before + 0.2;
+    }
+    RecordProperty("ok", ok);
+    RecordProperty("left_over_raw", cv::format("%.3f", left / raw).c_str());
+    RecordProperty("worse", worse);
+    RecordProperty("expected_raw_over_raw", cv::format("%.3f", expectedRaw / raw).c_str());
+    RecordProperty("expected_left_over_left", cv::format("%.3f", expectedLeft / left).c_str());
+    EXPECT_GE(ok, frames / 2);
+    EXPECT_LT(left, 0.6 * raw);
+    EXPECT_LE(worse, frames * 6 / 100);
+    EXPECT_GE(expectedRaw, 0.8 * raw);
+    EXPECT_LE(expectedRaw, 1.5 * raw);
+    EXPECT_GE(expectedLeft, 0.8 * left);
+    EXPECT_LE(expectedLeft, 1.7 * left);
+}
+
+TEST(RSAckermann_Posterior, roll_and_yaw_rate_are_told_apart_by_a_gyro_only)
+{
+    RNG rng(7);
+    for (int scan = SCAN_TOP_TO_BOTTOM; scan <= SCAN_BOTTOM_TO_TOP; scan++)
+    {
+        RollingShutterCamera camera = carCamera();
+        camera.scanDirection = scan;
+        const Simulator street = Simulator::fromMetric(camera, 0.3, 14, 6, 8, 0);
+        const Mat segments = streetSegments(street, rng);
+        MotionPrior gyro;
+        gyro.yawRate = 0.3;
+        gyro.yawRateSigma = 0.2 * degree;
+        const AckermannMotion alone = estimate(camera, segments), told = estimate(camera, segments, gyro);
+        ASSERT_EQ(MOTION_OK, alone.status) << scan;
+        EXPECT_TRUE(alone.rollYawAmbiguous) << scan;
+        EXPECT_FALSE(told.rollYawAmbiguous) << scan;
+    }
+}
+
+// A camera that isn't told how a shutter's rows are timed has no yaw rate, and neither has a motion of which nothing is known.
+TEST(RSAckermann_Posterior, nothing_is_known_without_segments)
+{
+    const AckermannMotion motion = estimate(carCamera(), Mat(0, 4, CV_64F));
+    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, motion.status);
+    double yawRate = 1;
+    EXPECT_FALSE(motion.yawRate(carCamera(), yawRate));
+    EXPECT_EQ(0, yawRate);
+}
+
+TEST(RSAckermann_Posterior, reverse_is_told)
+{
+    RNG rng(8);
+    const Simulator street = Simulator::fromMetric(carCamera(), 0.05, -6, 4, 5, 0);
+    MotionPrior prior;
+    prior.speed = -6;
+    prior.speedSigma = 0.5;
+    const AckermannMotion motion = estimate(carCamera(), streetSegments(street, rng), prior);
+    ASSERT_EQ(MOTION_OK, motion.status);
+    EXPECT_EQ(-1, motion.direction);
+    EXPECT_LT(motion.G, 0);
+}
+
+}} // namespace
