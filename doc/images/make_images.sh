@@ -11,6 +11,6 @@ street=$(mktemp -d)
 trap 'rm -rf "$street"' EXIT
 
 "$programs/rsackermann_simulate" --output="$street" --size=640x380 --focal=560 --readout=0.033 --speed=70 --yaw_rate=60 --seed=3
-correct=("$programs/rsackermann_correct" "$street/rolling.png" "--camera=$street/camera.yml" --overwrite)
+correct=("$programs/rsackermann_correct" "$street/rolling.png" "--camera=$street/camera.yml" --gravity_sigma=0 --overwrite)
 "${correct[@]}" --model=none --output="$images/street_raw.jpg" # no motion: the image as it is
 "${correct[@]}" --wall=2.5 --output="$images/street_corrected.jpg" --overlay="$images/street_segments.jpg"

@@ -122,8 +122,9 @@ TEST(CameraFiles, written_and_read)
 
 TEST(CameraFiles, options_go_before_the_file)
 {
-    const Outcome file = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--report=-"});
-    const Outcome option = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--report=-", "--readout=0.0266666666666"});
+    const Outcome file = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--gravity_sigma=0", "--report=-"});
+    const Outcome option = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--gravity_sigma=0",
+                                    "--report=-", "--readout=0.0266666666666"});
     const nlohmann::json a = nlohmann::json::parse(file.output), b = nlohmann::json::parse(option.output);
     EXPECT_NEAR(a["yaw_rate_deg_s"].get<double>() / 2, b["yaw_rate_deg_s"].get<double>(), 3);
 }
