@@ -93,7 +93,7 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
     for (int i = 0; i < frames; i++)
     {
         // With uncertain gravity the yaw rate is what the estimator takes for usual, and can't be tested at others.
-        const double any = rng.uniform(-70., 70.), usual = 10 * usually.gaussian(1) / std::sqrt(-std::log(usually.uniform(1e-6, 1.)));
+        const double any = rng.uniform(-70., 70.), usual = 5 * usually.gaussian(1) / std::sqrt(-std::log(usually.uniform(1e-6, 1.)));
         const double yawRate = (knowledge.gravityNoise > 0 ? std::min(std::max(usual, -80.), 80.) : any) * degree, speed = rng.uniform(10., 140.) / 3.6;
         const double left = rng.uniform(2., 4.), right = rng.uniform(2., 4.), wallDirection = rng.uniform(-3., 3.) * degree;
         RollingShutterCamera camera = simulation::paperCamera();

@@ -10,7 +10,7 @@ namespace cv {
 namespace rsackermann {
 
 // doc/theory.md, "Posterior", has the reasons.
-static const double USUAL_YAW_RATE = 10 * CV_PI / 180; // rad/s, scale of Student's t with YAW_FREEDOM degrees of freedom
+static const double USUAL_YAW_RATE = 5 * CV_PI / 180; // rad/s, scale of Student's t with YAW_FREEDOM degrees of freedom
 static const double YAW_FREEDOM = 2;
 static const double USUAL_SPEED = 12;                // m/s
 static const double USUAL_REVERSE_SPEED = 1.5;       // m/s
