@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "experiment.hpp"
 #include "options.hpp"
 #include "table.hpp"
 
@@ -26,6 +27,7 @@ const char* const KEYS =
     "{help       |        | print this message}"
     "{frames     |        | folder with frames.csv (name,focal_px,roll_deg,pitch_deg,heading_deg) and, for each name, a folder with "
     "rolling.png and global_middle.png}"
+    "{gravity_sigma |     | degrees, what the estimator is told of roll and pitch, in the place of its default}"
     "{threads    |        | number of threads}";
 
 struct Frame
@@ -185,6 +187,9 @@ int run(int argc, const char* const* argv)
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const std::string folder = options.text("frames") + "/";
+    AckermannEstimator::Params params;
+    if (options.given("gravity_sigma"))
+        setGravitySigma(options.number("gravity_sigma", 0, 45) * CV_PI / 180, params);
 
     double sums[3] = {0, 0, 0};
     const std::vector<std::vector<std::string> > rows =
@@ -196,7 +201,7 @@ int run(int argc, const char* const* argv)
         const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(frame.camera);
         const double before = psnr(frame, *generator, AckermannMotion());
         cv::Mat segments, labels;
-        const AckermannMotion estimated = AckermannEstimator::create(frame.camera)->estimateFromImage(frame.rolling, segments, labels);
+        const AckermannMotion estimated = AckermannEstimator::create(frame.camera, params)->estimateFromImage(frame.rolling, segments, labels);
         const cv::Mat candidates = candidatesOf(segments, labels);
         double gains[3] = {psnr(frame, *generator, estimated) - before, -DBL_MAX, -DBL_MAX};
         AckermannMotion best;

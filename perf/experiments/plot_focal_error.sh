@@ -9,7 +9,7 @@ data=$(mktemp)
 trap 'rm -f "$data"' EXIT
 
 for error in -30 -20 -10 -5 0 5 10 20 30; do
-    "$program" --quiet --scenes=1 --focal_error=$error | awk -v error=$error '
+    "$program" --quiet --gravity_sigma=0 --scenes=1 --focal_error=$error | awk -v error=$error '
         /^displacement raw/ { raw = $4 }
         /^displacement left/ { print error, raw, $4, $5 }' | tee -a "$data"
 done
