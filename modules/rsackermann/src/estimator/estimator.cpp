@@ -79,7 +79,7 @@ private:
     AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
     RefinementProblem makeProblem(const MotionPrior& prior) const;
     int findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found, AckermannMotion& motion, Mat& labels) const;
-    Posterior withExpectation(const RefinementProblem& problem, const UsualDrive& usual, const Fit& fit) const;
+    Posterior withExpectation(const UsualDrive& usual, const Fit& fit) const;
     double labelInliers(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const;
     void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const;
 
@@ -149,7 +149,7 @@ int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDr
     }
     else
     {
-        found = withExpectation(problem, usual, selectMotion(problem, params));
+        found = withExpectation(usual, selectMotion(problem, params));
         const double chance = labelInliers(problem, found, motion, labels);
         if (logFalseAlarms(motion.candidates, motion.inliers, found.structure.sampleSize(), chance) > 0)
             return MOTION_NO_CONSENSUS;
@@ -157,7 +157,7 @@ int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDr
     return found.structure.motion != MODEL_NONE && found.expectedLeft < found.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
 }
 
-Posterior AckermannEstimatorImpl::withExpectation(const RefinementProblem& problem, const UsualDrive& usual, const Fit& fit) const
+Posterior AckermannEstimatorImpl::withExpectation(const UsualDrive& usual, const Fit& fit) const
 {
     const DisplacementField field(camera);
     Posterior found;
@@ -166,13 +166,6 @@ Posterior AckermannEstimatorImpl::withExpectation(const RefinementProblem& probl
     found.covariance = fit.covariance;
     double variance;
     usual.road(fit.model, found.G, variance);
-    const bool knowsRoad = params.wallDistance > 0 && camera.height > 0;
-    if (params.scaleFromRoad && !knowsRoad && fit.structure.translates() && camera.height > 0)
-    {
-        const double ratio = roadRatioFromContacts(problem, fit.model, params.threshold);
-        if (ratio > 0)
-            found.G = (fit.model.direction < 0 ? -1 : 1) * std::hypot(fit.model[P_B], fit.model[P_D]) * ratio;
-    }
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
     field.displacement(found.model, found.G, displacement);

@@ -156,7 +156,7 @@ public:
     CV_PROP_RW double wallDirection;      //!< azimuth of the line at infinity of the walls in the upright frame, radians; its column is the tangent
     CV_PROP_RW double wallDirectionSigma; //!< standard deviation of wallDirection; 0 (default): not known
 
-    CV_PROP_RW AckermannMotion previous; //!< motion of the frame before; used where its status is #MOTION_OK and previousNoise is positive
+    CV_PROP_RW AckermannMotion previous; //!< motion of the frame before; used where its status is #MOTION_OK and previousNoise is positive; always checked to be finite and within what a motion can be: alpha up to 10, B and D up to 100
     CV_PROP_RW double previousNoise;     //!< standard deviation of the change from frame to frame, as a fraction of the limits of yaw rate and of the values of speed and walls; 0 (default): no previous frame
 };
 
