@@ -48,8 +48,8 @@ Vertical lines of the scene (walls, posts, windows) are slanted and bent by the 
 -# refines the motion with the exact model and a robust loss on all candidates; the other segments say where the street goes
     and, with the candidates, what is wrong with gravity; the prior counts as further measurements,
 -# averages the correction over all motions that are possible, a camera at rest among them, weighted by their probability, so that the
-    displacement that is to be expected is the smallest. If that isn't below that of the raw image, or if no motion is more probable than
-    some, none is reported.
+    displacement that is to be expected is the smallest. If that isn't below that of the raw image, as it is if the camera is at rest with
+    a probability above one half, no motion is reported.
 
 With Params::gravitySigma 0, or with a Params::model, a consensus of minimal solvers (solve1LA, solve3LA, solve4LA) in a locally optimised
 RANSAC @cite chum2003locally is refined in place of the average, and an information criterion chooses the model.

@@ -26,7 +26,7 @@ enum MotionStatus
 //! The motion models, named by the number of line segments (lines, "L") that determine them.
 enum MotionModel
 {
-    MODEL_AUTO = -1, //!< for AckermannEstimator::Params::model: let an information criterion choose
+    MODEL_AUTO = -1, //!< for AckermannEstimator::Params::model: average over what is possible, or, if gravity is exact, let an information criterion choose
     MODEL_NONE = 0,  //!< camera at rest
     MODEL_1LA = 1,   //!< pure rotation: yaw rate
     MODEL_3LA = 3,   //!< pure translation: speed and walls
