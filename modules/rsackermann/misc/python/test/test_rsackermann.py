@@ -16,7 +16,7 @@ SIZE = (640, 380)
 FOCAL = 816.0
 LINE_DELAY = 0.4 / 30 / SIZE[1]  # 30 frames a second, 40 % of it to read the rows
 LEFT_WALL, RIGHT_WALL = 2.5, 3.0  # metres
-YAW_RATE = math.radians(35)
+YAW_RATE = math.radians(15)
 SPEED = 15.0  # metres a second
 
 
