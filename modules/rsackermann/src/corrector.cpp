@@ -11,7 +11,7 @@
 namespace cv {
 namespace rsackermann {
 
-RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR), carryMotion(false), previousNoise(0.1)
+RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR), carryMotion(false), previousNoise(0.1), frameInterval(1. / 30)
 {
 }
 
@@ -21,7 +21,8 @@ void RollingShutterCorrector::Params::write(FileStorage& fs) const
     estimator.write(fs);
     fs << "}" << "warp" << "{";
     warp.write(fs);
-    fs << "}" << "interpolation" << interpolation << "carry_motion" << carryMotion << "previous_noise" << previousNoise;
+    fs << "}" << "interpolation" << interpolation << "carry_motion" << carryMotion << "previous_noise" << previousNoise
+       << "frame_interval" << frameInterval;
 }
 
 void RollingShutterCorrector::Params::read(const FileNode& fn)
@@ -31,6 +32,7 @@ void RollingShutterCorrector::Params::read(const FileNode& fn)
     cv::read(fn["interpolation"], interpolation, interpolation);
     cv::read(fn["carry_motion"], carryMotion, carryMotion);
     cv::read(fn["previous_noise"], previousNoise, previousNoise);
+    cv::read(fn["frame_interval"], frameInterval, frameInterval);
 }
 
 static void checkParams(const RollingShutterCorrector::Params& params)
@@ -40,6 +42,8 @@ static void checkParams(const RollingShutterCorrector::Params& params)
         CV_Error(Error::StsBadArg, format("interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) "
                                           "is expected", interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4));
     checkNotNegative(params.previousNoise, "params.previousNoise", "no previous frame");
+    if (!(params.frameInterval > 0 && params.frameInterval <= 3600))
+        CV_Error(Error::StsBadArg, format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", params.frameInterval));
 }
 
 // Whether a camera at rest already gives the global-shutter image.
@@ -50,6 +54,13 @@ static bool isIdentity(const RollingShutterCamera& camera, const WarpMapGenerato
         noLens = noLens && camera.distCoeffs[i] == 0;
     return noLens && (warp.newCameraMatrix == Matx33d::zeros() || warp.newCameraMatrix == camera.cameraMatrix) &&
            (warp.newSize == Size() || warp.newSize == camera.imageSize);
+}
+
+static bool isSameButForGravity(const RollingShutterCamera& a, const RollingShutterCamera& b)
+{
+    return a.imageSize == b.imageSize && a.cameraMatrix == b.cameraMatrix && a.distCoeffs == b.distCoeffs && a.lensModel == b.lensModel &&
+           a.scanDirection == b.scanDirection && a.lineDelay == b.lineDelay && a.referenceRow == b.referenceRow && a.heading == b.heading &&
+           a.height == b.height;
 }
 
 namespace {
@@ -77,7 +88,7 @@ class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp)),
-          framesSinceCarried(0), onDevice(false)
+          framesSinceCarried(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
     {
         checkParams(params_);
         params = params_;
@@ -85,9 +96,11 @@ public:
 
     void setCamera(const RollingShutterCamera& camera) CV_OVERRIDE
     {
+        const bool isSame = isSameButForGravity(camera, generator->getCamera());
         estimator->setCamera(camera);
         generator->setCamera(camera);
-        reset();
+        if (!isSame)
+            reset();
     }
 
     RollingShutterCamera getCamera() const CV_OVERRIDE { return generator->getCamera(); }
@@ -110,6 +123,8 @@ public:
 
     MotionPrior getPrior() const CV_OVERRIDE { return prior; }
 
+    void setTimestamp(double seconds) CV_OVERRIDE { timestamp = seconds; }
+
     void reset() CV_OVERRIDE { carried = AckermannMotion(); }
 
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask) CV_OVERRIDE
@@ -129,6 +144,16 @@ public:
         segments_.copyTo(segments);
         timings = Vec4d();
         return estimateAndWarp(src, dst, mask);
+    }
+
+    void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst, OutputArray mask) CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkSource(src);
+        segments.release();
+        labels.release();
+        timings = Vec4d();
+        warpWith(motion, src, dst, mask);
     }
 
     void getSegments(OutputArray segments_, OutputArray labels_) const CV_OVERRIDE
@@ -210,7 +235,13 @@ private:
         const AckermannMotion motion = estimator->estimate(segments, labels, priorOfNextFrame());
         carry(motion);
         timings[1] = watch.lap();
+        warpWith(motion, src, dst, mask);
+        return motion;
+    }
 
+    void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask)
+    {
+        Stopwatch watch;
         const bool copied = motion.status != MOTION_OK && isIdentity(generator->getCamera(), params.warp);
         copiedSize = copied ? src.size() : Size();
         onDevice = !copied && src.isUMat() && ocl::useOpenCL();
@@ -228,7 +259,6 @@ private:
         else
             warp(motion, src, dst, mask, map1, map2, watch);
         timings[3] = watch.lap();
-        return motion;
     }
 
     void warp(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask, InputOutputArray columns,
@@ -257,6 +287,7 @@ private:
     MotionPrior prior;
     AckermannMotion carried; // to the next frame, where its status is MOTION_OK
     int framesSinceCarried;
+    double timestamp;        // of the next image; not finite: not told
 
     // of the last image
     Mat segments, labels;

@@ -32,6 +32,7 @@ public:
         CV_PROP_RW int interpolation;                    //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
         CV_PROP_RW bool carryMotion;     //!< whether the images are consecutive frames and each motion is known before the next one is estimated, default false
         CV_PROP_RW double previousNoise; //!< MotionPrior::previousNoise from one frame to the next where carryMotion is set, default 0.1
+        CV_PROP_RW double frameInterval; //!< seconds from one frame to the next if setTimestamp() doesn't tell, default 1/30
 
         //! Writes all fields into the present node, a map.
         void write(FileStorage& fs) const;
@@ -64,9 +65,15 @@ public:
     //! What setPrior() has set.
     CV_WRAP virtual MotionPrior getPrior() const = 0;
 
+    /** @brief Tells when the next image is taken.
+    @param seconds time of its reference row, from any origin; not finite: Params::frameInterval after the image before, which also
+    holds for all further images unless they are told.
+     */
+    CV_WRAP virtual void setTimestamp(double seconds) = 0;
+
     /** @brief Forgets the motion that is carried to the next frame: for the first frame of another sequence.
 
-    It is also forgotten where a camera is set and where a frame shows a camera at rest (#MOTION_NOT_SIGNIFICANT). A frame
+    It is also forgotten if a camera is set that differs in more than uprightRotation, and where a frame shows a camera at rest (#MOTION_NOT_SIGNIFICANT). A frame
     without an estimate for another reason leaves it, with a noise that grows with the number of such frames.
      */
     CV_WRAP virtual void reset() = 0;
@@ -88,6 +95,14 @@ public:
     @return the motion, as from correct().
      */
     CV_WRAP virtual AckermannMotion correctWithSegments(InputArray src, InputArray segments, OutputArray dst, OutputArray mask = noArray()) = 0;
+
+    /** @brief Corrects an image with a motion that is known.
+    @param src raw image of the camera's size, of any type that cv::remap takes.
+    @param motion the motion; if its status isn't #MOTION_OK only the lens is corrected.
+    @param dst corrected image, as in correct().
+    @param mask as in correct().
+     */
+    CV_WRAP virtual void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst, OutputArray mask = noArray()) = 0;
 
     /** @brief The segments of the last image and their labels.
     @param segments N x 4 matrix CV_32F with (x1, y1, x2, y2) in pixels of the raw image.
