@@ -94,11 +94,11 @@ double predictedDisplacement(const RollingShutterCamera& camera, const Ackermann
         }
         AckermannMotion other = motion;
         other.alpha += change[0];
-        other.B += change[1];
-        other.D += change[2];
-        other.lambda = std::max(other.lambda + change[3], 0.);
-        const double size = std::hypot(motion.B, motion.D);
-        other.G *= size > 0 ? std::hypot(other.B, other.D) / size : 1;
+        other.wallSlope += change[1];
+        other.wallOffset += change[2];
+        other.wallRatio = std::max(other.wallRatio + change[3], 0.);
+        const double size = std::hypot(motion.wallSlope, motion.wallOffset);
+        other.roadSlope *= size > 0 ? std::hypot(other.wallSlope, other.wallOffset) / size : 1;
         cv::Mat changed[2];
         WarpMapGenerator::create(camera)->initRectifyMap(other, changed[0], changed[1]);
         sum += meanDistance(changed[0], changed[1], maps[0], maps[1], mask);
@@ -158,7 +158,7 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     result.speedError = !ok ? -c.scene.speed * 3.6 : motion.speed(camera, speed) ? (speed - c.scene.speed) * 3.6 : NOT_KNOWN;
     // The walls of a camera that looks to a side have their line at infinity far outside of the image.
     const bool ahead = std::cos(c.scene.wallDirection) > 0.5;
-    result.deltaError = ok && ahead && motion.B != 0 ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx : NOT_KNOWN;
+    result.deltaError = ok && ahead && motion.wallSlope != 0 ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx : NOT_KNOWN;
     const cv::Matx44d covariance = motion.metricCovariance(camera);
     result.yawRateSigma = ok ? sigmaOf(covariance(0, 0), CV_PI / 180) : NOT_KNOWN;
     result.speedSigma = ok ? sigmaOf(covariance(1, 1), 1 / 3.6) : NOT_KNOWN;

@@ -88,7 +88,7 @@ public:
 
     cv::Mat1d steps() const { return row({0.005, 0.01, 0.01, 0.01, 0.01}); }
 
-    cv::Mat1d first() const { return row({start.alpha, start.B, start.D, start.rollCorrection, start.pitchCorrection}); }
+    cv::Mat1d first() const { return row({start.alpha, start.wallSlope, start.wallOffset, start.rollCorrection, start.pitchCorrection}); }
 
     AckermannMotion at(const double* x) const
     {
@@ -96,15 +96,15 @@ public:
         m.status = MOTION_OK;
         m.model = MODEL_4LA;
         m.alpha = x[0];
-        m.B = x[1];
-        m.D = x[2];
+        m.wallSlope = x[1];
+        m.wallOffset = x[2];
         if (fitGravity)
         {
             m.rollCorrection = x[3];
             m.pitchCorrection = x[4];
         }
         // The wall is seen at the heading, to the side of which it lies.
-        m.direction = m.D >= 0 ? 1 : -1;
+        m.direction = m.wallOffset >= 0 ? 1 : -1;
         return m;
     }
 

@@ -54,9 +54,9 @@ std::string reportLine(const FrameReport& frame)
     line["status"] = statuses[m.status];
     line["model"] = modelWord(m.model);
     line["alpha"] = orNull(ok, m.alpha);
-    line["beta"] = orNull(ok, m.B);
-    line["delta"] = orNull(ok && m.B != 0, m.delta());
-    line["wall_ratio"] = orNull(ok && m.lambda > 0, m.lambda);
+    line["beta"] = orNull(ok, m.wallSlope);
+    line["delta"] = orNull(ok && m.wallSlope != 0, m.delta());
+    line["wall_ratio"] = orNull(ok && m.wallRatio > 0, m.wallRatio);
     line["yaw_rate_deg_s"] = orNull(yawRateKnown, yawRate * 180 / CV_PI);
     line["speed_km_h"] = orNull(speedKnown, speed * 3.6);
     const cv::Matx44d covariance = m.metricCovariance(frame.camera);

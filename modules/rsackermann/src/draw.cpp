@@ -43,8 +43,8 @@ static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels,
         const int label = labels.at<uchar>((int)i);
         if (label != SEGMENT_LEFT_WALL && label != SEGMENT_RIGHT_WALL)
             continue;
-        const double side = label == SEGMENT_LEFT_WALL ? 1 : -motion.lambda;
-        const double B = side * motion.B, D = side * motion.D;
+        const double side = label == SEGMENT_LEFT_WALL ? 1 : -motion.wallRatio;
+        const double B = side * motion.wallSlope, D = side * motion.wallOffset;
         const Vec3d b = up * Vec3d(rays[i].x, rays[i].y, 1);
         const RowMotion row(motion.alpha, camera.heading, camera.rowTime(middles[i]));
         const double depth = std::abs(D - B * TurnedBearing(Point2d(b[0], b[2]), row).column(B, D));
@@ -82,7 +82,7 @@ static std::vector<Point2d> roadBorder(double B, double D, const RollingShutterC
     for (int i = -steps; i <= steps; i++)
     {
         const double x = std::tan(maxAzimuth * i / steps), w = D - B * x;
-        const Vec3d p = down * Vec3d(x, w / motion.G, 1);
+        const Vec3d p = down * Vec3d(x, w / motion.roadSlope, 1);
         if (w * motion.direction > 0 && p[2] > 0)
             pixels.push_back(Point2d(p[0] / p[2], p[1] / p[2]));
     }
@@ -114,11 +114,11 @@ void drawMotion(InputOutputArray image_, InputArray segments_, InputArray labels
         CV_Error(Error::StsBadArg, format("labels has %d elements of type %s; %d of CV_8U, one for each segment, are expected", (int)labels.total(),
                                           typeToString(labels.type()).c_str(), segments.rows));
 
-    if (motion.status == MOTION_OK && motion.G != 0)
+    if (motion.status == MOTION_OK && motion.roadSlope != 0)
     {
-        drawBorder(image, roadBorder(motion.B, motion.D, camera, motion), camera, motion, thickness);
-        if (motion.lambda > 0)
-            drawBorder(image, roadBorder(-motion.lambda * motion.B, -motion.lambda * motion.D, camera, motion), camera, motion, thickness);
+        drawBorder(image, roadBorder(motion.wallSlope, motion.wallOffset, camera, motion), camera, motion, thickness);
+        if (motion.wallRatio > 0)
+            drawBorder(image, roadBorder(-motion.wallRatio * motion.wallSlope, -motion.wallRatio * motion.wallOffset, camera, motion), camera, motion, thickness);
     }
     drawSegments(image, segments, labels, inverseDepths(segments, labels, camera, motion), thickness);
 }

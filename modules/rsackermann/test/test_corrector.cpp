@@ -298,9 +298,9 @@ void expectSame(const AckermannMotion& expected, const AckermannMotion& got)
 {
     EXPECT_EQ(expected.status, got.status);
     EXPECT_EQ(expected.alpha, got.alpha);
-    EXPECT_EQ(expected.B, got.B);
-    EXPECT_EQ(expected.D, got.D);
-    EXPECT_EQ(expected.lambda, got.lambda);
+    EXPECT_EQ(expected.wallSlope, got.wallSlope);
+    EXPECT_EQ(expected.wallOffset, got.wallOffset);
+    EXPECT_EQ(expected.wallRatio, got.wallRatio);
     EXPECT_EQ(0, cv::norm(expected.covariance - got.covariance));
 }
 

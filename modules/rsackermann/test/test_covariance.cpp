@@ -115,7 +115,7 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
         double gotYawRate = 0, gotSpeed = 0;
         motion.yawRate(camera, gotYawRate);
         motion.speed(camera, gotSpeed);
-        const double errors[4] = {gotYawRate - yawRate, gotSpeed - speed, motion.delta() - std::tan(wallDirection), motion.lambda - left / right};
+        const double errors[4] = {gotYawRate - yawRate, gotSpeed - speed, motion.delta() - std::tan(wallDirection), motion.wallRatio - left / right};
         for (int k = 0; k < 4; k++)
             coverage[k].add(errors[k], covariance(k, k));
     }

@@ -106,10 +106,10 @@ void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     EXPECT_EQ(a.status, b.status);
     EXPECT_EQ(a.model, b.model);
     EXPECT_EQ(a.alpha, b.alpha);
-    EXPECT_EQ(a.B, b.B);
-    EXPECT_EQ(a.D, b.D);
-    EXPECT_EQ(a.lambda, b.lambda);
-    EXPECT_EQ(a.G, b.G);
+    EXPECT_EQ(a.wallSlope, b.wallSlope);
+    EXPECT_EQ(a.wallOffset, b.wallOffset);
+    EXPECT_EQ(a.wallRatio, b.wallRatio);
+    EXPECT_EQ(a.roadSlope, b.roadSlope);
     EXPECT_EQ(a.direction, b.direction);
     EXPECT_EQ(a.rollCorrection, b.rollCorrection);
     EXPECT_EQ(a.pitchCorrection, b.pitchCorrection);
@@ -155,9 +155,9 @@ AckermannMotion oracle(const Simulator& truth, const Segments& segments)
                 if (k >= 0)
                     q[k] += h;
                 m.alpha = q[0];
-                m.B = q[1];
-                m.D = q[2];
-                m.lambda = q[3];
+                m.wallSlope = q[1];
+                m.wallOffset = q[2];
+                m.wallRatio = q[3];
                 const double value = Simulator::fromMotion(truth.camera, m).residual(segments.at(i), plane);
                 if (k < 0)
                     residual = value;
@@ -173,9 +173,9 @@ AckermannMotion oracle(const Simulator& truth, const Segments& segments)
             p[k] -= step.at<double>(k);
     }
     m.alpha = p[0];
-    m.B = p[1];
-    m.D = p[2];
-    m.lambda = p[3];
+    m.wallSlope = p[1];
+    m.wallOffset = p[2];
+    m.wallRatio = p[3];
     return m;
 }
 
@@ -326,9 +326,9 @@ TEST(RSAckermann_Estimator, same_result_with_other_vectors)
         EXPECT_EQ(0, cvtest::norm(labels, others, NORM_INF));
         const double eps = 1e-3;
         EXPECT_NEAR(m.alpha, other.alpha, eps * std::sqrt(m.covariance(0, 0)));
-        EXPECT_NEAR(m.B, other.B, eps * std::sqrt(m.covariance(1, 1)));
-        EXPECT_NEAR(m.D, other.D, eps * std::sqrt(m.covariance(2, 2)));
-        EXPECT_NEAR(m.lambda, other.lambda, eps * std::sqrt(m.covariance(3, 3)));
+        EXPECT_NEAR(m.wallSlope, other.wallSlope, eps * std::sqrt(m.covariance(1, 1)));
+        EXPECT_NEAR(m.wallOffset, other.wallOffset, eps * std::sqrt(m.covariance(2, 2)));
+        EXPECT_NEAR(m.wallRatio, other.wallRatio, eps * std::sqrt(m.covariance(3, 3)));
     }
     setUseOptimized(before);
 }
@@ -405,8 +405,8 @@ TEST(RSAckermann_Estimator, order_of_ends_does_not_matter)
     EXPECT_EQ(a.model, b.model);
     EXPECT_EQ(a.inliers, b.inliers);
     EXPECT_NEAR(a.alpha, b.alpha, 1e-6);
-    EXPECT_NEAR(a.B, b.B, 1e-5);
-    EXPECT_NEAR(a.D, b.D, 1e-5);
+    EXPECT_NEAR(a.wallSlope, b.wallSlope, 1e-5);
+    EXPECT_NEAR(a.wallOffset, b.wallOffset, 1e-5);
 }
 
 // Segments that aren't data change nothing.
@@ -506,8 +506,8 @@ TEST(RSAckermann_Estimator, camera_at_rest)
             {
                 EXPECT_EQ(MODEL_NONE, m.model);
                 EXPECT_EQ(0, m.alpha);
-                EXPECT_EQ(0, m.B);
-                EXPECT_EQ(0, m.D);
+                EXPECT_EQ(0, m.wallSlope);
+                EXPECT_EQ(0, m.wallOffset);
             }
         }
         EXPECT_LE(harm, runs / 20) << passage.name;
@@ -635,7 +635,7 @@ TEST(RSAckermann_Estimator, fixed_model)
         }
         EXPECT_EQ(p.model == MODEL_NONE, m.status == MOTION_NOT_SIGNIFICANT) << p.model;
         EXPECT_EQ(p.model == MODEL_1LA || p.model == MODEL_4LA, m.alpha != 0) << p.model;
-        EXPECT_EQ(p.model == MODEL_3LA || p.model == MODEL_4LA, m.B != 0 || m.D != 0) << p.model;
+        EXPECT_EQ(p.model == MODEL_3LA || p.model == MODEL_4LA, m.wallSlope != 0 || m.wallOffset != 0) << p.model;
     }
 }
 

@@ -18,10 +18,10 @@ AckermannMotion exampleMotion()
     m.status = MOTION_OK;
     m.model = MODEL_4LA;
     m.alpha = 0.01;
-    m.B = 0.3;
-    m.D = -0.06;
-    m.lambda = 1.2;
-    m.G = 0.6;
+    m.wallSlope = 0.3;
+    m.wallOffset = -0.06;
+    m.wallRatio = 1.2;
+    m.roadSlope = 0.6;
     m.direction = -1;
     m.rollCorrection = 0.001;
     m.pitchCorrection = -0.002;
@@ -43,10 +43,10 @@ void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     EXPECT_EQ(a.status, b.status);
     EXPECT_EQ(a.model, b.model);
     EXPECT_EQ(a.alpha, b.alpha);
-    EXPECT_EQ(a.B, b.B);
-    EXPECT_EQ(a.D, b.D);
-    EXPECT_EQ(a.lambda, b.lambda);
-    EXPECT_EQ(a.G, b.G);
+    EXPECT_EQ(a.wallSlope, b.wallSlope);
+    EXPECT_EQ(a.wallOffset, b.wallOffset);
+    EXPECT_EQ(a.wallRatio, b.wallRatio);
+    EXPECT_EQ(a.roadSlope, b.roadSlope);
     EXPECT_EQ(a.direction, b.direction);
     EXPECT_EQ(a.rollCorrection, b.rollCorrection);
     EXPECT_EQ(a.pitchCorrection, b.pitchCorrection);
@@ -76,10 +76,10 @@ TEST(RSAckermann_Motion, default_is_at_rest)
     EXPECT_EQ(MOTION_NOT_SIGNIFICANT, m.status);
     EXPECT_EQ(MODEL_NONE, m.model);
     EXPECT_EQ(0, m.alpha);
-    EXPECT_EQ(0, m.B);
-    EXPECT_EQ(0, m.D);
-    EXPECT_EQ(0, m.lambda);
-    EXPECT_EQ(0, m.G);
+    EXPECT_EQ(0, m.wallSlope);
+    EXPECT_EQ(0, m.wallOffset);
+    EXPECT_EQ(0, m.wallRatio);
+    EXPECT_EQ(0, m.roadSlope);
     EXPECT_EQ(1, m.direction);
     EXPECT_EQ(0, m.delta());
 }
@@ -93,20 +93,20 @@ TEST(RSAckermann_Motion, fromMetric_forward_camera)
     EXPECT_EQ(MOTION_OK, m.status);
     EXPECT_EQ(MODEL_4LA, m.model);
     EXPECT_NEAR(20 * degree * unit, m.alpha, 1e-15);
-    EXPECT_NEAR(20 * unit / 2.5, std::hypot(m.B, m.D), 1e-15);
+    EXPECT_NEAR(20 * unit / 2.5, std::hypot(m.wallSlope, m.wallOffset), 1e-15);
     EXPECT_NEAR(std::tan(0.05), m.delta(), 1e-15);
-    EXPECT_GT(m.B, 0);
-    EXPECT_NEAR(2.5 / 3, m.lambda, 1e-15);
-    EXPECT_NEAR(20 * unit / 1.2, m.G, 1e-15);
+    EXPECT_GT(m.wallSlope, 0);
+    EXPECT_NEAR(2.5 / 3, m.wallRatio, 1e-15);
+    EXPECT_NEAR(20 * unit / 1.2, m.roadSlope, 1e-15);
     EXPECT_EQ(1, m.direction);
     EXPECT_EQ(2.5, m.wallDistance);
 
     const AckermannMotion reverse = AckermannMotion::fromMetric(camera, 40 * degree, -20, 2.5, 3, 0.05);
     EXPECT_NEAR(m.alpha, reverse.alpha, 1e-15);
-    EXPECT_NEAR(-m.B, reverse.B, 1e-15);
-    EXPECT_NEAR(-m.D, reverse.D, 1e-15);
-    EXPECT_NEAR(m.lambda, reverse.lambda, 1e-15);
-    EXPECT_NEAR(-m.G, reverse.G, 1e-15);
+    EXPECT_NEAR(-m.wallSlope, reverse.wallSlope, 1e-15);
+    EXPECT_NEAR(-m.wallOffset, reverse.wallOffset, 1e-15);
+    EXPECT_NEAR(m.wallRatio, reverse.wallRatio, 1e-15);
+    EXPECT_NEAR(-m.roadSlope, reverse.roadSlope, 1e-15);
     EXPECT_EQ(-1, reverse.direction);
 }
 
@@ -118,18 +118,18 @@ TEST(RSAckermann_Motion, fromMetric_side_cameras)
 
     camera.heading = -CV_PI / 2;
     AckermannMotion m = AckermannMotion::fromMetric(camera, 0, 10, 0, 4, camera.heading);
-    EXPECT_NEAR(0, m.B, 1e-15);
-    EXPECT_NEAR(w, m.D, 1e-15);
-    EXPECT_EQ(0, m.lambda);
+    EXPECT_NEAR(0, m.wallSlope, 1e-15);
+    EXPECT_NEAR(w, m.wallOffset, 1e-15);
+    EXPECT_EQ(0, m.wallRatio);
     EXPECT_EQ(4, m.wallDistance);
     EXPECT_EQ(MODEL_3LA, m.model);
     EXPECT_EQ(0, m.delta());
 
     camera.heading = CV_PI / 2;
     m = AckermannMotion::fromMetric(camera, 0, 10, 4, 0, camera.heading);
-    EXPECT_NEAR(0, m.B, 1e-15);
-    EXPECT_NEAR(w, m.D, 1e-15);
-    EXPECT_EQ(0, m.lambda);
+    EXPECT_NEAR(0, m.wallSlope, 1e-15);
+    EXPECT_NEAR(w, m.wallOffset, 1e-15);
+    EXPECT_EQ(0, m.wallRatio);
 }
 
 TEST(RSAckermann_Motion, fromMetric_models)
@@ -140,7 +140,7 @@ TEST(RSAckermann_Motion, fromMetric_models)
     EXPECT_EQ(MODEL_4LA, AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0).model);
     EXPECT_EQ(MOTION_NOT_SIGNIFICANT, AckermannMotion::fromMetric(camera, 0, 0, 2, 2, 0).status);
     camera.height = 0;
-    EXPECT_EQ(0, AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0).G);
+    EXPECT_EQ(0, AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0).roadSlope);
 }
 
 TEST(RSAckermann_Motion, fromMetric_bad_arguments)
@@ -204,7 +204,7 @@ TEST(RSAckermann_Motion, depth_agrees_with_ray_casting)
         const Vec3d ray(x, y, 1);
         const simulation::Surface plane = truth.street.first(Vec3d(), ray);
         const double depth = truth.street.distance(plane, Vec3d(), ray);
-        const double w[] = {0, m.D - m.B * x, m.lambda * (m.B * x - m.D), m.G * y};
+        const double w[] = {0, m.wallOffset - m.wallSlope * x, m.wallRatio * (m.wallSlope * x - m.wallOffset), m.roadSlope * y};
         const double beta = speed * camera.secondsPerUnitTime();
         ASSERT_NEAR(beta / depth, w[plane], 1e-12 * std::abs(beta));
         for (int j = 0; j < 4; j++)

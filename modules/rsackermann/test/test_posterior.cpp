@@ -147,7 +147,7 @@ TEST(RSAckermann_Posterior, speed_and_height_give_the_road)
     const AckermannMotion motion = estimate(carCamera(), streetSegments(street, rng), prior);
     ASSERT_EQ(MOTION_OK, motion.status);
     const double G = speed * carCamera().secondsPerUnitTime() / carCamera().height;
-    EXPECT_NEAR(G, motion.G, 0.02 * G);
+    EXPECT_NEAR(G, motion.roadSlope, 0.02 * G);
     EXPECT_EQ(SCALE_SPEED, motion.scale);
     double found = 0;
     EXPECT_TRUE(motion.speed(carCamera(), found));
@@ -160,7 +160,7 @@ TEST(RSAckermann_Posterior, a_guess_is_no_scale)
     const Simulator street = Simulator::fromMetric(carCamera(), 0.05, 14, 6, 8, 0);
     const AckermannMotion motion = estimate(carCamera(), streetSegments(street, rng));
     ASSERT_EQ(MOTION_OK, motion.status);
-    EXPECT_GT(motion.G, 0); // the maps have a road
+    EXPECT_GT(motion.roadSlope, 0); // the maps have a road
     EXPECT_EQ(SCALE_UNKNOWN, motion.scale);
     double found = 1;
     EXPECT_FALSE(motion.speed(carCamera(), found));
@@ -253,7 +253,7 @@ TEST(RSAckermann_Posterior, reverse_is_told)
     const AckermannMotion motion = estimate(carCamera(), streetSegments(street, rng), prior);
     ASSERT_EQ(MOTION_OK, motion.status);
     EXPECT_EQ(-1, motion.direction);
-    EXPECT_LT(motion.G, 0);
+    EXPECT_LT(motion.roadSlope, 0);
 }
 
 }} // namespace

@@ -140,9 +140,9 @@ TEST(RSAckermann_Prior, previous_frame_without_motion)
     prior.previousNoise = 0.01;
     const AckermannMotion a = estimate(truth, 0, prior), b = estimate(truth, 0, MotionPrior());
     EXPECT_EQ(b.alpha, a.alpha);
-    EXPECT_EQ(b.B, a.B);
-    EXPECT_EQ(b.D, a.D);
-    EXPECT_EQ(b.lambda, a.lambda);
+    EXPECT_EQ(b.wallSlope, a.wallSlope);
+    EXPECT_EQ(b.wallOffset, a.wallOffset);
+    EXPECT_EQ(b.wallRatio, a.wallRatio);
 }
 
 // A wrong prior with a large sigma loses against the segments.
@@ -193,18 +193,18 @@ const BadField badFields[] = {
     BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = -infinity; }),
     BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = 10.1; }),
     BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = -10.1; }),
-    BadField("prior.previous.B", [](MotionPrior& p) { p.previous.B = NaN; }),
-    BadField("prior.previous.B", [](MotionPrior& p) { p.previous.B = -infinity; }),
-    BadField("prior.previous.B", [](MotionPrior& p) { p.previous.B = 101; }),
-    BadField("prior.previous.B", [](MotionPrior& p) { p.previous.B = -101; }),
-    BadField("prior.previous.D", [](MotionPrior& p) { p.previous.D = NaN; }),
-    BadField("prior.previous.D", [](MotionPrior& p) { p.previous.D = -infinity; }),
-    BadField("prior.previous.D", [](MotionPrior& p) { p.previous.D = 101; }),
-    BadField("prior.previous.D", [](MotionPrior& p) { p.previous.D = -101; }),
-    BadField("prior.previous.G", [](MotionPrior& p) { p.previous.G = NaN; }),
-    BadField("prior.previous.G", [](MotionPrior& p) { p.previous.G = -infinity; }),
-    BadField("prior.previous.G", [](MotionPrior& p) { p.previous.G = 1.1e6; }),
-    BadField("prior.previous.G", [](MotionPrior& p) { p.previous.G = -1.1e6; }),
+    BadField("prior.previous.wallSlope", [](MotionPrior& p) { p.previous.wallSlope = NaN; }),
+    BadField("prior.previous.wallSlope", [](MotionPrior& p) { p.previous.wallSlope = -infinity; }),
+    BadField("prior.previous.wallSlope", [](MotionPrior& p) { p.previous.wallSlope = 101; }),
+    BadField("prior.previous.wallSlope", [](MotionPrior& p) { p.previous.wallSlope = -101; }),
+    BadField("prior.previous.wallOffset", [](MotionPrior& p) { p.previous.wallOffset = NaN; }),
+    BadField("prior.previous.wallOffset", [](MotionPrior& p) { p.previous.wallOffset = -infinity; }),
+    BadField("prior.previous.wallOffset", [](MotionPrior& p) { p.previous.wallOffset = 101; }),
+    BadField("prior.previous.wallOffset", [](MotionPrior& p) { p.previous.wallOffset = -101; }),
+    BadField("prior.previous.roadSlope", [](MotionPrior& p) { p.previous.roadSlope = NaN; }),
+    BadField("prior.previous.roadSlope", [](MotionPrior& p) { p.previous.roadSlope = -infinity; }),
+    BadField("prior.previous.roadSlope", [](MotionPrior& p) { p.previous.roadSlope = 1.1e6; }),
+    BadField("prior.previous.roadSlope", [](MotionPrior& p) { p.previous.roadSlope = -1.1e6; }),
     BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = NaN; }),
     BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = -infinity; }),
     BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = 3.2; }),
@@ -213,13 +213,13 @@ const BadField badFields[] = {
     BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = -infinity; }),
     BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = 3.2; }),
     BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = -3.2; }),
-    BadField("prior.previous.lambda", [](MotionPrior& p) { p.previous.lambda = NaN; }),
-    BadField("prior.previous.lambda", [](MotionPrior& p) { p.previous.lambda = infinity; }),
-    BadField("prior.previous.lambda", [](MotionPrior& p) { p.previous.lambda = -0.1; }),
+    BadField("prior.previous.wallRatio", [](MotionPrior& p) { p.previous.wallRatio = NaN; }),
+    BadField("prior.previous.wallRatio", [](MotionPrior& p) { p.previous.wallRatio = infinity; }),
+    BadField("prior.previous.wallRatio", [](MotionPrior& p) { p.previous.wallRatio = -0.1; }),
     BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = NaN; }),
     BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = infinity; }),
     BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = -0.1; }),
-    BadField("prior.previous.lambda", [](MotionPrior& p) { p.previous.lambda = 1.1e6; }),
+    BadField("prior.previous.wallRatio", [](MotionPrior& p) { p.previous.wallRatio = 1.1e6; }),
     BadField("prior.previous.covariance(0, 0)", [](MotionPrior& p) { p.previous.covariance(0, 0) = NaN; }),
     BadField("prior.previous.covariance(1, 2)", [](MotionPrior& p) { p.previous.covariance(1, 2) = infinity; }),
     BadField("prior.previous.covariance(3, 3)", [](MotionPrior& p) { p.previous.covariance(3, 3) = -infinity; }),
@@ -268,8 +268,8 @@ TEST(RSAckermann_PreviousMotion, says_what_is_expected_of_the_previous_motion)
     prior.previous.alpha = -11;
     EXPECT_EQ("prior.previous.alpha is -11; a number from -10 to 10 is expected", complaintOf(prior));
     prior.previous.alpha = 0;
-    prior.previous.lambda = -2;
-    EXPECT_EQ("prior.previous.lambda is -2; a number from 0 to 1e+06 is expected", complaintOf(prior));
+    prior.previous.wallRatio = -2;
+    EXPECT_EQ("prior.previous.wallRatio is -2; a number from 0 to 1e+06 is expected", complaintOf(prior));
 }
 
 TEST(RSAckermann_PreviousMotion, accepts_the_limits)
@@ -279,9 +279,9 @@ TEST(RSAckermann_PreviousMotion, accepts_the_limits)
     {
         AckermannMotion& m = prior.previous;
         m.alpha = sign * 10;
-        m.B = m.D = sign * 100;
-        m.G = sign * 1e6;
-        m.lambda = sign < 0 ? 0 : 1e6;
+        m.wallSlope = m.wallOffset = sign * 100;
+        m.roadSlope = sign * 1e6;
+        m.wallRatio = sign < 0 ? 0 : 1e6;
         m.rollCorrection = m.pitchCorrection = sign * CV_PI;
         m.wallDistance = sign < 0 ? 0 : 1e6;
         EXPECT_EQ("", complaintOf(prior));
@@ -299,10 +299,10 @@ TEST(RSAckermann_Prior, previous_frame_at_the_limits)
         prior.previous.status = MOTION_OK;
         prior.previous.model = MODEL_4LA;
         prior.previous.alpha = sign * 10;
-        prior.previous.B = prior.previous.D = sign * 100;
-        prior.previous.lambda = 1e6;
+        prior.previous.wallSlope = prior.previous.wallOffset = sign * 100;
+        prior.previous.wallRatio = 1e6;
         const AckermannMotion m = estimate(truth, 0, prior);
-        const double values[] = {m.alpha, m.B, m.D, m.lambda, m.G, m.rollCorrection, m.pitchCorrection, m.rms};
+        const double values[] = {m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope, m.rollCorrection, m.pitchCorrection, m.rms};
         for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
             EXPECT_FALSE(cvIsNaN(values[i]) || cvIsInf(values[i])) << "sign " << sign << ", value " << i;
     }

@@ -60,7 +60,7 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
         const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
         ASSERT_EQ(MOTION_OK, motion.status);
         ASSERT_GT(motion.wallDistance, 0);
-        EXPECT_NEAR(motion.G * camera.height, motion.direction * std::hypot(motion.B, motion.D) * motion.wallDistance, 1e-12);
+        EXPECT_NEAR(motion.roadSlope * camera.height, motion.direction * std::hypot(motion.wallSlope, motion.wallOffset) * motion.wallDistance, 1e-12);
         distanceErrors.push_back(std::abs(motion.wallDistance / left - 1));
         double found = 0;
         EXPECT_TRUE(motion.speed(camera, found));

@@ -126,9 +126,9 @@ public:
         if (m.status != cv::rsackermann::MOTION_OK)
             return Simulator(camera, Drive(), Street());
         Street street;
-        street.normal[LEFT] = Vec3d(-m.B, 0, m.D) * double(m.direction);
-        street.normal[RIGHT] = Vec3d(m.B, 0, -m.D) * (m.lambda * m.direction);
-        street.normal[ROAD] = Vec3d(0, m.G, 0) * double(m.direction);
+        street.normal[LEFT] = Vec3d(-m.wallSlope, 0, m.wallOffset) * double(m.direction);
+        street.normal[RIGHT] = Vec3d(m.wallSlope, 0, -m.wallOffset) * (m.wallRatio * m.direction);
+        street.normal[ROAD] = Vec3d(0, m.roadSlope, 0) * double(m.direction);
         return Simulator(camera, Drive(2 * m.alpha, m.direction, camera.heading), street);
     }
 

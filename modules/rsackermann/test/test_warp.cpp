@@ -168,10 +168,10 @@ TEST_P(WarpLens, absurd_motion_gives_no_NaN)
         AckermannMotion motion;
         motion.status = MOTION_OK;
         motion.alpha = rng.uniform(-1., 1.) * magnitude;
-        motion.B = rng.uniform(-1., 1.) * magnitude;
-        motion.D = rng.uniform(-1., 1.) * magnitude;
-        motion.lambda = rng.uniform(-0.2, 2.);
-        motion.G = rng.uniform(-1., 1.) * magnitude;
+        motion.wallSlope = rng.uniform(-1., 1.) * magnitude;
+        motion.wallOffset = rng.uniform(-1., 1.) * magnitude;
+        motion.wallRatio = rng.uniform(-0.2, 2.);
+        motion.roadSlope = rng.uniform(-1., 1.) * magnitude;
         motion.direction = rng.uniform(0, 2) ? 1 : -1;
         const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
         Mat map1, map2, mask, points(0, 2, CV_64F), moved;
@@ -245,7 +245,7 @@ TEST(RSAckermann_Warp, walls_that_are_passed_show_nothing)
     const double passedRow = 300;
     AckermannMotion motion;
     motion.status = MOTION_OK;
-    motion.D = 1 / camera.rowTime(Point2d(0, passedRow));
+    motion.wallOffset = 1 / camera.rowTime(Point2d(0, passedRow));
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     Mat map1, map2, mask;
     generator->initDistortMap(motion, map1, map2, CV_32FC1, mask);
@@ -269,9 +269,9 @@ TEST(RSAckermann_Warp, nearest_plane_is_seen)
     const RollingShutterCamera camera = simulation::paperCamera();
     const AckermannMotion motion = exampleMotion(camera);
     AckermannMotion onlyLeft = motion;
-    onlyLeft.lambda = onlyLeft.G = 0;
+    onlyLeft.wallRatio = onlyLeft.roadSlope = 0;
     AckermannMotion onlyRoad = motion;
-    onlyRoad.B = onlyRoad.D = onlyRoad.lambda = 0;
+    onlyRoad.wallSlope = onlyRoad.wallOffset = onlyRoad.wallRatio = 0;
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     Mat all[2], left[2], road[2];
     generator->initDistortMap(motion, all[0], all[1]);
@@ -399,8 +399,8 @@ TEST(RSAckermann_Warp, bad_arguments)
 
     Mat map1, map2;
     AckermannMotion motion = exampleMotion(camera);
-    double AckermannMotion::*const fields[] = {&AckermannMotion::alpha, &AckermannMotion::B, &AckermannMotion::D, &AckermannMotion::lambda,
-                                               &AckermannMotion::G, &AckermannMotion::rollCorrection, &AckermannMotion::pitchCorrection};
+    double AckermannMotion::*const fields[] = {&AckermannMotion::alpha, &AckermannMotion::wallSlope, &AckermannMotion::wallOffset, &AckermannMotion::wallRatio,
+                                               &AckermannMotion::roadSlope, &AckermannMotion::rollCorrection, &AckermannMotion::pitchCorrection};
     for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++)
     {
         AckermannMotion bad = motion;

@@ -126,7 +126,7 @@ TEST(RSAckermann_WarpArea, nothing_is_seen)
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     AckermannMotion motion;
     motion.status = MOTION_OK;
-    motion.D = 1e9; // a wall at the lens
+    motion.wallOffset = 1e9; // a wall at the lens
     RollingShutterCamera late = camera;
     late.referenceRow = -1;
     generator->setCamera(late);

@@ -80,7 +80,7 @@ TEST_P(WarpContract, sizes)
     {
         Maps large(GetParam(), Size(67, 9));
         large.motion.alpha *= factors[k];
-        large.motion.G *= factors[k];
+        large.motion.roadSlope *= factors[k];
         Mat columns, rows;
         large.make(columns, rows);
         for (int height = 1; height <= 9; height++)

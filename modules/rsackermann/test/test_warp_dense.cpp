@@ -22,7 +22,7 @@ AckermannMotion anyMotion(const RollingShutterCamera& camera, RNG& rng)
         const AckermannMotion motion = AckermannMotion::fromMetric(camera, rng.uniform(-90., 90.) * CV_PI / 180,
                                                                    sign * rng.uniform(0., 200.) / 3.6, rng.uniform(1., 10.),
                                                                    rng.uniform(1., 10.), camera.heading + rng.uniform(-0.3, 0.3));
-        if (std::max(0.5 * std::abs(motion.G), std::hypot(motion.B, motion.D) * std::max(1., motion.lambda)) < 0.7)
+        if (std::max(0.5 * std::abs(motion.roadSlope), std::hypot(motion.wallSlope, motion.wallOffset) * std::max(1., motion.wallRatio)) < 0.7)
             return motion;
     }
 }

@@ -157,10 +157,10 @@ TEST(RSAckermann_WarpOpenCL, absurd_motion_gives_no_NaN)
         AckermannMotion motion;
         motion.status = MOTION_OK;
         motion.alpha = rng.uniform(-1., 1.) * magnitudes[round % 5];
-        motion.B = rng.uniform(-1., 1.) * magnitudes[round % 5];
-        motion.D = rng.uniform(-1., 1.) * magnitudes[round % 5];
-        motion.lambda = rng.uniform(0., 2.);
-        motion.G = rng.uniform(-1., 1.) * magnitudes[round % 5];
+        motion.wallSlope = rng.uniform(-1., 1.) * magnitudes[round % 5];
+        motion.wallOffset = rng.uniform(-1., 1.) * magnitudes[round % 5];
+        motion.wallRatio = rng.uniform(0., 2.);
+        motion.roadSlope = rng.uniform(-1., 1.) * magnitudes[round % 5];
         UMat map1, map2;
         for (int distort = 0; distort < 2; distort++)
         {

@@ -281,7 +281,7 @@ TEST(RSAckermann_WarpPoints, unknown_depths)
 
     // at infinity only the rotation counts
     AckermannMotion rotation = motion;
-    rotation.B = rotation.D = rotation.lambda = rotation.G = 0;
+    rotation.wallSlope = rotation.wallOffset = rotation.wallRatio = rotation.roadSlope = 0;
     generator->correctPoints(rotation, points, far);
     EXPECT_LE(cvtest::norm(far.row(3), got.row(3), NORM_INF), 1e-9);
 
@@ -417,7 +417,7 @@ TEST(RSAckermann_WarpPoints, bad_arguments)
     EXPECT_THROW(generator->correctPoints(motion, points, got, Mat(4, 1, CV_64F, Scalar(1))), cv::Exception);
     EXPECT_THROW(generator->correctPoints(motion, points, got, Mat(5, 1, CV_32S, Scalar(1))), cv::Exception);
     motion.wallDistance = 0;
-    motion.G = 0;
+    motion.roadSlope = 0;
     EXPECT_THROW(generator->distortPoints(motion, points, got, Mat(5, 1, CV_64F, Scalar(1))), cv::Exception);
     motion.alpha = NaN;
     EXPECT_THROW(generator->distortPoints(motion, points, got), cv::Exception);

@@ -202,10 +202,10 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
     const Model& m = found.model;
     motion.model = found.structure.motion;
     motion.alpha = m[P_ALPHA];
-    motion.B = m[P_B];
-    motion.D = m[P_D];
-    motion.lambda = m[P_LAMBDA];
-    motion.G = found.G;
+    motion.wallSlope = m[P_B];
+    motion.wallOffset = m[P_D];
+    motion.wallRatio = m[P_LAMBDA];
+    motion.roadSlope = found.G;
     motion.direction = m.direction < 0 ? -1 : 1;
     motion.rollCorrection = m[P_ROLL];
     motion.pitchCorrection = m[P_PITCH];
@@ -216,7 +216,7 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
     motion.rollYawAmbiguous = variances > 0 && std::abs(found.covariance(P_ALPHA, P_ROLL)) > 0.9 * std::sqrt(variances);
 
     // What is measured gives a length; what is usual doesn't.
-    const double speed = std::hypot(motion.B, motion.D), unit = camera.secondsPerUnitTime();
+    const double speed = std::hypot(motion.wallSlope, motion.wallOffset), unit = camera.secondsPerUnitTime();
     if (!(speed > 0))
         return;
     if (params.wallDistance > 0)
@@ -236,7 +236,7 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
         {
             motion.scale = SCALE_ROAD;
             motion.wallDistance = ratio * camera.height;
-            motion.G = motion.direction * speed * ratio;
+            motion.roadSlope = motion.direction * speed * ratio;
         }
     }
 }

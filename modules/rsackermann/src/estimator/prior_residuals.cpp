@@ -32,10 +32,10 @@ PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& cam
         return;
     // The covariance of the previous estimate and what may have changed since, for what was part of its model. Nothing is
     // known of the rest: its information is 0.
-    const bool isKnown[4] = {m.model == MODEL_1LA || m.model == MODEL_4LA, m.B != 0 || m.D != 0, m.B != 0 || m.D != 0, m.lambda > 0};
-    const double values[4] = {m.alpha, m.B, m.D, m.lambda};
-    const double wall = std::hypot(m.B, m.D);
-    const double ranges[4] = {limits.maxAlpha, wall, wall, m.lambda};
+    const bool isKnown[4] = {m.model == MODEL_1LA || m.model == MODEL_4LA, m.wallSlope != 0 || m.wallOffset != 0, m.wallSlope != 0 || m.wallOffset != 0, m.wallRatio > 0};
+    const double values[4] = {m.alpha, m.wallSlope, m.wallOffset, m.wallRatio};
+    const double wall = std::hypot(m.wallSlope, m.wallOffset);
+    const double ranges[4] = {limits.maxAlpha, wall, wall, m.wallRatio};
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
     for (int i = 0; i < 4; i++)
     {

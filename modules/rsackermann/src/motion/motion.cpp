@@ -11,7 +11,7 @@ namespace cv {
 namespace rsackermann {
 
 AckermannMotion::AckermannMotion()
-    : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), B(0), D(0), lambda(0), G(0), direction(1), rollCorrection(0),
+    : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), wallSlope(0), wallOffset(0), wallRatio(0), roadSlope(0), direction(1), rollCorrection(0),
       pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), covariance(Matx44d::zeros()), rollYawAmbiguous(false), candidates(0), inliers(0), rms(0), expectedRaw(0),
       expectedLeft(0)
 {
@@ -38,14 +38,14 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
     if (m.wallDistance > 0)
     {
         const double scale = leftDistance > 0 ? beta / leftDistance : -beta / rightDistance;
-        m.B = scale * std::cos(wallDirection);
-        m.D = scale * std::sin(wallDirection);
+        m.wallSlope = scale * std::cos(wallDirection);
+        m.wallOffset = scale * std::sin(wallDirection);
     }
     m.scale = m.wallDistance > 0 ? SCALE_WALL : camera.height > 0 ? SCALE_ROAD : SCALE_UNKNOWN;
     if (leftDistance > 0 && rightDistance > 0)
-        m.lambda = leftDistance / rightDistance;
+        m.wallRatio = leftDistance / rightDistance;
     if (camera.height > 0)
-        m.G = beta / camera.height;
+        m.roadSlope = beta / camera.height;
     m.model = speed == 0 ? (yawRate == 0 ? MODEL_NONE : MODEL_1LA) : (yawRate == 0 ? MODEL_3LA : MODEL_4LA);
     m.status = m.model == MODEL_NONE ? MOTION_NOT_SIGNIFICANT : MOTION_OK;
     return m;
@@ -53,7 +53,7 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
 
 double AckermannMotion::delta() const
 {
-    return std::abs(B) > 1e-9 * std::abs(D) ? D / B : 0;
+    return std::abs(wallSlope) > 1e-9 * std::abs(wallOffset) ? wallOffset / wallSlope : 0;
 }
 
 bool AckermannMotion::yawRate(const RollingShutterCamera& camera, double& radiansPerSecond) const
@@ -68,13 +68,14 @@ bool AckermannMotion::speed(const RollingShutterCamera& camera, double& metresPe
 {
     const double unit = camera.secondsPerUnitTime();
     const bool known = unit > 0 && wallDistance > 0;
-    metresPerSecond = known ? direction * std::hypot(B, D) * wallDistance / unit : 0;
+    metresPerSecond = known ? direction * std::hypot(wallSlope, wallOffset) * wallDistance / unit : 0;
     return known;
 }
 
 Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) const
 {
-    // Derivatives of (yaw rate, speed, delta, lambda) by (alpha, B, D, lambda).
+    // Derivatives of (yaw rate, speed, delta, wallRatio) by (alpha, wallSlope, wallOffset, wallRatio).
+    const double B = wallSlope, D = wallOffset;
     const double unit = camera.secondsPerUnitTime(), size = std::hypot(B, D);
     Matx44d J = Matx44d::zeros();
     if (unit > 0)
@@ -105,14 +106,15 @@ void AckermannMotion::pose(const RollingShutterCamera& camera, double time, Matx
     const RowMotion row(alpha, camera.heading, time);
     const Matx33d upright = uprightRotation(camera);
     R = upright.t() * yawRotation(2 * alpha * time) * upright;
-    const bool translates = B != 0 || D != 0 || G != 0;
+    const bool translates = wallSlope != 0 || wallOffset != 0 || roadSlope != 0;
     T = translates ? upright.t() * Vec3d(row.s2, 0, row.c2) * (direction * row.tau) : Vec3d();
 }
 
 void AckermannMotion::write(FileStorage& fs) const
 {
     fs << "status" << status << "model" << model;
-    fs << "alpha" << alpha << "B" << B << "D" << D << "lambda" << lambda << "G" << G << "direction" << direction;
+    fs << "alpha" << alpha << "wall_slope" << wallSlope << "wall_offset" << wallOffset << "wall_ratio" << wallRatio;
+    fs << "road_slope" << roadSlope << "direction" << direction;
     fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance" << wallDistance;
     fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_left" << expectedLeft;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
@@ -124,10 +126,10 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["status"], status, status);
     cv::read(fn["model"], model, model);
     cv::read(fn["alpha"], alpha, alpha);
-    cv::read(fn["B"], B, B);
-    cv::read(fn["D"], D, D);
-    cv::read(fn["lambda"], lambda, lambda);
-    cv::read(fn["G"], G, G);
+    cv::read(fn["wall_slope"], wallSlope, wallSlope);
+    cv::read(fn["wall_offset"], wallOffset, wallOffset);
+    cv::read(fn["wall_ratio"], wallRatio, wallRatio);
+    cv::read(fn["road_slope"], roadSlope, roadSlope);
     cv::read(fn["direction"], direction, direction);
     cv::read(fn["roll_correction"], rollCorrection, rollCorrection);
     cv::read(fn["pitch_correction"], pitchCorrection, pitchCorrection);

@@ -18,10 +18,10 @@ static void checkPrevious(const AckermannMotion& m)
 {
     const double maxAlpha = 10, maxWall = 100, maxRoad = 1e6, maxRatio = 1e6;
     checkRange(m.alpha, -maxAlpha, maxAlpha, "prior.previous.alpha");
-    checkRange(m.B, -maxWall, maxWall, "prior.previous.B");
-    checkRange(m.D, -maxWall, maxWall, "prior.previous.D");
-    checkRange(m.lambda, 0, maxRatio, "prior.previous.lambda");
-    checkRange(m.G, -maxRoad, maxRoad, "prior.previous.G");
+    checkRange(m.wallSlope, -maxWall, maxWall, "prior.previous.wallSlope");
+    checkRange(m.wallOffset, -maxWall, maxWall, "prior.previous.wallOffset");
+    checkRange(m.wallRatio, 0, maxRatio, "prior.previous.wallRatio");
+    checkRange(m.roadSlope, -maxRoad, maxRoad, "prior.previous.roadSlope");
     checkRange(m.rollCorrection, -CV_PI, CV_PI, "prior.previous.rollCorrection");
     checkRange(m.pitchCorrection, -CV_PI, CV_PI, "prior.previous.pitchCorrection");
     checkNotNegative(m.wallDistance, "prior.previous.wallDistance", "unknown");

@@ -14,16 +14,16 @@ namespace rsackermann {
 // Metres that the camera moves per unit of row time; negative in reverse.
 static double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion)
 {
-    const double wall = std::hypot(motion.B, motion.D);
-    if (wall == 0 && motion.G == 0)
+    const double wall = std::hypot(motion.wallSlope, motion.wallOffset);
+    if (wall == 0 && motion.roadSlope == 0)
         return 0;
     if (wall > 0 && motion.wallDistance > 0)
         return (motion.direction < 0 ? -wall : wall) * motion.wallDistance;
-    if (motion.scale == SCALE_UNKNOWN || motion.G == 0 || !(camera.height > 0))
-        CV_Error(Error::StsBadArg, format("depths are given, but motion.wallDistance is %g m, and motion.G is %g with motion.scale %d and "
+    if (motion.scale == SCALE_UNKNOWN || motion.roadSlope == 0 || !(camera.height > 0))
+        CV_Error(Error::StsBadArg, format("depths are given, but motion.wallDistance is %g m, and motion.roadSlope is %g with motion.scale %d and "
                                           "camera.height %g m; one of the two must give the speed",
-                                          motion.wallDistance, motion.G, motion.scale, camera.height));
-    return motion.G * camera.height;
+                                          motion.wallDistance, motion.roadSlope, motion.scale, camera.height));
+    return motion.roadSlope * camera.height;
 }
 
 // Depths in the unit of the motion: their inverses times the way per unit of row time.

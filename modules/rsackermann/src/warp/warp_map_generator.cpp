@@ -76,9 +76,9 @@ static void checkParams(const WarpMapGenerator::Params& params)
 
 static void checkMotion(const AckermannMotion& motion)
 {
-    const double values[] = {motion.alpha, motion.B, motion.D, motion.lambda, motion.G, motion.rollCorrection, motion.pitchCorrection,
+    const double values[] = {motion.alpha, motion.wallSlope, motion.wallOffset, motion.wallRatio, motion.roadSlope, motion.rollCorrection, motion.pitchCorrection,
                              motion.wallDistance};
-    const char* const names[] = {"alpha", "B", "D", "lambda", "G", "rollCorrection", "pitchCorrection", "wallDistance"};
+    const char* const names[] = {"alpha", "wallSlope", "wallOffset", "wallRatio", "roadSlope", "rollCorrection", "pitchCorrection", "wallDistance"};
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
         if (!isFinite(values[i]))
             CV_Error(Error::StsBadArg, format("motion.%s is %g; a finite number is expected", names[i], values[i]));

@@ -45,7 +45,8 @@ enum MotionScale
 /** @brief The motion of the car during one image and the coarse depth of the scene.
 
 The scaled inverse depth \f$w = \beta / s\f$ of the scene is linear on each plane at the global-shutter point
-\f$(x, y)\f$ of the upright frame: left (or only) wall \f$D - B x\f$, right wall \f$\lambda (B x - D)\f$, road \f$G y\f$.
+\f$(x, y)\f$ of the upright frame: left (or only) wall \f$D - B x\f$, right wall \f$\lambda (B x - D)\f$, road \f$G y\f$
+with the slope B (wallSlope) and the offset D (wallOffset) of the left wall, the ratio \f$\lambda\f$ (wallRatio) and the slope G (roadSlope).
 The nearest plane is seen. A scene with only one wall has \f$\lambda = 0\f$; there the wall may be on either side and
 B may have either sign.
  */
@@ -68,7 +69,7 @@ public:
     CV_WRAP static AckermannMotion fromMetric(const RollingShutterCamera& camera, double yawRate, double speed, double leftDistance,
                                               double rightDistance, double wallDirection);
 
-    //! Column of the line at infinity of the walls in the upright frame, D/B; 0 where the walls are parallel to the image.
+    //! Column of the line at infinity of the walls in the upright frame, wallOffset / wallSlope; 0 where the walls are parallel to the image.
     CV_WRAP double delta() const;
 
     /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second; positive to the right.
@@ -94,7 +95,7 @@ public:
      */
     CV_WRAP void pose(const RollingShutterCamera& camera, double time, CV_OUT Matx33d& R, CV_OUT Vec3d& T) const;
 
-    /** @brief Covariance of the metric values yaw rate (rad/s), speed (m/s), delta and lambda, in this order.
+    /** @brief Covariance of the metric values yaw rate (rad/s), speed (m/s), delta and wallRatio, in this order.
 
     It includes what isn't known of gravity. Rows and columns of values that are unknown or not part of the model are 0.
     @param camera the camera with which the motion was estimated.
@@ -113,19 +114,19 @@ public:
     CV_PROP_RW int status;   //!< one of #MotionStatus
     CV_PROP_RW int model;    //!< one of #MotionModel
 
-    CV_PROP_RW double alpha;  //!< half of the yaw per unit of row time
-    CV_PROP_RW double B;      //!< slope of the left (or only) wall's scaled inverse depth; beta in the gauge of the paper
-    CV_PROP_RW double D;      //!< left (or only) wall's scaled inverse depth at x = 0
-    CV_PROP_RW double lambda; //!< ratio of the wall distances left / right; 0: one wall
-    CV_PROP_RW double G;      //!< slope of the road's scaled inverse depth; 0: no road
-    CV_PROP_RW int direction; //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
+    CV_PROP_RW double alpha;      //!< half of the yaw per unit of row time
+    CV_PROP_RW double wallSlope;  //!< slope of the left (or only) wall's scaled inverse depth; beta in the gauge of the paper
+    CV_PROP_RW double wallOffset; //!< left (or only) wall's scaled inverse depth at x = 0
+    CV_PROP_RW double wallRatio;  //!< ratio of the wall distances left / right; 0: one wall
+    CV_PROP_RW double roadSlope;  //!< slope of the road's scaled inverse depth; 0: no road
+    CV_PROP_RW int direction;     //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
     CV_PROP_RW double wallDistance;    //!< metres to the left (or only) wall; 0: unknown
     CV_PROP_RW int scale;              //!< one of #MotionScale
 
-    CV_PROP_RW Matx44d covariance;     //!< of (alpha, B, D, lambda), including what isn't known of gravity; 0 for what isn't part of the model
+    CV_PROP_RW Matx44d covariance;     //!< of (alpha, wallSlope, wallOffset, wallRatio), including what isn't known of gravity; 0 for what isn't part of the model
     CV_PROP_RW bool rollYawAmbiguous;  //!< whether roll and yaw rate can't be told apart: what isn't known of the roll decides the yaw rate
 
     CV_PROP_RW int candidates; //!< segments that passed the gates
@@ -156,7 +157,7 @@ public:
     CV_PROP_RW double wallDirection;      //!< azimuth of the line at infinity of the walls in the upright frame, radians; its column is the tangent
     CV_PROP_RW double wallDirectionSigma; //!< standard deviation of wallDirection; 0 (default): not known
 
-    CV_PROP_RW AckermannMotion previous; //!< motion of the frame before; used where its status is #MOTION_OK and previousNoise is positive; always checked to be finite and within what a motion can be: alpha up to 10, B and D up to 100
+    CV_PROP_RW AckermannMotion previous; //!< motion of the frame before; used where its status is #MOTION_OK and previousNoise is positive; always checked to be finite and within what a motion can be: alpha up to 10, wallSlope and wallOffset up to 100
     CV_PROP_RW double previousNoise;     //!< standard deviation of the change from frame to frame, as a fraction of the limits of yaw rate and of the values of speed and walls; 0 (default): no previous frame
 };
 

@@ -92,7 +92,7 @@ public:
     @param dst points in pixels of the global-shutter camera, of the size and type of src; (-16384, -16384) where there is none.
     @param depths metres along the optical axis of the global-shutter camera to each point, N values CV_32F or CV_64F; for
     points whose value is not positive, and without this argument, the planes of the motion are used. Depths need
-    AckermannMotion::wallDistance, or AckermannMotion::G and RollingShutterCamera::height.
+    AckermannMotion::wallDistance, or AckermannMotion::roadSlope and RollingShutterCamera::height.
     @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not, and 0
     for the others.
 

@@ -88,8 +88,7 @@ class rsackermann_test(NewOpenCVTests):
         known, speed = motion.speed(camera)
         self.assertTrue(known)
         self.assertAlmostEqual(speed, SPEED)
-        # The name is a keyword of Python.
-        self.assertAlmostEqual(getattr(motion, 'lambda'), LEFT_WALL / RIGHT_WALL)
+        self.assertAlmostEqual(motion.wallRatio, LEFT_WALL / RIGHT_WALL)
 
     def test_estimator(self):
         camera = make_camera()
