@@ -21,7 +21,7 @@ set(RSACKERMANN_INSTALL_INCLUDEDIR "${CMAKE_INSTALL_INCLUDEDIR}/opencv${OpenCV_V
 target_include_directories(opencv_rsackermann
   PUBLIC "$<BUILD_INTERFACE:${RSACKERMANN_MODULE_DIR}/include>" "$<INSTALL_INTERFACE:${RSACKERMANN_INSTALL_INCLUDEDIR}>")
 target_link_libraries(opencv_rsackermann
-  PUBLIC opencv_core opencv_imgproc opencv_calib3d
+  PUBLIC opencv_core opencv_imgproc opencv_calib3d opencv_video
   PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
 # opencv2/opencv_modules.hpp defines HAVE_OPENCV_XIMGPROC where OpenCV has this module.
 if(TARGET opencv_ximgproc)

@@ -28,6 +28,7 @@ const char* const KEYS =
     "{controls   |        | folder with frames of global-shutter cameras and frames.csv (file,width,fx,pitch_deg,roll_deg,heading_deg)}"
     "{told       | none   | what the estimator is told of the drives: none, yaw_rate, speed or both}"
     "{gravity_sigma |     | degrees, in the place of the default}"
+    "{drive      |        | a folder is one drive: each frame with what those before say}"
     "{every      | 3      | measure every N-th frame}"
     "{quiet      |        | print the summary only}"
     "{threads    |        | number of threads}";
@@ -71,6 +72,64 @@ void addYawRate(const RollingShutterCamera& camera, double truth, double truthSi
     outcome.deviation = variance > 0 ? std::abs(yawRate - truth) / std::hypot(std::sqrt(variance), truthSigma) : 0;
 }
 
+MotionPrior priorOf(const DriveFrame& frame, int told)
+{
+    MotionPrior prior;
+    if (told & 1)
+    {
+        prior.yawRate = frame.yawRate;
+        prior.yawRateSigma = 1 * DEGREE;
+    }
+    if (told & 2)
+    {
+        prior.speed = frame.speed;
+        prior.speedSigma = 2 / 3.6;
+    }
+    return prior;
+}
+
+// The motion with its maps against the flow to the next frame.
+Outcome measureFrame(const DriveFrame& frame, const AckermannMotion& motion, const cv::Mat maps[2], const FlowTruth& truth)
+{
+    Outcome o;
+    o.name = frame.file;
+    o.motion = motion;
+    truth.measure(maps[0], maps[1], o.raw, o.left);
+    // The log's own errors: 0.6 deg/s and 15 %.
+    addYawRate(frame.camera, frame.yawRate, 0.6 * DEGREE + 0.15 * std::abs(frame.yawRate), o);
+    return o;
+}
+
+// All frames in their order, by one corrector; every N-th is measured.
+std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int every, const AckermannEstimator::Params& params)
+{
+    const std::vector<DriveFrame> frames = readDrive(folder);
+    RollingShutterCorrector::Params all;
+    all.estimator = params;
+    all.carryMotion = true;
+    const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(frames[0].camera, all);
+    std::vector<Outcome> outcomes;
+    double time = 0;
+    // The second frame says what the first one can't say alone.
+    cv::Mat unused;
+    corrector->setTimestamp(frames[0].secondsToNext);
+    corrector->correct(readImage(frames[1].file), unused);
+    for (size_t i = 0; i + 1 < frames.size(); i++)
+    {
+        const cv::Mat image = readImage(frames[i].file);
+        cv::Mat corrected, maps[2];
+        corrector->setTimestamp(time);
+        corrector->setPrior(priorOf(frames[i], told));
+        const AckermannMotion motion = corrector->correct(image, corrected);
+        time += frames[i].secondsToNext;
+        if (i % every != 0)
+            continue;
+        corrector->getMaps(maps[0], maps[1]);
+        outcomes.push_back(measureFrame(frames[i], motion, maps, FlowTruth(frames[i], image, readImage(frames[i + 1].file))));
+    }
+    return outcomes;
+}
+
 std::vector<Outcome> measureDrive(const std::string& folder, int told, int every, const AckermannEstimator::Params& params)
 {
     const std::vector<DriveFrame> frames = readDrive(folder);
@@ -79,26 +138,11 @@ std::vector<Outcome> measureDrive(const std::string& folder, int told, int every
         for (int k = range.start; k < range.end; k++)
         {
             const DriveFrame& frame = frames[k * every];
-            MotionPrior prior;
-            if (told & 1)
-            {
-                prior.yawRate = frame.yawRate;
-                prior.yawRateSigma = 1 * DEGREE;
-            }
-            if (told & 2)
-            {
-                prior.speed = frame.speed;
-                prior.speedSigma = 2 / 3.6;
-            }
             const cv::Mat image = readImage(frame.file);
             const FlowTruth truth(frame, image, readImage(frames[k * every + 1].file));
             cv::Mat maps[2];
-            Outcome& o = outcomes[k];
-            o.name = frame.file;
-            o.motion = estimateAndMap(image, frame.camera, params, prior, maps);
-            truth.measure(maps[0], maps[1], o.raw, o.left);
-            // The log's own errors: 0.6 deg/s and 15 %.
-            addYawRate(frame.camera, frame.yawRate, 0.6 * DEGREE + 0.15 * std::abs(frame.yawRate), o);
+            const AckermannMotion motion = estimateAndMap(image, frame.camera, params, priorOf(frame, told), maps);
+            outcomes[k] = measureFrame(frame, motion, maps, truth);
         }
     }, double(outcomes.size()));
     return outcomes;
@@ -194,11 +238,12 @@ int run(int argc, const char* const* argv)
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
     const int told = options.choice("told", {"none", "yaw_rate", "speed", "both"}), every = options.integer("every", 1, 1000000);
+    const bool isDrive = options.flag("drive");
     const bool quiet = options.flag("quiet");
     std::vector<Outcome> all;
     for (const std::string& folder : options.arguments())
     {
-        const std::vector<Outcome> part = measureDrive(folder, told, every, params);
+        const std::vector<Outcome> part = (isDrive ? measureWholeDrive : measureDrive)(folder, told, every, params);
         if (!quiet)
             printOutcomes(part);
         summariseDrives(folder.substr(folder.find_last_of('/') + 1).c_str(), part);

@@ -7,6 +7,7 @@
 #include "opencv2/imgproc.hpp"
 #include "checks.hpp"
 #include "detect/segment_finder.hpp"
+#include "drive/drive_estimator.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -88,7 +89,7 @@ class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp)),
-          framesSinceCarried(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
+          framesSinceCarried(0), drive(camera), time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
     {
         checkParams(params_);
         params = params_;
@@ -125,7 +126,11 @@ public:
 
     void setTimestamp(double seconds) CV_OVERRIDE { timestamp = seconds; }
 
-    void reset() CV_OVERRIDE { carried = AckermannMotion(); }
+    void reset() CV_OVERRIDE
+    {
+        carried = AckermannMotion();
+        drive.reset();
+    }
 
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask) CV_OVERRIDE
     {
@@ -143,6 +148,7 @@ public:
         checkSource(src);
         segments_.copyTo(segments);
         timings = Vec4d();
+        finder.prepare(src);
         return estimateAndWarp(src, dst, mask);
     }
 
@@ -232,7 +238,14 @@ private:
     AckermannMotion estimateAndWarp(InputArray src, OutputArray dst, OutputArray mask)
     {
         Stopwatch watch;
-        const AckermannMotion motion = estimator->estimate(segments, labels, priorOfNextFrame());
+        AckermannMotion motion;
+        if (params.carryMotion)
+        {
+            time = std::isfinite(timestamp) ? timestamp : time + params.frameInterval;
+            timestamp = std::numeric_limits<double>::quiet_NaN();
+        }
+        if (!params.carryMotion || !drive.estimate(finder.reduced(), finder.reduction(), time, prior, motion))
+            motion = estimator->estimate(segments, labels, priorOfNextFrame());
         carry(motion);
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask);
@@ -287,6 +300,8 @@ private:
     MotionPrior prior;
     AckermannMotion carried; // to the next frame, where its status is MOTION_OK
     int framesSinceCarried;
+    DriveEstimator drive;
+    double time;
     double timestamp;        // of the next image; not finite: not told
 
     // of the last image

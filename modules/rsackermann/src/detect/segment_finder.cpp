@@ -90,18 +90,25 @@ const Mat& SegmentFinder::toGray(const Mat& image)
     return image.type() == CV_8UC1 ? image : gray8U;
 }
 
-const Mat& SegmentFinder::shrink(const Mat& gray, int& scale)
+const Mat& SegmentFinder::shrink(const Mat& image)
 {
-    const Mat* small = &gray;
+    const Mat* last = &image;
     scale = 1;
-    for (int i = 0; small->total() > MAX_PIXELS && std::min(small->rows, small->cols) >= 2 * MIN_DETECTOR_SIZE; i = 1 - i, scale *= 2)
+    for (int i = 0; last->total() > MAX_PIXELS && std::min(last->rows, last->cols) >= 2 * MIN_DETECTOR_SIZE; i = 1 - i, scale *= 2)
     {
         // An odd last row or column is left out.
-        const Rect even(0, 0, small->cols / 2 * 2, small->rows / 2 * 2);
-        resize((*small)(even), half[i], Size(small->cols / 2, small->rows / 2), 0, 0, INTER_AREA);
-        small = &half[i];
+        const Rect even(0, 0, last->cols / 2 * 2, last->rows / 2 * 2);
+        resize((*last)(even), half[i], Size(last->cols / 2, last->rows / 2), 0, 0, INTER_AREA);
+        last = &half[i];
     }
-    return *small;
+    return *last;
+}
+
+void SegmentFinder::prepare(InputArray image_)
+{
+    const Mat image = image_.getMat();
+    gray = toGray(image);
+    small = shrink(gray);
 }
 
 namespace {
@@ -138,19 +145,19 @@ private:
 
 } // namespace
 
-void SegmentFinder::findInStrips(const Mat& gray, int count, int detector, double minLength, double scale)
+void SegmentFinder::findInStrips(const Mat& image, int count, int detector, double minLength, double detectorScale)
 {
     strips.resize(count);
     foundInStrips.resize(count);
     std::vector<Range> own(count), seen(count);
     for (int i = 0; i < count; i++)
     {
-        own[i] = Range(int(int64(gray.cols) * i / count), int(int64(gray.cols) * (i + 1) / count));
-        seen[i] = Range(std::max(own[i].start - OVERLAP, 0), std::min(own[i].end + OVERLAP, gray.cols));
+        own[i] = Range(int(int64(image.cols) * i / count), int(int64(image.cols) * (i + 1) / count));
+        seen[i] = Range(std::max(own[i].start - OVERLAP, 0), std::min(own[i].end + OVERLAP, image.cols));
         // A copy: not all of the detectors leave their input alone or take parts of larger images.
-        gray.colRange(seen[i]).copyTo(strips[i]);
+        image.colRange(seen[i]).copyTo(strips[i]);
     }
-    parallel_for_(Range(0, count), FindInStrips(strips, detector, minLength, scale, foundInStrips));
+    parallel_for_(Range(0, count), FindInStrips(strips, detector, minLength, detectorScale, foundInStrips));
     found.clear();
     for (int i = 0; i < count; i++)
         for (size_t k = 0; k < foundInStrips[i].size(); k++)
@@ -178,11 +185,9 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
     const Mat image = image_.getMat();
     checkArguments(image, detector, minLength);
     found.clear();
+    prepare(image);
     if (image.rows >= MIN_DETECTOR_SIZE && image.cols >= MIN_DETECTOR_SIZE)
     {
-        const Mat& gray = toGray(image);
-        int scale;
-        const Mat& small = shrink(gray, scale);
         const bool isRefined = scale > 1 || detector != DETECTOR_LSD;
         const int stripCount = isRefined ? std::max(cvRound(small.cols / double(STRIP_WIDTH)), 1) : 1;
         findInStrips(small, stripCount, detector, minLength / scale, lsdScale(small, isRefined));

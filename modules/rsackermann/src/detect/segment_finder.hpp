@@ -22,18 +22,29 @@ Time counts here: nearly all that a correction takes is detection.
 class SegmentFinder
 {
 public:
+    SegmentFinder() : scale(1) {}
+
     //! Arguments as in detectSegments().
     void find(InputArray image, int detector, double minLength, OutputArray segments);
+
+    //! Prepares an image whose segments are known: for reduced().
+    void prepare(InputArray image);
+
+    //! The last image in 8 bit grey, smaller by reduction(); the next image or the end of the caller's one invalidates it.
+    const Mat& reduced() const { return small; }
+    int reduction() const { return scale; }
 
 private:
     enum { MAX_PIXELS = 800000, STRIP_WIDTH = 480, OVERLAP = 48 };
 
     const Mat& toGray(const Mat& image);
-    const Mat& shrink(const Mat& gray, int& scale);
-    void findInStrips(const Mat& gray, int count, int detector, double minLength, double scale);
+    const Mat& shrink(const Mat& image);
+    void findInStrips(const Mat& image, int count, int detector, double minLength, double detectorScale);
     void keepLong(double minLength);
 
     Mat gray8U, gray16U, half[2];
+    Mat gray, small; // headers of one of these, or of the image
+    int scale;
     std::vector<Mat> strips;
     std::vector<std::vector<Vec4f> > foundInStrips;
     std::vector<Vec4f> found;
