@@ -6,8 +6,10 @@
 
 #include "camera_file.hpp"
 #include "files.hpp"
+#include "progress.hpp"
 #include "street_model.hpp"
 #include "truth_file.hpp"
+#include "units.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgproc.hpp"
@@ -49,8 +51,6 @@ const char* const KEYS =
     "{samples    | 3       | rays across and down a pixel}"
     "{seed       | 0       | of the rendered street}"
     "{threads    |         | largest number of threads}";
-
-const double DEGREE = CV_PI / 180, KMH = 1 / 3.6;
 
 cv::Size readSize(const std::string& text)
 {
@@ -164,7 +164,9 @@ int run(int argc, const char* const* argv)
             throw InputError(path + " exists (--overwrite replaces it)");
 
     const street::StreetRenderer renderer(truth.camera, truth.scene);
+    Progress progress;
     writeImage(rolling, image.empty() ? renderer.rollingShutter(samples) : distort(image, truth));
+    progress.update(1, 2, global);
     writeImage(global, image.empty() ? renderer.globalShutter(samples) : image);
     writeText(truthFile, truthText(truth));
     AtomicFile cameraFile(camera);

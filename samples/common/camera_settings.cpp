@@ -4,6 +4,7 @@
 
 #include "camera_settings.hpp"
 #include "camera_file.hpp"
+#include "units.hpp"
 
 namespace rsackermann_samples {
 
@@ -49,8 +50,8 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
         camera.referenceRow = upwards ? 0 : lines - 1;
     else
         camera.referenceRow = parseNumber(reference, "reference");
-    camera.setRollPitch(roll * CV_PI / 180, pitch * CV_PI / 180);
-    camera.heading = heading * CV_PI / 180;
+    camera.setRollPitch(roll * DEGREE, pitch * DEGREE);
+    camera.heading = heading * DEGREE;
     camera.height = height;
     return camera;
 }

@@ -125,6 +125,12 @@ std::string fileName(const std::string& path)
     return path.substr(path.find_last_of('/') + 1);
 }
 
+std::string stem(const std::string& path)
+{
+    const std::string name = fileName(path);
+    return name.substr(0, name.find_last_of('.'));
+}
+
 std::string extension(const std::string& path)
 {
     const std::string name = fileName(path);

@@ -47,6 +47,8 @@ cv::Mat readSegments(const std::string& path);
 
 //! The path's name without folders.
 std::string fileName(const std::string& path);
+//! The path's name without folders and without its extension.
+std::string stem(const std::string& path);
 //! The extension with its dot, in lower case; empty where there is none.
 std::string extension(const std::string& path);
 //! Whether both paths lead to the same existing file.

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "truth_file.hpp"
+#include "units.hpp"
 #include "options.hpp"
 
 #include <fstream>
@@ -11,8 +12,6 @@
 namespace rsackermann_samples {
 
 namespace {
-
-const double DEGREE = CV_PI / 180, KMH = 1 / 3.6;
 
 } // namespace
 

@@ -4,14 +4,21 @@
 
 #include "frame_corrector.hpp"
 #include "map_distance.hpp"
+#include "units.hpp"
 
 #include "opencv2/imgproc.hpp"
+#include <cmath>
 
 namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
 
 namespace {
+
+double orElse(double value, double other)
+{
+    return std::isnan(value) ? other : value;
+}
 
 // The 8-bit colour picture of an image, to draw upon.
 cv::Mat pictureOf(const cv::Mat& image)
@@ -36,8 +43,35 @@ void FrameCorrector::prepare(const cv::Size& size)
         return;
     camera_ = job_.camera.makeCamera(size);
     corrector_ = RollingShutterCorrector::create(camera_, job_.params);
-    corrector_->setPrior(job_.prior);
     WarpMapGenerator::create(camera_, job_.params.warp)->initRectifyMap(AckermannMotion(), lensMap1_, lensMap2_);
+}
+
+void FrameCorrector::tell(const FrameFacts& facts)
+{
+    corrector_->setTimestamp(facts.time);
+    CameraSettings settings = job_.camera;
+    settings.roll = orElse(facts.roll, settings.roll);
+    settings.pitch = orElse(facts.pitch, settings.pitch);
+    camera_ = settings.makeCamera(camera_.imageSize);
+    corrector_->setCamera(camera_);
+
+    RollingShutterCorrector::Params params = job_.params;
+    if (!std::isnan(facts.gravitySigma))
+        setGravitySigma(facts.gravitySigma, params.estimator);
+    corrector_->setParams(params);
+
+    MotionPrior prior = job_.prior;
+    if (!std::isnan(facts.speed))
+    {
+        prior.speed = facts.speed * KMH;
+        prior.speedSigma = orElse(facts.speedSigma, SPEED_SIGMA) * KMH;
+    }
+    if (!std::isnan(facts.yawRate))
+    {
+        prior.yawRate = facts.yawRate * DEGREE;
+        prior.yawRateSigma = orElse(facts.yawRateSigma, YAW_RATE_SIGMA) * DEGREE;
+    }
+    corrector_->setPrior(prior);
 }
 
 void FrameCorrector::reset()
@@ -46,12 +80,13 @@ void FrameCorrector::reset()
         corrector_->reset();
 }
 
-CorrectedFrame FrameCorrector::correct(const cv::Mat& image)
+CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const FrameFacts& facts)
 {
     prepare(image.size());
     CorrectedFrame frame;
     FrameReport& report = frame.report;
     cv::Mat mask, segments, labels;
+    tell(facts);
     report.camera = camera_;
     report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, frame.image, mask)
                                     : corrector_->correct(image, frame.image, mask);

@@ -25,17 +25,19 @@ class FrameCorrector
 public:
     explicit FrameCorrector(const Job& job) : job_(job) {}
 
-    //! Corrects an image; throws InputError or cv::Exception.
-    CorrectedFrame correct(const cv::Mat& image);
+    /** Corrects an image; throws InputError or cv::Exception.
+    @param facts what the log tells of it, or only its time. */
+    CorrectedFrame correct(const cv::Mat& image, const FrameFacts& facts);
 
     //! The next image belongs to another sequence.
     void reset();
 
 private:
     void prepare(const cv::Size& size);
+    void tell(const FrameFacts& facts);
 
     const Job& job_;
-    cv::rsackermann::RollingShutterCamera camera_; // of the images of the last size
+    cv::rsackermann::RollingShutterCamera camera_; // of the last image
     cv::Ptr<cv::rsackermann::RollingShutterCorrector> corrector_;
     cv::Mat lensMap1_, lensMap2_;                  // undo the lens only
 };

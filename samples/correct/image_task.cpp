@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "image_task.hpp"
+#include "map_file.hpp"
 
 namespace rsackermann_samples {
 
@@ -13,23 +14,12 @@ bool isSame(const cv::Mat& a, const cv::Mat& b)
     return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
 }
 
-void writeMaps(const std::string& path, const cv::Mat& map1, const cv::Mat& map2)
-{
-    AtomicFile file(path);
-    cv::FileStorage fs(file.temporaryName(), cv::FileStorage::WRITE);
-    if (!fs.isOpened())
-        throw InputError(path + " can't be written");
-    fs << "map1" << map1 << "map2" << map2;
-    fs.release();
-    file.commit();
-}
-
 } // namespace
 
-std::string correctImage(const std::string& input, const Targets& targets, FrameCorrector& corrector)
+std::string correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts, FrameCorrector& corrector)
 {
     const cv::Mat image = readImage(input);
-    CorrectedFrame frame = corrector.correct(image);
+    CorrectedFrame frame = corrector.correct(image, facts);
     if (!targets.overlay.empty())
         writeImage(targets.overlay, frame.overlay);
     if (!targets.maps.empty())

@@ -11,8 +11,9 @@
 namespace rsackermann_samples {
 
 /** Corrects the image of a file and writes its results.
+@param facts what the log tells of the image.
 @return the line for the report. Throws InputError or cv::Exception. */
-std::string correctImage(const std::string& input, const Targets& targets, FrameCorrector& corrector);
+std::string correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts, FrameCorrector& corrector);
 
 } // namespace rsackermann_samples
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <numeric>
 
 namespace rsackermann_samples {
 
@@ -140,6 +141,8 @@ InputList listInputs(const std::vector<std::string>& arguments)
         {
             list.failures.push_back(std::make_pair(argument, std::string(e.what())));
         }
+    list.numbers.resize(list.files.size());
+    std::iota(list.numbers.begin(), list.numbers.end(), 0);
     return list;
 }
 
@@ -149,12 +152,17 @@ bool isVideo(const std::string& path)
     return isOneOf(extension(path), known);
 }
 
-void keepShard(std::vector<std::string>& inputs, int shard, int count)
+void keepShard(InputList& inputs, int shard, int count)
 {
-    std::vector<std::string> kept;
-    for (size_t i = size_t(shard % count); i < inputs.size(); i += size_t(count))
-        kept.push_back(inputs[i]);
-    inputs.swap(kept);
+    std::vector<std::string> files;
+    std::vector<int> numbers;
+    for (size_t i = size_t(shard % count); i < inputs.files.size(); i += size_t(count))
+    {
+        files.push_back(inputs.files[i]);
+        numbers.push_back(inputs.numbers[i]);
+    }
+    inputs.files.swap(files);
+    inputs.numbers.swap(numbers);
 }
 
 } // namespace rsackermann_samples

@@ -15,6 +15,7 @@ namespace rsackermann_samples {
 struct InputList
 {
     std::vector<std::string> files;
+    std::vector<int> numbers;                                   //!< the place of each file in the list, from 0; a shard keeps it
     std::vector<std::pair<std::string, std::string> > failures; //!< arguments that stand for nothing, and why
     bool single;                                                //!< there is one argument and it is the name of a file
 };
@@ -27,7 +28,7 @@ InputList listInputs(const std::vector<std::string>& arguments);
 bool isVideo(const std::string& path);
 
 //! Keeps every count-th input, beginning with the one that shard stands for.
-void keepShard(std::vector<std::string>& inputs, int shard, int count);
+void keepShard(InputList& inputs, int shard, int count);
 
 } // namespace rsackermann_samples
 

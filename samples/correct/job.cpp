@@ -4,8 +4,10 @@
 
 #include "job.hpp"
 #include "files.hpp"
+#include "units.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include <algorithm>
 #include <iostream>
 #include <map>
 
@@ -21,6 +23,8 @@ const char* const JOB_KEYS =
     "{speed_sigma |       | standard deviation of --speed in km/h (default 2)}"
     "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
     "{yaw_rate_sigma |    | standard deviation of --yaw_rate in deg/s (default 1)}"
+    "{log        |        | CSV file with what is known of each frame (columns file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, "
+    "yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it goes before the options}"
     "{carry      |        | the inputs, or the frames of each video, are consecutive: what is known of one helps with the next}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's roll 1, of its pitch 0.3)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
@@ -31,7 +35,8 @@ const char* const JOB_KEYS =
     "{output     |        | corrected image or video; a folder, made if missing, where there are several inputs}"
     "{overlay    |        | picture of the segments and the road's borders; a folder as for --output}"
     "{report     |        | file with a line of JSON for each image or frame; - for standard output}"
-    "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); for one image}"
+    "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); several inputs: a folder as for --output with NAME.yml.gz, "
+    "for a video with NAME_NNNNNN.yml.gz for each frame}"
     "{shard      |        | i/N: do every N-th input only, beginning with the i-th (1 to N)}"
     "{skip_existing |     | leave out inputs whose result exists; the report is continued}"
     "{overwrite  |        | replace existing files}";
@@ -45,19 +50,15 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
     params.detector = options.choice("detector", {"lsd", "fld", "edlines"});
     params.seed = options.integer("seed", 0, INT_MAX);
     if (options.given("gravity_sigma"))
-    {
-        params.gravitySigma = options.number("gravity_sigma", 0, 45) * CV_PI / 180;
-        if (params.gravitySigma > 0)
-            params.vehiclePitchSigma = params.gravitySigma;
-    }
+        setGravitySigma(options.number("gravity_sigma", 0, 45), params);
     if (options.given("wall"))
         params.wallDistance = options.number("wall", 0, 1e5, false);
     params.scaleFromRoad = options.flag("scale_from_road");
 }
 
-void warnUseless(const std::string& option, const std::string& missing)
+void warnUseless(const std::string& what, const std::string& missing)
 {
-    std::cerr << "rsackermann_correct: --" << option << " is of no use without " << missing << std::endl;
+    std::cerr << "rsackermann_correct: " << what << " is of no use without " << missing << std::endl;
 }
 
 // A value with its standard deviation, in the given unit; false where it isn't known.
@@ -79,14 +80,18 @@ bool readMeasurement(const Options& options, const std::string& name, double lim
 MotionPrior readPrior(const Options& options, const Job& job)
 {
     MotionPrior prior;
-    const bool speed = readMeasurement(options, "speed", 1000, 2, 1 / 3.6, prior.speed, prior.speedSigma);
-    const bool yawRate = readMeasurement(options, "yaw_rate", 1000, 1, CV_PI / 180, prior.yawRate, prior.yawRateSigma);
+    const bool speed = readMeasurement(options, "speed", 1000, SPEED_SIGMA, KMH, prior.speed, prior.speedSigma);
+    const bool yawRate = readMeasurement(options, "yaw_rate", 1000, YAW_RATE_SIGMA, DEGREE, prior.yawRate, prior.yawRateSigma);
     const bool metric = job.camera.lineDelay > 0 || job.camera.readOut > 0;
     const std::string delay = "the line delay (--line_delay, --readout or in the camera file)";
     if (speed && !metric)
-        warnUseless("speed", delay);
+        warnUseless("--speed", delay);
     if (yawRate && !metric)
-        warnUseless("yaw_rate", delay);
+        warnUseless("--yaw_rate", delay);
+    if (job.log.tellsSpeed() && !metric)
+        warnUseless("speed_kmh in the log", delay);
+    if (job.log.tellsYawRate() && !metric)
+        warnUseless("yaw_rate_deg_s in the log", delay);
     return prior;
 }
 
@@ -96,7 +101,7 @@ void checkScale(const Job& job)
     if (params.scaleFromRoad && params.wallDistance > 0)
         throw UsageError("--scale_from_road and --wall exclude each other");
     if (params.scaleFromRoad && !(job.camera.height > 0))
-        warnUseless("scale_from_road", "--height");
+        warnUseless("--scale_from_road", "--height");
 }
 
 std::string target(const Options& options, const std::string& name)
@@ -110,13 +115,19 @@ bool isFolder(const InputList& inputs, const std::string& path)
     return !path.empty() && (!inputs.single || path.back() == '/' || cv::utils::fs::isDirectory(path));
 }
 
+bool hasVideo(const InputList& inputs)
+{
+    return std::any_of(inputs.files.begin(), inputs.files.end(), isVideo);
+}
+
 // Two inputs of the same name would have the same result.
-void checkNames(const InputList& inputs)
+void checkNames(const Job& job)
 {
     std::map<std::string, std::string> names;
-    for (const std::string& input : inputs.files)
+    for (const std::string& input : job.inputs.files)
     {
-        const std::string& other = names.insert(std::make_pair(fileName(input), input)).first->second;
+        const std::string name = job.maps.empty() ? fileName(input) : stem(input);
+        const std::string& other = names.insert(std::make_pair(name, input)).first->second;
         if (&other != &input && other != input)
             throw UsageError("the results of " + other + " and " + input + " would have the same name");
     }
@@ -143,9 +154,25 @@ void checkVideos(const Job& job)
 #ifndef RSACKERMANN_WITH_VIDEOIO
             throw UsageError("videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
 #endif
-            if (job.linesGiven || !job.maps.empty())
-                throw UsageError(std::string(job.linesGiven ? "--lines" : "--maps") + " is for an image");
+            if (job.linesGiven)
+                throw UsageError("--lines is for an image");
         }
+}
+
+// Only videos know the time of their frames: a log has to name the images of which it tells.
+void checkLog(const Job& job)
+{
+    size_t images = 0, unknown = 0;
+    for (size_t i = 0; i < job.inputs.files.size(); i++)
+        if (!isVideo(job.inputs.files[i]))
+        {
+            images++;
+            unknown += !job.log.names(job.inputs.files[i], job.inputs.numbers[i]);
+        }
+    if (images > 0 && unknown == images)
+        throw UsageError("the log names none of the images (columns file or frame)");
+    if (unknown > 0)
+        std::cerr << "rsackermann_correct: the log doesn't name " << unknown << " of the " << images << " images" << std::endl;
 }
 
 void readShard(const Options& options, InputList& inputs)
@@ -157,7 +184,7 @@ void readShard(const Options& options, InputList& inputs)
     const int count = parseInteger(text.substr(slash + 1), source, 1, 1000000);
     // 0/N is the same as N/N, for those who count from 0.
     const int shard = parseInteger(text.substr(0, slash), source, 0, count);
-    keepShard(inputs.files, shard + count - 1, count);
+    keepShard(inputs, shard + count - 1, count);
 }
 
 } // namespace
@@ -170,6 +197,8 @@ Job readJob(const Options& options)
     job.camera = readCameraOptions(options);
     readEstimator(options, job.params.estimator);
     checkScale(job);
+    if (options.given("log"))
+        job.log = DriveLog(options.text("log"));
     job.prior = readPrior(options, job);
     job.params.carryMotion = options.flag("carry");
     job.output = target(options, "output");
@@ -190,18 +219,28 @@ Job readJob(const Options& options)
     job.inputs = listInputs(options.arguments());
     const bool one = job.inputs.files.size() + job.inputs.failures.size() == 1;
     job.linesGiven = options.given("lines");
-    if ((job.linesGiven || !job.maps.empty()) && !one)
-        throw UsageError(std::string(job.linesGiven ? "--lines" : "--maps") + " is for one input");
+    if (job.linesGiven && !one)
+        throw UsageError("--lines is for one input");
     checkVideos(job);
     if (job.linesGiven)
         job.lines = readSegments(options.text("lines"));
     job.outputIsFolder = isFolder(job.inputs, job.output);
     job.overlayIsFolder = isFolder(job.inputs, job.overlay);
-    checkNames(job.inputs);
+    job.mapsIsFolder = isFolder(job.inputs, job.maps) || (!job.maps.empty() && hasVideo(job.inputs));
+    if (options.given("log"))
+        checkLog(job);
+    checkNames(job);
     checkTargets(job);
     if (options.given("shard"))
         readShard(options, job.inputs);
     return job;
+}
+
+void setGravitySigma(double degrees, AckermannEstimator::Params& params)
+{
+    params.gravitySigma = degrees * DEGREE;
+    if (params.gravitySigma > 0)
+        params.vehiclePitchSigma = params.gravitySigma;
 }
 
 std::string resultPath(const std::string& target, bool isFolder, const std::string& input)

@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_JOB_HPP
 
 #include "camera_settings.hpp"
+#include "drive_log.hpp"
 #include "inputs.hpp"
 #include "opencv2/rsackermann.hpp"
 
@@ -18,14 +19,21 @@ struct Job
     CameraSettings camera;
     cv::rsackermann::RollingShutterCorrector::Params params;
     cv::rsackermann::MotionPrior prior;
+    DriveLog log;
     bool linesGiven;
     cv::Mat lines;                              //!< segments of the only image
     std::string output, overlay, maps, report;  //!< file or folder, empty: not wanted
-    bool outputIsFolder, overlayIsFolder;
+    bool outputIsFolder, overlayIsFolder, mapsIsFolder;
     bool skipExisting, overwrite;
 };
 
 extern const char* const JOB_KEYS;
+
+//! Standard deviations of a speed (km/h) and a yaw rate (deg/s) that are told without one.
+const double SPEED_SIGMA = 2, YAW_RATE_SIGMA = 1;
+
+//! Sets the standard deviation of roll and pitch, 0: exact.
+void setGravitySigma(double degrees, cv::rsackermann::AckermannEstimator::Params& params);
 
 //! Reads the command line; throws UsageError.
 Job readJob(const Options& options);

@@ -4,6 +4,7 @@
 
 #include "report.hpp"
 #include "options.hpp"
+#include "units.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -57,11 +58,11 @@ std::string reportLine(const FrameReport& frame)
     line["beta"] = orNull(ok, m.wallSlope);
     line["delta"] = orNull(ok && m.wallSlope != 0, m.delta());
     line["wall_ratio"] = orNull(ok && m.wallRatio > 0, m.wallRatio);
-    line["yaw_rate_deg_s"] = orNull(yawRateKnown, yawRate * 180 / CV_PI);
-    line["speed_km_h"] = orNull(speedKnown, speed * 3.6);
+    line["yaw_rate_deg_s"] = orNull(yawRateKnown, yawRate / DEGREE);
+    line["speed_km_h"] = orNull(speedKnown, speed / KMH);
     const cv::Matx44d covariance = m.metricCovariance(frame.camera);
-    line["yaw_rate_sigma"] = orNull(yawRateKnown && covariance(0, 0) > 0, std::sqrt(covariance(0, 0)) * 180 / CV_PI);
-    line["speed_sigma"] = orNull(speedKnown && covariance(1, 1) > 0, std::sqrt(covariance(1, 1)) * 3.6);
+    line["yaw_rate_sigma"] = orNull(yawRateKnown && covariance(0, 0) > 0, std::sqrt(covariance(0, 0)) / DEGREE);
+    line["speed_sigma"] = orNull(speedKnown && covariance(1, 1) > 0, std::sqrt(covariance(1, 1)) / KMH);
     line["segments"] = frame.segments;
     line["candidates"] = m.candidates;
     line["inliers"] = m.inliers;

@@ -9,10 +9,19 @@
 
 namespace rsackermann_samples {
 
+static const char* const MAPS_EXTENSION = ".yml.gz";
+
 Targets::Targets(const Job& job, const std::string& input)
     : output(resultPath(job.output, job.outputIsFolder, input)), overlay(resultPath(job.overlay, job.overlayIsFolder, input)),
       maps(job.maps)
 {
+    if (job.mapsIsFolder)
+        maps = resultPath(job.maps, true, stem(input)) + (isVideo(input) ? "" : MAPS_EXTENSION);
+}
+
+std::string Targets::mapsOfFrame(int frame) const
+{
+    return maps + cv::format("_%06d", frame) + MAPS_EXTENSION;
 }
 
 bool Targets::exist() const

@@ -12,10 +12,12 @@ namespace rsackermann_samples {
 //! Where the results for an input go; empty where they aren't wanted.
 struct Targets
 {
-    std::string output, overlay, maps;
+    std::string output, overlay, maps; //!< maps of a video: what the names for its frames begin with
 
     Targets(const Job& job, const std::string& input);
 
+    //! The file for the maps of a video's frame.
+    std::string mapsOfFrame(int frame) const;
     //! Whether the results are there already.
     bool exist() const;
     //! Throws InputError where a result would replace the input or what mustn't be replaced.

@@ -3,9 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "video_task.hpp"
+#include "map_file.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/videoio.hpp"
+#include <cmath>
 #include <map>
 
 namespace rsackermann_samples {
@@ -53,6 +55,24 @@ private:
     cv::VideoWriter writer_; // closed before the file is removed
 };
 
+// Times of a video's frames from its container; where it doesn't tell them they have equal distances.
+class FrameClock
+{
+public:
+    explicit FrameClock(double framesPerSecond) : interval_(1 / framesPerSecond), time_(-interval_) {}
+
+    // Of the frame that was read last.
+    double timeOfFrame(const cv::VideoCapture& capture)
+    {
+        const double told = capture.get(cv::CAP_PROP_POS_MSEC) / 1000;
+        time_ = std::isfinite(told) && told > time_ ? told : time_ + interval_;
+        return time_;
+    }
+
+private:
+    double interval_, time_;
+};
+
 void addTo(std::unique_ptr<VideoFile>& video, const std::string& path, double framesPerSecond, const cv::Mat& frame)
 {
     if (path.empty())
@@ -64,7 +84,8 @@ void addTo(std::unique_ptr<VideoFile>& video, const std::string& path, double fr
 
 } // namespace
 
-void correctVideo(const std::string& input, const Targets& targets, FrameCorrector& corrector, std::vector<std::string>& lines)
+void correctVideo(const std::string& input, const Targets& targets, const DriveLog& log, FrameCorrector& corrector, std::vector<std::string>& lines,
+                  const std::function<void(double)>& progress)
 {
     if (!cv::utils::fs::exists(input))
         throw InputError("there is no such file");
@@ -79,14 +100,19 @@ void correctVideo(const std::string& input, const Targets& targets, FrameCorrect
     corrector.reset();
     std::unique_ptr<VideoFile> output, overlay;
     std::vector<std::string> frameLines;
+    FrameClock clock(framesPerSecond);
     for (cv::Mat image; capture.read(image);)
     {
-        CorrectedFrame frame = corrector.correct(image);
+        const int number = int(frameLines.size());
+        CorrectedFrame frame = corrector.correct(image, log.of(input, number, clock.timeOfFrame(capture)));
         addTo(output, targets.output, framesPerSecond, frame.image);
         addTo(overlay, targets.overlay, framesPerSecond, frame.overlay);
         frame.report.input = input;
-        frame.report.frame = int(frameLines.size());
+        if (!targets.maps.empty())
+            writeMaps(targets.mapsOfFrame(number), frame.map1, frame.map2);
+        frame.report.frame = number;
         frameLines.push_back(reportLine(frame.report));
+        progress(announced > 0 ? std::min(double(frameLines.size()) / announced, 1.) : 0);
     }
     if (frameLines.empty())
         throw InputError("no frame of the video can be read");

@@ -183,6 +183,33 @@ TEST(CorrectInputs, shards_are_all_inputs_once)
     EXPECT_EQ((std::multiset<std::string>{"a.png", "b.png", "c.png", "d.png", "e.png"}), done);
 }
 
+TEST(CorrectInputs, maps_of_several_images)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png", "b.jpg"});
+    ASSERT_EQ(0, correct({in.path(), "--maps=" + (out / "maps/")}).exitCode);
+    EXPECT_EQ((Names{"a.yml.gz", "b.yml.gz"}), namesIn(out / "maps"));
+    for (const char* name : {"a.png", "b.jpg"})
+    {
+        ASSERT_EQ(0, correct({in / name, "--maps=" + (out / "alone.yml"), "--overwrite"}).exitCode);
+        for (const char* node : {"map1", "map2"})
+        {
+            cv::Mat expected, got;
+            cv::FileStorage(out / "alone.yml", cv::FileStorage::READ)[node] >> expected;
+            cv::FileStorage(out / "maps/" + name[0] + ".yml.gz", cv::FileStorage::READ)[node] >> got;
+            ASSERT_EQ(CV_32FC1, got.type());
+            EXPECT_EQ(0, cv::norm(expected, got, cv::NORM_INF)) << name << node;
+        }
+    }
+    // A single image goes to a folder if the name says so.
+    ASSERT_EQ(0, correct({in / "a.png", "--maps=" + (out / "one/")}).exitCode);
+    EXPECT_EQ(Names{"a.yml.gz"}, namesIn(out / "one"));
+    putImages(in, {"a.jpg"});
+    const Outcome sameStem = correct({in.path(), "--maps=" + (out / "none")});
+    EXPECT_EQ(2, sameStem.exitCode);
+    EXPECT_NE(std::string::npos, sameStem.messages.find("a.jpg")) << sameStem.messages;
+}
+
 TEST(CorrectInputs, lists_and_patterns)
 {
     const TemporaryFolder in, out;

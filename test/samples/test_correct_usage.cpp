@@ -11,7 +11,7 @@ TEST(CorrectUsage, help_names_every_option)
     const Outcome outcome = correct({"--help"});
     EXPECT_EQ(0, outcome.exitCode);
     for (const char* name : {"camera", "focal", "line_delay", "readout", "scan", "reference", "roll", "pitch", "heading", "height", "gravity_sigma", "wall", "scale_from_road",
-                             "speed", "speed_sigma", "yaw_rate", "yaw_rate_sigma", "carry",
+                             "speed", "speed_sigma", "yaw_rate", "yaw_rate_sigma", "log", "carry",
                              "model", "detector", "lines", "seed", "threads", "output", "overlay", "report", "maps", "shard", "skip_existing",
                              "overwrite"})
         EXPECT_NE(std::string::npos, outcome.output.find(std::string("--") + name)) << name;
@@ -43,6 +43,7 @@ const std::pair<const char*, const char*> refused[] = {
     {"--carry=perhaps", "--carry"},
     {"--model=5la", "5la"}, {"--detector=canny", "canny"}, {"--seed=1.5", "--seed"}, {"--seed=-1", "--seed"}, {"--threads=0", "--threads"},
     {"--shard=3", "--shard"}, {"--shard=5/4", "--shard"}, {"--shard=1/0", "--shard"}, {"--skip_existing=perhaps", "--skip_existing"},
+    {"--log=/no/such/file.csv", "/no/such/file.csv"}, {"--log", "--log"},
     {"--camera=/no/such/file.yml", "/no/such/file.yml"}, {"--lines=/no/such/file.txt", "/no/such/file.txt"},
     {"--output=again.png", "--output"}};
 
@@ -76,11 +77,10 @@ TEST(CorrectUsage, something_to_read_and_something_to_write)
     EXPECT_EQ(2, correct({streetFolder() + "/rolling.png"}).exitCode);
 }
 
-TEST(CorrectUsage, maps_and_lines_are_for_one_input)
+TEST(CorrectUsage, lines_are_for_one_input)
 {
     const TemporaryFolder folder;
     const std::string a = streetFolder() + "/rolling.png", b = streetFolder() + "/global.png";
-    EXPECT_EQ(2, correct({a, b, "--maps=" + (folder / "maps.yml")}).exitCode);
     writeContent(folder / "lines.txt", "1 2 3 4\n");
     EXPECT_EQ(2, correct({a, b, "--report=-", "--lines=" + (folder / "lines.txt")}).exitCode);
 }

@@ -160,9 +160,55 @@ TEST_F(CorrectVideo, existing_results)
     EXPECT_EQ(size_t(FRAMES), framesOf(out_ / "out.avi").size());
 }
 
-TEST_F(CorrectVideo, maps_and_lines_are_for_images)
+TEST_F(CorrectVideo, maps_of_each_frame)
 {
-    EXPECT_EQ(2, correct({video_, "--maps=" + (out_ / "maps.yml")}).exitCode);
+    ASSERT_EQ(0, correct(arguments() + Arguments{"--maps=" + (out_ / "maps")}).exitCode);
+    EXPECT_EQ((std::vector<std::string>{"drive_000000.yml.gz", "drive_000001.yml.gz", "drive_000002.yml.gz", "drive_000003.yml.gz"}),
+              namesIn(out_ / "maps"));
+    const std::vector<cv::Mat> frames = framesOf(video_);
+    cv::imwrite(out_ / "frame.png", frames[2]);
+    ASSERT_EQ(0, correct({out_ / "frame.png", arguments()[1], arguments()[2], "--maps=" + (out_ / "frame.yml.gz")}).exitCode);
+    cv::Mat expected, got;
+    cv::FileStorage(out_ / "frame.yml.gz", cv::FileStorage::READ)["map1"] >> expected;
+    cv::FileStorage(out_ / "maps/drive_000002.yml.gz", cv::FileStorage::READ)["map1"] >> got;
+    ASSERT_EQ(CV_32FC1, got.type());
+    EXPECT_EQ(0, cv::norm(expected, got, cv::NORM_INF));
+}
+
+TEST_F(CorrectVideo, log_by_frame_and_by_time)
+{
+    const Arguments plain = arguments() + Arguments{"--report=-"};
+    const auto framesOfReport = [](const Outcome& outcome) {
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        std::vector<Json> frames;
+        std::istringstream stream(outcome.output);
+        for (std::string line; std::getline(stream, line);)
+            frames.push_back(Json::parse(line));
+        EXPECT_EQ(size_t(FRAMES), frames.size());
+        frames.resize(FRAMES);
+        return frames;
+    };
+    const std::vector<Json> told = framesOfReport(correct(plain + Arguments{"--speed=66"})), untold = framesOfReport(correct(plain));
+    const auto withLog = [&](const std::string& content) {
+        writeContent(in_ / "log.csv", content);
+        return framesOfReport(correct(plain + Arguments{"--log=" + (in_ / "log.csv")}));
+    };
+    ASSERT_NE(told[2]["alpha"], untold[2]["alpha"]);
+    const std::vector<Json> byNumber = withLog("frame,speed_kmh\n2,66\n"), byFile = withLog("file,frame,speed_kmh\ndrive.avi,2,66\nother.avi,0,66\n");
+    EXPECT_EQ(untold[0]["alpha"], byNumber[0]["alpha"]);
+    EXPECT_EQ(told[2]["alpha"], byNumber[2]["alpha"]);
+    EXPECT_EQ(untold[0]["alpha"], byFile[0]["alpha"]);
+    EXPECT_EQ(told[2]["alpha"], byFile[2]["alpha"]);
+    // Frame 2 of 12 frames per second is at 1/6 s.
+    const std::vector<Json> byTime = withLog("time_s,speed_kmh\n0.1,58\n0.2,70\n");
+    EXPECT_EQ(untold[0]["alpha"], byTime[0]["alpha"]);
+    EXPECT_NEAR(told[2]["alpha"].get<double>(), byTime[2]["alpha"].get<double>(), 1e-4 * std::abs(told[2]["alpha"].get<double>()));
+    const std::vector<Json> byTimeOfRow = withLog("frame,time_s,speed_kmh\n2,10,\n,9,50\n,11,82\n");
+    EXPECT_EQ(told[2]["alpha"], byTimeOfRow[2]["alpha"]);
+}
+
+TEST_F(CorrectVideo, lines_are_for_images)
+{
     writeContent(in_ / "lines.txt", "1 2 3 4\n");
     EXPECT_EQ(2, correct({video_, "--report=-", "--lines=" + (in_ / "lines.txt")}).exitCode);
     EXPECT_TRUE(namesIn(out_.path()).empty());

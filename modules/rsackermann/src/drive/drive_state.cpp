@@ -80,10 +80,10 @@ void DriveState::toMotion(const RollingShutterCamera& camera, AckermannMotion& m
     // A right wall alone has the equation of a left one with the other sign.
     const double wall = hasLeft ? left : -right, sign = hasLeft ? 1 : -1;
     motion.alpha = value[DRIVE_YAW_RATE] * unit / 2;
-    motion.B = length * wall * c;
-    motion.D = length * wall * s;
-    motion.lambda = hasLeft && hasRight ? right / left : 0;
-    motion.G = length * value[DRIVE_ROAD];
+    motion.wallSlope = length * wall * c;
+    motion.wallOffset = length * wall * s;
+    motion.wallRatio = hasLeft && hasRight ? right / left : 0;
+    motion.roadSlope = length * value[DRIVE_ROAD];
     motion.direction = length < 0 ? -1 : 1;
 
     Matx<double, 4, DRIVE_VALUES> J;
@@ -95,7 +95,7 @@ void DriveState::toMotion(const RollingShutterCamera& camera, AckermannMotion& m
     J(2, DRIVE_SPEED) = unit * wall * s;
     J(2, DRIVE_DIRECTION) = length * wall * c;
     J(2, which) = sign * length * s;
-    if (motion.lambda > 0)
+    if (motion.wallRatio > 0)
     {
         J(3, DRIVE_LEFT) = -right / (left * left);
         J(3, DRIVE_RIGHT) = 1 / left;

@@ -1,0 +1,127 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "csv.hpp"
+#include "options.hpp"
+
+#include "opencv2/core/cvstd.hpp"
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace rsackermann_samples {
+
+namespace {
+
+std::string trimmed(const std::string& text)
+{
+    const size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+    return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+// Takes rows from a text one by one.
+class CsvReader
+{
+public:
+    CsvReader(const std::string& text, const std::string& name) : text_(text), name_(name), at_(0), line_(1)
+    {
+        if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0)
+            at_ = 3;
+    }
+
+    // The next row that isn't empty and the line on which it begins; false at the end.
+    bool next(std::vector<std::string>& cells, int& line)
+    {
+        while (at_ < text_.size() && isLineEnd(text_[at_]))
+            skipLineEnd();
+        if (at_ >= text_.size())
+            return false;
+        line = line_;
+        cells.assign(1, cell());
+        while (at_ < text_.size() && text_[at_] == ',')
+        {
+            at_++;
+            cells.push_back(cell());
+        }
+        skipLineEnd();
+        return true;
+    }
+
+private:
+    static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+
+    void skipLineEnd()
+    {
+        if (at_ < text_.size() && text_[at_] == '\r')
+            at_++;
+        if (at_ < text_.size() && text_[at_] == '\n')
+            at_++;
+        line_++;
+    }
+
+    // Up to the comma or the end of the line, which stay.
+    std::string cell()
+    {
+        const size_t first = text_.find_first_not_of(" \t", at_);
+        if (first != std::string::npos && text_[first] == '"')
+        {
+            at_ = first + 1;
+            return quotedCell();
+        }
+        const size_t begin = at_;
+        while (at_ < text_.size() && text_[at_] != ',' && !isLineEnd(text_[at_]))
+            at_++;
+        return trimmed(text_.substr(begin, at_ - begin));
+    }
+
+    std::string quotedCell()
+    {
+        const int begin = line_;
+        std::string result;
+        for (; at_ < text_.size(); at_++)
+        {
+            if (text_[at_] == '"' && (at_ + 1 == text_.size() || text_[at_ + 1] != '"'))
+            {
+                at_ = std::min(text_.find_first_not_of(" \t", at_ + 1), text_.size());
+                if (at_ < text_.size() && text_[at_] != ',' && !isLineEnd(text_[at_]))
+                    throw UsageError(cv::format("line %d of %s: there is something behind a closing quote", line_, name_.c_str()));
+                return result;
+            }
+            at_ += text_[at_] == '"';
+            line_ += text_[at_] == '\n';
+            result += text_[at_];
+        }
+        throw UsageError(cv::format("line %d of %s: a quote isn't closed", begin, name_.c_str()));
+    }
+
+    const std::string &text_, &name_;
+    size_t at_;
+    int line_;
+};
+
+} // namespace
+
+CsvTable readCsv(const std::string& path)
+{
+    std::ifstream file(path.c_str(), std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (!file.is_open() || file.bad())
+        throw UsageError(path + " can't be read");
+    CsvReader reader(text, path);
+    CsvTable table;
+    int line = 0;
+    if (!reader.next(table.header, line))
+        throw UsageError(path + " is empty");
+    for (std::vector<std::string> cells; reader.next(cells, line);)
+    {
+        if (cells.size() != table.header.size())
+            throw UsageError(cv::format("line %d of %s: there are %d cells, but %d columns", line, path.c_str(), int(cells.size()),
+                                        int(table.header.size())));
+        table.rows.push_back(cells);
+        table.lines.push_back(line);
+    }
+    return table;
+}
+
+} // namespace rsackermann_samples

@@ -1,0 +1,28 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_CSV_HPP
+#define RSACKERMANN_SAMPLES_CSV_HPP
+
+#include <string>
+#include <vector>
+
+namespace rsackermann_samples {
+
+//! A table of text with a header, as RFC 4180 describes it.
+struct CsvTable
+{
+    std::vector<std::string> header;
+    std::vector<std::vector<std::string> > rows; //!< each has as many cells as the header
+    std::vector<int> lines;                      //!< the line of the file on which each row begins, from 1
+};
+
+/** Reads a table: commas between, quotes around cells with commas, quotes or line ends. Lines without any character are left out, and
+so are a byte order mark and blanks around cells.
+Throws UsageError with the line if a row hasn't as many cells as the header or a quote isn't closed. */
+CsvTable readCsv(const std::string& path);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_CSV_HPP

@@ -1,0 +1,66 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_DRIVE_LOG_HPP
+#define RSACKERMANN_SAMPLES_DRIVE_LOG_HPP
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rsackermann_samples {
+
+//! What is told of a frame, in the units of the options; NaN: not told.
+struct FrameFacts
+{
+    double time;                    //!< seconds at which the frame's reference row was read
+    double speed, speedSigma;       //!< km/h
+    double yawRate, yawRateSigma;   //!< deg/s
+    double roll, pitch, gravitySigma; //!< degrees
+
+    FrameFacts();
+};
+
+/** The log of a drive: a CSV file with a header.
+
+The columns are any of file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg and
+gravity_sigma_deg; empty cells tell nothing. A row that names a frame tells of that frame alone: by an image's file, by a number, or, if
+there are several videos, by file and number. All other rows are samples: between two of them a value changes linearly in time.
+*/
+class DriveLog
+{
+public:
+    //! A log that tells nothing.
+    DriveLog() {}
+
+    //! Throws UsageError with the row and the column of whatever isn't known or isn't understood.
+    explicit DriveLog(const std::string& path);
+
+    /** What the log tells of a frame.
+    @param file the input's name; the log may have it as it is or without its folders.
+    @param number the place of an image among the inputs, or of a frame in a video, from 0.
+    @param time seconds, if they are known from elsewhere; a row that names the frame goes before. NaN: unknown. */
+    FrameFacts of(const std::string& file, int number, double time) const;
+
+    //! Whether a row names the frame.
+    bool names(const std::string& file, int number) const { return named(file, number) != nullptr; }
+    //! Whether a speed or a yaw rate is told anywhere.
+    bool tellsSpeed() const { return tells(&FrameFacts::speed); }
+    bool tellsYawRate() const { return tells(&FrameFacts::yawRate); }
+
+private:
+    typedef std::pair<std::string, int> Key; // file, empty: any; number, -1: an image that is named by its file
+
+    const FrameFacts* named(const std::string& file, int number) const;
+    const std::vector<FrameFacts>* samplesOf(const std::string& file) const;
+    bool tells(double FrameFacts::*value) const;
+
+    std::map<Key, FrameFacts> named_;
+    std::map<std::string, std::vector<FrameFacts> > samples_; // by the video's name, empty: any; increasing in time
+};
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_DRIVE_LOG_HPP

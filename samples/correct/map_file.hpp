@@ -1,0 +1,18 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_MAP_FILE_HPP
+#define RSACKERMANN_SAMPLES_MAP_FILE_HPP
+
+#include "opencv2/core.hpp"
+#include <string>
+
+namespace rsackermann_samples {
+
+//! Writes maps for cv::remap as a file of cv::FileStorage with the nodes map1 and map2; throws InputError.
+void writeMaps(const std::string& path, const cv::Mat& map1, const cv::Mat& map2);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_MAP_FILE_HPP

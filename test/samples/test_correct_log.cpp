@@ -1,0 +1,177 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+
+namespace opencv_test { namespace {
+
+typedef nlohmann::ordered_json Json;
+
+// What a log tells of an image has the effect of the options that tell the same.
+class CorrectLog : public testing::Test
+{
+protected:
+    CorrectLog() : image_(streetFolder() + "/rolling.png") {}
+
+    Outcome run(Arguments inputs, const Arguments& options) const
+    {
+        for (const std::string& option : {"--camera=" + streetFolder() + "/camera.yml", std::string("--wall=2.5"), std::string("--report=-")})
+            inputs.push_back(option);
+        inputs.insert(inputs.end(), options.begin(), options.end());
+        return correct(inputs);
+    }
+
+    Outcome runWithLog(const std::string& content, const Arguments& inputs, const Arguments& options = {}) const
+    {
+        writeContent(folder_ / "log.csv", content);
+        Arguments all = options;
+        all.push_back("--log=" + (folder_ / "log.csv"));
+        return run(inputs, all);
+    }
+
+    // Results without what differs from run to run.
+    static std::vector<Json> resultsOf(const Outcome& outcome)
+    {
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        std::vector<Json> results;
+        std::istringstream stream(outcome.output);
+        for (std::string line; std::getline(stream, line);)
+        {
+            Json report = Json::parse(line);
+            for (const char* key : {"input", "ms_detect", "ms_estimate", "ms_map", "ms_remap"})
+                report.erase(key);
+            results.push_back(report);
+        }
+        return results;
+    }
+
+    void expectSame(const Arguments& options, const std::string& log) const
+    {
+        const std::vector<Json> expected = resultsOf(run({image_}, options)), got = resultsOf(runWithLog(log, {image_}));
+        EXPECT_EQ(expected, got) << log;
+    }
+
+    const std::string image_;
+    const TemporaryFolder folder_;
+};
+
+TEST_F(CorrectLog, each_column)
+{
+    const Json plain = resultsOf(run({image_}, {}))[0];
+    const std::pair<const char*, Arguments> columns[] = {{"speed_kmh\nrolling.png,55\n", {"--speed=55"}},
+                                                         {"speed_kmh,speed_sigma_kmh\nrolling.png,55,0.5\n", {"--speed=55", "--speed_sigma=0.5"}},
+                                                         {"yaw_rate_deg_s\nrolling.png,35\n", {"--yaw_rate=35"}},
+                                                         {"yaw_rate_deg_s,yaw_rate_sigma_deg_s\nrolling.png,35,3\n", {"--yaw_rate=35", "--yaw_rate_sigma=3"}},
+                                                         {"roll_deg\nrolling.png,0.7\n", {"--roll=0.7"}},
+                                                         {"pitch_deg\nrolling.png,-2\n", {"--pitch=-2"}},
+                                                         {"gravity_sigma_deg\nrolling.png,0.1\n", {"--gravity_sigma=0.1"}},
+                                                         {"gravity_sigma_deg\nrolling.png,0\n", {"--gravity_sigma=0"}}};
+    for (const std::pair<const char*, Arguments>& column : columns)
+    {
+        expectSame(column.second, std::string("file,") + column.first);
+        EXPECT_NE(plain, resultsOf(run({image_}, column.second))[0]) << column.first;
+    }
+}
+
+TEST_F(CorrectLog, ways_to_name_an_image)
+{
+    const Arguments options = {"--speed=55"};
+    expectSame(options, "file,speed_kmh\n" + image_ + ",55\n");
+    expectSame(options, "speed_kmh,file\n55,rolling.png\n");
+    expectSame(options, "frame,speed_kmh\n0,55\n");
+    // As spreadsheets write it.
+    expectSame(options, "\xEF\xBB\xBF\"file\",\"speed_kmh\"\r\n\"other, \"\"one\"\".png\",10\r\n\r\n\"rolling.png\" , 55 \r\n");
+}
+
+TEST_F(CorrectLog, goes_before_the_options)
+{
+    const std::vector<Json> expected = resultsOf(run({image_}, {"--speed=55", "--yaw_rate=38"}));
+    EXPECT_EQ(expected, resultsOf(runWithLog("file,speed_kmh\nrolling.png,55\n", {image_}, {"--speed=20", "--speed_sigma=9", "--yaw_rate=38"})));
+    EXPECT_EQ(expected, resultsOf(runWithLog("file,speed_kmh,yaw_rate_deg_s\nrolling.png,,38\n", {image_}, {"--speed=55", "--yaw_rate=20"})));
+}
+
+TEST_F(CorrectLog, samples_between_which_values_change_linearly)
+{
+    expectSame({"--speed=55"}, "file,time_s,speed_kmh\nrolling.png,100.5,\n,100,50\n,101,60\n");
+    expectSame({"--speed=55", "--yaw_rate=40"}, "file,time_s,speed_kmh,yaw_rate_deg_s\n,99,,34\n,100,50,\n,100.5,,\n,101,60,\n,102,,46\nrolling.png,100.5,,\n");
+    expectSame({"--speed=60"}, "file,time_s,speed_kmh\nrolling.png,101,\n,100,50\n,101,60\n");
+    // Neither before the first sample nor after the last one, nor for a frame without a time.
+    expectSame({}, "file,time_s,speed_kmh\nrolling.png,99.9,\n,100,50\n,101,60\n");
+    expectSame({}, "file,time_s,speed_kmh\nrolling.png,101.1,\n,100,50\n,101,60\n");
+    expectSame({}, "file,time_s,speed_kmh\nrolling.png,,\n,100,50\n,101,60\n");
+    // The frame's own row goes before.
+    expectSame({"--speed=40"}, "file,time_s,speed_kmh\nrolling.png,100.5,40\n,100,50\n,101,60\n");
+}
+
+TEST_F(CorrectLog, each_image_has_its_row)
+{
+    cv::imwrite(folder_ / "a.png", streetImage());
+    cv::imwrite(folder_ / "b.png", streetImage());
+    cv::imwrite(folder_ / "c.png", streetImage());
+    const Arguments inputs = {folder_ / "a.png", folder_ / "b.png", folder_ / "c.png"};
+    const Json a = resultsOf(run({image_}, {"--roll=0.5"}))[0], b = resultsOf(run({image_}, {"--speed=40"}))[0], c = resultsOf(run({image_}, {}))[0];
+    const std::string log = "file,roll_deg,speed_kmh\nb.png,,40\na.png,0.5,\n";
+    const Outcome outcome = runWithLog(log, inputs);
+    EXPECT_EQ((std::vector<Json>{a, b, c}), resultsOf(outcome));
+    EXPECT_NE(std::string::npos, outcome.messages.find("doesn't name 1 of the 3 images")) << outcome.messages;
+    // The number of an image is that in the list of inputs, whatever part of them is done.
+    EXPECT_EQ((std::vector<Json>{b}), resultsOf(runWithLog("frame,speed_kmh\n0,10\n1,40\n2,70\n", inputs, {"--shard=2/3"})));
+}
+
+TEST_F(CorrectLog, time_between_frames_of_a_drive)
+{
+    // Far apart in time the frame before tells less than close by.
+    cv::imwrite(folder_ / "a.png", streetImage());
+    cv::imwrite(folder_ / "b.png", streetImage());
+    const Arguments inputs = {folder_ / "a.png", folder_ / "b.png"};
+    const std::vector<Json> close = resultsOf(runWithLog("file,time_s\na.png,5\nb.png,5.0333333333333333\n", inputs, {"--carry"}));
+    ASSERT_EQ(2u, close.size());
+    // 1/30 s is what is assumed without a log.
+    const std::vector<Json> untold = resultsOf(run(inputs, {"--carry"}));
+    EXPECT_NEAR(untold[1]["alpha"].get<double>(), close[1]["alpha"].get<double>(), 1e-6);
+}
+
+TEST_F(CorrectLog, speed_without_line_delay)
+{
+    writeContent(folder_ / "log.csv", "file,speed_kmh\nrolling.png,55\n");
+    const Outcome outcome = correct({image_, "--focal=816", "--report=-", "--log=" + (folder_ / "log.csv")});
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("speed_kmh in the log is of no use without the line delay")) << outcome.messages;
+}
+
+// What isn't understood is refused with its place.
+TEST_F(CorrectLog, refused)
+{
+    const std::pair<const char*, const char*> logs[] = {
+        {"", "is empty"},
+        {"file,speed_mph\nrolling.png,30\n", "column 2"},
+        {"file,speed_mph\nrolling.png,30\n", "speed_mph"},
+        {"file,speed_kmh,\nrolling.png,30,\n", "column 3"},
+        {"file,speed_kmh,speed_kmh\nrolling.png,30,30\n", "twice"},
+        {"file,speed_sigma_kmh\nrolling.png,30\n", "needs the column speed_kmh"},
+        {"file,speed_kmh\nrolling.png,30\nb.png,fast\n", "line 3"},
+        {"file,speed_kmh\nrolling.png,30\nb.png,fast\n", "column speed_kmh: 'fast'"},
+        {"file,speed_kmh\nrolling.png,nan\n", "'nan'"},
+        {"file,speed_kmh\nrolling.png,1e9\n", "line 2"},
+        {"file,speed_kmh,speed_sigma_kmh\nrolling.png,30,0\n", "speed_sigma_kmh"},
+        {"file,roll_deg\nrolling.png,91\n", "roll_deg"},
+        {"frame,speed_kmh\n-1,30\n", "column frame"},
+        {"frame,speed_kmh\n0.5,30\n", "column frame"},
+        {"file,speed_kmh\nrolling.png,30\nrolling.png,31\n", "the frame is that of line 2"},
+        {"file,speed_kmh\nrolling.png\n", "1 cells, but 2 columns"},
+        {"file,speed_kmh\n\"rolling.png,30\n", "a quote isn't closed"},
+        {"file,speed_kmh\n\"rolling\".png,30\n", "behind a closing quote"},
+        {"file,speed_kmh\nrolling.png,1\n,30\n", "neither a frame's name nor a time"},
+        {"file,time_s,speed_kmh\nrolling.png,1,1\n,2,30\n,2,31\n", "times must increase"},
+        {"file,speed_kmh\nother.png,30\n", "names none of the images"},
+        {"time_s,speed_kmh\n0,30\n", "names none of the images"}};
+    for (const std::pair<const char*, const char*>& log : logs)
+    {
+        const Outcome outcome = runWithLog(log.first, {image_});
+        EXPECT_EQ(2, outcome.exitCode) << log.first;
+        EXPECT_NE(std::string::npos, outcome.messages.find(log.second)) << log.first << outcome.messages;
+    }
+}
+
+}} // namespace
