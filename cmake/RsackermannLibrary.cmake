@@ -17,6 +17,10 @@ set_target_properties(opencv_rsackermann PROPERTIES
   EXPORT_NAME rsackermann)
 target_compile_features(opencv_rsackermann PUBLIC cxx_std_11)
 target_compile_definitions(opencv_rsackermann PRIVATE CVAPI_EXPORTS)
+# The library runs in threads of the caller, whose stacks may be small.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(opencv_rsackermann PRIVATE -Wframe-larger-than=16384)
+endif()
 set(RSACKERMANN_INSTALL_INCLUDEDIR "${CMAKE_INSTALL_INCLUDEDIR}/opencv${OpenCV_VERSION_MAJOR}")
 target_include_directories(opencv_rsackermann
   PUBLIC "$<BUILD_INTERFACE:${RSACKERMANN_MODULE_DIR}/include>" "$<INSTALL_INTERFACE:${RSACKERMANN_INSTALL_INCLUDEDIR}>")

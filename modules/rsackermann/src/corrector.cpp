@@ -8,12 +8,34 @@
 #include "checks.hpp"
 #include "detect/segment_finder.hpp"
 #include "drive/drive_estimator.hpp"
+#include "segments.hpp"
+#include "storage.hpp"
 
 namespace cv {
 namespace rsackermann {
 
 RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR), carryMotion(false), previousNoise(0.1), frameInterval(1. / 30)
 {
+}
+
+void RollingShutterCorrector::Params::setEstimatorParams(const AckermannEstimator::Params& params)
+{
+    estimator = params;
+}
+
+AckermannEstimator::Params RollingShutterCorrector::Params::getEstimatorParams() const
+{
+    return estimator;
+}
+
+void RollingShutterCorrector::Params::setWarpParams(const WarpMapGenerator::Params& params)
+{
+    warp = params;
+}
+
+WarpMapGenerator::Params RollingShutterCorrector::Params::getWarpParams() const
+{
+    return warp;
 }
 
 void RollingShutterCorrector::Params::write(FileStorage& fs) const
@@ -36,15 +58,16 @@ void RollingShutterCorrector::Params::read(const FileNode& fn)
     cv::read(fn["frame_interval"], frameInterval, frameInterval);
 }
 
-static void checkParams(const RollingShutterCorrector::Params& params)
+void RollingShutterCorrector::Params::check() const
 {
-    const int interpolation = params.interpolation;
+    estimator.check();
+    warp.check();
     if (interpolation != INTER_NEAREST && interpolation != INTER_LINEAR && interpolation != INTER_CUBIC && interpolation != INTER_LANCZOS4)
         CV_Error(Error::StsBadArg, format("interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) "
                                           "is expected", interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4));
-    checkNotNegative(params.previousNoise, "params.previousNoise", "no previous frame");
-    if (!(params.frameInterval > 0 && params.frameInterval <= 3600))
-        CV_Error(Error::StsBadArg, format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", params.frameInterval));
+    checkNotNegative(previousNoise, "params.previousNoise", "no previous frame");
+    if (!(frameInterval > 0 && frameInterval <= 3600))
+        CV_Error(Error::StsBadArg, format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval));
 }
 
 // Whether a camera at rest already gives the global-shutter image.
@@ -91,7 +114,7 @@ public:
         : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp)),
           framesSinceCarried(0), drive(camera), time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
     {
-        checkParams(params_);
+        params_.check();
         params = params_;
     }
 
@@ -108,7 +131,7 @@ public:
 
     void setParams(const Params& params_) CV_OVERRIDE
     {
-        checkParams(params_);
+        params_.check(); // before any of them is set
         estimator->setParams(params_.estimator);
         generator->setParams(params_.warp);
         params = params_;
@@ -146,7 +169,7 @@ public:
     {
         CV_INSTRUMENT_REGION();
         checkSource(src);
-        segments_.copyTo(segments);
+        segments = segmentRows(segments_);
         timings = Vec4d();
         finder.prepare(src);
         return estimateAndWarp(src, dst, mask);
@@ -164,11 +187,10 @@ public:
 
     void getSegments(OutputArray segments_, OutputArray labels_) const CV_OVERRIDE
     {
-        if (segments.empty())
-            segments_.create(0, 4, CV_32F);
-        else
-            segments.reshape(1, int(segments.total() * segments.channels() / 4)).convertTo(segments_, CV_32F);
-        labels.copyTo(labels_);
+        if (segments_.needed())
+            returnSegments(segments, segments_);
+        if (labels_.needed())
+            labels.copyTo(labels_);
     }
 
     void getMaps(OutputArray map1_, OutputArray map2_) const CV_OVERRIDE
@@ -192,17 +214,12 @@ public:
     void write(FileStorage& fs) const CV_OVERRIDE
     {
         writeFormat(fs);
-        params.write(fs);
+        AlgorithmStorage<RollingShutterCorrector>::write(*this, fs);
     }
 
-    void read(const FileNode& fn) CV_OVERRIDE
-    {
-        Params p = params;
-        p.read(fn);
-        setParams(p);
-    }
+    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<RollingShutterCorrector>::read(fn, *this); }
 
-    String getDefaultName() const CV_OVERRIDE { return "rsackermann.RollingShutterCorrector"; }
+    String getDefaultName() const CV_OVERRIDE { return "rsackermann_RollingShutterCorrector"; }
 
 private:
     void checkSource(InputArray src) const
@@ -279,7 +296,11 @@ private:
     {
         generator->initRectifyMap(motion, columns, rows, CV_32FC1, mask);
         timings[2] = watch.lap();
-        remap(src, dst, columns, rows, params.interpolation);
+        // On a device remap() would read what it has already written.
+        if (src.isUMat() && dst.isUMat() && src.getUMat().u == dst.getUMat().u)
+            remap(src.getUMat().clone(), dst, columns, rows, params.interpolation);
+        else
+            remap(src, dst, columns, rows, params.interpolation);
     }
 
     void identityMaps(OutputArray map1_, OutputArray map2_) const
@@ -319,6 +340,11 @@ Ptr<RollingShutterCorrector> RollingShutterCorrector::create(const RollingShutte
 {
     CV_INSTRUMENT_REGION();
     return makePtr<RollingShutterCorrectorImpl>(camera, params);
+}
+
+Ptr<RollingShutterCorrector> RollingShutterCorrector::load(const String& filename, const String& objname)
+{
+    return AlgorithmStorage<RollingShutterCorrector>::load(filename, objname);
 }
 
 }} // namespace cv::rsackermann

@@ -22,4 +22,12 @@ Mat segmentRows(InputArray segments)
     return rows.isContinuous() ? rows.reshape(1, (int)(rows.total() * rows.channels() / 4)) : rows;
 }
 
+void returnSegments(const Mat& rows, OutputArray segments)
+{
+    const bool fourChannels = segments.fixedType() && segments.channels() == 4;
+    segments.create(rows.rows, fourChannels ? 1 : 4, fourChannels ? segments.type() : CV_32F);
+    if (rows.rows > 0)
+        (fourChannels ? rows.reshape(4) : rows).convertTo(segments, fourChannels ? segments.depth() : CV_32F);
+}
+
 }} // namespace cv::rsackermann

@@ -3,38 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 
 namespace opencv_test { namespace {
-
-const double NaN = std::numeric_limits<double>::quiet_NaN();
-const double infinity = std::numeric_limits<double>::infinity();
-
-RollingShutterCamera exampleCamera()
-{
-    const std::vector<double> dist = {-0.2, 0.1, 1e-3, -2e-3, 0.01};
-    RollingShutterCamera camera(Size(641, 383), Matx33d(810, 0, 318, 0, 820, 185, 0, 0, 1), dist);
-    camera.scanDirection = SCAN_BOTTOM_TO_TOP;
-    camera.lineDelay = 3e-5;
-    camera.referenceRow = 12.5;
-    camera.setRollPitch(0.1, -0.2);
-    camera.heading = 0.3;
-    camera.height = 1.25;
-    return camera;
-}
-
-void expectSame(const RollingShutterCamera& a, const RollingShutterCamera& b)
-{
-    EXPECT_EQ(a.imageSize, b.imageSize);
-    EXPECT_EQ(a.cameraMatrix, b.cameraMatrix);
-    EXPECT_EQ(a.distCoeffs, b.distCoeffs);
-    EXPECT_EQ(a.lensModel, b.lensModel);
-    EXPECT_EQ(a.scanDirection, b.scanDirection);
-    EXPECT_EQ(a.lineDelay, b.lineDelay);
-    EXPECT_EQ(a.referenceRow, b.referenceRow);
-    EXPECT_EQ(a.uprightRotation, b.uprightRotation);
-    EXPECT_EQ(a.heading, b.heading);
-    EXPECT_EQ(a.height, b.height);
-}
 
 //! The message of the exception that check() throws; empty: none.
 std::string complaint(const RollingShutterCamera& camera)
@@ -245,49 +216,5 @@ const BadField badFields[] = {
     BadField("height", [](RollingShutterCamera& c) { c.height = infinity; }),
 };
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_CameraCheck, testing::ValuesIn(badFields));
-
-TEST(RSAckermann_Camera, storage_round_trip)
-{
-    const RollingShutterCamera camera = exampleCamera();
-    const char* const formats[] = {".yml", ".xml", ".json"};
-    for (int i = 0; i < 3; i++)
-    {
-        FileStorage out(formats[i], FileStorage::WRITE | FileStorage::MEMORY);
-        out << "camera" << "{";
-        camera.write(out);
-        out << "}";
-        const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-        RollingShutterCamera restored;
-        restored.read(in["camera"]);
-        expectSame(camera, restored);
-    }
-}
-
-TEST(RSAckermann_Camera, storage_without_distortion)
-{
-    RollingShutterCamera camera = exampleCamera();
-    camera.distCoeffs.clear();
-    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    camera.write(out);
-    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-    RollingShutterCamera restored = exampleCamera();
-    restored.read(in.root());
-    expectSame(camera, restored);
-}
-
-TEST(RSAckermann_Camera, storage_missing_keys_keep_values)
-{
-    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    out << "line_delay" << 5e-5;
-    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-
-    RollingShutterCamera camera = exampleCamera(), expected = camera;
-    camera.read(in.root());
-    expected.lineDelay = 5e-5;
-    expectSame(expected, camera);
-
-    camera.read(in["no such node"]);
-    expectSame(expected, camera);
-}
 
 }} // namespace

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 #include "opencv2/core/ocl.hpp"
 #include "test_simulator.hpp"
 
@@ -232,6 +233,18 @@ TEST(RSAckermann_Corrector, in_place)
     EXPECT_EQ(0, cvtest::norm(image, dst, NORM_INF));
 }
 
+TEST(RSAckermann_Corrector, OpenCL_in_place)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Mat src = noiseImage(camera.imageSize, CV_8UC3), segments = streetSegments(camera, 0.6, 20);
+    UMat image, dst;
+    src.copyTo(image);
+    corrector->correctWithSegments(image, segments, dst);
+    corrector->correctWithSegments(image, segments, image);
+    EXPECT_EQ(0, cvtest::norm(image.getMat(ACCESS_READ), dst.getMat(ACCESS_READ), NORM_INF));
+}
+
 TEST(RSAckermann_Corrector, OpenCL)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
@@ -285,6 +298,70 @@ TEST(RSAckermann_Corrector, segments_labels_and_timings)
     EXPECT_EQ(expected.size(), gotSegments.size());
 }
 
+TEST(RSAckermann_Corrector, segments_of_the_caller_s_type)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    std::vector<Vec4f> list(3);
+    std::vector<Vec4d> exact;
+    std::vector<uchar> labels;
+    corrector->getSegments(list, labels); // no image yet
+    EXPECT_EQ(0u, list.size());
+    EXPECT_EQ(0u, labels.size());
+
+    Mat dst, expected;
+    const Mat segments = streetSegments(camera, 0.6, 20);
+    corrector->correctWithSegments(noiseImage(camera.imageSize, CV_8UC1), segments, dst);
+    corrector->getSegments(list, labels);
+    corrector->getSegments(exact, noArray());
+    segments.convertTo(expected, CV_32F);
+    ASSERT_EQ(size_t(segments.rows), list.size());
+    EXPECT_EQ(list.size(), labels.size());
+    EXPECT_EQ(0, cvtest::norm(expected, Mat(list).reshape(1), NORM_INF));
+    segments.convertTo(expected, CV_64F);
+    EXPECT_EQ(0, cvtest::norm(expected, Mat(exact).reshape(1), NORM_INF));
+}
+
+//! What an image leaves behind isn't changed by a call that throws.
+TEST(RSAckermann_Corrector, bad_segments_change_nothing)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Mat src = noiseImage(camera.imageSize, CV_8UC1);
+    Mat dst, before, labelsBefore, after, labelsAfter;
+    corrector->correctWithSegments(src, streetSegments(camera, 0.6, 20), dst);
+    corrector->getSegments(before, labelsBefore);
+    const Vec4d timings = corrector->getTimings();
+    EXPECT_THROW(corrector->correctWithSegments(src, Mat(5, 3, CV_32F, Scalar(1)), dst), cv::Exception);
+    EXPECT_THROW(corrector->correctWithSegments(src, Mat(5, 4, CV_32S, Scalar(1)), dst), cv::Exception);
+    corrector->getSegments(after, labelsAfter);
+    EXPECT_EQ(0, cvtest::norm(before, after, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(labelsBefore, labelsAfter, NORM_INF));
+    EXPECT_EQ(timings, corrector->getTimings());
+}
+
+TEST(RSAckermann_Corrector, setters_are_all_or_nothing)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(exampleCamera(), exampleCorrectorParams());
+    const RollingShutterCorrector::Params example = exampleCorrectorParams();
+    for (int i = 0; i < 4; i++)
+    {
+        RollingShutterCorrector::Params bad;
+        (i == 0 ? bad.estimator.threshold : i == 1 ? bad.warp.tolerance : i == 2 ? bad.previousNoise : bad.frameInterval) = -1;
+        EXPECT_THROW(corrector->setParams(bad), cv::Exception);
+        expectSame(example, corrector->getParams());
+        // The parts have kept theirs, too: what is corrected has the size of before.
+        Mat dst;
+        corrector->correctWithSegments(Mat(exampleCamera().imageSize, CV_8U, Scalar(0)), noArray(), dst);
+        EXPECT_EQ(example.warp.newSize, dst.size());
+    }
+    RollingShutterCamera camera = exampleCamera();
+    camera.imageSize = Size(640, 380);
+    camera.heading = NaN;
+    EXPECT_THROW(corrector->setCamera(camera), cv::Exception);
+    expectSame(exampleCamera(), corrector->getCamera());
+}
+
 //! Segments of a street with noisy ends, other ones for each seed.
 Mat noisySegments(const RollingShutterCamera& camera, double yawRate, double speed, int seed)
 {
@@ -292,16 +369,6 @@ Mat noisySegments(const RollingShutterCamera& camera, double yawRate, double spe
     simulation::SegmentOptions options;
     options.noise = 0.3;
     return simulation::randomSegments(Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, camera.heading), options, rng).ends;
-}
-
-void expectSame(const AckermannMotion& expected, const AckermannMotion& got)
-{
-    EXPECT_EQ(expected.status, got.status);
-    EXPECT_EQ(expected.alpha, got.alpha);
-    EXPECT_EQ(expected.wallSlope, got.wallSlope);
-    EXPECT_EQ(expected.wallOffset, got.wallOffset);
-    EXPECT_EQ(expected.wallRatio, got.wallRatio);
-    EXPECT_EQ(0, cv::norm(expected.covariance - got.covariance));
 }
 
 //! A corrector for motions, whose images don't matter, beside an estimator of the same settings.
@@ -468,55 +535,6 @@ TEST(RSAckermann_Corrector, bad_arguments)
     params = RollingShutterCorrector::Params();
     params.previousNoise = -1;
     EXPECT_THROW(corrector->setParams(params), cv::Exception);
-}
-
-TEST(RSAckermann_Corrector, params_are_written_and_read)
-{
-    RollingShutterCorrector::Params params;
-    params.interpolation = INTER_CUBIC;
-    params.estimator.threshold = 0.75;
-    params.estimator.model = MODEL_3LA;
-    params.warp.newSize = Size(400, 300);
-    params.carryMotion = true;
-    params.previousNoise = 0.25;
-    const RollingShutterCamera camera = simulation::paperCamera();
-    FileStorage fs("corrector.yml", FileStorage::WRITE | FileStorage::MEMORY);
-    RollingShutterCorrector::create(camera, params)->write(fs);
-    const std::string text = fs.releaseAndGetString();
-
-    const Ptr<RollingShutterCorrector> other = RollingShutterCorrector::create(camera);
-    other->read(FileStorage(text, FileStorage::READ | FileStorage::MEMORY).root());
-    const RollingShutterCorrector::Params got = other->getParams();
-    EXPECT_EQ(INTER_CUBIC, got.interpolation);
-    EXPECT_EQ(0.75, got.estimator.threshold);
-    EXPECT_EQ(MODEL_3LA, got.estimator.model);
-    EXPECT_EQ(Size(400, 300), got.warp.newSize);
-    EXPECT_TRUE(got.carryMotion);
-    EXPECT_EQ(0.25, got.previousNoise);
-}
-
-TEST(RSAckermann_Corrector, missing_keys_keep_values)
-{
-    RollingShutterCorrector::Params params;
-    params.interpolation = INTER_CUBIC;
-    params.estimator.threshold = 0.75;
-    params.warp.maxIterations = 3;
-    params.carryMotion = true;
-    params.previousNoise = 0.25;
-    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(simulation::paperCamera(), params);
-    corrector->read(FileStorage("%YAML:1.0\n---\nestimator:\n   seed: 5\n", FileStorage::READ | FileStorage::MEMORY).root());
-    const RollingShutterCorrector::Params got = corrector->getParams();
-    EXPECT_EQ(INTER_CUBIC, got.interpolation);
-    EXPECT_EQ(0.75, got.estimator.threshold);
-    EXPECT_EQ(5, got.estimator.seed);
-    EXPECT_EQ(3, got.warp.maxIterations);
-    EXPECT_TRUE(got.carryMotion);
-    EXPECT_EQ(0.25, got.previousNoise);
-}
-
-TEST(RSAckermann_Corrector, default_name)
-{
-    EXPECT_EQ("rsackermann.RollingShutterCorrector", RollingShutterCorrector::create(simulation::paperCamera())->getDefaultName());
 }
 
 }} // namespace opencv_test::

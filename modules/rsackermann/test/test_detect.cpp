@@ -55,6 +55,20 @@ TEST_P(Detectors, finds_the_sides_in_images_of_every_type)
     }
 }
 
+TEST_P(Detectors, segments_of_the_caller_s_type)
+{
+    const Mat image = quadrilateral(CV_8UC1);
+    Mat rows;
+    std::vector<Vec4f> list;
+    detectSegments(image, rows, GetParam());
+    detectSegments(image, list, GetParam());
+    ASSERT_GT(rows.rows, 0);
+    ASSERT_EQ(size_t(rows.rows), list.size());
+    EXPECT_EQ(0, cvtest::norm(rows, Mat(list).reshape(1), NORM_INF));
+    detectSegments(Mat(image.size(), CV_8U, Scalar(0)), list, GetParam());
+    EXPECT_EQ(0u, list.size());
+}
+
 //! Facades with noise as a 16-bit camera sees them: levels from low to high, noise with a hundredth of that as its deviation.
 Mat facades16(double low, double high)
 {

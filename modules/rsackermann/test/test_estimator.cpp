@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 #include "test_simulator.hpp"
 
 namespace opencv_test { namespace {
@@ -12,10 +13,6 @@ using simulation::Segments;
 using simulation::Simulator;
 
 typedef AckermannEstimator::Params Params;
-
-const double degree = CV_PI / 180;
-const double NaN = std::numeric_limits<double>::quiet_NaN();
-const double infinity = std::numeric_limits<double>::infinity();
 
 //! A camera that passes a street.
 struct Passage
@@ -93,35 +90,6 @@ AckermannMotion estimate(const Simulator& simulator, InputArray segments, Output
 double displacementLeft(const Simulator& truth, const AckermannMotion& motion)
 {
     return truth.meanDisplacement(Simulator::fromMotion(truth.camera, motion));
-}
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
-}
-
-void expectSame(const AckermannMotion& a, const AckermannMotion& b)
-{
-    EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(a.model, b.model);
-    EXPECT_EQ(a.alpha, b.alpha);
-    EXPECT_EQ(a.wallSlope, b.wallSlope);
-    EXPECT_EQ(a.wallOffset, b.wallOffset);
-    EXPECT_EQ(a.wallRatio, b.wallRatio);
-    EXPECT_EQ(a.roadSlope, b.roadSlope);
-    EXPECT_EQ(a.direction, b.direction);
-    EXPECT_EQ(a.rollCorrection, b.rollCorrection);
-    EXPECT_EQ(a.pitchCorrection, b.pitchCorrection);
-    EXPECT_EQ(a.wallDistance, b.wallDistance);
-    EXPECT_EQ(a.candidates, b.candidates);
-    EXPECT_EQ(a.inliers, b.inliers);
-    EXPECT_EQ(a.rms, b.rms);
-    EXPECT_EQ(a.scale, b.scale);
-    EXPECT_EQ(a.expectedRaw, b.expectedRaw);
-    EXPECT_EQ(a.expectedLeft, b.expectedLeft);
-    EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
-    EXPECT_EQ(a.covariance, b.covariance);
 }
 
 /** The least-squares fit on the true inliers, from the truth on, with the simulator's geometry and numerical derivatives:
@@ -726,54 +694,6 @@ TEST(RSAckermann_Estimator, drawn_image)
     EXPECT_EQ(segments.rows, labels.rows);
 }
 
-Params exampleParams()
-{
-    Params p;
-    p.model = MODEL_3LA;
-    p.detector = DETECTOR_FLD;
-    p.minLength = 21;
-    p.maxSlant = 0.4;
-    p.slantTolerance = 0.07;
-    p.minCandidates = 9;
-    p.threshold = 0.7;
-    p.confidence = 0.95;
-    p.maxIterations = 77;
-    p.seed = 5;
-    p.maxYawRate = 1.25;
-    p.maxSpeed = 33;
-    p.wallDistance = 4.5;
-    p.roadRatio = 1.5;
-    p.scaleFromRoad = true;
-    p.gravitySigma = 0.01;
-    p.vehiclePitchSigma = 0.02;
-    p.wallDirectionSigma = 0.3;
-    p.reverseProbability = 0.125;
-    return p;
-}
-
-void expectSame(const Params& a, const Params& b)
-{
-    EXPECT_EQ(a.model, b.model);
-    EXPECT_EQ(a.detector, b.detector);
-    EXPECT_EQ(a.minLength, b.minLength);
-    EXPECT_EQ(a.maxSlant, b.maxSlant);
-    EXPECT_EQ(a.slantTolerance, b.slantTolerance);
-    EXPECT_EQ(a.minCandidates, b.minCandidates);
-    EXPECT_EQ(a.threshold, b.threshold);
-    EXPECT_EQ(a.confidence, b.confidence);
-    EXPECT_EQ(a.maxIterations, b.maxIterations);
-    EXPECT_EQ(a.seed, b.seed);
-    EXPECT_EQ(a.maxYawRate, b.maxYawRate);
-    EXPECT_EQ(a.maxSpeed, b.maxSpeed);
-    EXPECT_EQ(a.wallDistance, b.wallDistance);
-    EXPECT_EQ(a.roadRatio, b.roadRatio);
-    EXPECT_EQ(a.scaleFromRoad, b.scaleFromRoad);
-    EXPECT_EQ(a.gravitySigma, b.gravitySigma);
-    EXPECT_EQ(a.vehiclePitchSigma, b.vehiclePitchSigma);
-    EXPECT_EQ(a.wallDirectionSigma, b.wallDirectionSigma);
-    EXPECT_EQ(a.reverseProbability, b.reverseProbability);
-}
-
 TEST(RSAckermann_EstimatorParams, defaults)
 {
     const Params p;
@@ -790,59 +710,15 @@ TEST(RSAckermann_EstimatorParams, defaults)
     EXPECT_NEAR(1 * degree, p.gravitySigma, 1e-12);
     EXPECT_NEAR(0.3 * degree, p.vehiclePitchSigma, 1e-12);
     EXPECT_NO_THROW(p.check());
-    EXPECT_NO_THROW(exampleParams().check());
-}
-
-TEST(RSAckermann_EstimatorParams, storage_round_trip)
-{
-    const char* const formats[] = {".yml", ".xml", ".json"};
-    for (int i = 0; i < 3; i++)
-    {
-        FileStorage out(formats[i], FileStorage::WRITE | FileStorage::MEMORY);
-        out << "params" << "{";
-        exampleParams().write(out);
-        out << "}";
-        const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-        Params restored;
-        restored.read(in["params"]);
-        expectSame(exampleParams(), restored);
-    }
-}
-
-TEST(RSAckermann_EstimatorParams, storage_missing_keys_keep_values)
-{
-    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    out << "threshold" << 0.25;
-    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-    Params p = exampleParams(), expected = p;
-    p.read(in.root());
-    expected.threshold = 0.25;
-    expectSame(expected, p);
-    p.read(in["no such node"]);
-    expectSame(expected, p);
-}
-
-TEST(RSAckermann_EstimatorParams, algorithm_storage)
-{
-    const Ptr<AckermannEstimator> saved = AckermannEstimator::create(simulation::paperCamera(), exampleParams());
-    EXPECT_FALSE(saved->getDefaultName().empty());
-    EXPECT_NE("my_object", saved->getDefaultName());
-    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    out << "estimator" << "{";
-    saved->write(out);
-    out << "}";
-    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-    const Ptr<AckermannEstimator> restored = AckermannEstimator::create(simulation::paperCamera());
-    restored->read(in["estimator"]);
-    expectSame(exampleParams(), restored->getParams());
+    EXPECT_NO_THROW(exampleEstimatorParams().check());
 }
 
 TEST(RSAckermann_EstimatorParams, set_and_get)
 {
     const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
     expectSame(Params(), estimator->getParams());
-    estimator->setParams(exampleParams());
-    expectSame(exampleParams(), estimator->getParams());
+    estimator->setParams(exampleEstimatorParams());
+    expectSame(exampleEstimatorParams(), estimator->getParams());
 }
 
 typedef void (*Spoil)(Params&);
@@ -878,14 +754,17 @@ const BadField badFields[] = {
     BadField("gravitySigma", [](Params& p) { p.gravitySigma = infinity; }),
     BadField("vehiclePitchSigma", [](Params& p) { p.vehiclePitchSigma = 0; }),
     BadField("vehiclePitchSigma", [](Params& p) { p.vehiclePitchSigma = NaN; }),
-    BadField("wallDirectionSigma", [](Params& p) { p.wallDirectionSigma = -1; }),
+    BadField("wallDeviationSigma", [](Params& p) { p.wallDeviationSigma = -1; }),
+    BadField("wallDeviationSigma", [](Params& p) { p.wallDeviationSigma = infinity; }),
     BadField("reverseProbability", [](Params& p) { p.reverseProbability = 0; }),
+    BadField("reverseProbability", [](Params& p) { p.reverseProbability = 1.1; }),
+    BadField("reverseProbability", [](Params& p) { p.reverseProbability = NaN; }),
 };
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorParamsCheck, testing::ValuesIn(badFields));
 
 TEST_P(RSAckermann_EstimatorParamsCheck, names_the_field)
 {
-    Params p = exampleParams();
+    Params p = exampleEstimatorParams();
     GetParam().second(p);
     std::string message;
     try

@@ -3,63 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 #include "test_simulator.hpp"
 
 namespace opencv_test { namespace {
-
-const double NaN = std::numeric_limits<double>::quiet_NaN();
-const double infinity = std::numeric_limits<double>::infinity();
-
-const double degree = CV_PI / 180;
-
-AckermannMotion exampleMotion()
-{
-    AckermannMotion m;
-    m.status = MOTION_OK;
-    m.model = MODEL_4LA;
-    m.alpha = 0.01;
-    m.wallSlope = 0.3;
-    m.wallOffset = -0.06;
-    m.wallRatio = 1.2;
-    m.roadSlope = 0.6;
-    m.direction = -1;
-    m.rollCorrection = 0.001;
-    m.pitchCorrection = -0.002;
-    m.wallDistance = 2.5;
-    m.candidates = 61;
-    m.inliers = 47;
-    m.rms = 0.25;
-    m.scale = SCALE_SPEED;
-    m.rollYawAmbiguous = true;
-    m.expectedRaw = 3.5;
-    m.expectedLeft = 1.25;
-    for (int i = 0; i < 16; i++)
-        m.covariance.val[i] = 0.01 * (i + 1);
-    return m;
-}
-
-void expectSame(const AckermannMotion& a, const AckermannMotion& b)
-{
-    EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(a.model, b.model);
-    EXPECT_EQ(a.alpha, b.alpha);
-    EXPECT_EQ(a.wallSlope, b.wallSlope);
-    EXPECT_EQ(a.wallOffset, b.wallOffset);
-    EXPECT_EQ(a.wallRatio, b.wallRatio);
-    EXPECT_EQ(a.roadSlope, b.roadSlope);
-    EXPECT_EQ(a.direction, b.direction);
-    EXPECT_EQ(a.rollCorrection, b.rollCorrection);
-    EXPECT_EQ(a.pitchCorrection, b.pitchCorrection);
-    EXPECT_EQ(a.wallDistance, b.wallDistance);
-    EXPECT_EQ(a.candidates, b.candidates);
-    EXPECT_EQ(a.inliers, b.inliers);
-    EXPECT_EQ(a.rms, b.rms);
-    EXPECT_EQ(a.scale, b.scale);
-    EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
-    EXPECT_EQ(a.expectedRaw, b.expectedRaw);
-    EXPECT_EQ(a.expectedLeft, b.expectedLeft);
-    EXPECT_EQ(a.covariance, b.covariance);
-}
 
 //! A camera at a random tilt and heading.
 RollingShutterCamera randomCamera(RNG& rng)
@@ -279,38 +226,6 @@ TEST(RSAckermann_Motion, corrections_add_to_roll_and_pitch)
     RollingShutterCamera corrected = camera;
     corrected.setRollPitch(0.05 + 1e-4, -0.08 - 2e-4);
     EXPECT_LT(cv::norm(m.uprightRotation(camera) * corrected.gravity() - Vec3d(0, 1, 0)), 0.1 * 2e-4);
-}
-
-TEST(RSAckermann_Motion, storage_round_trip)
-{
-    const AckermannMotion motion = exampleMotion();
-    const char* const formats[] = {".yml", ".xml", ".json"};
-    for (int i = 0; i < 3; i++)
-    {
-        FileStorage out(formats[i], FileStorage::WRITE | FileStorage::MEMORY);
-        out << "motion" << "{";
-        motion.write(out);
-        out << "}";
-        const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-        AckermannMotion restored;
-        restored.read(in["motion"]);
-        expectSame(motion, restored);
-    }
-}
-
-TEST(RSAckermann_Motion, storage_missing_keys_keep_values)
-{
-    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    out << "alpha" << 0.5;
-    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-
-    AckermannMotion motion = exampleMotion(), expected = motion;
-    motion.read(in.root());
-    expected.alpha = 0.5;
-    expectSame(expected, motion);
-
-    motion.read(in["no such node"]);
-    expectSame(expected, motion);
 }
 
 }} // namespace

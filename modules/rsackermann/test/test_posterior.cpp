@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 #include "test_simulator.hpp"
 
 // What the estimator makes of segments if gravity is uncertain, as it is on real streets.
@@ -10,8 +11,6 @@
 namespace opencv_test { namespace {
 
 using simulation::Simulator;
-
-const double degree = CV_PI / 180;
 
 //! A camera as cars have them: 2048 x 1024 pixels, read out in 38 ms.
 RollingShutterCamera carCamera()

@@ -3,28 +3,20 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 #include "test_simulator.hpp"
 
 namespace opencv_test { namespace {
 
 using simulation::Simulator;
 
-const double degree = CV_PI / 180;
 const double trueYawRate = 40 * degree, trueSpeed = 20, trueDirection = 0.03;
-const double NaN = std::numeric_limits<double>::quiet_NaN();
-const double infinity = std::numeric_limits<double>::infinity();
 
 //! What remains wrong in many frames of the same street.
 struct Errors
 {
     std::vector<double> yawRate, speed, direction, displacement;
 };
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
-}
 
 double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 

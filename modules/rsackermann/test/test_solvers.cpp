@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 #include "test_simulator.hpp"
 
 namespace opencv_test { namespace {
@@ -240,12 +241,6 @@ double shareBelow(const std::vector<double>& errors, double limit)
     for (size_t i = 0; i < errors.size(); i++)
         n += errors[i] <= limit;
     return double(n) / errors.size();
-}
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
 }
 
 class RSAckermann_WallSolvers : public testing::TestWithParam<bool /* two walls */> {};

@@ -3,13 +3,12 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 #include "test_warp_cameras.hpp"
 
 namespace opencv_test { namespace {
 
 const float FAR_OUTSIDE = -16384;
-
-const double NaN = std::numeric_limits<double>::quiet_NaN();
 
 AckermannMotion exampleMotion(const RollingShutterCamera& camera)
 {
@@ -408,47 +407,6 @@ TEST(RSAckermann_Warp, bad_arguments)
         EXPECT_THROW(generator->initRectifyMap(bad, map1, map2), cv::Exception) << i;
         EXPECT_THROW(generator->initDistortMap(bad, map1, map2), cv::Exception) << i;
     }
-}
-
-TEST(RSAckermann_Warp, params_are_written_and_read)
-{
-    WarpMapGenerator::Params params;
-    params.newCameraMatrix = Matx33d(500, 0, 300, 0, 510, 200, 0, 0, 1);
-    params.newSize = Size(601, 401);
-    params.maxIterations = 17;
-    params.tolerance = 1e-5;
-    const RollingShutterCamera camera = simulation::paperCamera();
-    FileStorage fs("warp.yml", FileStorage::WRITE | FileStorage::MEMORY);
-    WarpMapGenerator::create(camera, params)->write(fs);
-    const std::string text = fs.releaseAndGetString();
-
-    const Ptr<WarpMapGenerator> other = WarpMapGenerator::create(camera);
-    other->read(FileStorage(text, FileStorage::READ | FileStorage::MEMORY).root());
-    const WarpMapGenerator::Params got = other->getParams();
-    EXPECT_EQ(params.newCameraMatrix, got.newCameraMatrix);
-    EXPECT_EQ(params.newSize, got.newSize);
-    EXPECT_EQ(params.maxIterations, got.maxIterations);
-    EXPECT_EQ(params.tolerance, got.tolerance);
-}
-
-TEST(RSAckermann_Warp, missing_keys_keep_values)
-{
-    WarpMapGenerator::Params params;
-    params.newCameraMatrix = Matx33d(500, 0, 300, 0, 510, 200, 0, 0, 1);
-    params.newSize = Size(601, 401);
-    params.maxIterations = 17;
-    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(simulation::paperCamera(), params);
-    generator->read(FileStorage("%YAML:1.0\n---\ntolerance: 0.5\n", FileStorage::READ | FileStorage::MEMORY).root());
-    const WarpMapGenerator::Params got = generator->getParams();
-    EXPECT_EQ(params.newCameraMatrix, got.newCameraMatrix);
-    EXPECT_EQ(params.newSize, got.newSize);
-    EXPECT_EQ(17, got.maxIterations);
-    EXPECT_EQ(0.5, got.tolerance);
-}
-
-TEST(RSAckermann_Warp, default_name)
-{
-    EXPECT_EQ("rsackermann.WarpMapGenerator", WarpMapGenerator::create(simulation::paperCamera())->getDefaultName());
 }
 
 }} // namespace opencv_test::

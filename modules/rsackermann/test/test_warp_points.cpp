@@ -3,13 +3,12 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_common.hpp"
 #include "test_warp_cameras.hpp"
 
 namespace opencv_test { namespace {
 
 using simulation::Simulator;
-
-const double NaN = std::numeric_limits<double>::quiet_NaN();
 
 //! Random pixels of an image, CV_64F with two columns.
 Mat randomPixels(const Size& size, int count, RNG& rng)
@@ -296,7 +295,6 @@ TEST(RSAckermann_WarpPoints, points_without_a_place)
     const RollingShutterCamera camera = simulation::paperCamera();
     const AckermannMotion motion = exampleMotion(camera);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
-    const double infinity = std::numeric_limits<double>::infinity();
     const std::vector<Point2d> points = {Point2d(NaN, 100), Point2d(100, NaN), Point2d(infinity, 3), Point2d(1e300, -1e300),
                                          Point2d(100, 100)};
     for (int distort = 0; distort < 2; distort++)

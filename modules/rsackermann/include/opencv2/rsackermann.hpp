@@ -36,6 +36,12 @@ Conventions of the whole module:
 -   The car turns by \f$\theta(t) = 2 \alpha t\f$ and moves by \f$\rho(t) (\sin(\theta/2+\psi), 0, \cos(\theta/2+\psi))\f$,
     \f$\rho(t) = \beta t\,\mathrm{sinc}(\theta/2)\f$, where \f$\psi\f$ is the heading.
 -   Angles are in radians, lengths in metres, time in seconds, unless something else is said.
+
+Threads: functions and const methods may run at the same time in several threads, also on the same object. Everything else needs an
+object that no other thread uses meanwhile; different objects share no state. A cv::rsackermann::AckermannEstimator or
+cv::rsackermann::WarpMapGenerator serves all threads, as what they do with images is const, but each thread needs its own
+cv::rsackermann::RollingShutterCorrector, which keeps buffers and what it knows of the image before. cv::setNumThreads and cv::setRNGSeed don't change
+results.
 */
 
 #endif // OPENCV_RSACKERMANN_HPP

@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "opencv2/imgproc.hpp"
+#include "../segments.hpp"
 #include "detectors.hpp"
 #include "refine_segments.hpp"
 #include "segment_finder.hpp"
@@ -202,10 +203,7 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
         }
     }
     keepLong(minLength);
-    const int kept = int(found.size());
-    segments_.create(kept, 4, CV_32F);
-    if (kept > 0)
-        Mat(found).reshape(1).copyTo(segments_);
+    returnSegments(found.empty() ? Mat(0, 4, CV_32F) : Mat(found).reshape(1), segments_);
 }
 
 }} // namespace cv::rsackermann

@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "../scene.hpp"
 #include "../segments.hpp"
+#include "../storage.hpp"
 #include "posterior.hpp"
 #include "road_contact.hpp"
 #include "selection.hpp"
@@ -56,24 +57,19 @@ public:
         Mat found;
         detectSegments(image, found, params.detector, params.minLength);
         if (segments.needed())
-            found.copyTo(segments);
+            returnSegments(found, segments);
         return run(segmentRows(found), labels, prior);
     }
 
     void write(FileStorage& fs) const CV_OVERRIDE
     {
         writeFormat(fs);
-        params.write(fs);
+        AlgorithmStorage<AckermannEstimator>::write(*this, fs);
     }
 
-    void read(const FileNode& fn) CV_OVERRIDE
-    {
-        Params p = params;
-        p.read(fn);
-        setParams(p);
-    }
+    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<AckermannEstimator>::read(fn, *this); }
 
-    String getDefaultName() const CV_OVERRIDE { return "rsackermann.AckermannEstimator"; }
+    String getDefaultName() const CV_OVERRIDE { return "rsackermann_AckermannEstimator"; }
 
 private:
     AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
@@ -246,6 +242,11 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
 Ptr<AckermannEstimator> AckermannEstimator::create(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
     return makePtr<AckermannEstimatorImpl>(camera, params);
+}
+
+Ptr<AckermannEstimator> AckermannEstimator::load(const String& filename, const String& objname)
+{
+    return AlgorithmStorage<AckermannEstimator>::load(filename, objname);
 }
 
 }} // namespace cv::rsackermann

@@ -12,7 +12,7 @@ namespace rsackermann {
 PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                        const MotionLimits& limits)
     : alpha(0), alphaSigma(0), sampleAlpha(0), sampleAlphaSigma(0), size(0), sizeSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma), hasPrevious(false),
-      usualAlpha(0.5 * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDirectionSigma), reversePenalty(-2 * std::log(params.reverseProbability))
+      usualAlpha(0.5 * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDeviationSigma), reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
     if (unit > 0 && prior.yawRateSigma > 0)

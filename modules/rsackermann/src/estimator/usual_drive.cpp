@@ -25,7 +25,7 @@ static const double REST_IF_TOLD = 0.1;              // who is told of a motion 
 
 UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                        const MotionLimits& limits)
-    : alpha(0), toldAlphaSigma(0), toldSpeed(0), toldSpeedSigma(0), heading(camera.heading), headingSigma(params.wallDirectionSigma),
+    : alpha(0), toldAlphaSigma(0), toldSpeed(0), toldSpeedSigma(0), heading(camera.heading), headingSigma(params.wallDeviationSigma),
       height(camera.height), logRatioSigma(0)
 {
     const double unit = camera.secondsPerUnitTime();

@@ -43,4 +43,35 @@ void MotionPrior::check() const
     checkPrevious(previous);
 }
 
+void MotionPrior::write(FileStorage& fs) const
+{
+    fs << "speed" << speed << "speed_sigma" << speedSigma << "yaw_rate" << yawRate << "yaw_rate_sigma" << yawRateSigma;
+    fs << "wall_direction" << wallDirection << "wall_direction_sigma" << wallDirectionSigma;
+    fs << "previous" << "{";
+    previous.write(fs);
+    fs << "}" << "previous_noise" << previousNoise;
+}
+
+void MotionPrior::read(const FileNode& fn)
+{
+    cv::read(fn["speed"], speed, speed);
+    cv::read(fn["speed_sigma"], speedSigma, speedSigma);
+    cv::read(fn["yaw_rate"], yawRate, yawRate);
+    cv::read(fn["yaw_rate_sigma"], yawRateSigma, yawRateSigma);
+    cv::read(fn["wall_direction"], wallDirection, wallDirection);
+    cv::read(fn["wall_direction_sigma"], wallDirectionSigma, wallDirectionSigma);
+    previous.read(fn["previous"]);
+    cv::read(fn["previous_noise"], previousNoise, previousNoise);
+}
+
+void MotionPrior::setPrevious(const AckermannMotion& motion)
+{
+    previous = motion;
+}
+
+AckermannMotion MotionPrior::getPrevious() const
+{
+    return previous;
+}
+
 }} // namespace cv::rsackermann

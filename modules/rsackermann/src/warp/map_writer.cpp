@@ -44,21 +44,23 @@ MapWriter::MapWriter(const Size& target_, Mat& mask_) : mapSize(mask_.size()), t
     CV_DbgAssert(mask.type() == CV_8UC1);
 }
 
-MapWriter::Tile::Tile(MapWriter& writer_, int index)
+MapWriter::Tile::Tile(MapWriter& writer_, int index, std::vector<float>& buffer)
     : writer(writer_), part(Rect(index % writer.tilesAcross() * TILE, index / writer.tilesAcross() * TILE, TILE, TILE))
 {
     const bool whole = part.br().x <= writer.mapSize.width;
     part &= Rect(Point(), writer.mapSize);
     // Where nothing would be written beyond its end the map itself takes the coordinates.
-    if (writer.type == CV_32FC1 && whole && writer.map1.step == writer.map2.step)
+    inPlace = writer.type == CV_32FC1 && whole && writer.map1.step == writer.map2.step;
+    if (inPlace)
     {
         firstX = writer.map1.ptr<float>(part.y) + part.x;
         firstY = writer.map2.ptr<float>(part.y) + part.x;
         step = writer.map1.step1();
         return;
     }
-    firstX = buffer[0];
-    firstY = buffer[1];
+    buffer.resize(2 * TILE * TILE);
+    firstX = buffer.data();
+    firstY = firstX + TILE * TILE;
     step = TILE;
 }
 
@@ -77,7 +79,7 @@ void MapWriter::Tile::setNone(const Point& pixel)
 
 void MapWriter::Tile::write()
 {
-    const bool inPlace = writer.type == CV_32FC1 && firstX != buffer[0], masked = !writer.mask.empty();
+    const bool masked = !writer.mask.empty();
     if (inPlace && !masked)
         return;
     for (int i = 0; i < part.height; i++)

@@ -43,8 +43,12 @@ public:
     class Tile
     {
     public:
-        //! @param index of the tile, 0 ... tiles() - 1.
-        Tile(MapWriter& writer, int index);
+        /**
+        @param index of the tile, 0 ... tiles() - 1.
+        @param buffer for the coordinates, unless the maps themselves can take them; of one tile at a time. It isn't part of the tile,
+        for which a thread's stack may be too small.
+        */
+        Tile(MapWriter& writer, int index, std::vector<float>& buffer);
         //! The part of the map that the tile has.
         const Rect& area() const { return part; }
         //! Coordinates of a pixel, with step floats from row to row.
@@ -64,7 +68,7 @@ public:
         Rect part;
         float* firstX;
         float* firstY;
-        float buffer[2][TILE * TILE];
+        bool inPlace; // in the maps
     };
 
     int tiles() const { return tilesAcross() * ((mapSize.height + TILE - 1) / TILE); }

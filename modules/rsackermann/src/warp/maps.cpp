@@ -25,9 +25,10 @@ public:
 
     void operator()(const Range& range) const CV_OVERRIDE
     {
+        std::vector<float> buffer;
         for (int i = range.start; i < range.end; i++)
         {
-            MapWriter::Tile tile(writer, i);
+            MapWriter::Tile tile(writer, i, buffer);
             filler.fill(tile);
             tile.write();
         }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../storage.hpp"
 #include "map_ocl.hpp"
 #include "maps.hpp"
 #include "pixels.hpp"
@@ -64,14 +65,14 @@ static void checkSpan(const Size& size)
                                           "the outermost pixels", size.width, size.height));
 }
 
-static void checkParams(const WarpMapGenerator::Params& params)
+void WarpMapGenerator::Params::check() const
 {
-    checkNewCameraMatrix(params.newCameraMatrix);
-    checkSize(params.newSize);
-    if (params.maxIterations <= 0)
-        CV_Error(Error::StsBadArg, format("maxIterations is %d; a positive number is expected", params.maxIterations));
-    if (!(params.tolerance > 0) || !isFinite(params.tolerance))
-        CV_Error(Error::StsBadArg, format("tolerance is %g; a positive number of pixels is expected", params.tolerance));
+    checkNewCameraMatrix(newCameraMatrix);
+    checkSize(newSize);
+    if (maxIterations <= 0)
+        CV_Error(Error::StsBadArg, format("maxIterations is %d; a positive number is expected", maxIterations));
+    if (!(tolerance > 0) || !isFinite(tolerance))
+        CV_Error(Error::StsBadArg, format("tolerance is %g; a positive number of pixels is expected", tolerance));
 }
 
 static void checkMotion(const AckermannMotion& motion)
@@ -158,7 +159,7 @@ public:
 
     void setParams(const Params& params_) CV_OVERRIDE
     {
-        checkParams(params_);
+        params_.check();
         params = params_;
     }
 
@@ -214,17 +215,12 @@ public:
     void write(FileStorage& fs) const CV_OVERRIDE
     {
         writeFormat(fs);
-        params.write(fs);
+        AlgorithmStorage<WarpMapGenerator>::write(*this, fs);
     }
 
-    void read(const FileNode& fn) CV_OVERRIDE
-    {
-        Params p = params;
-        p.read(fn);
-        setParams(p);
-    }
+    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<WarpMapGenerator>::read(fn, *this); }
 
-    String getDefaultName() const CV_OVERRIDE { return "rsackermann.WarpMapGenerator"; }
+    String getDefaultName() const CV_OVERRIDE { return "rsackermann_WarpMapGenerator"; }
 
 private:
     typedef void (*PointFunction)(const RollingShutterCamera&, const Matx33d&, const AckermannMotion&, const std::vector<Point2d>&,
@@ -263,6 +259,11 @@ Ptr<WarpMapGenerator> WarpMapGenerator::create(const RollingShutterCamera& camer
 {
     CV_INSTRUMENT_REGION();
     return makePtr<WarpMapGeneratorImpl>(camera, params);
+}
+
+Ptr<WarpMapGenerator> WarpMapGenerator::load(const String& filename, const String& objname)
+{
+    return AlgorithmStorage<WarpMapGenerator>::load(filename, objname);
 }
 
 }} // namespace cv::rsackermann

@@ -33,6 +33,8 @@ enum LensModel
 
 All fields may be set directly; check() tells whether they make sense together and is called by every algorithm that
 takes a camera.
+
+Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
  */
 class CV_EXPORTS_W_SIMPLE RollingShutterCamera
 {
@@ -88,9 +90,9 @@ public:
     CV_WRAP void check() const;
 
     //! Writes all fields into the present node, a map.
-    void write(FileStorage& fs) const;
+    CV_WRAP void write(FileStorage& fs) const;
     //! Reads what write() has written. Fields that are missing keep their values.
-    void read(const FileNode& fn);
+    CV_WRAP void read(const FileNode& fn);
 
     CV_PROP_RW Size imageSize;                 //!< size of the raw image in pixels
     CV_PROP_RW Matx33d cameraMatrix;           //!< intrinsic parameters in pixels, without skew

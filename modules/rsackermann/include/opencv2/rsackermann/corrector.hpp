@@ -18,26 +18,45 @@ namespace rsackermann {
 remaps.
 
 Where the motion's status isn't #MOTION_OK only the lens is corrected; without lens coefficients the image is copied.
+
+Each thread needs its own object: a correction changes it, as it keeps buffers, segments, maps and the motion that is carried. Objects
+share no state.
 @sa AckermannEstimator, WarpMapGenerator
  */
 class CV_EXPORTS_W RollingShutterCorrector : public Algorithm
 {
 public:
-    //! Parameters of the correction.
+    /** @brief Parameters of the correction.
+
+    Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+     */
     struct CV_EXPORTS_W_SIMPLE Params
     {
         CV_WRAP Params(); //!< the defaults
-        CV_PROP_RW AckermannEstimator::Params estimator; //!< of the estimation
-        CV_PROP_RW WarpMapGenerator::Params warp;        //!< of the maps
-        CV_PROP_RW int interpolation;                    //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
+
+        //! Sets estimator: wrapped languages have no access to fields of a field.
+        CV_WRAP void setEstimatorParams(const AckermannEstimator::Params& params);
+        //! A copy of estimator.
+        CV_WRAP AckermannEstimator::Params getEstimatorParams() const;
+        //! Sets warp, for the same reason.
+        CV_WRAP void setWarpParams(const WarpMapGenerator::Params& params);
+        //! A copy of warp.
+        CV_WRAP WarpMapGenerator::Params getWarpParams() const;
+
+        AckermannEstimator::Params estimator; //!< of the estimation
+        WarpMapGenerator::Params warp;        //!< of the maps
+        CV_PROP_RW int interpolation;    //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
         CV_PROP_RW bool carryMotion;     //!< whether the images are consecutive frames and each motion is known before the next one is estimated, default false
         CV_PROP_RW double previousNoise; //!< MotionPrior::previousNoise from one frame to the next where carryMotion is set, default 0.1
         CV_PROP_RW double frameInterval; //!< seconds from one frame to the next if setTimestamp() doesn't tell, default 1/30
 
+        //! Throws cv::Exception with the name and value of the first field that is out of range.
+        CV_WRAP void check() const;
+
         //! Writes all fields into the present node, a map.
-        void write(FileStorage& fs) const;
+        CV_WRAP void write(FileStorage& fs) const;
         //! Reads what write() has written. Fields that are missing keep their values.
-        void read(const FileNode& fn);
+        CV_WRAP void read(const FileNode& fn);
     };
 
     /** @brief Creates a corrector.
@@ -47,6 +66,13 @@ public:
      */
     CV_WRAP static Ptr<RollingShutterCorrector> create(const RollingShutterCamera& camera,
                                                        const RollingShutterCorrector::Params& params = RollingShutterCorrector::Params());
+
+    /** @brief Loads what Algorithm::save() has written: the camera and the parameters.
+    @param filename the file.
+    @param objname name of the object in the file; empty: the first one.
+    @return an object in the same state as one that was just created; throws cv::Exception if the file has none.
+     */
+    CV_WRAP static Ptr<RollingShutterCorrector> load(const String& filename, const String& objname = String());
 
     //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
@@ -105,7 +131,7 @@ public:
     CV_WRAP virtual void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst, OutputArray mask = noArray()) = 0;
 
     /** @brief The segments of the last image and their labels.
-    @param segments N x 4 matrix CV_32F with (x1, y1, x2, y2) in pixels of the raw image.
+    @param segments N x 4 matrix CV_32F with (x1, y1, x2, y2) in pixels of the raw image, or vector<Vec4f>.
     @param labels N x 1 matrix CV_8U, see #SegmentLabel.
      */
     CV_WRAP virtual void getSegments(OutputArray segments, OutputArray labels) const = 0;

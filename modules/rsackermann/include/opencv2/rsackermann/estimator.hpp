@@ -35,7 +35,7 @@ enum SegmentLabel
 Images of more than 0.8 megapixels are searched in halved form, in which straight lines can still be seen. Then, and after
 detectors other than LSD, the ends are refined to a fraction of a pixel in the image itself.
 @param image grey or colour image, 8 or 16 bit.
-@param segments N x 4 matrix CV_32F with rows (x1, y1, x2, y2) in pixels.
+@param segments N x 4 matrix CV_32F with rows (x1, y1, x2, y2) in pixels, or vector<Vec4f>.
 @param detector one of #SegmentDetector.
 @param minLength length in pixels below which segments are left out.
  */
@@ -55,12 +55,18 @@ With Params::gravitySigma 0, or with a Params::model, a consensus of minimal sol
 RANSAC @cite chum2003locally is refined in place of the average, and an information criterion chooses the model.
 
 The result is the same for the same seed, whatever the number of threads.
+
+All const methods, estimate() and estimateFromImage() among them, may run at the same time in several threads on the same object; the
+others need an object that no other thread uses meanwhile.
 @sa @cite purkait2018minimal
  */
 class CV_EXPORTS_W AckermannEstimator : public Algorithm
 {
 public:
-    //! Parameters of the estimation.
+    /** @brief Parameters of the estimation.
+
+    Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+     */
     struct CV_EXPORTS_W_SIMPLE Params
     {
         CV_WRAP Params(); //!< the defaults
@@ -83,16 +89,16 @@ public:
         which is then corrected. 0: the upright rotation is exact; default 1 degree: what the crown of a road and the suspension do */
         CV_PROP_RW double gravitySigma;
         CV_PROP_RW double vehiclePitchSigma; //!< radians; the same for the vehicle's pitch, used unless gravitySigma is 0, default 0.3 degrees
-        CV_PROP_RW double wallDirectionSigma; //!< standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0: unknown, default 0.4
+        CV_PROP_RW double wallDeviationSigma; //!< standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0: unknown, default 0.4
         CV_PROP_RW double reverseProbability; //!< probability that the car drives backward, default 0.02
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;
 
         //! Writes all fields into the present node, a map.
-        void write(FileStorage& fs) const;
+        CV_WRAP void write(FileStorage& fs) const;
         //! Reads what write() has written. Fields that are missing keep their values.
-        void read(const FileNode& fn);
+        CV_WRAP void read(const FileNode& fn);
     };
 
     /** @brief Creates an estimator.
@@ -102,6 +108,13 @@ public:
      */
     CV_WRAP static Ptr<AckermannEstimator> create(const RollingShutterCamera& camera,
                                                   const AckermannEstimator::Params& params = AckermannEstimator::Params());
+
+    /** @brief Loads what Algorithm::save() has written: the camera and the parameters.
+    @param filename the file.
+    @param objname name of the object in the file; empty: the first one.
+    @return an object in the same state as one that was just created; throws cv::Exception if the file has none.
+     */
+    CV_WRAP static Ptr<AckermannEstimator> load(const String& filename, const String& objname = String());
 
     //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
@@ -124,7 +137,7 @@ public:
 
     /** @brief Detects line segments and estimates the motion.
     @param image raw image of the camera's size, see detectSegments.
-    @param segments receives the N x 4 matrix CV_32F of the detected segments.
+    @param segments receives the detected segments, as from detectSegments().
     @param labels as in estimate().
     @param prior as in estimate().
     @return as from estimate().

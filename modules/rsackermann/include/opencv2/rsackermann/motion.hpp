@@ -49,6 +49,10 @@ The scaled inverse depth \f$w = \beta / s\f$ of the scene is linear on each plan
 with the slope B (wallSlope) and the offset D (wallOffset) of the left wall, the ratio \f$\lambda\f$ (wallRatio) and the slope G (roadSlope).
 The nearest plane is seen. A scene with only one wall has \f$\lambda = 0\f$; there the wall may be on either side and
 B may have either sign.
+
+The methods take the values as they are, whatever the status, unless they say something else.
+
+Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
  */
 class CV_EXPORTS_W_SIMPLE AckermannMotion
 {
@@ -75,14 +79,16 @@ public:
     /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second; positive to the right.
     @param camera the camera with which the motion was estimated.
     @param radiansPerSecond receives the yaw rate; 0 where it is unknown.
-    @return false where lineDelay is unknown, or where nothing is known of the motion: too few segments, no consensus, not observable.
+    @return false where lineDelay is unknown, or where nothing is known of the motion, which is at a #status other than #MOTION_OK and
+    #MOTION_NOT_SIGNIFICANT. With the latter it is 0: that of a camera at rest.
      */
     CV_WRAP bool yawRate(const RollingShutterCamera& camera, CV_OUT double& radiansPerSecond) const;
 
     /** @brief Speed, \f$\pm\sqrt{B^2+D^2} \cdot wallDistance\f$ / secondsPerUnitTime, in metres per second; negative in reverse.
     @param camera the camera with which the motion was estimated.
     @param metresPerSecond receives the speed; 0 where it is unknown.
-    @return false where wallDistance or lineDelay is unknown.
+    @return false where wallDistance or lineDelay is unknown. The estimator knows wallDistance with #MOTION_OK alone and then tells by
+    #scale on what it rests: with #SCALE_SPEED the result is the speed of the prior, no measurement.
      */
     CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
 
@@ -91,13 +97,14 @@ public:
     @param time row time, see RollingShutterCamera::rowTime.
     @param R rotation from the camera frame at that time to the camera frame at the reference row.
     @param T position of the camera at that time in the camera frame at the reference row, in the unit of length in which the
-    horizontal depth of a point with scaled inverse depth w is 1/|w|; 0 where the motion is a pure rotation.
+    horizontal depth of a point with scaled inverse depth w is 1/|w|; 0 where the motion is a pure rotation. In metres, on the same
+    conditions as speed(), with the factor \f$wallDistance \sqrt{wallSlope^2 + wallOffset^2}\f$.
      */
     CV_WRAP void pose(const RollingShutterCamera& camera, double time, CV_OUT Matx33d& R, CV_OUT Vec3d& T) const;
 
     /** @brief Covariance of the metric values yaw rate (rad/s), speed (m/s), delta and wallRatio, in this order.
 
-    It includes what isn't known of gravity. Rows and columns of values that are unknown or not part of the model are 0.
+    It includes what isn't known of gravity. Rows and columns of values that are unknown, see yawRate() and speed(), or not part of the model are 0.
     @param camera the camera with which the motion was estimated.
     @return the symmetric matrix.
      */
@@ -107,9 +114,9 @@ public:
     CV_WRAP Matx33d uprightRotation(const RollingShutterCamera& camera) const;
 
     //! Writes all fields into the present node, a map.
-    void write(FileStorage& fs) const;
+    CV_WRAP void write(FileStorage& fs) const;
     //! Reads what write() has written. Fields that are missing keep their values.
-    void read(const FileNode& fn);
+    CV_WRAP void read(const FileNode& fn);
 
     CV_PROP_RW int status;   //!< one of #MotionStatus
     CV_PROP_RW int model;    //!< one of #MotionModel
@@ -140,6 +147,8 @@ public:
 /** @brief What is known of the motion from elsewhere: the car's bus, a gyro, calibration, the frame before.
 
 Each piece is used where its standard deviation is positive.
+
+Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
  */
 class CV_EXPORTS_W_SIMPLE MotionPrior
 {
@@ -150,6 +159,16 @@ public:
     //! Throws cv::Exception with the name and value of the first field that is out of range.
     CV_WRAP void check() const;
 
+    //! Writes all fields into the present node, a map.
+    CV_WRAP void write(FileStorage& fs) const;
+    //! Reads what write() has written. Fields that are missing keep their values.
+    CV_WRAP void read(const FileNode& fn);
+
+    //! Sets previous: wrapped languages have no access to fields of a field.
+    CV_WRAP void setPrevious(const AckermannMotion& motion);
+    //! A copy of previous.
+    CV_WRAP AckermannMotion getPrevious() const;
+
     CV_PROP_RW double speed;        //!< metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; says most with AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road
     CV_PROP_RW double speedSigma;   //!< standard deviation of speed; 0 (default): not known
     CV_PROP_RW double yawRate;      //!< radians per second, positive to the right; needs RollingShutterCamera::lineDelay
@@ -157,8 +176,8 @@ public:
     CV_PROP_RW double wallDirection;      //!< azimuth of the line at infinity of the walls in the upright frame, radians; its column is the tangent
     CV_PROP_RW double wallDirectionSigma; //!< standard deviation of wallDirection; 0 (default): not known
 
-    CV_PROP_RW AckermannMotion previous; //!< motion of the frame before; used where its status is #MOTION_OK and previousNoise is positive; always checked to be finite and within what a motion can be: alpha up to 10, wallSlope and wallOffset up to 100
-    CV_PROP_RW double previousNoise;     //!< standard deviation of the change from frame to frame, as a fraction of the limits of yaw rate and of the values of speed and walls; 0 (default): no previous frame
+    AckermannMotion previous;        //!< motion of the frame before; used where its status is #MOTION_OK and previousNoise is positive; always checked to be finite and within what a motion can be: alpha up to 10, wallSlope and wallOffset up to 100
+    CV_PROP_RW double previousNoise; //!< standard deviation of the change from frame to frame, as a fraction of the limits of yaw rate and of the values of speed and walls; 0 (default): no previous frame
 };
 
 //! @}

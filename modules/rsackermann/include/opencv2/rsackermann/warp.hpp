@@ -19,11 +19,17 @@ The *global-shutter camera* sees what the rolling-shutter camera would see at th
 lens distortion. Its intrinsics and image size are those of the rolling-shutter camera unless others are set.
 
 With a motion whose status isn't #MOTION_OK the maps undo (or simulate) the lens only.
+
+All const methods, which are those that make maps and move points, may run at the same time in several threads on the same object; the
+others need an object that no other thread uses meanwhile.
  */
 class CV_EXPORTS_W WarpMapGenerator : public Algorithm
 {
 public:
-    //! Parameters of the maps.
+    /** @brief Parameters of the maps.
+
+    Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+     */
     struct CV_EXPORTS_W_SIMPLE Params
     {
         CV_WRAP Params(); //!< the defaults
@@ -32,10 +38,13 @@ public:
         CV_PROP_RW int maxIterations;       //!< of the fixed point on the row time, default 10
         CV_PROP_RW double tolerance;        //!< pixels; the fixed point stops where a step changes the place by less, default 1e-3
 
+        //! Throws cv::Exception with the name and value of the first field that is out of range.
+        CV_WRAP void check() const;
+
         //! Writes all fields into the present node, a map.
-        void write(FileStorage& fs) const;
+        CV_WRAP void write(FileStorage& fs) const;
         //! Reads what write() has written. Fields that are missing keep their values.
-        void read(const FileNode& fn);
+        CV_WRAP void read(const FileNode& fn);
     };
 
     /** @brief Creates a generator.
@@ -45,6 +54,13 @@ public:
      */
     CV_WRAP static Ptr<WarpMapGenerator> create(const RollingShutterCamera& camera,
                                                 const WarpMapGenerator::Params& params = WarpMapGenerator::Params());
+
+    /** @brief Loads what Algorithm::save() has written: the camera and the parameters.
+    @param filename the file.
+    @param objname name of the object in the file; empty: the first one.
+    @return an object in the same state as one that was just created; throws cv::Exception if the file has none.
+     */
+    CV_WRAP static Ptr<WarpMapGenerator> load(const String& filename, const String& objname = String());
 
     //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;

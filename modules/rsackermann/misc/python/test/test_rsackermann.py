@@ -3,9 +3,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
+import copy
 import math
 import os
+import pickle
 import sys
+import tempfile
 
 import cv2 as cv
 import numpy as np
@@ -153,6 +156,80 @@ class rsackermann_test(NewOpenCVTests):
         corrector.setPrior(prior)
         self.assertEqual(corrector.getPrior().yawRate, YAW_RATE)
         corrector.reset()
+
+    def test_fields_of_fields(self):
+        # A field of a field would be one of a copy, so there is none.
+        params = cv.rsackermann.RollingShutterCorrector.Params()
+        for name in ('estimator', 'warp'):
+            with self.assertRaises(AttributeError):
+                getattr(params, name)
+        estimator_params = params.getEstimatorParams()
+        estimator_params.minLength = 40
+        params.setEstimatorParams(estimator_params)
+        warp_params = params.getWarpParams()
+        warp_params.newSize = (320, 190)
+        params.setWarpParams(warp_params)
+        got = cv.rsackermann.RollingShutterCorrector.create(make_camera(), params).getParams()
+        self.assertEqual(got.getEstimatorParams().minLength, 40)
+        self.assertEqual(got.getWarpParams().newSize, (320, 190))
+
+        prior = cv.rsackermann.MotionPrior()
+        with self.assertRaises(AttributeError):
+            prior.previous
+        motion = prior.getPrevious()
+        motion.alpha = 0.01
+        prior.setPrevious(motion)
+        self.assertEqual(prior.getPrevious().alpha, 0.01)
+
+    def make_values(self):
+        """One of each type, with values that aren't the defaults, and a function that tells them."""
+        camera = make_camera()
+        motion = cv.rsackermann.AckermannMotion.fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        prior = cv.rsackermann.MotionPrior()
+        prior.speed = 12.5
+        prior.setPrevious(motion)
+        estimator_params = cv.rsackermann.AckermannEstimator.Params()
+        estimator_params.seed = 7
+        warp_params = cv.rsackermann.WarpMapGenerator.Params()
+        warp_params.tolerance = 1.0 / 3
+        corrector_params = cv.rsackermann.RollingShutterCorrector.Params()
+        corrector_params.carryMotion = True
+        corrector_params.setEstimatorParams(estimator_params)
+        return [
+            (camera, lambda c: (c.lineDelay, c.height, c.imageSize, c.cameraMatrix.tolist())),
+            (motion, lambda m: (m.status, m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope)),
+            (prior, lambda p: (p.speed, p.getPrevious().alpha)),
+            (estimator_params, lambda p: p.seed),
+            (warp_params, lambda p: p.tolerance),
+            (corrector_params, lambda p: (p.carryMotion, p.getEstimatorParams().seed)),
+        ]
+
+    def test_pickle_and_copy(self):
+        for value, told in self.make_values():
+            default = type(value)()
+            self.assertNotEqual(told(value), told(default))
+            for other in (pickle.loads(pickle.dumps(value)), copy.copy(value), copy.deepcopy(value)):
+                self.assertIs(type(other), type(value))
+                self.assertEqual(told(other), told(value))
+
+    def test_storage(self):
+        for value, told in self.make_values():
+            storage = cv.FileStorage('.yml', cv.FileStorage_WRITE + cv.FileStorage_MEMORY)
+            value.write(storage)
+            text = storage.releaseAndGetString()
+            other = type(value)()
+            other.read(cv.FileStorage(text, cv.FileStorage_READ + cv.FileStorage_MEMORY).root())
+            self.assertEqual(told(other), told(value))
+
+    def test_save_and_load(self):
+        params = cv.rsackermann.AckermannEstimator.Params()
+        params.seed = 7
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'estimator.yml')
+            cv.rsackermann.AckermannEstimator.create(make_camera(), params).save(path)
+            loaded = cv.rsackermann.AckermannEstimator.load(path)
+        self.assertEqual(loaded.getParams().seed, 7)
+        self.assertEqual(loaded.getCamera().lineDelay, LINE_DELAY)
 
     def test_sample(self):
         folder = os.path.dirname(os.path.abspath(__file__))

@@ -1,0 +1,59 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_STORAGE_HPP
+#define OPENCV_RSACKERMANN_SRC_STORAGE_HPP
+
+#include "opencv2/rsackermann/camera.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+/** What the algorithms, each made from a camera and parameters, write and read: the keys of the parameters and a map with the camera.
+@tparam Algorithm AckermannEstimator, WarpMapGenerator or RollingShutterCorrector.
+*/
+template <class Algorithm>
+struct AlgorithmStorage
+{
+    static void write(const Algorithm& algorithm, FileStorage& fs)
+    {
+        fs << "camera" << "{";
+        algorithm.getCamera().write(fs);
+        fs << "}";
+        algorithm.getParams().write(fs);
+    }
+
+    //! Sets both or, if one of them is bad, neither. What is missing keeps its value.
+    static void read(const FileNode& fn, Algorithm& algorithm)
+    {
+        RollingShutterCamera camera = algorithm.getCamera();
+        camera.read(fn["camera"]);
+        camera.check();
+        typename Algorithm::Params params = algorithm.getParams();
+        params.read(fn);
+        algorithm.setParams(params);
+        if (!fn["camera"].empty())
+            algorithm.setCamera(camera);
+    }
+
+    static Ptr<Algorithm> load(const String& filename, const String& objname)
+    {
+        const FileStorage fs(filename, FileStorage::READ);
+        if (!fs.isOpened())
+            CV_Error(Error::StsBadArg, format("filename is \"%s\"; a file that save() has written is expected", filename.c_str()));
+        const FileNode fn = objname.empty() ? fs.getFirstTopLevelNode() : fs[objname];
+        if (fn["camera"].empty())
+            CV_Error(Error::StsBadArg, format("objname is \"%s\"; the name that save() has given an object in \"%s\", or an empty one for the "
+                                              "first object, is expected", objname.c_str(), filename.c_str()));
+        RollingShutterCamera camera;
+        camera.read(fn["camera"]);
+        typename Algorithm::Params params;
+        params.read(fn);
+        return Algorithm::create(camera, params);
+    }
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_STORAGE_HPP

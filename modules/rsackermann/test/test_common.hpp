@@ -1,0 +1,217 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_TEST_COMMON_HPP
+#define OPENCV_RSACKERMANN_TEST_COMMON_HPP
+
+#include "test_precomp.hpp"
+
+namespace opencv_test {
+
+const double degree = CV_PI / 180;
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+
+inline double median(std::vector<double> values)
+{
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+}
+
+//! A camera none of whose fields has its default.
+inline RollingShutterCamera exampleCamera()
+{
+    const std::vector<double> dist = {-0.2, 0.1, 1e-3, -2e-3, 0.01};
+    RollingShutterCamera camera(Size(641, 383), Matx33d(810, 0, 318, 0, 820, 185, 0, 0, 1), dist);
+    camera.scanDirection = SCAN_BOTTOM_TO_TOP;
+    camera.lineDelay = 3e-5;
+    camera.referenceRow = 12.5;
+    camera.setRollPitch(0.1, -0.2);
+    camera.heading = 0.3;
+    camera.height = 1.25;
+    return camera;
+}
+
+inline void expectSame(const RollingShutterCamera& a, const RollingShutterCamera& b)
+{
+    EXPECT_EQ(a.imageSize, b.imageSize);
+    EXPECT_EQ(a.cameraMatrix, b.cameraMatrix);
+    EXPECT_EQ(a.distCoeffs, b.distCoeffs);
+    EXPECT_EQ(a.lensModel, b.lensModel);
+    EXPECT_EQ(a.scanDirection, b.scanDirection);
+    EXPECT_EQ(a.lineDelay, b.lineDelay);
+    EXPECT_EQ(a.referenceRow, b.referenceRow);
+    EXPECT_EQ(a.uprightRotation, b.uprightRotation);
+    EXPECT_EQ(a.heading, b.heading);
+    EXPECT_EQ(a.height, b.height);
+}
+
+//! A motion, and a prior below, none of whose fields has its default.
+inline AckermannMotion exampleMotion()
+{
+    AckermannMotion m;
+    m.status = MOTION_OK;
+    m.model = MODEL_4LA;
+    m.alpha = 0.01;
+    m.wallSlope = 0.3;
+    m.wallOffset = -0.06;
+    m.wallRatio = 1.2;
+    m.roadSlope = 0.6;
+    m.direction = -1;
+    m.rollCorrection = 0.001;
+    m.pitchCorrection = -0.002;
+    m.wallDistance = 2.5;
+    m.candidates = 61;
+    m.inliers = 47;
+    m.rms = 0.25;
+    m.scale = SCALE_SPEED;
+    m.rollYawAmbiguous = true;
+    m.expectedRaw = 3.5;
+    m.expectedLeft = 1.25;
+    for (int i = 0; i < 16; i++)
+        m.covariance.val[i] = 0.01 * (i + 1);
+    return m;
+}
+
+inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
+{
+    EXPECT_EQ(a.status, b.status);
+    EXPECT_EQ(a.model, b.model);
+    EXPECT_EQ(a.alpha, b.alpha);
+    EXPECT_EQ(a.wallSlope, b.wallSlope);
+    EXPECT_EQ(a.wallOffset, b.wallOffset);
+    EXPECT_EQ(a.wallRatio, b.wallRatio);
+    EXPECT_EQ(a.roadSlope, b.roadSlope);
+    EXPECT_EQ(a.direction, b.direction);
+    EXPECT_EQ(a.rollCorrection, b.rollCorrection);
+    EXPECT_EQ(a.pitchCorrection, b.pitchCorrection);
+    EXPECT_EQ(a.wallDistance, b.wallDistance);
+    EXPECT_EQ(a.candidates, b.candidates);
+    EXPECT_EQ(a.inliers, b.inliers);
+    EXPECT_EQ(a.rms, b.rms);
+    EXPECT_EQ(a.scale, b.scale);
+    EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
+    EXPECT_EQ(a.expectedRaw, b.expectedRaw);
+    EXPECT_EQ(a.expectedLeft, b.expectedLeft);
+    EXPECT_EQ(a.covariance, b.covariance);
+}
+
+inline MotionPrior examplePrior()
+{
+    MotionPrior p;
+    p.speed = 11.5;
+    p.speedSigma = 0.4;
+    p.yawRate = -0.3;
+    p.yawRateSigma = 0.02;
+    p.wallDirection = 0.11;
+    p.wallDirectionSigma = 0.03;
+    p.previous = exampleMotion();
+    p.previousNoise = 0.125;
+    return p;
+}
+
+inline void expectSame(const MotionPrior& a, const MotionPrior& b)
+{
+    EXPECT_EQ(a.speed, b.speed);
+    EXPECT_EQ(a.speedSigma, b.speedSigma);
+    EXPECT_EQ(a.yawRate, b.yawRate);
+    EXPECT_EQ(a.yawRateSigma, b.yawRateSigma);
+    EXPECT_EQ(a.wallDirection, b.wallDirection);
+    EXPECT_EQ(a.wallDirectionSigma, b.wallDirectionSigma);
+    expectSame(a.previous, b.previous);
+    EXPECT_EQ(a.previousNoise, b.previousNoise);
+}
+
+//! Parameters none of which has its default; the same holds for the other ones below.
+inline AckermannEstimator::Params exampleEstimatorParams()
+{
+    AckermannEstimator::Params p;
+    p.model = MODEL_3LA;
+    p.detector = DETECTOR_FLD;
+    p.minLength = 21;
+    p.maxSlant = 0.4;
+    p.slantTolerance = 0.07;
+    p.minCandidates = 9;
+    p.threshold = 0.7;
+    p.confidence = 0.95;
+    p.maxIterations = 77;
+    p.seed = 5;
+    p.maxYawRate = 1.25;
+    p.maxSpeed = 33;
+    p.wallDistance = 4.5;
+    p.roadRatio = 1.5;
+    p.scaleFromRoad = true;
+    p.gravitySigma = 0.01;
+    p.vehiclePitchSigma = 0.02;
+    p.wallDeviationSigma = 0.3;
+    p.reverseProbability = 0.125;
+    return p;
+}
+
+inline void expectSame(const AckermannEstimator::Params& a, const AckermannEstimator::Params& b)
+{
+    EXPECT_EQ(a.model, b.model);
+    EXPECT_EQ(a.detector, b.detector);
+    EXPECT_EQ(a.minLength, b.minLength);
+    EXPECT_EQ(a.maxSlant, b.maxSlant);
+    EXPECT_EQ(a.slantTolerance, b.slantTolerance);
+    EXPECT_EQ(a.minCandidates, b.minCandidates);
+    EXPECT_EQ(a.threshold, b.threshold);
+    EXPECT_EQ(a.confidence, b.confidence);
+    EXPECT_EQ(a.maxIterations, b.maxIterations);
+    EXPECT_EQ(a.seed, b.seed);
+    EXPECT_EQ(a.maxYawRate, b.maxYawRate);
+    EXPECT_EQ(a.maxSpeed, b.maxSpeed);
+    EXPECT_EQ(a.wallDistance, b.wallDistance);
+    EXPECT_EQ(a.roadRatio, b.roadRatio);
+    EXPECT_EQ(a.scaleFromRoad, b.scaleFromRoad);
+    EXPECT_EQ(a.gravitySigma, b.gravitySigma);
+    EXPECT_EQ(a.vehiclePitchSigma, b.vehiclePitchSigma);
+    EXPECT_EQ(a.wallDeviationSigma, b.wallDeviationSigma);
+    EXPECT_EQ(a.reverseProbability, b.reverseProbability);
+}
+
+inline WarpMapGenerator::Params exampleWarpParams()
+{
+    WarpMapGenerator::Params p;
+    p.newCameraMatrix = Matx33d(500, 0, 300, 0, 510, 200, 0, 0, 1);
+    p.newSize = Size(601, 401);
+    p.maxIterations = 17;
+    p.tolerance = 1e-5;
+    return p;
+}
+
+inline void expectSame(const WarpMapGenerator::Params& a, const WarpMapGenerator::Params& b)
+{
+    EXPECT_EQ(a.newCameraMatrix, b.newCameraMatrix);
+    EXPECT_EQ(a.newSize, b.newSize);
+    EXPECT_EQ(a.maxIterations, b.maxIterations);
+    EXPECT_EQ(a.tolerance, b.tolerance);
+}
+
+inline RollingShutterCorrector::Params exampleCorrectorParams()
+{
+    RollingShutterCorrector::Params p;
+    p.estimator = exampleEstimatorParams();
+    p.warp = exampleWarpParams();
+    p.interpolation = INTER_CUBIC;
+    p.carryMotion = true;
+    p.previousNoise = 0.25;
+    p.frameInterval = 0.04;
+    return p;
+}
+
+inline void expectSame(const RollingShutterCorrector::Params& a, const RollingShutterCorrector::Params& b)
+{
+    expectSame(a.estimator, b.estimator);
+    expectSame(a.warp, b.warp);
+    EXPECT_EQ(a.interpolation, b.interpolation);
+    EXPECT_EQ(a.carryMotion, b.carryMotion);
+    EXPECT_EQ(a.previousNoise, b.previousNoise);
+    EXPECT_EQ(a.frameInterval, b.frameInterval);
+}
+
+} // namespace opencv_test
+
+#endif // OPENCV_RSACKERMANN_TEST_COMMON_HPP
