@@ -23,6 +23,39 @@
 #include "../src/estimator/segment_arrays.cpp"
 #include "../src/estimator/vertical_residual.hpp"
 
+// The kernels of the estimator that test_private_sources.cpp has, without dispatch.
+namespace cv {
+namespace rsackermann {
+
+void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
+                  ResidualSums& sums)
+{
+    tested::addVerticals(segments, model, loss, unknowns, sums);
+}
+
+void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
+                   ResidualSums& sums)
+{
+    tested::addDirections(segments, model, loss, unknowns, sums);
+}
+
+double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold, double best, int& inliers)
+{
+    return tested::scoreVerticals(segments, model, focal, threshold, best, inliers);
+}
+
+void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points)
+{
+    tested::compensateSegments(segments, model, points);
+}
+
+double streetCost(const double* points, int padded, double streetX, double streetZ, double scale)
+{
+    return tested::streetCost(points, padded, streetX, streetZ, scale);
+}
+
+}} // namespace cv::rsackermann
+
 namespace opencv_test { namespace {
 
 namespace vectors = cv::rsackermann::tested;

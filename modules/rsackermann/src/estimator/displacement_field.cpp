@@ -11,7 +11,7 @@ namespace cv {
 namespace rsackermann {
 
 DisplacementField::DisplacementField(const RollingShutterCamera& camera)
-    : focal(camera.cameraMatrix(0, 0)), headingSine(std::sin(camera.heading)), headingCosine(std::cos(camera.heading))
+    : fx(camera.cameraMatrix(0, 0)), fy(camera.cameraMatrix(1, 1)), headingSine(std::sin(camera.heading)), headingCosine(std::cos(camera.heading))
 {
     std::vector<Point2d> pixels, rays;
     for (int i = 0; i < ROWS; i++)
@@ -66,10 +66,10 @@ void DisplacementField::displacement(const Model& m, double G, Values& values) c
 {
     for (int k = 0; k < POINTS; k++)
     {
-        const double x = points[k].x, y = points[k].y, f = focal * points[k].t;
+        const double x = points[k].x, y = points[k].y, t = points[k].t;
         const double w = NearestPlane(m, G, x, y).w;
-        values[2 * k] = f * (2 * m[P_ALPHA] * (1 + x * x) + w * (headingSine - x * headingCosine));
-        values[2 * k + 1] = f * (2 * m[P_ALPHA] * x * y - w * y * headingCosine);
+        values[2 * k] = fx * t * (2 * m[P_ALPHA] * (1 + x * x) + w * (headingSine - x * headingCosine));
+        values[2 * k + 1] = fy * t * (2 * m[P_ALPHA] * x * y - w * y * headingCosine);
     }
 }
 
@@ -78,9 +78,10 @@ void DisplacementField::variance(const Model& m, double G, double varianceG, con
 {
     for (int k = 0; k < POINTS; k++)
     {
-        const double x = points[k].x, y = points[k].y, f = focal * points[k].t;
+        const double x = points[k].x, y = points[k].y, t = points[k].t;
         const NearestPlane plane(m, G, x, y);
-        const double rx = 2 * (1 + x * x), ry = 2 * x * y, tx = headingSine - x * headingCosine, ty = -y * headingCosine;
+        const double rx = fx * t * 2 * (1 + x * x), ry = fy * t * 2 * x * y;
+        const double tx = fx * t * (headingSine - x * headingCosine), ty = -fy * t * y * headingCosine;
         const double j[4] = {0, plane.byB, plane.byD, plane.byLambda};
         double vw = plane.byG * plane.byG * varianceG, cross = 0;
         for (int a = 1; a < 4; a++)
@@ -90,7 +91,7 @@ void DisplacementField::variance(const Model& m, double G, double varianceG, con
                 vw += j[a] * C(a, b) * j[b];
         }
         const double va = C(P_ALPHA, P_ALPHA);
-        values[k] = std::max(0., f * f * ((rx * rx + ry * ry) * va + 2 * (rx * tx + ry * ty) * cross + (tx * tx + ty * ty) * vw));
+        values[k] = std::max(0., (rx * rx + ry * ry) * va + 2 * (rx * tx + ry * ty) * cross + (tx * tx + ty * ty) * vw);
     }
 }
 

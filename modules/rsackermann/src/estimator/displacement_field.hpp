@@ -44,7 +44,7 @@ private:
     };
 
     Point points[POINTS];
-    double focal, headingSine, headingCosine;
+    double fx, fy, headingSine, headingCosine;
 };
 
 }} // namespace cv::rsackermann

@@ -1,0 +1,119 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_private_problem.hpp"
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+AckermannEstimator::Params paramsWithWall(double distance)
+{
+    AckermannEstimator::Params params;
+    params.wallDistance = distance;
+    params.slantTolerance = 0;
+    return params;
+}
+
+//! d x / d t of the image of a vertical line at the column x, by the simulator: the slope of its picture.
+double slantOf(const Simulator& simulator, double x, double distance)
+{
+    const double t = 1e-4;
+    const Vec3d P = Vec3d(x, 0, 1) * (distance / std::sqrt(1 + x * x));
+    const Vec3d before = simulator.drive.toCamera(P, -t), after = simulator.drive.toCamera(P, t);
+    return (after[0] / after[2] - before[0] / before[2]) / (2 * t);
+}
+
+// A vertical at the least distance, seen by a car as fast and turning as fast as it may, is what the gate just lets through.
+TEST(RSAckermann_Candidates, largest_slant)
+{
+    const AckermannEstimator::Params params = paramsWithWall(2.5);
+    for (int k = 0; k < 3; k++)
+    {
+        RollingShutterCamera camera = simulation::paperCamera();
+        camera.heading = (k - 1) * 70 * degree;
+        const MotionLimits limits(camera, params);
+        for (int column = -6; column <= 6; column++)
+        {
+            const double x = 0.25 * column;
+            double largest = 0;
+            // A wall seen at the azimuth of x is nearest where it is square to the line of sight.
+            for (int sign = 0; sign < 4; sign++)
+                largest = std::max(largest, std::abs(slantOf(Simulator::fromMetric(camera, (sign % 2 ? 1 : -1) * params.maxYawRate,
+                                                                                   (sign / 2 ? 1 : -1) * params.maxSpeed, 2.5, 0, 0), x, 2.5)));
+            EXPECT_NEAR(largest, limits.maxSlant(x, camera.heading), 1e-5) << k << " " << column;
+        }
+    }
+}
+
+TEST(RSAckermann_Candidates, limits)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    const AckermannEstimator::Params params = paramsWithWall(2.5);
+    const double unit = camera.secondsPerUnitTime();
+    const MotionLimits limits(camera, params);
+    EXPECT_TRUE(limits.areMetric);
+    EXPECT_NEAR(params.maxYawRate * unit / 2, limits.maxAlpha, 1e-12);
+    EXPECT_NEAR(params.maxSpeed * unit / 2.5, limits.maxSpeed, 1e-12);
+    EXPECT_NEAR(4 * params.maxSlant, limits.maxRightSpeed, 1e-12);
+    EXPECT_FALSE(MotionLimits(camera, AckermannEstimator::Params()).areMetric);
+    camera.lineDelay = 0;
+    EXPECT_NEAR(params.maxSlant / 2, MotionLimits(camera, params).maxAlpha, 1e-12);
+
+    Model m;
+    EXPECT_TRUE(limits.allow(m));
+    m[P_ALPHA] = 1.01 * limits.maxAlpha;
+    EXPECT_FALSE(limits.allow(m));
+    m[P_ALPHA] = -0.99 * limits.maxAlpha;
+    m[P_B] = 0.6 * limits.maxSpeed;
+    m[P_D] = 0.79 * limits.maxSpeed;
+    EXPECT_TRUE(limits.allow(m));
+    m[P_LAMBDA] = 1.02 * limits.maxRightSpeed / limits.maxSpeed;
+    EXPECT_FALSE(limits.allow(m)); // too fast for the right wall
+    m[P_LAMBDA] = 0.98 * limits.maxRightSpeed / limits.maxSpeed;
+    EXPECT_TRUE(limits.allow(m));
+    m[P_LAMBDA] = 0.04; // one wall far behind the other
+    EXPECT_FALSE(limits.allow(m));
+    m[P_LAMBDA] = 0;
+    m[P_D] = 0.81 * limits.maxSpeed;
+    EXPECT_FALSE(limits.allow(m));
+    m[P_D] = 0;
+    m[P_ROLL] = 0.31;
+    EXPECT_FALSE(limits.allow(m));
+    m[P_ROLL] = 0;
+    m[P_PITCH] = -0.31;
+    EXPECT_FALSE(limits.allow(m));
+}
+
+TEST(RSAckermann_Candidates, sorts_segments)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.cameraMatrix(0, 0) *= 1.2;
+    AckermannEstimator::Params params;
+    params.maxSlant = 0.2;
+    params.slantTolerance = 0.05;
+    camera.lineDelay = 0; // the largest slant alone counts
+    // A hundred rows high each, at the principal point; columns are 1.2 times as wide as rows are high.
+    const double x = camera.cameraMatrix(0, 2), ends[] = {0, 19, 23, 25, 35};
+    Mat segments(6, 4, CV_64F);
+    for (int i = 0; i < 5; i++)
+        Mat(Vec4d(x - 0.6 * ends[i], 140, x + 0.6 * ends[i], 240)).reshape(1, 1).copyTo(segments.row(i));
+    Mat(Vec4d(x, 140, x, 160)).reshape(1, 1).copyTo(segments.row(5)); // too short
+    std::vector<Candidate> verticals, others;
+    selectCandidates(segments, camera, params, verticals, others);
+    std::vector<int> indices;
+    for (size_t i = 0; i < verticals.size(); i++)
+        indices.push_back(verticals[i].index);
+    std::sort(indices.begin(), indices.end());
+    EXPECT_EQ(std::vector<int>({0, 1}), indices);
+    ASSERT_EQ(3u, others.size());
+    for (int i = 0; i < 3; i++)
+        EXPECT_EQ(2 + i, others[i].index);
+    EXPECT_NEAR(0.19 * 100 / 816., std::abs(verticals[0].u[0] - verticals[0].v[0]) + std::abs(verticals[1].u[0] - verticals[1].v[0]), 1e-9);
+    EXPECT_NEAR(100 / 816., verticals[0].timeV - verticals[0].timeU, 1e-9);
+}
+
+}} // namespace

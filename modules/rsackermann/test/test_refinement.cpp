@@ -1,0 +1,137 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_private_problem.hpp"
+#include "../src/estimator/fit.hpp"
+#include "../src/estimator/uncertainty.hpp"
+#include "../src/estimator/vertical_residual.hpp"
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+AckermannEstimator::Params exactGravity()
+{
+    AckermannEstimator::Params params;
+    params.gravitySigma = 0;
+    return params;
+}
+
+RefinementProblem streetProblem(const Simulator& street, double noise, int count, const AckermannEstimator::Params& params, int seed)
+{
+    RNG rng(seed);
+    simulation::SegmentOptions options;
+    options.count = count;
+    options.noise = noise;
+    return makeProblem(street.camera, params, simulation::randomSegments(street, options, rng).ends);
+}
+
+// Without segments the covariance of gravity is what is known of it: of the vehicle's roll and pitch, not of the camera's.
+TEST(RSAckermann_Refinement, covariance_of_gravity_alone)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        RollingShutterCamera camera = simulation::paperCamera();
+        camera.heading = k * 45 * degree;
+        const double roll = 0.02, pitch = 0.005, c = std::cos(camera.heading), s = std::sin(camera.heading);
+        AckermannEstimator::Params params;
+        params.gravitySigma = roll;
+        params.vehiclePitchSigma = pitch;
+        const RefinementProblem problem = makeProblem(camera, params, Mat(0, 4, CV_64F));
+        Model model;
+        Matx<double, PARAMETERS, PARAMETERS> covariance;
+        refine(problem, Structure(MODEL_NONE, 0), ALL_SEGMENTS, 10, model, &covariance);
+        EXPECT_NEAR(c * c * roll * roll + s * s * pitch * pitch, covariance(P_ROLL, P_ROLL), 1e-9) << k;
+        EXPECT_NEAR(s * s * roll * roll + c * c * pitch * pitch, covariance(P_PITCH, P_PITCH), 1e-9) << k;
+        EXPECT_NEAR(c * s * (pitch * pitch - roll * roll), covariance(P_ROLL, P_PITCH), 1e-9) << k;
+    }
+}
+
+// Where the loss is quadratic: the least-squares estimate of the noise, with the unknowns taken off, and the covariance of dense
+// normal equations with derivatives by differences.
+TEST(RSAckermann_Refinement, covariance_of_least_squares)
+{
+    const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.5, 20, 2.5, 3, 0);
+    const int count = 14;
+    RefinementProblem problem = streetProblem(street, 0.3, count, exactGravity(), 3);
+    ASSERT_EQ(size_t(count), problem.verticals.size());
+    problem.lossScale = 1e4;
+    problem.sigma = 0.05; // too small: the residuals say more
+    problem.weigh();
+    const Structure structure(MODEL_4LA, 2);
+    Model model = modelOf(street);
+    Matx<double, PARAMETERS, PARAMETERS> covariance;
+    double inflation;
+    refine(problem, structure, VERTICALS_ONLY, 50, model, &covariance, &inflation);
+
+    const int n = structure.unknowns();
+    Mat1d J(count, n);
+    double squares = 0;
+    const double scale = problem.focal / problem.sigma, h = 1e-6;
+    for (int i = 0; i < count; i++)
+    {
+        int wall;
+        const Candidate& c = problem.verticals[i];
+        squares += std::pow(scale * verticalResidual(c, model, problem.heading, wall, 0), 2);
+        for (int j = 0; j < n; j++)
+        {
+            Model up = model, down = model;
+            up.value[j] += h;
+            down.value[j] -= h;
+            J(i, j) = scale * (verticalResidual(c, up, problem.heading, wall, 0) - verticalResidual(c, down, problem.heading, wall, 0)) / (2 * h);
+        }
+    }
+    EXPECT_NEAR(squares / (count - n), inflation, 0.01 * inflation);
+    EXPECT_GT(inflation, 2);
+    Mat1d normal = J.t() * J / inflation;
+    normal(P_LAMBDA, P_LAMBDA) += std::pow(1 / (0.8 * model[P_LAMBDA]), 2); // that of the ratio of the walls, which is always there
+    const Mat1d expected = normal.inv();
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            EXPECT_NEAR(expected(i, j), covariance(i, j), 0.02 * std::sqrt(expected(i, i) * expected(j, j))) << i << " " << j;
+}
+
+// doc/theory.md, "Estimation": 1.5 ln N an unknown.
+TEST(RSAckermann_Fit, criterion)
+{
+    const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.5, 20, 2.5, 3, 0);
+    const RefinementProblem problem = streetProblem(street, 0.2, 40, exactGravity(), 5);
+    const double each = 1.5 * std::log(double(problem.verticals.size()));
+    const Model start = modelOf(street);
+    Model turning, oneWall = start;
+    turning[P_ALPHA] = start[P_ALPHA];
+    oneWall[P_LAMBDA] = 0;
+    const Fit none = refineFrom(problem, Model(), Structure(MODEL_NONE, 0)), rotation = refineFrom(problem, turning, Structure(MODEL_1LA, 0));
+    const Fit translation = refineFrom(problem, oneWall, Structure(MODEL_3LA, 1)), both = refineFrom(problem, oneWall, Structure(MODEL_4LA, 1));
+    EXPECT_NEAR(0, none.criterion - none.cost, 1e-9);
+    EXPECT_NEAR(each, rotation.criterion - rotation.cost, 1e-9);
+    EXPECT_NEAR(2 * each, translation.criterion - translation.cost, 1e-9);
+    EXPECT_NEAR(3 * each, both.criterion - both.cost, 1e-9);
+    // A second wall costs what is learnt of its distance, less what two walls are more usual.
+    const Fit two = refineFrom(problem, start, Structure(MODEL_4LA, 2));
+    const double learnt = std::log(std::pow(0.8 * two.model[P_LAMBDA], 2) / two.covariance(P_LAMBDA, P_LAMBDA));
+    EXPECT_GT(learnt, std::log(2.));
+    EXPECT_NEAR(3 * each + learnt - 4, two.criterion - two.cost, 1e-9);
+}
+
+// Segments that err more than their number says allow for more of the valley.
+TEST(RSAckermann_Uncertainty, valley_widens_with_the_inflation)
+{
+    const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.5, 20, 2.5, 3, 0);
+    const RefinementProblem problem = streetProblem(street, 0.2, 40, exactGravity(), 6);
+    const Fit fit = refineFrom(problem, modelOf(street), Structure(MODEL_4LA, 2));
+    Fit narrow = fit, wide = fit;
+    narrow.inflation = 1;
+    wide.inflation = 9;
+    exploreValley(problem, narrow);
+    // The fits that are found again are those of the problem, with its own inflation.
+    EXPECT_GT(narrow.covariance(P_ALPHA, P_ALPHA), 0);
+    EXPECT_GE(fit.inflation, 1);
+    exploreValley(problem, wide);
+    EXPECT_GE(wide.covariance(P_ALPHA, P_ALPHA), narrow.covariance(P_ALPHA, P_ALPHA));
+}
+
+}} // namespace

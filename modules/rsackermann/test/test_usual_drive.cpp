@@ -1,0 +1,197 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_simulator.hpp"
+#include "../src/estimator/usual_drive.hpp"
+
+// doc/theory.md, "Posterior": what is usual, as numbers.
+
+namespace opencv_test { namespace {
+
+typedef AckermannEstimator::Params Params;
+
+const double USUAL_WALL = 8, USUAL_SPEED = 12, USUAL_REVERSE_SPEED = 1.5;
+
+UsualDrive makeDrive(const RollingShutterCamera& camera, const MotionPrior& prior = MotionPrior(), const Params& params = Params())
+{
+    return UsualDrive(prior, camera, params, MotionLimits(camera, params));
+}
+
+MotionPrior toldSpeed(double speed, double sigma)
+{
+    MotionPrior prior;
+    prior.speed = speed;
+    prior.speedSigma = sigma;
+    return prior;
+}
+
+Model movingModel(double speed, double azimuth)
+{
+    Model m;
+    m.direction = speed < 0 ? -1 : 1;
+    m[P_ALPHA] = 0.004;
+    m[P_B] = speed * std::cos(azimuth);
+    m[P_D] = speed * std::sin(azimuth);
+    m[P_LAMBDA] = 0.7;
+    m[P_STREET] = 0.05;
+    return m;
+}
+
+TEST(RSAckermann_UsualDrive, density_of_the_yaw_rate)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const UsualDrive drive = makeDrive(camera);
+    const double scale = drive.alphaScale(), step = 0.01 * scale;
+    EXPECT_NEAR(5 * degree * camera.secondsPerUnitTime() / 2, scale, 1e-12);
+    double sum = 0, within = 0;
+    for (int i = -400000; i <= 400000; i++)
+    {
+        const double p = step * std::exp(drive.logYawDensity(i * step));
+        sum += p;
+        within += std::abs(i) <= 100 ? p : 0;
+    }
+    EXPECT_NEAR(1, sum, 1e-3);
+    EXPECT_NEAR(0.5774, within, 5e-3); // 1 / sqrt 3: Student's t with two degrees of freedom up to its scale
+
+    MotionPrior gyro;
+    gyro.yawRate = 0.2;
+    gyro.yawRateSigma = 0.01;
+    const UsualDrive told = makeDrive(camera, gyro);
+    EXPECT_TRUE(told.yawRateIsTold());
+    EXPECT_NEAR(0.2 * camera.secondsPerUnitTime() / 2, told.toldAlpha(), 1e-12);
+    EXPECT_NEAR(0.01 * camera.secondsPerUnitTime() / 2, told.alphaScale(), 1e-12);
+    EXPECT_NEAR(-std::log(told.alphaScale() * std::sqrt(2 * CV_PI)), told.logYawDensity(0.3), 1e-12);
+}
+
+TEST(RSAckermann_UsualDrive, residual_of_the_yaw_rate_is_its_density)
+{
+    const UsualDrive drive = makeDrive(simulation::paperCamera());
+    Model m;
+    Jet r[UsualDrive::MAX_RESIDUALS];
+    for (int i = -20; i <= 20; i++)
+    {
+        m[P_ALPHA] = 0.3 * i * drive.alphaScale();
+        ASSERT_EQ(2, drive.evaluate(m, Structure(MODEL_1LA, 0), r)); // the other one is that of the street's direction
+        EXPECT_NEAR(drive.logYawDensity(0) - drive.logYawDensity(m[P_ALPHA]), 0.5 * r[0].value * r[0].value, 1e-9) << i;
+    }
+}
+
+TEST(RSAckermann_UsualDrive, derivatives)
+{
+    const UsualDrive drives[] = {makeDrive(simulation::paperCamera()), makeDrive(simulation::paperCamera(), toldSpeed(15, 1))};
+    const Structure structures[] = {Structure(MODEL_1LA, 0), Structure(MODEL_3LA, 1), Structure(MODEL_4LA, 1), Structure(MODEL_4LA, 2)};
+    for (int d = 0; d < 2; d++)
+        for (int s = 0; s < 4; s++)
+        {
+            const Model m = movingModel(0.03, 0.1);
+            Jet r[UsualDrive::MAX_RESIDUALS], up[UsualDrive::MAX_RESIDUALS], down[UsualDrive::MAX_RESIDUALS];
+            const int n = drives[d].evaluate(m, structures[s], r);
+            ASSERT_GT(n, 0);
+            for (int p = 0; p < PARAMETERS; p++)
+            {
+                const double h = 1e-7;
+                Model a = m, b = m;
+                a.value[p] += h;
+                b.value[p] -= h;
+                drives[d].evaluate(a, structures[s], up);
+                drives[d].evaluate(b, structures[s], down);
+                for (int i = 0; i < n; i++)
+                {
+                    const double expected = (up[i].value - down[i].value) / (2 * h);
+                    EXPECT_NEAR(expected, r[i].derivative[p], 1e-5 * (1 + std::abs(expected))) << d << " " << s << " " << i << " " << p;
+                }
+            }
+        }
+}
+
+TEST(RSAckermann_UsualDrive, speed)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const double unit = camera.secondsPerUnitTime();
+    EXPECT_NEAR(USUAL_SPEED * unit / USUAL_WALL, makeDrive(camera).usualScaledSpeed(1), 1e-12);
+    EXPECT_NEAR(USUAL_REVERSE_SPEED * unit / USUAL_WALL, makeDrive(camera).usualScaledSpeed(-1), 1e-12);
+    EXPECT_EQ(0, makeDrive(camera).toldDirection());
+    // What is told is as usual backward as forward.
+    const UsualDrive back = makeDrive(camera, toldSpeed(-20, 0.5));
+    EXPECT_NEAR(20 * unit / USUAL_WALL, back.usualScaledSpeed(-1), 1e-12);
+    EXPECT_EQ(-1, back.toldDirection());
+    Params params;
+    params.wallDistance = 5;
+    EXPECT_NEAR(USUAL_SPEED * unit / 5, makeDrive(camera, MotionPrior(), params).usualScaledSpeed(1), 1e-12);
+
+    // The usual speed costs nothing, another one its logarithm over the standard deviation of speed and wall.
+    Jet r[UsualDrive::MAX_RESIDUALS];
+    const UsualDrive drive = makeDrive(camera);
+    ASSERT_EQ(2, drive.evaluate(movingModel(2 * drive.usualScaledSpeed(1), 0), Structure(MODEL_4LA, 1), r));
+    EXPECT_NEAR(std::log(2.) / std::hypot(0.8, 0.6), r[1].value, 1e-6);
+    // With two walls the distance of both, in the mean of the logarithms, is what is usual.
+    Model m = movingModel(drive.usualScaledSpeed(1) * 4, 0);
+    m[P_LAMBDA] = 1. / 16;
+    ASSERT_EQ(2, drive.evaluate(m, Structure(MODEL_4LA, 2), r));
+    EXPECT_NEAR(0, r[1].value, 1e-6);
+    // Where speed and wall are told the refinement measures it.
+    EXPECT_EQ(1, makeDrive(camera, toldSpeed(15, 1), params).evaluate(m, Structure(MODEL_4LA, 1), r));
+}
+
+TEST(RSAckermann_UsualDrive, rest)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    EXPECT_NEAR(std::log(0.5), makeDrive(camera).logRest(), 1e-12);
+    EXPECT_NEAR(std::log(0.1) - 0.5 * 3 * 3, makeDrive(camera, toldSpeed(6, 2)).logRest(), 1e-9);
+    MotionPrior gyro;
+    gyro.yawRateSigma = 0.01;
+    EXPECT_NEAR(std::log(0.1), makeDrive(camera, gyro).logRest(), 1e-12);
+}
+
+TEST(RSAckermann_UsualDrive, volume)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const double street = std::log(0.4);
+    EXPECT_NEAR(street, makeDrive(camera).logVolume(Structure(MODEL_1LA, 0)), 1e-9);
+    EXPECT_NEAR(street + std::log(std::hypot(0.8, 0.6)), makeDrive(camera).logVolume(Structure(MODEL_4LA, 1)), 1e-9);
+    EXPECT_NEAR(street + 0.5 * std::log(0.8 * 0.8 + 0.6 * 0.6 / 2) + std::log(0.8), makeDrive(camera).logVolume(Structure(MODEL_4LA, 2)), 1e-9);
+}
+
+TEST(RSAckermann_UsualDrive, road)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    const double unit = camera.secondsPerUnitTime(), height = camera.height;
+    double G, variance;
+    // Unless more is told, the wall is as far away as walls are.
+    makeDrive(camera).road(movingModel(0.05, 0.2), G, variance);
+    EXPECT_NEAR(0.05 * USUAL_WALL / height, G, 1e-12);
+    EXPECT_NEAR(0.6 * G, std::sqrt(variance), 1e-12);
+    makeDrive(camera).road(movingModel(-0.05, 0.2), G, variance);
+    EXPECT_NEAR(-0.05 * USUAL_WALL / height, G, 1e-12);
+    makeDrive(camera).road(Model(), G, variance);
+    EXPECT_EQ(0, G);
+    EXPECT_EQ(0, variance);
+    // Speed and height are the road's slope.
+    makeDrive(camera, toldSpeed(15, 0.5)).road(movingModel(0.05, 0.2), G, variance);
+    EXPECT_NEAR(15 * unit / height, G, 1e-12);
+    EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 1e-12);
+    // A vague speed says less than the walls.
+    makeDrive(camera, toldSpeed(15, 100)).road(movingModel(0.05, 0.2), G, variance);
+    EXPECT_NEAR(0.05 * USUAL_WALL / height, G, 1e-12);
+    // With wall and height nothing is left open.
+    Params params;
+    params.wallDistance = 2.5;
+    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), G, variance);
+    EXPECT_NEAR(0.05 * 2.5 / height, G, 1e-12);
+    EXPECT_EQ(0, variance);
+    params.roadRatio = 3;
+    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), G, variance);
+    EXPECT_NEAR(0.05 * 3, G, 1e-12);
+    // A camera of unknown height is where cameras are; one that looks to the side may not see the road.
+    camera.height = 0;
+    makeDrive(camera).road(movingModel(0.05, 0.2), G, variance);
+    EXPECT_NEAR(0.05 * USUAL_WALL / 1.3, G, 1e-12);
+    camera.heading = CV_PI / 2;
+    makeDrive(camera).road(movingModel(0.05, 0.2), G, variance);
+    EXPECT_EQ(0, G);
+}
+
+}} // namespace
