@@ -171,7 +171,8 @@ public:
         checkSource(src);
         segments = segmentRows(segments_);
         timings = Vec4d();
-        finder.prepare(src);
+        if (params.carryMotion)
+            finder.prepare(src);
         return estimateAndWarp(src, dst, mask);
     }
 
@@ -263,6 +264,7 @@ private:
         }
         if (!params.carryMotion || !drive.estimate(finder.reduced(), finder.reduction(), time, prior, motion))
             motion = estimator->estimate(segments, labels, priorOfNextFrame());
+        finder.release();
         carry(motion);
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask);

@@ -362,6 +362,20 @@ TEST(RSAckermann_Corrector, setters_are_all_or_nothing)
     expectSame(exampleCamera(), corrector->getCamera());
 }
 
+TEST(RSAckermann_Corrector, every_type_that_remap_takes)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Mat segments = streetSegments(camera, 0.6, 20), src = noiseImage(camera.imageSize, CV_8UC2);
+    const int depths[] = {CV_8U, CV_16U, CV_16S, CV_32F, CV_64F};
+    for (int i = 0; i < 5; i++)
+    {
+        Mat converted, dst;
+        src.convertTo(converted, depths[i]);
+        EXPECT_EQ(MOTION_OK, RollingShutterCorrector::create(camera)->correctWithSegments(converted, segments, dst).status);
+        EXPECT_EQ(converted.type(), dst.type());
+    }
+}
+
 //! Segments of a street with noisy ends, other ones for each seed.
 Mat noisySegments(const RollingShutterCamera& camera, double yawRate, double speed, int seed)
 {
@@ -468,6 +482,7 @@ TEST(RSAckermann_Corrector, carried_motion_is_forgotten)
     c.frame(a);
     c.corrector->reset();
     expectSame(c.alone(b), c.frame(b));
+    c.camera.height = 1.3;
     c.corrector->setCamera(c.camera);
     expectSame(c.alone(a), c.frame(a));
     // a car that has stopped, in a time in which all may change

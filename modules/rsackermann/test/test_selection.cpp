@@ -17,7 +17,7 @@ using simulation::Simulator;
 RollingShutterCamera wideCamera(double heading)
 {
     RollingShutterCamera camera = simulation::paperCamera();
-    camera.cameraMatrix(0, 0) = camera.cameraMatrix(1, 1) = 250;
+    camera.cameraMatrix(0, 0) = camera.cameraMatrix(1, 1) = 180;
     camera.heading = heading;
     return camera;
 }
@@ -43,7 +43,7 @@ Fit select(const RollingShutterCamera& camera, const Simulator& street, int mode
 
 TEST(RSAckermann_Selection, two_walls_only_along_the_street)
 {
-    const double headings[] = {0, 50, 65, -50, -65, 180};
+    const double headings[] = {0, 40, 65, -40, -65, 180};
     const int expected[] = {2, 2, 1, 2, 1, 2};
     for (int k = 0; k < 6; k++)
     {

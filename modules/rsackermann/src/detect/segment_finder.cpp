@@ -112,6 +112,12 @@ void SegmentFinder::prepare(InputArray image_)
     small = shrink(gray);
 }
 
+void SegmentFinder::release()
+{
+    gray.release();
+    small.release();
+}
+
 namespace {
 
 class FindInStrips : public ParallelLoopBody

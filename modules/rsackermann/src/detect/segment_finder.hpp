@@ -32,6 +32,10 @@ public:
 
     //! The last image in 8 bit grey, smaller by reduction(); the next image or the end of the caller's one invalidates it.
     const Mat& reduced() const { return small; }
+
+    //! Forgets the image, which belongs to the caller.
+    void release();
+
     int reduction() const { return scale; }
 
 private:
