@@ -14,7 +14,7 @@
 namespace cv {
 namespace rsackermann {
 
-RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR), carryMotion(false), previousNoise(0.1), frameInterval(1. / 30)
+RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR), carryMotion(false), trackPoints(true), frameInterval(1. / 30)
 {
 }
 
@@ -44,7 +44,7 @@ void RollingShutterCorrector::Params::write(FileStorage& fs) const
     estimator.write(fs);
     fs << "}" << "warp" << "{";
     warp.write(fs);
-    fs << "}" << "interpolation" << interpolation << "carry_motion" << carryMotion << "previous_noise" << previousNoise
+    fs << "}" << "interpolation" << interpolation << "carry_motion" << carryMotion << "track_points" << trackPoints
        << "frame_interval" << frameInterval;
 }
 
@@ -54,7 +54,7 @@ void RollingShutterCorrector::Params::read(const FileNode& fn)
     warp.read(fn["warp"]);
     cv::read(fn["interpolation"], interpolation, interpolation);
     cv::read(fn["carry_motion"], carryMotion, carryMotion);
-    cv::read(fn["previous_noise"], previousNoise, previousNoise);
+    cv::read(fn["track_points"], trackPoints, trackPoints);
     cv::read(fn["frame_interval"], frameInterval, frameInterval);
 }
 
@@ -65,7 +65,6 @@ void RollingShutterCorrector::Params::check() const
     if (interpolation != INTER_NEAREST && interpolation != INTER_LINEAR && interpolation != INTER_CUBIC && interpolation != INTER_LANCZOS4)
         CV_Error(Error::StsBadArg, format("interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) "
                                           "is expected", interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4));
-    checkNotNegative(previousNoise, "params.previousNoise", "no previous frame");
     if (!(frameInterval > 0 && frameInterval <= 3600))
         CV_Error(Error::StsBadArg, format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval));
 }
@@ -112,7 +111,7 @@ class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp)),
-          framesSinceCarried(0), drive(camera), time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
+          drive(camera, params_.estimator), time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
     {
         params_.check();
         params = params_;
@@ -123,6 +122,7 @@ public:
         const bool isSame = isSameButForGravity(camera, generator->getCamera());
         estimator->setCamera(camera);
         generator->setCamera(camera);
+        drive.set(camera, params.estimator);
         if (!isSame)
             reset();
     }
@@ -135,6 +135,7 @@ public:
         estimator->setParams(params_.estimator);
         generator->setParams(params_.warp);
         params = params_;
+        drive.set(generator->getCamera(), params.estimator);
     }
 
     Params getParams() const CV_OVERRIDE { return params; }
@@ -149,11 +150,7 @@ public:
 
     void setTimestamp(double seconds) CV_OVERRIDE { timestamp = seconds; }
 
-    void reset() CV_OVERRIDE
-    {
-        carried = AckermannMotion();
-        drive.reset();
-    }
+    void reset() CV_OVERRIDE { drive.reset(); }
 
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask) CV_OVERRIDE
     {
@@ -231,26 +228,19 @@ private:
                                               expected.height));
     }
 
-    MotionPrior priorOfNextFrame() const
+    // The motion of a frame that follows from the one before.
+    AckermannMotion estimateFrame()
     {
-        MotionPrior known = prior;
-        if (params.carryMotion && carried.status == MOTION_OK)
+        time = std::isfinite(timestamp) ? timestamp : time + params.frameInterval;
+        timestamp = std::numeric_limits<double>::quiet_NaN();
+        const Mat points = params.trackPoints ? finder.reduced() : Mat();
+        AckermannMotion motion;
+        if (!drive.estimate(points, finder.reduction(), segmentRows(segments), time, prior, motion, labels))
         {
-            known.previous = carried;
-            // The changes of frames without an estimate add up, as variances do.
-            known.previousNoise = params.previousNoise * std::sqrt(double(framesSinceCarried + 1));
+            motion = estimator->estimate(segments, labels, drive.priorOfFrame(prior));
+            drive.learn(motion);
         }
-        return known;
-    }
-
-    void carry(const AckermannMotion& motion)
-    {
-        framesSinceCarried++;
-        if (motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT)
-        {
-            carried = motion;
-            framesSinceCarried = 0;
-        }
+        return motion;
     }
 
     AckermannMotion estimateAndWarp(InputArray src, OutputArray dst, OutputArray mask)
@@ -258,14 +248,10 @@ private:
         Stopwatch watch;
         AckermannMotion motion;
         if (params.carryMotion)
-        {
-            time = std::isfinite(timestamp) ? timestamp : time + params.frameInterval;
-            timestamp = std::numeric_limits<double>::quiet_NaN();
-        }
-        if (!params.carryMotion || !drive.estimate(finder.reduced(), finder.reduction(), time, prior, motion))
-            motion = estimator->estimate(segments, labels, priorOfNextFrame());
+            motion = estimateFrame();
+        else
+            motion = estimator->estimate(segments, labels, prior);
         finder.release();
-        carry(motion);
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask);
         return motion;
@@ -321,8 +307,6 @@ private:
     Ptr<WarpMapGenerator> generator;
     SegmentFinder finder;
     MotionPrior prior;
-    AckermannMotion carried; // to the next frame, where its status is MOTION_OK
-    int framesSinceCarried;
     DriveEstimator drive;
     double time;
     double timestamp;        // of the next image; not finite: not told

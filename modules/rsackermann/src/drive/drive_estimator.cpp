@@ -3,46 +3,131 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../estimator/account.hpp"
+#include "../estimator/displacement_field.hpp"
 #include "drive_estimator.hpp"
 
 namespace cv {
 namespace rsackermann {
 
+static const double LONGEST = 1;      // seconds between two frames of which one follows from the other
+static const size_t LEAST_POINTS = 20;
+static const double LEAST_AGREEING = 0.3; // of the points; with fewer of them it is another scene
+
+DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
+    : camera(camera_), params(params_), state(camera_, params_), time(0), hasFrame(false), isVague(true)
+{
+}
+
+void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
+{
+    // What was known of gravity was known of another one.
+    const DriveState before = state;
+    camera = camera_;
+    params = params_;
+    state = DriveState(camera, params);
+    for (int i = 0; i < DRIVE_ROLL; i++)
+    {
+        state.value[i] = before.value[i];
+        for (int j = 0; j < DRIVE_ROLL; j++)
+            state.covariance(i, j) = before.covariance(i, j);
+    }
+}
+
 void DriveEstimator::reset()
 {
     tracker.reset();
-    state = DriveState(camera);
+    state = DriveState(camera, params);
     hasFrame = false;
-    isFirst = true;
+    isVague = true;
 }
 
-bool DriveEstimator::estimate(const Mat& gray, int scale, double seconds, const MotionPrior& prior, AckermannMotion& motion)
+bool DriveEstimator::estimate(const Mat& gray, int scale, const Mat& segments, double seconds, const MotionPrior& prior, AckermannMotion& motion,
+                              Mat& labels)
 {
-    const double longest = 1, least = 20;
     const double passed = seconds - time;
-    const bool follows = hasFrame && passed != 0 && std::abs(passed) < longest;
-    if (!follows)
+    if (!hasFrame || passed == 0 || !(std::abs(passed) < LONGEST))
         reset();
-    tracker.track(gray, scale, pairs);
+    else
+        state.predict(std::abs(passed));
     time = seconds;
+    pairs.clear();
+    if (camera.isRowShutter() && camera.secondsPerUnitTime() > 0 && !gray.empty())
+        tracker.track(gray, scale, pairs);
     hasFrame = true;
-    if (follows)
-        state.predict(camera, std::abs(passed));
     state.measure(DRIVE_YAW_RATE, prior.yawRate, prior.yawRateSigma);
     state.measure(DRIVE_SPEED, prior.speed, prior.speedSigma);
-    if (!follows || pairs.size() < least)
+    state.measure(DRIVE_DIRECTION, prior.wallDirection, prior.wallDirectionSigma);
+    const std::vector<Sight> sights = makeSights(camera, pairs, passed);
+    if (sights.size() < LEAST_POINTS)
         return false;
-    const FlowFit fit = fitFlow(camera, pairs, passed, state, isFirst);
-    isFirst = false;
-    if (fit.explained < 0.3)
+
+    std::vector<Candidate> verticals, others;
+    selectCandidates(segments, camera, params, verticals, others);
+    const DriveFit fit = fitDrive(camera, sights, verticals, state, isVague);
+    if (fit.agreeing < LEAST_AGREEING)
+    {
+        state = DriveState(camera, params);
+        isVague = true;
         return false;
+    }
     state = fit.state;
-    state.toMotion(camera, motion);
+    isVague = false;
+    labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
+    for (size_t i = 0; i < verticals.size(); i++)
+        labels.at<uchar>(verticals[i].index) = SEGMENT_OUTLIER;
+    motion = AckermannMotion();
+    report(fit, verticals, prior, motion, labels);
+    return true;
+}
+
+void DriveEstimator::report(const DriveFit& fit, const std::vector<Candidate>& verticals, const MotionPrior& prior, AckermannMotion& motion,
+                            Mat& labels) const
+{
+    motion.candidates = int(verticals.size());
     motion.expectedRaw = fit.expectedRaw;
     motion.expectedLeft = std::min(fit.expectedLeft, fit.expectedRaw);
-    motion.status = fit.expectedLeft < fit.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
-    motion.model = MODEL_4LA;
-    return true;
+    if (!fit.moves || !(fit.expectedLeft < fit.expectedRaw))
+    {
+        motion.expectedLeft = motion.expectedRaw;
+        return;
+    }
+    motion.status = MOTION_OK;
+    fit.state.toMotion(camera.secondsPerUnitTime(), motion);
+    const Model model = toModel(fit.state.value, camera.secondsPerUnitTime(), 0);
+    motion.model = DisplacementField(camera).mainMotion(model, motion.roadSlope);
+    const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, LEAN};
+    labelInliers(verticals, model, camera.heading, agreement, motion, labels);
+    if (!setToldScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
+    {
+        motion.scale = SCALE_ROAD;
+        const bool hasLeft = fit.state.value[DRIVE_LEFT] > 0;
+        motion.wallDistance = 1 / std::max(fit.state.value[hasLeft ? DRIVE_LEFT : DRIVE_RIGHT], double(FLT_EPSILON));
+    }
+}
+
+MotionPrior DriveEstimator::priorOfFrame(const MotionPrior& prior) const
+{
+    MotionPrior known = prior;
+    if (isVague)
+        return known;
+    // A told yaw rate is in the state already.
+    known.yawRate = state.value[DRIVE_YAW_RATE];
+    known.yawRateSigma = std::sqrt(state.covariance(DRIVE_YAW_RATE, DRIVE_YAW_RATE));
+    return known;
+}
+
+void DriveEstimator::learn(const AckermannMotion& motion)
+{
+    double yawRate;
+    // An unknown gravity misleads all frames in the same way: they can't confirm one another.
+    if (params.gravitySigma > 0 || motion.status != MOTION_OK || !motion.yawRate(camera, yawRate))
+        return;
+    isVague = false;
+    state.value[DRIVE_YAW_RATE] = yawRate;
+    for (int i = 0; i < DRIVE_VALUES; i++)
+        state.covariance(DRIVE_YAW_RATE, i) = state.covariance(i, DRIVE_YAW_RATE) = 0;
+    state.covariance(DRIVE_YAW_RATE, DRIVE_YAW_RATE) = motion.metricCovariance(camera)(0, 0);
 }
 
 }} // namespace cv::rsackermann

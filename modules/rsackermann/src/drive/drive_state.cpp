@@ -3,62 +3,72 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../estimator/account.hpp"
 #include "drive_state.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-namespace {
+// Seconds after which a value is forgotten, for each DriveValue: each wanders about what is usual (an Ornstein-Uhlenbeck process).
+static const double MEMORY[DRIVE_VALUES] = {2, 10, 1, 1, 1, 1, 10, 10};
+static const double KNOWN = 1e-6; // radians, for the standard deviation of a gravity that is exact
 
-// Each value wanders about what is usual, and forgets where it was (an Ornstein-Uhlenbeck process).
-struct Usual
+Model toModel(const DriveVector& value, double unit, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian)
 {
-    double mean, sigma, memory; // seconds
-};
-
-void usualValues(const RollingShutterCamera& camera, Usual usual[DRIVE_VALUES])
-{
-    const double height = camera.height > 0 ? camera.height : 1.3, heightSigma = camera.height > 0 ? 0.15 : 0.35;
-    const Usual values[DRIVE_VALUES] = {
-        {0, 15 * CV_PI / 180, 2},          // yaw rate
-        {8, 10, 10},                       // speed
-        {camera.heading, 0.4, 1},          // direction
-        {0.1, 0.1, 1},                     // left
-        {0.1, 0.1, 1},                     // right
-        {1 / height, heightSigma / height, 1} // road
-    };
-    std::copy(values, values + DRIVE_VALUES, usual);
+    const double length = value[DRIVE_SPEED] * unit, c = std::cos(value[DRIVE_DIRECTION]), s = std::sin(value[DRIVE_DIRECTION]);
+    const double left = std::max(value[DRIVE_LEFT], 0.), right = std::max(value[DRIVE_RIGHT], 0.), hardly = 1e-3;
+    const bool hasLeft = left > hardly * right, hasRight = right > 0;
+    // A right wall alone has the equation of a left one with the other sign.
+    const double wall = hasLeft ? left : -right, sign = hasLeft ? 1 : -1;
+    Model m;
+    m[P_ALPHA] = value[DRIVE_YAW_RATE] * unit / 2;
+    m[P_B] = length * wall * c;
+    m[P_D] = length * wall * s;
+    m[P_LAMBDA] = hasLeft && hasRight ? right / left : 0;
+    m[P_ROLL] = value[DRIVE_ROLL];
+    m[P_PITCH] = value[DRIVE_PITCH];
+    m.direction = length < 0 ? -1 : 1;
+    if (!jacobian)
+        return m;
+    Matx<double, PARAMETERS, DRIVE_VALUES>& J = *jacobian;
+    J = Matx<double, PARAMETERS, DRIVE_VALUES>();
+    const int which = hasLeft ? DRIVE_LEFT : DRIVE_RIGHT;
+    J(P_ALPHA, DRIVE_YAW_RATE) = unit / 2;
+    J(P_B, DRIVE_SPEED) = unit * wall * c;
+    J(P_B, DRIVE_DIRECTION) = -length * wall * s;
+    J(P_B, which) = sign * length * c;
+    J(P_D, DRIVE_SPEED) = unit * wall * s;
+    J(P_D, DRIVE_DIRECTION) = length * wall * c;
+    J(P_D, which) = sign * length * s;
+    if (m[P_LAMBDA] > 0)
+    {
+        J(P_LAMBDA, DRIVE_LEFT) = -right / (left * left);
+        J(P_LAMBDA, DRIVE_RIGHT) = 1 / left;
+    }
+    J(P_ROLL, DRIVE_ROLL) = J(P_PITCH, DRIVE_PITCH) = 1;
+    return m;
 }
 
-} // namespace
-
-DriveState::DriveState(const RollingShutterCamera& camera)
+DriveState::DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
-    Usual usual[DRIVE_VALUES];
-    usualValues(camera, usual);
-    for (int i = 0; i < DRIVE_VALUES; i++)
-    {
-        value[i] = usual[i].mean;
-        covariance(i, i) = usual[i].sigma * usual[i].sigma;
-    }
+    const double height = camera.height > 0 ? camera.height : 1.3, heightSigma = camera.height > 0 ? 0.15 : 0.35; // of the height
+    const bool isExact = !(params.gravitySigma > 0);
+    const double pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? KNOWN : params.vehiclePitchSigma;
+    usual = DriveVector(0, 8, camera.heading, 0.1, 0.1, 1 / height, 0, 0);
+    usualSigma = DriveVector(15 * CV_PI / 180, 10, 0.4, 0.1, 0.1, heightSigma / height, isExact ? KNOWN : params.gravitySigma, pitchSigma);
+    value = usual;
+    covariance = DriveMatrix::diag(usualSigma.mul(usualSigma));
 }
 
-void DriveState::predict(const RollingShutterCamera& camera, double seconds)
+void DriveState::predict(double seconds)
 {
-    Usual usual[DRIVE_VALUES];
-    usualValues(camera, usual);
-    double kept[DRIVE_VALUES];
+    DriveVector kept;
     for (int i = 0; i < DRIVE_VALUES; i++)
-    {
-        kept[i] = std::exp(-seconds / usual[i].memory);
-        value[i] = usual[i].mean + kept[i] * (value[i] - usual[i].mean);
-    }
+        kept[i] = std::exp(-seconds / MEMORY[i]);
+    value = usual + kept.mul(value - usual);
+    covariance = covariance.mul(kept * kept.t());
     for (int i = 0; i < DRIVE_VALUES; i++)
-    {
-        for (int j = 0; j < DRIVE_VALUES; j++)
-            covariance(i, j) *= kept[i] * kept[j];
-        covariance(i, i) += (1 - kept[i] * kept[i]) * usual[i].sigma * usual[i].sigma;
-    }
+        covariance(i, i) += (1 - kept[i] * kept[i]) * usualSigma[i] * usualSigma[i];
 }
 
 void DriveState::measure(DriveValue which, double measured, double sigma)
@@ -71,36 +81,21 @@ void DriveState::measure(DriveValue which, double measured, double sigma)
     covariance -= gain * column.t();
 }
 
-void DriveState::toMotion(const RollingShutterCamera& camera, AckermannMotion& motion) const
+void DriveState::toMotion(double unit, AckermannMotion& motion) const
 {
-    const double unit = camera.secondsPerUnitTime(), length = value[DRIVE_SPEED] * unit;
-    const double c = std::cos(value[DRIVE_DIRECTION]), s = std::sin(value[DRIVE_DIRECTION]);
-    const double left = std::max(value[DRIVE_LEFT], 0.), right = std::max(value[DRIVE_RIGHT], 0.), hardly = 1e-3;
-    const bool hasLeft = left > hardly * right, hasRight = right > 0;
-    // A right wall alone has the equation of a left one with the other sign.
-    const double wall = hasLeft ? left : -right, sign = hasLeft ? 1 : -1;
-    motion.alpha = value[DRIVE_YAW_RATE] * unit / 2;
-    motion.wallSlope = length * wall * c;
-    motion.wallOffset = length * wall * s;
-    motion.wallRatio = hasLeft && hasRight ? right / left : 0;
-    motion.roadSlope = length * value[DRIVE_ROAD];
-    motion.direction = length < 0 ? -1 : 1;
-
-    Matx<double, 4, DRIVE_VALUES> J;
-    const int which = hasLeft ? DRIVE_LEFT : DRIVE_RIGHT;
-    J(0, DRIVE_YAW_RATE) = unit / 2;
-    J(1, DRIVE_SPEED) = unit * wall * c;
-    J(1, DRIVE_DIRECTION) = -length * wall * s;
-    J(1, which) = sign * length * c;
-    J(2, DRIVE_SPEED) = unit * wall * s;
-    J(2, DRIVE_DIRECTION) = length * wall * c;
-    J(2, which) = sign * length * s;
-    if (motion.wallRatio > 0)
-    {
-        J(3, DRIVE_LEFT) = -right / (left * left);
-        J(3, DRIVE_RIGHT) = 1 / left;
-    }
-    motion.covariance = J * covariance * J.t();
+    Matx<double, PARAMETERS, DRIVE_VALUES> J;
+    const Model m = toModel(value, unit, &J);
+    motion.alpha = m[P_ALPHA];
+    motion.wallSlope = m[P_B];
+    motion.wallOffset = m[P_D];
+    motion.wallRatio = m[P_LAMBDA];
+    motion.roadSlope = value[DRIVE_SPEED] * unit * value[DRIVE_ROAD];
+    motion.direction = m.direction;
+    motion.rollCorrection = m[P_ROLL];
+    motion.pitchCorrection = m[P_PITCH];
+    const Matx<double, PARAMETERS, PARAMETERS> C = J * covariance * J.t();
+    motion.covariance = C.get_minor<4, 4>(P_ALPHA, P_ALPHA);
+    motion.rollYawAmbiguous = isRollYawAmbiguous(C);
 }
 
 }} // namespace cv::rsackermann

@@ -5,7 +5,8 @@
 #ifndef OPENCV_RSACKERMANN_SRC_DRIVE_DRIVE_STATE_HPP
 #define OPENCV_RSACKERMANN_SRC_DRIVE_DRIVE_STATE_HPP
 
-#include "opencv2/rsackermann/motion.hpp"
+#include "opencv2/rsackermann/estimator.hpp"
+#include "../estimator/model.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -19,11 +20,18 @@ enum DriveValue
     DRIVE_LEFT,      //!< inverse distance of the left wall, 1/m; 0: none
     DRIVE_RIGHT,     //!< the same of the right wall
     DRIVE_ROAD,      //!< inverse height of the camera above the road, 1/m
+    DRIVE_ROLL,      //!< corrections of gravity, radians
+    DRIVE_PITCH,
     DRIVE_VALUES
 };
 
 typedef Vec<double, DRIVE_VALUES> DriveVector;
 typedef Matx<double, DRIVE_VALUES, DRIVE_VALUES> DriveMatrix;
+
+/** The motion during one image in units of row time.
+@param unit seconds per unit of row time.
+@param jacobian receives, unless it is null, the derivatives by the values. */
+Model toModel(const DriveVector& value, double unit, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian);
 
 /** The motion of the car and the scene with a covariance (doc/theory.md, "Drive").
 
@@ -35,16 +43,19 @@ struct DriveState
     DriveMatrix covariance;
 
     //! What is usual before anything is seen.
-    explicit DriveState(const RollingShutterCamera& camera);
+    DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 
     //! What becomes of it after some seconds.
-    void predict(const RollingShutterCamera& camera, double seconds);
+    void predict(double seconds);
 
     //! A measurement of one value; ignored unless sigma is positive.
     void measure(DriveValue which, double measured, double sigma);
 
-    //! As a motion during one image, with its covariance; status and what segments say are left as they are.
-    void toMotion(const RollingShutterCamera& camera, AckermannMotion& motion) const;
+    //! As a motion during one image, with its covariance; status and what is said of the segments are left as they are.
+    void toMotion(double unit, AckermannMotion& motion) const;
+
+private:
+    DriveVector usual, usualSigma;
 };
 
 }} // namespace cv::rsackermann

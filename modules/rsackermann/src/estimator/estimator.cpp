@@ -3,14 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../scene.hpp"
 #include "../segments.hpp"
 #include "../storage.hpp"
+#include "account.hpp"
 #include "posterior.hpp"
 #include "road_contact.hpp"
 #include "selection.hpp"
 #include "significance.hpp"
-#include "vertical_residual.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -76,7 +75,7 @@ private:
     RefinementProblem makeProblem(const MotionPrior& prior) const;
     int findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found, AckermannMotion& motion, Mat& labels) const;
     Posterior withExpectation(const UsualDrive& usual, const Fit& fit) const;
-    double labelInliers(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const;
+    double label(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const;
     void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const;
 
     RollingShutterCamera camera;
@@ -141,12 +140,12 @@ int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDr
         problem.prior.usualAlpha = 0;
         if (!explorePosterior(problem, params, DisplacementField(camera), found))
             return MOTION_NO_CONSENSUS;
-        labelInliers(problem, found, motion, labels);
+        label(problem, found, motion, labels);
     }
     else
     {
         found = withExpectation(usual, selectMotion(problem, params));
-        const double chance = labelInliers(problem, found, motion, labels);
+        const double chance = label(problem, found, motion, labels);
         if (logFalseAlarms(motion.candidates, motion.inliers, found.structure.sampleSize(), chance) > 0)
             return MOTION_NO_CONSENSUS;
     }
@@ -172,25 +171,10 @@ Posterior AckermannEstimatorImpl::withExpectation(const UsualDrive& usual, const
 }
 
 // Returns the mean probability that a candidate with a random slant is an inlier.
-double AckermannEstimatorImpl::labelInliers(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const
+double AckermannEstimatorImpl::label(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const
 {
-    double sum = 0, chance = 0;
-    for (size_t i = 0; i < problem.verticals.size(); i++)
-    {
-        const Candidate& c = problem.verticals[i];
-        // Real verticals lean: what they do usually is no disagreement.
-        const double leaning = 2 * problem.focal * problem.lean * norm(c.u - c.v), threshold = std::max(params.threshold, leaning);
-        chance += std::min(1., threshold / (problem.focal * c.gate)) / motion.candidates;
-        int wall;
-        const double r = problem.focal * verticalResidual(c, found.model, problem.heading, wall, 0);
-        if (!(std::abs(r) < threshold))
-            continue;
-        labels.at<uchar>(c.index) = wall == Scene::RIGHT_WALL ? SEGMENT_RIGHT_WALL : SEGMENT_LEFT_WALL;
-        motion.inliers++;
-        sum += r * r;
-    }
-    motion.rms = motion.inliers > 0 ? std::sqrt(sum / motion.inliers) : 0;
-    return chance;
+    const Agreement agreement = {problem.focal, params.threshold, problem.lean};
+    return labelInliers(problem.verticals, found.model, problem.heading, agreement, motion, labels);
 }
 
 void AckermannEstimatorImpl::report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const
@@ -208,24 +192,13 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
     for (int i = P_ALPHA; i <= P_LAMBDA; i++)
         for (int j = P_ALPHA; j <= P_LAMBDA; j++)
             motion.covariance(i, j) = found.covariance(i, j);
-    const double variances = found.covariance(P_ALPHA, P_ALPHA) * found.covariance(P_ROLL, P_ROLL);
-    motion.rollYawAmbiguous = variances > 0 && std::abs(found.covariance(P_ALPHA, P_ROLL)) > 0.9 * std::sqrt(variances);
+    motion.rollYawAmbiguous = isRollYawAmbiguous(found.covariance);
 
     // What is measured gives a length; what is usual doesn't.
-    const double speed = std::hypot(motion.wallSlope, motion.wallOffset), unit = camera.secondsPerUnitTime();
-    if (!(speed > 0))
+    const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
+    if (!(speed > 0) || setToldScale(camera, params, prior, motion))
         return;
-    if (params.wallDistance > 0)
-    {
-        motion.scale = SCALE_WALL;
-        motion.wallDistance = params.wallDistance;
-    }
-    else if (unit > 0 && prior.speedSigma > 0)
-    {
-        motion.scale = SCALE_SPEED;
-        motion.wallDistance = std::abs(prior.speed) * unit / speed;
-    }
-    else if (params.scaleFromRoad && camera.height > 0)
+    if (params.scaleFromRoad && camera.height > 0)
     {
         const double ratio = roadRatioFromContacts(problem, m, params.threshold);
         if (ratio > 0)

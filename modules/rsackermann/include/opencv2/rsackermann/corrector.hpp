@@ -46,8 +46,10 @@ public:
         AckermannEstimator::Params estimator; //!< of the estimation
         WarpMapGenerator::Params warp;        //!< of the maps
         CV_PROP_RW int interpolation;    //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
-        CV_PROP_RW bool carryMotion;     //!< whether the images are consecutive frames and each motion is known before the next one is estimated, default false
-        CV_PROP_RW double previousNoise; //!< MotionPrior::previousNoise from one frame to the next where carryMotion is set, default 0.1
+        /** whether the images are consecutive frames of a drive, default false: what is known of one helps with the next; needs
+        RollingShutterCamera::lineDelay */
+        CV_PROP_RW bool carryMotion;
+        CV_PROP_RW bool trackPoints;     //!< whether points are tracked from frame to frame if carryMotion is set, default true
         CV_PROP_RW double frameInterval; //!< seconds from one frame to the next if setTimestamp() doesn't tell, default 1/30
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.

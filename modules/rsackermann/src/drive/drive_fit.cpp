@@ -1,0 +1,247 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../estimator/vertical_residual.hpp"
+#include "drive_fit.hpp"
+#include <Eigen/Cholesky>
+
+namespace cv {
+namespace rsackermann {
+
+// doc/theory.md, "Drive", has the reasons.
+static const double POINT_SIGMA = 1.5;      // pixels by which points of the scene miss its planes
+static const double POINT_DEPENDENCE = 5;   // neighbouring points err together
+static const double END_SIGMA = 0.5;        // pixels, of a vertical's slant in the image
+static const double SLANT_SCALE = 2;        // of the robust loss, in sigmas
+static const double SLANT_DEPENDENCE = 5;   // verticals of one facade err together
+static const double TURN_SIGMA = 0.5 * CV_PI / 180; // of pitch and roll from frame to frame
+static const int ITERATIONS = 6;            // at each scale
+
+namespace {
+
+typedef Eigen::Matrix<double, FLOW_VALUES, 1> Unknowns;
+typedef Eigen::Matrix<double, FLOW_VALUES, FLOW_VALUES> Information;
+typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
+
+// Cauchy's loss of a squared residual, and its weight.
+double loss(double squared, double scale) { return scale * scale * std::log1p(squared / (scale * scale)); }
+double weightOf(double squared, double scale) { return 1 / (1 + squared / (scale * scale)); }
+
+class DriveProblem
+{
+public:
+    DriveProblem(const RollingShutterCamera& camera, const std::vector<Sight>& sights_, const std::vector<Candidate>& verticals_,
+                 const DriveState& prediction)
+        : sights(sights_), residual(camera), verticals(verticals_), heading(camera.heading), unit(camera.secondsPerUnitTime()),
+          focal(camera.cameraMatrix(0, 0))
+    {
+        Matx<double, FLOW_VALUES, FLOW_VALUES> covariance = Matx<double, FLOW_VALUES, FLOW_VALUES>::eye() * (TURN_SIGMA * TURN_SIGMA);
+        expected.setZero();
+        for (int i = 0; i < DRIVE_VALUES; i++)
+        {
+            expected[i] = prediction.value[i];
+            for (int j = 0; j < DRIVE_VALUES; j++)
+                covariance(i, j) = prediction.covariance(i, j);
+        }
+        prior = Eigen::Map<Information>(covariance.val).llt().solve(Information::Identity());
+    }
+
+    // Levenberg-Marquardt's cost, with the points' loss of a scale in sigmas.
+    double cost(const Unknowns& u, double scale) const { return pointCost(u, scale) + slantCost(u) + (u - expected).dot(prior * (u - expected)); }
+
+    double pointCost(const Unknowns& u, double scale) const
+    {
+        double sum = 0;
+        for (size_t i = 0; i < sights.size(); i++)
+        {
+            const Point2d r = residual.evaluate(sights[i], u.data(), 0);
+            sum += loss(r.dot(r) / (POINT_SIGMA * POINT_SIGMA), scale);
+        }
+        return sum / POINT_DEPENDENCE;
+    }
+
+    // Gauss-Newton with ever less tolerance for points that disagree. Returns the cost.
+    double refine(Unknowns& u, Information& information) const
+    {
+        const double scales[] = {8, 3, 1};
+        double least = 0;
+        for (int i = 0; i < 3; i++)
+        {
+            least = cost(u, scales[i]);
+            for (int k = 0; k < ITERATIONS && step(scales[i], u, information, least); k++)
+                ;
+        }
+        return least;
+    }
+
+    const std::vector<Sight>& sights;
+    const FlowResidual residual;
+
+private:
+    // Returns whether there is more to be gained.
+    bool step(double scale, Unknowns& u, Information& information, double& least) const
+    {
+        const double enough = 1e-3;
+        const int halvings = 4;
+        Unknowns gradient = prior * (u - expected);
+        information = prior;
+        addPoints(u, scale, information, gradient);
+        addVerticals(u, information, gradient);
+        Unknowns change = information.selfadjointView<Eigen::Lower>().llt().solve(gradient);
+        for (int half = 0; half < halvings; half++, change *= 0.5)
+        {
+            Unknowns next = u - change;
+            for (int i = DRIVE_LEFT; i <= DRIVE_ROAD; i++)
+                next[i] = std::max(next[i], 0.);
+            const double after = cost(next, scale);
+            if (!(after < least))
+                continue;
+            const bool isMore = least - after > enough;
+            u = next;
+            least = after;
+            return isMore;
+        }
+        return false;
+    }
+
+    void addPoints(const Unknowns& u, double scale, Information& information, Unknowns& gradient) const
+    {
+        for (size_t i = 0; i < sights.size(); i++)
+        {
+            double jacobian[2][FLOW_VALUES];
+            const Point2d r = residual.evaluate(sights[i], u.data(), jacobian);
+            if (!(r.dot(r) < 1e6))
+                continue;
+            const double variance = POINT_SIGMA * POINT_SIGMA, weight = weightOf(r.dot(r) / variance, scale) / variance / POINT_DEPENDENCE;
+            const Eigen::Map<const FlowGradient> J(jacobian[0]);
+            information.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
+            gradient += weight * (J * Eigen::Vector2d(r.x, r.y));
+        }
+    }
+
+    // Slant of a vertical that the motion should have made upright, in sigmas.
+    double slant(const Candidate& c, const PreparedModel& model, double* jacobian) const
+    {
+        int wall;
+        const double length = norm(c.u - c.v), sigma = std::hypot(LEAN * length, END_SIGMA / focal);
+        const double r = verticalResidual(c, model, wall, jacobian);
+        for (int i = 0; i < PARAMETERS && jacobian; i++)
+            jacobian[i] /= sigma;
+        return r / sigma;
+    }
+
+    double slantCost(const Unknowns& u) const
+    {
+        const PreparedModel model(toModel(DriveVector(u.data()), unit, 0), heading);
+        double sum = 0;
+        for (size_t i = 0; i < verticals.size(); i++)
+        {
+            const double r = slant(verticals[i], model, 0);
+            sum += loss(r * r, SLANT_SCALE);
+        }
+        return sum / SLANT_DEPENDENCE;
+    }
+
+    void addVerticals(const Unknowns& u, Information& information, Unknowns& gradient) const
+    {
+        Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+        const PreparedModel model(toModel(DriveVector(u.data()), unit, &byValues), heading);
+        // Summed in the parameters of a model first, of which there are fewer.
+        Matx<double, PARAMETERS, PARAMETERS> squares;
+        Vec<double, PARAMETERS> products, jacobian;
+        for (size_t i = 0; i < verticals.size(); i++)
+        {
+            const double r = slant(verticals[i], model, jacobian.val), weight = weightOf(r * r, SLANT_SCALE) / SLANT_DEPENDENCE;
+            squares += weight * (jacobian * jacobian.t());
+            products += weight * r * jacobian;
+        }
+        const DriveMatrix added = byValues.t() * squares * byValues;
+        const DriveVector slope = byValues.t() * products;
+        for (int i = 0; i < DRIVE_VALUES; i++)
+        {
+            gradient[i] += slope[i];
+            for (int j = 0; j < DRIVE_VALUES; j++)
+                information(i, j) += added(i, j);
+        }
+    }
+
+    const std::vector<Candidate>& verticals;
+    Heading heading;
+    double unit, focal;
+    Unknowns expected;
+    Information prior;
+};
+
+// What the points say of the correction: those that don't move with the scene say nothing.
+void expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveFit& fit)
+{
+    const double agrees = 4 * POINT_SIGMA;
+    size_t count = 0;
+    fit.expectedRaw = fit.expectedLeft = 0;
+    for (size_t i = 0; i < problem.sights.size(); i++)
+    {
+        const Sight& s = problem.sights[i];
+        const double left = norm(problem.residual.evaluate(s, u.data(), 0));
+        if (!(left < agrees))
+            continue;
+        count++;
+        fit.expectedRaw += FlowResidual::shutterPart(s) * focal * norm(s.now - s.before);
+        fit.expectedLeft += FlowResidual::shutterPart(s) * left;
+    }
+    fit.agreeing = problem.sights.empty() ? 0 : double(count) / problem.sights.size();
+    fit.expectedRaw /= std::max<size_t>(count, 1);
+    fit.expectedLeft /= std::max<size_t>(count, 1);
+    // A motion has to explain more than its unknowns would by chance.
+    const int unknowns = 6;
+    Unknowns still = u;
+    still[DRIVE_YAW_RATE] = still[DRIVE_SPEED] = 0;
+    fit.moves = problem.pointCost(still, 1) - problem.pointCost(u, 1) > 2 * unknowns;
+}
+
+} // namespace
+
+DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<Candidate>& verticals,
+                  const DriveState& prediction, bool isVague)
+{
+    const double enough = 0.5; // of the points agree
+    const DriveProblem problem(camera, sights, verticals, prediction);
+    DriveFit fit(prediction);
+    Unknowns u = Unknowns::Zero();
+    for (int i = 0; i < DRIVE_VALUES; i++)
+        u[i] = prediction.value[i];
+    Unknowns best = u;
+    Information information;
+    double least = problem.refine(best, information);
+    expect(problem, best, camera.cameraMatrix(0, 0), fit);
+    if (isVague || fit.agreeing < enough)
+    {
+        const double speeds[] = {0, 10, 10, -3}, walls[] = {0.1, 0.2, 0.08, 0.1}; // m/s, 1/m
+        for (int i = 0; i < 4; i++)
+        {
+            Unknowns start = u;
+            Information startInformation;
+            start[DRIVE_SPEED] = speeds[i];
+            start[DRIVE_LEFT] = start[DRIVE_RIGHT] = walls[i];
+            const double cost = problem.refine(start, startInformation);
+            if (cost < least)
+            {
+                least = cost;
+                best = start;
+                information = startInformation;
+            }
+        }
+        expect(problem, best, camera.cameraMatrix(0, 0), fit);
+    }
+    const Information covariance = information.selfadjointView<Eigen::Lower>().llt().solve(Information::Identity());
+    for (int i = 0; i < DRIVE_VALUES; i++)
+    {
+        fit.state.value[i] = best[i];
+        for (int j = 0; j < DRIVE_VALUES; j++)
+            fit.state.covariance(i, j) = covariance(i, j);
+    }
+    return fit;
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_DRIVE_DRIVE_FIT_HPP
+#define OPENCV_RSACKERMANN_SRC_DRIVE_DRIVE_FIT_HPP
+
+#include "../estimator/candidate.hpp"
+#include "flow_residual.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+const double LEAN = 0.3 * CV_PI / 180; //!< of verticals in the scene
+
+//! What a frame says of a drive.
+struct DriveFit
+{
+    DriveState state;   //!< prediction and frame together
+    bool moves;         //!< whether the points tell the motion from a camera at rest
+    double expectedRaw, expectedLeft; //!< mean displacement in pixels of the points that agree, in the raw image and in the corrected one
+    double agreeing;    //!< share of the points that agree with the motion
+
+    explicit DriveFit(const DriveState& prediction) : state(prediction), moves(false), expectedRaw(0), expectedLeft(0), agreeing(0) {}
+};
+
+/** Fits motion, planes and gravity to the points that were tracked from the frame before and to the verticals of the present one, together
+with what the frames before have told (doc/theory.md, "Drive").
+@param prediction of the state at the present frame.
+@param isVague whether the prediction is hardly more than what is usual: motions that differ from it are tried, too.
+*/
+DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<Candidate>& verticals,
+                  const DriveState& prediction, bool isVague);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_DRIVE_DRIVE_FIT_HPP

@@ -1,0 +1,98 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../camera/rays.hpp"
+#include "flow_residual.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+std::vector<Sight> makeSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds)
+{
+    const double inFront = 0.1;
+    std::vector<Point2d> pixels, rays;
+    for (size_t i = 0; i < pairs.size(); i++)
+    {
+        pixels.push_back(pairs[i].before);
+        pixels.push_back(pairs[i].now);
+    }
+    undistortedRays(camera, pixels, rays);
+    std::vector<Sight> sights;
+    for (size_t i = 0; i < pairs.size(); i++)
+    {
+        const Vec3d a = camera.uprightRotation * Vec3d(rays[2 * i].x, rays[2 * i].y, 1);
+        const Vec3d b = camera.uprightRotation * Vec3d(rays[2 * i + 1].x, rays[2 * i + 1].y, 1);
+        if (!(a[2] > inFront && b[2] > inFront))
+            continue;
+        const Sight s = {Point2d(a[0] / a[2], a[1] / a[2]), Point2d(b[0] / b[2], b[1] / b[2]),
+                         camera.rowTime(pixels[2 * i]) - seconds / camera.secondsPerUnitTime(), camera.rowTime(pixels[2 * i + 1])};
+        if (std::abs(s.timeNow - s.timeBefore) > FLT_EPSILON)
+            sights.push_back(s);
+    }
+    return sights;
+}
+
+FlowResidual::FlowResidual(const RollingShutterCamera& camera)
+    : heading(camera.heading), unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0))
+{
+}
+
+Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobian)[FLOW_VALUES]) const
+{
+    const double alpha = u[DRIVE_YAW_RATE] * unit / 2, length = u[DRIVE_SPEED] * unit;
+    const double cosine = std::cos(u[DRIVE_DIRECTION]), sine = std::sin(u[DRIVE_DIRECTION]);
+    const RowMotion now(alpha, heading, s.timeNow), before(alpha, heading, s.timeBefore);
+    const Vec3d ray(now.c * s.now.x + now.s, s.now.y, now.c - now.s * s.now.x);
+    const double placeX = now.tau * now.s2, placeZ = now.tau * now.c2;
+
+    // The inverse depth of the nearest plane, over the speed. A camera that would have passed a wall is kept before it.
+    const double across = sine * ray[2] - cosine * ray[0], passed = length * (sine * placeZ - cosine * placeX), least = 0.1;
+    const double planes[3] = {u[DRIVE_LEFT] * across / std::max(least, 1 - u[DRIVE_LEFT] * passed),
+                              -u[DRIVE_RIGHT] * across / std::max(least, 1 + u[DRIVE_RIGHT] * passed), u[DRIVE_ROAD] * ray[1]};
+    const int plane = int(std::max_element(planes, planes + 3) - planes);
+    const double w = length * std::max(0., planes[plane]);
+
+    const double x = ray[0] + w * (placeX - before.tau * before.s2), z = ray[2] + w * (placeZ - before.tau * before.c2);
+    const double turnedX = before.c * x - before.s * z, turnedZ = before.s * x + before.c * z, behind = 1e3;
+    if (!(turnedZ > least))
+        return Point2d(behind, behind);
+    const double px = turnedX / turnedZ, py = ray[1] / turnedZ;
+    const Point2d residual(px + px * py * u[FLOW_PITCH] - py * u[FLOW_ROLL] - s.before.x, py + (1 + py * py) * u[FLOW_PITCH] + px * u[FLOW_ROLL] - s.before.y);
+    if (jacobian)
+    {
+        double *jx = jacobian[0], *jy = jacobian[1];
+        std::fill(jx, jx + 2 * FLOW_VALUES, 0.);
+        const double mx = (s.now.x + s.before.x) / 2, my = (s.now.y + s.before.y) / 2, f = focal * (s.timeNow - s.timeBefore);
+        const double xByW = f * (heading.s - mx * heading.c), yByW = -f * my * heading.c;
+        double wBy[DRIVE_VALUES] = {0};
+        if (plane == 2)
+        {
+            wBy[DRIVE_SPEED] = unit * u[DRIVE_ROAD] * my;
+            wBy[DRIVE_ROAD] = length * my;
+        }
+        else
+        {
+            const int wall = plane == 0 ? DRIVE_LEFT : DRIVE_RIGHT, side = plane == 0 ? 1 : -1;
+            const double slope = side * (sine - cosine * mx);
+            wBy[DRIVE_SPEED] = unit * u[wall] * slope;
+            wBy[wall] = length * slope;
+            wBy[DRIVE_DIRECTION] = side * length * u[wall] * (cosine + sine * mx);
+        }
+        for (int i = 0; i < DRIVE_VALUES; i++)
+        {
+            jx[i] = xByW * wBy[i];
+            jy[i] = yByW * wBy[i];
+        }
+        jx[DRIVE_YAW_RATE] = f * unit * (1 + mx * mx);
+        jy[DRIVE_YAW_RATE] = f * unit * mx * my;
+        jx[FLOW_PITCH] = focal * mx * my;
+        jy[FLOW_PITCH] = focal * (1 + my * my);
+        jx[FLOW_ROLL] = -focal * my;
+        jy[FLOW_ROLL] = focal * mx;
+    }
+    return focal * residual;
+}
+
+}} // namespace cv::rsackermann
