@@ -106,8 +106,6 @@ inline MotionPrior examplePrior()
     p.yawRateSigma = 0.02;
     p.wallDirection = 0.11;
     p.wallDirectionSigma = 0.03;
-    p.previous = exampleMotion();
-    p.previousNoise = 0.125;
     return p;
 }
 
@@ -119,8 +117,6 @@ inline void expectSame(const MotionPrior& a, const MotionPrior& b)
     EXPECT_EQ(a.yawRateSigma, b.yawRateSigma);
     EXPECT_EQ(a.wallDirection, b.wallDirection);
     EXPECT_EQ(a.wallDirectionSigma, b.wallDirectionSigma);
-    expectSame(a.previous, b.previous);
-    EXPECT_EQ(a.previousNoise, b.previousNoise);
 }
 
 //! Parameters none of which has its default; the same holds for the other ones below.
@@ -197,7 +193,7 @@ inline RollingShutterCorrector::Params exampleCorrectorParams()
     p.warp = exampleWarpParams();
     p.interpolation = INTER_CUBIC;
     p.carryMotion = true;
-    p.previousNoise = 0.25;
+    p.trackPoints = false;
     p.frameInterval = 0.04;
     return p;
 }
@@ -208,7 +204,7 @@ inline void expectSame(const RollingShutterCorrector::Params& a, const RollingSh
     expectSame(a.warp, b.warp);
     EXPECT_EQ(a.interpolation, b.interpolation);
     EXPECT_EQ(a.carryMotion, b.carryMotion);
-    EXPECT_EQ(a.previousNoise, b.previousNoise);
+    EXPECT_EQ(a.trackPoints, b.trackPoints);
     EXPECT_EQ(a.frameInterval, b.frameInterval);
 }
 

@@ -104,39 +104,6 @@ TEST(RSAckermann_Prior, all_together)
     EXPECT_LT(largest(with.direction), 3 * prior.wallDirectionSigma);
 }
 
-// The frames of a drive at constant motion, each with the motion of the frame before.
-TEST(RSAckermann_Prior, previous_frame)
-{
-    const Simulator truth = street();
-    std::vector<double> alone, carried;
-    MotionPrior prior;
-    prior.previousNoise = 0.01;
-    for (int seed = 0; seed < 60; seed++)
-    {
-        const AckermannMotion single = estimate(truth, seed, MotionPrior());
-        prior.previous = estimate(truth, seed, prior);
-        ASSERT_EQ(MOTION_OK, prior.previous.status);
-        if (seed < 10)
-            continue;
-        alone.push_back(truth.meanDisplacement(Simulator::fromMotion(truth.camera, single)));
-        carried.push_back(truth.meanDisplacement(Simulator::fromMotion(truth.camera, prior.previous)));
-    }
-    EXPECT_LT(median(carried), 0.7 * median(alone));
-}
-
-// A frame before without a motion says nothing.
-TEST(RSAckermann_Prior, previous_frame_without_motion)
-{
-    const Simulator truth = street();
-    MotionPrior prior;
-    prior.previousNoise = 0.01;
-    const AckermannMotion a = estimate(truth, 0, prior), b = estimate(truth, 0, MotionPrior());
-    EXPECT_EQ(b.alpha, a.alpha);
-    EXPECT_EQ(b.wallSlope, a.wallSlope);
-    EXPECT_EQ(b.wallOffset, a.wallOffset);
-    EXPECT_EQ(b.wallRatio, a.wallRatio);
-}
-
 // A wrong prior with a large sigma loses against the segments.
 TEST(RSAckermann_Prior, weak_prior)
 {
@@ -179,44 +146,6 @@ const BadField badFields[] = {
     BadField("yawRateSigma", [](MotionPrior& p) { p.yawRateSigma = infinity; }),
     BadField("wallDirection", [](MotionPrior& p) { p.wallDirection = NaN; }),
     BadField("wallDirectionSigma", [](MotionPrior& p) { p.wallDirectionSigma = -1; }),
-    BadField("previousNoise", [](MotionPrior& p) { p.previousNoise = -1; }),
-    BadField("previousNoise", [](MotionPrior& p) { p.previousNoise = NaN; }),
-    BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = NaN; }),
-    BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = -infinity; }),
-    BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = 10.1; }),
-    BadField("prior.previous.alpha", [](MotionPrior& p) { p.previous.alpha = -10.1; }),
-    BadField("prior.previous.wallSlope", [](MotionPrior& p) { p.previous.wallSlope = NaN; }),
-    BadField("prior.previous.wallSlope", [](MotionPrior& p) { p.previous.wallSlope = -infinity; }),
-    BadField("prior.previous.wallSlope", [](MotionPrior& p) { p.previous.wallSlope = 101; }),
-    BadField("prior.previous.wallSlope", [](MotionPrior& p) { p.previous.wallSlope = -101; }),
-    BadField("prior.previous.wallOffset", [](MotionPrior& p) { p.previous.wallOffset = NaN; }),
-    BadField("prior.previous.wallOffset", [](MotionPrior& p) { p.previous.wallOffset = -infinity; }),
-    BadField("prior.previous.wallOffset", [](MotionPrior& p) { p.previous.wallOffset = 101; }),
-    BadField("prior.previous.wallOffset", [](MotionPrior& p) { p.previous.wallOffset = -101; }),
-    BadField("prior.previous.roadSlope", [](MotionPrior& p) { p.previous.roadSlope = NaN; }),
-    BadField("prior.previous.roadSlope", [](MotionPrior& p) { p.previous.roadSlope = -infinity; }),
-    BadField("prior.previous.roadSlope", [](MotionPrior& p) { p.previous.roadSlope = 1.1e6; }),
-    BadField("prior.previous.roadSlope", [](MotionPrior& p) { p.previous.roadSlope = -1.1e6; }),
-    BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = NaN; }),
-    BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = -infinity; }),
-    BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = 3.2; }),
-    BadField("prior.previous.rollCorrection", [](MotionPrior& p) { p.previous.rollCorrection = -3.2; }),
-    BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = NaN; }),
-    BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = -infinity; }),
-    BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = 3.2; }),
-    BadField("prior.previous.pitchCorrection", [](MotionPrior& p) { p.previous.pitchCorrection = -3.2; }),
-    BadField("prior.previous.wallRatio", [](MotionPrior& p) { p.previous.wallRatio = NaN; }),
-    BadField("prior.previous.wallRatio", [](MotionPrior& p) { p.previous.wallRatio = infinity; }),
-    BadField("prior.previous.wallRatio", [](MotionPrior& p) { p.previous.wallRatio = -0.1; }),
-    BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = NaN; }),
-    BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = infinity; }),
-    BadField("prior.previous.wallDistance", [](MotionPrior& p) { p.previous.wallDistance = -0.1; }),
-    BadField("prior.previous.wallRatio", [](MotionPrior& p) { p.previous.wallRatio = 1.1e6; }),
-    BadField("prior.previous.covariance(0, 0)", [](MotionPrior& p) { p.previous.covariance(0, 0) = NaN; }),
-    BadField("prior.previous.covariance(1, 2)", [](MotionPrior& p) { p.previous.covariance(1, 2) = infinity; }),
-    BadField("prior.previous.covariance(3, 3)", [](MotionPrior& p) { p.previous.covariance(3, 3) = -infinity; }),
-    BadField("prior.previous.rms", [](MotionPrior& p) { p.previous.rms = NaN; }),
-    BadField("prior.previous.rms", [](MotionPrior& p) { p.previous.rms = infinity; }),
 };
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_PriorCheck, testing::ValuesIn(badFields));
 
@@ -237,67 +166,6 @@ TEST_P(RSAckermann_PriorCheck, names_the_field)
     EXPECT_NE(std::string::npos, message.find(GetParam().first)) << message;
     const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
     EXPECT_THROW(estimator->estimate(Mat(), noArray(), prior), cv::Exception);
-}
-
-std::string complaintOf(const MotionPrior& prior)
-{
-    try
-    {
-        prior.check();
-    }
-    catch (const cv::Exception& e)
-    {
-        return e.err;
-    }
-    return std::string();
-}
-
-TEST(RSAckermann_PreviousMotion, says_what_is_expected_of_the_previous_motion)
-{
-    MotionPrior prior;
-    prior.previous.alpha = NaN;
-    EXPECT_EQ("prior.previous.alpha is nan; a finite number is expected", complaintOf(prior));
-    prior.previous.alpha = -11;
-    EXPECT_EQ("prior.previous.alpha is -11; a number from -10 to 10 is expected", complaintOf(prior));
-    prior.previous.alpha = 0;
-    prior.previous.wallRatio = -2;
-    EXPECT_EQ("prior.previous.wallRatio is -2; a number from 0 to 1e+06 is expected", complaintOf(prior));
-}
-
-TEST(RSAckermann_PreviousMotion, accepts_the_limits)
-{
-    MotionPrior prior;
-    for (int sign = -1; sign <= 1; sign += 2)
-    {
-        AckermannMotion& m = prior.previous;
-        m.alpha = sign * 10;
-        m.wallSlope = m.wallOffset = sign * 100;
-        m.roadSlope = sign * 1e6;
-        m.wallRatio = sign < 0 ? 0 : 1e6;
-        m.rollCorrection = m.pitchCorrection = sign * CV_PI;
-        m.wallDistance = sign < 0 ? 0 : 1e6;
-        EXPECT_EQ("", complaintOf(prior));
-    }
-}
-
-// Motions at the limits leave an estimate finite.
-TEST(RSAckermann_Prior, previous_frame_at_the_limits)
-{
-    const Simulator truth = street();
-    for (int sign = -1; sign <= 1; sign += 2)
-    {
-        MotionPrior prior;
-        prior.previousNoise = 0.1;
-        prior.previous.status = MOTION_OK;
-        prior.previous.model = MODEL_4LA;
-        prior.previous.alpha = sign * 10;
-        prior.previous.wallSlope = prior.previous.wallOffset = sign * 100;
-        prior.previous.wallRatio = 1e6;
-        const AckermannMotion m = estimate(truth, 0, prior);
-        const double values[] = {m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope, m.rollCorrection, m.pitchCorrection, m.rms};
-        for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
-            EXPECT_FALSE(cvIsNaN(values[i]) || cvIsInf(values[i])) << "sign " << sign << ", value " << i;
-    }
 }
 
 }} // namespace

@@ -79,16 +79,11 @@ TEST(RSAckermann_Storage, warp_params)
 
 TEST(RSAckermann_Storage, corrector_params)
 {
-    checkStorage(exampleCorrectorParams(), "previous_noise", &RollingShutterCorrector::Params::previousNoise);
+    checkStorage(exampleCorrectorParams(), "frame_interval", &RollingShutterCorrector::Params::frameInterval);
 }
 
 TEST(RSAckermann_Storage, fields_of_fields)
 {
-    MotionPrior prior;
-    prior.setPrevious(exampleMotion());
-    expectSame(exampleMotion(), prior.previous);
-    expectSame(exampleMotion(), prior.getPrevious());
-
     RollingShutterCorrector::Params params;
     params.setEstimatorParams(exampleEstimatorParams());
     params.setWarpParams(exampleWarpParams());

@@ -27,7 +27,7 @@ CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const 
 bool CandidateConsensus::knowsYawRate() const
 {
     const PriorTerms& prior = problem.prior;
-    return structure.motion == MODEL_4LA && prior.sampleAlphaSigma > 0 && prior.sampleAlphaSigma < 0.1 * problem.limits.maxAlpha;
+    return structure.motion == MODEL_4LA && prior.alphaSigma > 0 && prior.alphaSigma < 0.1 * problem.limits.maxAlpha;
 }
 
 bool CandidateConsensus::knowsSpeed() const
@@ -56,7 +56,7 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
     options.rollingShutterDepth = false;
     const bool twoWalls = structure.walls == 2;
     if (knowsYawRate())
-        return solveKnownYawRate(segments, twoWalls, problem.prior.sampleAlpha, options, solutions);
+        return solveKnownYawRate(segments, twoWalls, problem.prior.alpha, options, solutions);
     if (knowsSpeed())
         return solveKnownSpeed(segments, twoWalls, std::abs(problem.prior.size), options, solutions);
     if (knowsWallDirection())

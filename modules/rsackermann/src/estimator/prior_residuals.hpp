@@ -17,24 +17,20 @@ deviations (doc/theory.md, "Estimation"). A sigma of 0: not known.
 struct PriorTerms
 {
     double alpha, alphaSigma;
-    double sampleAlpha, sampleAlphaSigma; // for sampling: alpha, or that of the previous frame where it is more exact
     double size, sizeSigma;       // of sqrt(B^2 + D^2), with the sign of the direction
     double street, streetSigma;   // azimuth of the street
-    double previous[4];           // alpha, B, D, lambda
-    Matx44d previousInformation;  // square root of the information of previous; 0: not known
-    bool hasPrevious;
     double usualAlpha;            // cars seldom turn faster
     double heading, headingSigma; // the walls are along the vehicle's forward direction, more or less
     double reversePenalty;        // cost of driving backward
 
-    PriorTerms() : alpha(0), alphaSigma(0), sampleAlpha(0), sampleAlphaSigma(0), size(0), sizeSigma(0), street(0), streetSigma(0), hasPrevious(false), usualAlpha(0), heading(0), headingSigma(0), reversePenalty(0) {}
+    PriorTerms() : alpha(0), alphaSigma(0), size(0), sizeSigma(0), street(0), streetSigma(0), usualAlpha(0), heading(0), headingSigma(0), reversePenalty(0) {}
     PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                const MotionLimits& limits);
 
     //! Standard deviation of the logarithm of the ratio of the walls: one is seldom far more distant than the other.
     static double usualLogRatio() { return 0.8; }
 
-    enum { MAX_RESIDUALS = 11 };
+    enum { MAX_RESIDUALS = 7 };
     //! @return number of residuals.
     int evaluate(const Model& model, const Structure& structure, Jet residuals[MAX_RESIDUALS]) const;
 };

@@ -86,8 +86,7 @@ public:
     CV_WRAP virtual RollingShutterCorrector::Params getParams() const = 0;
 
     /** @brief Sets what is known of the motion from elsewhere; used for all images until it is set again.
-    @param prior see MotionPrior. Where Params::carryMotion is set and there is a motion to carry, that one is used in place
-    of MotionPrior::previous.
+    @param prior see MotionPrior.
      */
     CV_WRAP virtual void setPrior(const MotionPrior& prior) = 0;
     //! What setPrior() has set.

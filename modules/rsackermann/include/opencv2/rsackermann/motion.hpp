@@ -164,20 +164,12 @@ public:
     //! Reads what write() has written. Fields that are missing keep their values.
     CV_WRAP void read(const FileNode& fn);
 
-    //! Sets previous: wrapped languages have no access to fields of a field.
-    CV_WRAP void setPrevious(const AckermannMotion& motion);
-    //! A copy of previous.
-    CV_WRAP AckermannMotion getPrevious() const;
-
     CV_PROP_RW double speed;        //!< metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; says most with AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road
     CV_PROP_RW double speedSigma;   //!< standard deviation of speed; 0 (default): not known
     CV_PROP_RW double yawRate;      //!< radians per second, positive to the right; needs RollingShutterCamera::lineDelay
     CV_PROP_RW double yawRateSigma; //!< standard deviation of yawRate; 0 (default): not known
     CV_PROP_RW double wallDirection;      //!< azimuth of the line at infinity of the walls in the upright frame, radians; its column is the tangent
     CV_PROP_RW double wallDirectionSigma; //!< standard deviation of wallDirection; 0 (default): not known
-
-    AckermannMotion previous;        //!< motion of the frame before; used where its status is #MOTION_OK and previousNoise is positive; always checked to be finite and within what a motion can be: alpha up to 10, wallSlope and wallOffset up to 100
-    CV_PROP_RW double previousNoise; //!< standard deviation of the change from frame to frame, as a fraction of the limits of yaw rate and of the values of speed and walls; 0 (default): no previous frame
 };
 
 //! @}
