@@ -8,6 +8,11 @@
 
 #include "../src/camera/lens.cpp"
 #include "../src/camera/rays.cpp"
+#include "../src/drive/drive_fit.cpp"
+#include "../src/drive/drive_state.cpp"
+#include "../src/drive/flow_residual.cpp"
+#include "../src/drive/point_tracker.cpp"
+#include "../src/estimator/account.cpp"
 #include "../src/estimator/candidate.cpp"
 #include "../src/estimator/consensus.cpp"
 #include "../src/estimator/displacement_field.cpp"

@@ -1,0 +1,322 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_simulator.hpp"
+#include "../src/drive/drive_fit.hpp"
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+const double DEGREE = CV_PI / 180;
+
+//! A camera that isn't the same in any direction: fx != fy, off centre, tilted, not looking along the car.
+RollingShutterCamera driveCamera(int scan = SCAN_TOP_TO_BOTTOM)
+{
+    RollingShutterCamera camera(Size(960, 540), Matx33d(700, 0, 470, 0, 840, 280, 0, 0, 1));
+    camera.scanDirection = scan;
+    camera.lineDelay = 0.03 / 540;
+    camera.height = 1.3;
+    camera.heading = 0.05;
+    camera.setRollPitch(0.01, 0.04);
+    return camera;
+}
+
+struct Truth
+{
+    double yawRate, speed, left, right, direction; // rad/s, m/s, metres, radians
+};
+
+Simulator simulate(const RollingShutterCamera& camera, const Truth& truth)
+{
+    return Simulator::fromMetric(camera, truth.yawRate, truth.speed, truth.left, truth.right, truth.direction);
+}
+
+//! A point of the scene that is seen at a random pixel, in the frame and in the one before.
+bool randomPair(const Simulator& s, double seconds, RNG& rng, PointPair& pair)
+{
+    const double T = seconds / s.camera.secondsPerUnitTime();
+    pair.now = Point2d(rng.uniform(0., double(s.camera.imageSize.width)), rng.uniform(0., double(s.camera.imageSize.height)));
+    const double t = s.time(pair.now);
+    const Vec3d place = s.drive.position(t), ray = s.drive.turn(s.bearing(pair.now), t);
+    const simulation::Surface surface = s.street.first(place, ray);
+    if (surface == simulation::NOTHING)
+        return false;
+    const Vec3d P = place + s.street.distance(surface, place, ray) * ray;
+    // The same motion brought the car here: its frame before is at the reference row of that time.
+    return s.project(s.drive.toCamera(P, -T), pair.before) && pair.before.x > 0 && pair.before.x < s.camera.imageSize.width;
+}
+
+std::vector<PointPair> randomPairs(const Simulator& s, double seconds, int count, double noise, double outliers, RNG& rng)
+{
+    std::vector<PointPair> pairs;
+    for (int tries = 0; int(pairs.size()) < count && tries < 100 * count; tries++)
+    {
+        PointPair pair;
+        if (!randomPair(s, seconds, rng, pair))
+            continue;
+        pair.before += Point2d(rng.gaussian(noise), rng.gaussian(noise));
+        if (rng.uniform(0., 1.) < outliers)
+            pair.before += Point2d(rng.uniform(-40., 40.), rng.uniform(-20., 20.));
+        pairs.push_back(pair);
+    }
+    return pairs;
+}
+
+DriveState stateOf(const RollingShutterCamera& camera, const Truth& truth)
+{
+    DriveState state(camera, AckermannEstimator::Params());
+    state.value[DRIVE_YAW_RATE] = truth.yawRate;
+    state.value[DRIVE_SPEED] = truth.speed;
+    state.value[DRIVE_DIRECTION] = truth.direction;
+    state.value[DRIVE_LEFT] = truth.left > 0 ? 1 / truth.left : 0;
+    state.value[DRIVE_RIGHT] = truth.right > 0 ? 1 / truth.right : 0;
+    state.value[DRIVE_ROAD] = 1 / camera.height;
+    return state;
+}
+
+Truth randomTruth(RNG& rng)
+{
+    const int walls = rng.uniform(0, 3);
+    const Truth truth = {rng.uniform(-0.5, 0.5), rng.uniform(0., 1.) < 0.2 ? rng.uniform(-4., -1.) : rng.uniform(2., 25.),
+                         walls == 1 ? 0 : rng.uniform(4., 15.), walls == 2 ? 0 : rng.uniform(4., 15.), rng.uniform(-0.2, 0.2)};
+    return truth;
+}
+
+typedef testing::TestWithParam<int> Scans;
+
+TEST_P(Scans, points_move_as_the_simulated_motion_moves_them)
+{
+    RNG rng(5);
+    const RollingShutterCamera camera = driveCamera(GetParam());
+    int count = 0;
+    for (int i = 0; i < 500; i++)
+    {
+        const Truth truth = randomTruth(rng);
+        const double seconds = rng.uniform(-0.1, 0.1);
+        const std::vector<PointPair> pairs = randomPairs(simulate(camera, truth), seconds, 20, 0, 0, rng);
+        double values[FLOW_VALUES] = {0};
+        const DriveVector value = stateOf(camera, truth).value;
+        std::copy(value.val, value.val + DRIVE_VALUES, values);
+        const std::vector<Sight> sights = makeSights(camera, pairs, seconds);
+        for (size_t k = 0; k < sights.size(); k++, count++)
+            ASSERT_LT(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)), 1e-6) << "motion " << i << ", point " << k;
+    }
+    EXPECT_GT(count, 8000);
+}
+
+TEST_P(Scans, derivatives_are_those_of_slow_motions)
+{
+    RNG rng(6);
+    const RollingShutterCamera camera = driveCamera(GetParam());
+    const FlowResidual residual(camera);
+    for (int i = 0; i < 200; i++)
+    {
+        Truth truth = randomTruth(rng);
+        truth.yawRate *= 0.1;
+        truth.speed *= 0.1;
+        const std::vector<Sight> sights = makeSights(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
+        double values[FLOW_VALUES] = {0}, jacobian[2][FLOW_VALUES];
+        const DriveVector value = stateOf(camera, truth).value;
+        std::copy(value.val, value.val + DRIVE_VALUES, values);
+        for (size_t k = 0; k < sights.size(); k++)
+        {
+            residual.evaluate(sights[k], values, jacobian);
+            for (int p = 0; p < FLOW_VALUES; p++)
+            {
+                const double h = 1e-5, at = values[p];
+                values[p] = at + h;
+                const Point2d high = residual.evaluate(sights[k], values, 0);
+                values[p] = at - h;
+                const Point2d low = residual.evaluate(sights[k], values, 0);
+                values[p] = at;
+                const Point2d slope = (high - low) * (0.5 / h), got(jacobian[0][p], jacobian[1][p]);
+                // At an edge between two planes there is no derivative.
+                if (cv::norm(slope) < 1e4)
+                {
+                    EXPECT_LT(cv::norm(slope - got), 0.1 * cv::norm(slope) + 2) << "value " << p;
+                }
+            }
+        }
+    }
+}
+
+TEST_P(Scans, motion_is_found)
+{
+    RNG rng(7);
+    const RollingShutterCamera camera = driveCamera(GetParam());
+    std::vector<double> yaw, speed, left;
+    for (int i = 0; i < 60; i++)
+    {
+        const Truth truth = randomTruth(rng);
+        const Simulator simulator = simulate(camera, truth);
+        const std::vector<Sight> sights = makeSights(camera, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
+        if (sights.size() < 100)
+            continue;
+        const DriveFit fit = fitDrive(camera, sights, std::vector<Candidate>(), DriveState(camera, AckermannEstimator::Params()), true);
+        EXPECT_TRUE(fit.moves) << i;
+        EXPECT_LT(fit.expectedLeft, fit.expectedRaw) << i;
+        EXPECT_GT(fit.agreeing, 0.7) << i;
+        yaw.push_back(std::abs(fit.state.value[DRIVE_YAW_RATE] - truth.yawRate) / DEGREE);
+        speed.push_back(std::abs(fit.state.value[DRIVE_SPEED] / truth.speed - 1));
+        if (truth.left > 0)
+            left.push_back(std::abs(fit.state.value[DRIVE_LEFT] * truth.left - 1));
+    }
+    ASSERT_GT(yaw.size(), 50u);
+    EXPECT_LT(median(yaw), 0.2);
+    EXPECT_LT(*std::max_element(yaw.begin(), yaw.end()), 1.5);
+    EXPECT_LT(median(speed), 0.1);
+    EXPECT_LT(median(left), 0.2);
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann_Drive, Scans, testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
+
+TEST(RSAckermann_Drive, rest_is_rest)
+{
+    RNG rng(8);
+    const RollingShutterCamera camera = driveCamera();
+    for (int i = 0; i < 20; i++)
+    {
+        const Truth truth = {0, 0, 6, 7, 0};
+        Truth moving = truth;
+        moving.speed = 1; // only to have points: those of a camera at rest are where they were
+        std::vector<PointPair> pairs = randomPairs(simulate(camera, moving), 0.05, 200, 0, 0, rng);
+        for (size_t k = 0; k < pairs.size(); k++)
+            pairs[k].before = pairs[k].now + Point2d(rng.gaussian(0.2), rng.gaussian(0.2));
+        const DriveFit fit = fitDrive(camera, makeSights(camera, pairs, 0.05), std::vector<Candidate>(), DriveState(camera, AckermannEstimator::Params()), true);
+        EXPECT_FALSE(fit.moves) << i;
+        EXPECT_LT(std::abs(fit.state.value[DRIVE_YAW_RATE]), 0.5 * DEGREE) << i;
+    }
+}
+
+// With the motion known from points, verticals tell the roll of the camera.
+TEST(RSAckermann_Drive, verticals_tell_roll)
+{
+    std::vector<double> errors;
+    for (int i = 0; i < 30; i++)
+    {
+        RNG rng(100 + i);
+        const RollingShutterCamera camera = driveCamera();
+        const Truth truth = {rng.uniform(-0.3, 0.3), 12, 6, 7, 0};
+        const double roll = rng.uniform(-1., 1.) * DEGREE;
+        const Simulator simulator = simulate(camera, truth);
+        RollingShutterCamera believed = camera;
+        believed.setRollPitch(0.01 - roll, 0.04);
+        simulation::SegmentOptions options;
+        options.noise = 0.3;
+        std::vector<Candidate> verticals, others;
+        Mat segments;
+        simulation::randomSegments(simulator, options, rng).ends.convertTo(segments, CV_64F);
+        selectCandidates(segments.reshape(1), believed, AckermannEstimator::Params(), verticals, others);
+        const std::vector<Sight> sights = makeSights(believed, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
+        const DriveFit fit = fitDrive(believed, sights, verticals, DriveState(believed, AckermannEstimator::Params()), true);
+        errors.push_back(std::abs(fit.state.value[DRIVE_ROLL] - roll) / DEGREE);
+    }
+    EXPECT_LT(median(errors), 0.15);
+}
+
+TEST(RSAckermann_Drive, state_forgets)
+{
+    const RollingShutterCamera camera = driveCamera();
+    const DriveState usual(camera, AckermannEstimator::Params());
+    DriveState once = usual;
+    once.measure(DRIVE_YAW_RATE, 0.3, 0.01);
+    once.measure(DRIVE_LEFT, 0.25, 0.001);
+    DriveState twice = once, late = once;
+    once.predict(0.5);
+    for (int i = 0; i < 5; i++)
+        twice.predict(0.1);
+    late.predict(1000);
+    EXPECT_LT(cv::norm(once.value - twice.value), 1e-9);
+    EXPECT_LT(cv::norm(once.covariance - twice.covariance), 1e-9);
+    EXPECT_LT(cv::norm(late.value - usual.value), 1e-9);
+    EXPECT_LT(cv::norm(late.covariance - usual.covariance), 1e-9);
+}
+
+TEST(RSAckermann_Drive, measurement_is_weighed)
+{
+    const RollingShutterCamera camera = driveCamera();
+    DriveState state(camera, AckermannEstimator::Params());
+    state.covariance(DRIVE_SPEED, DRIVE_ROAD) = state.covariance(DRIVE_ROAD, DRIVE_SPEED) = 0.5;
+    const DriveState before = state;
+    const double variance = before.covariance(DRIVE_SPEED, DRIVE_SPEED), sigma = 3, total = variance + sigma * sigma;
+    state.measure(DRIVE_SPEED, 20, sigma);
+    EXPECT_NEAR((before.value[DRIVE_SPEED] * sigma * sigma + 20 * variance) / total, state.value[DRIVE_SPEED], 1e-9);
+    EXPECT_NEAR(variance * sigma * sigma / total, state.covariance(DRIVE_SPEED, DRIVE_SPEED), 1e-9);
+    EXPECT_NEAR(before.value[DRIVE_ROAD] + 0.5 * (20 - before.value[DRIVE_SPEED]) / total, state.value[DRIVE_ROAD], 1e-9);
+    const DriveState same = state;
+    state.measure(DRIVE_SPEED, 5, 0);
+    EXPECT_EQ(same.value[DRIVE_SPEED], state.value[DRIVE_SPEED]);
+}
+
+TEST(RSAckermann_Drive, state_is_a_motion)
+{
+    RNG rng(9);
+    const RollingShutterCamera camera = driveCamera();
+    for (int i = 0; i < 200; i++)
+    {
+        const Truth truth = randomTruth(rng);
+        const AckermannMotion expected = AckermannMotion::fromMetric(camera, truth.yawRate, truth.speed, truth.left, truth.right, truth.direction);
+        AckermannMotion got;
+        stateOf(camera, truth).toMotion(camera.secondsPerUnitTime(), got);
+        EXPECT_NEAR(expected.alpha, got.alpha, 1e-12);
+        EXPECT_NEAR(expected.wallSlope, got.wallSlope, 1e-12);
+        EXPECT_NEAR(expected.wallOffset, got.wallOffset, 1e-12);
+        EXPECT_NEAR(expected.wallRatio, got.wallRatio, 1e-9);
+        EXPECT_NEAR(expected.roadSlope, got.roadSlope, 1e-12);
+        EXPECT_EQ(expected.direction, got.direction);
+    }
+}
+
+TEST(RSAckermann_Drive, derivatives_of_the_model)
+{
+    RNG rng(10);
+    const RollingShutterCamera camera = driveCamera();
+    const double unit = camera.secondsPerUnitTime(), h = 1e-6;
+    for (int i = 0; i < 100; i++)
+    {
+        const DriveVector value = stateOf(camera, randomTruth(rng)).value;
+        Matx<double, PARAMETERS, DRIVE_VALUES> J;
+        toModel(value, unit, &J);
+        for (int v = 0; v < DRIVE_VALUES; v++)
+        {
+            if (value[v] == 0 && (v == DRIVE_LEFT || v == DRIVE_RIGHT))
+                continue; // a wall that comes into being
+            DriveVector low = value, high = value;
+            low[v] -= h;
+            high[v] += h;
+            const Model a = toModel(low, unit, 0), b = toModel(high, unit, 0);
+            for (int p = 0; p < PARAMETERS; p++)
+                EXPECT_NEAR((b.value[p] - a.value[p]) / (2 * h), J(p, v), 1e-5 * (1 + std::abs(J(p, v)))) << "parameter " << p << " by value " << v;
+        }
+    }
+}
+
+TEST(RSAckermann_Drive, points_are_tracked)
+{
+    // A texture that is shifted by whole pixels, in an image that is searched in a quarter of its size.
+    RNG rng(11);
+    Mat noise(600, 1100, CV_8U), texture;
+    rng.fill(noise, RNG::UNIFORM, 0, 256);
+    GaussianBlur(noise, texture, Size(), 3);
+    normalize(texture, texture, 0, 255, NORM_MINMAX);
+    const Point shift(24, -10);
+    PointTracker tracker;
+    std::vector<PointPair> pairs;
+    tracker.track(texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);
+    EXPECT_TRUE(pairs.empty());
+    tracker.track(texture(Rect(Point(50, 40) - shift, Size(1000, 500))).clone(), 1, pairs);
+    ASSERT_GT(pairs.size(), 100u);
+    std::vector<double> errors;
+    for (size_t i = 0; i < pairs.size(); i++)
+        errors.push_back(cv::norm(pairs[i].now - pairs[i].before - Point2d(shift)));
+    EXPECT_LT(median(errors), 0.2);
+    tracker.reset();
+    tracker.track(texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);
+    EXPECT_TRUE(pairs.empty());
+}
+
+}} // namespace
