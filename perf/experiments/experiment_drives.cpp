@@ -29,6 +29,7 @@ const char* const KEYS =
     "{told       | none   | what the estimator is told of the drives: none, yaw_rate, speed or both}"
     "{gravity_sigma |     | degrees, in the place of the default}"
     "{drive      |        | a folder is one drive: each frame with what those before say}"
+    "{smooth     |        | the same, and what the next frame says}"
     "{every      | 3      | measure every N-th frame}"
     "{quiet      |        | print the summary only}"
     "{threads    |        | number of threads}";
@@ -101,7 +102,7 @@ Outcome measureFrame(const DriveFrame& frame, const AckermannMotion& motion, con
 }
 
 // All frames in their order, by one corrector; every N-th is measured.
-std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int every, const AckermannEstimator::Params& params)
+std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int every, bool smooth, const AckermannEstimator::Params& params)
 {
     const std::vector<DriveFrame> frames = readDrive(folder);
     RollingShutterCorrector::Params all;
@@ -110,16 +111,15 @@ std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int 
     const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(frames[0].camera, all);
     std::vector<Outcome> outcomes;
     double time = 0;
-    // The second frame says what the first one can't say alone.
-    cv::Mat unused;
-    corrector->setTimestamp(frames[0].secondsToNext);
-    corrector->correct(readImage(frames[1].file), unused);
     for (size_t i = 0; i + 1 < frames.size(); i++)
     {
         const cv::Mat image = readImage(frames[i].file);
         cv::Mat corrected, maps[2];
         corrector->setTimestamp(time);
         corrector->setPrior(priorOf(frames[i], told));
+        // The second frame says what the first one can't say alone.
+        if (i == 0 || smooth)
+            corrector->setNextFrame(readImage(frames[i + 1].file), time + frames[i].secondsToNext);
         const AckermannMotion motion = corrector->correct(image, corrected);
         time += frames[i].secondsToNext;
         if (i % every != 0)
@@ -238,12 +238,12 @@ int run(int argc, const char* const* argv)
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
     const int told = options.choice("told", {"none", "yaw_rate", "speed", "both"}), every = options.integer("every", 1, 1000000);
-    const bool isDrive = options.flag("drive");
+    const bool smooth = options.flag("smooth"), isDrive = smooth || options.flag("drive");
     const bool quiet = options.flag("quiet");
     std::vector<Outcome> all;
     for (const std::string& folder : options.arguments())
     {
-        const std::vector<Outcome> part = (isDrive ? measureWholeDrive : measureDrive)(folder, told, every, params);
+        const std::vector<Outcome> part = isDrive ? measureWholeDrive(folder, told, every, smooth, params) : measureDrive(folder, told, every, params);
         if (!quiet)
             printOutcomes(part);
         summariseDrives(folder.substr(folder.find_last_of('/') + 1).c_str(), part);

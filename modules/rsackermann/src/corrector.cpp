@@ -150,7 +150,22 @@ public:
 
     void setTimestamp(double seconds) CV_OVERRIDE { timestamp = seconds; }
 
-    void reset() CV_OVERRIDE { drive.reset(); }
+    void setNextFrame(InputArray image, double seconds) CV_OVERRIDE
+    {
+        checkSource(image, "image");
+        checkFinite(seconds, "seconds");
+        finder.prepare(image);
+        finder.reduced().copyTo(next.gray);
+        next.scale = finder.reduction();
+        next.seconds = seconds;
+        finder.release();
+    }
+
+    void reset() CV_OVERRIDE
+    {
+        drive.reset();
+        next.gray.release();
+    }
 
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask) CV_OVERRIDE
     {
@@ -220,11 +235,11 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_RollingShutterCorrector"; }
 
 private:
-    void checkSource(InputArray src) const
+    void checkSource(InputArray src, const char* name = "src") const
     {
         const Size expected = generator->getCamera().imageSize;
         if (src.size() != expected)
-            CV_Error(Error::StsBadArg, format("src is %d x %d; the camera's size %d x %d is expected", src.cols(), src.rows(), expected.width,
+            CV_Error(Error::StsBadArg, format("%s is %d x %d; the camera's size %d x %d is expected", name, src.cols(), src.rows(), expected.width,
                                               expected.height));
     }
 
@@ -233,9 +248,11 @@ private:
     {
         time = std::isfinite(timestamp) ? timestamp : time + params.frameInterval;
         timestamp = std::numeric_limits<double>::quiet_NaN();
-        const Mat points = params.trackPoints ? finder.reduced() : Mat();
+        const GrayFrame frame = {params.trackPoints ? finder.reduced() : Mat(), finder.reduction(), time};
         AckermannMotion motion;
-        if (!drive.estimate(points, finder.reduction(), segmentRows(segments), time, prior, motion, labels))
+        const bool isFromFrames = drive.estimate(frame, next, segmentRows(segments), prior, motion, labels);
+        next.gray.release();
+        if (!isFromFrames)
         {
             motion = estimator->estimate(segments, labels, drive.priorOfFrame(prior));
             drive.learn(motion);
@@ -308,6 +325,7 @@ private:
     SegmentFinder finder;
     MotionPrior prior;
     DriveEstimator drive;
+    GrayFrame next;          // what is known of the image after the next one
     double time;
     double timestamp;        // of the next image; not finite: not told
 

@@ -47,7 +47,7 @@ bool randomPair(const Simulator& s, double seconds, RNG& rng, PointPair& pair)
         return false;
     const Vec3d P = place + s.street.distance(surface, place, ray) * ray;
     // The same motion brought the car here: its frame before is at the reference row of that time.
-    return s.project(s.drive.toCamera(P, -T), pair.before) && pair.before.x > 0 && pair.before.x < s.camera.imageSize.width;
+    return s.project(s.drive.toCamera(P, -T), pair.other) && pair.other.x > 0 && pair.other.x < s.camera.imageSize.width;
 }
 
 std::vector<PointPair> randomPairs(const Simulator& s, double seconds, int count, double noise, double outliers, RNG& rng)
@@ -58,12 +58,19 @@ std::vector<PointPair> randomPairs(const Simulator& s, double seconds, int count
         PointPair pair;
         if (!randomPair(s, seconds, rng, pair))
             continue;
-        pair.before += Point2d(rng.gaussian(noise), rng.gaussian(noise));
+        pair.other += Point2d(rng.gaussian(noise), rng.gaussian(noise));
         if (rng.uniform(0., 1.) < outliers)
-            pair.before += Point2d(rng.uniform(-40., 40.), rng.uniform(-20., 20.));
+            pair.other += Point2d(rng.uniform(-40., 40.), rng.uniform(-20., 20.));
         pairs.push_back(pair);
     }
     return pairs;
+}
+
+std::vector<Sight> sightsOf(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds)
+{
+    std::vector<Sight> sights;
+    addSights(camera, pairs, seconds, sights);
+    return sights;
 }
 
 DriveState stateOf(const RollingShutterCamera& camera, const Truth& truth)
@@ -101,7 +108,7 @@ TEST_P(Scans, points_move_as_the_simulated_motion_moves_them)
         double values[FLOW_VALUES] = {0};
         const DriveVector value = stateOf(camera, truth).value;
         std::copy(value.val, value.val + DRIVE_VALUES, values);
-        const std::vector<Sight> sights = makeSights(camera, pairs, seconds);
+        const std::vector<Sight> sights = sightsOf(camera, pairs, seconds);
         for (size_t k = 0; k < sights.size(); k++, count++)
             ASSERT_LT(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)), 1e-6) << "motion " << i << ", point " << k;
     }
@@ -118,7 +125,7 @@ TEST_P(Scans, derivatives_are_those_of_slow_motions)
         Truth truth = randomTruth(rng);
         truth.yawRate *= 0.1;
         truth.speed *= 0.1;
-        const std::vector<Sight> sights = makeSights(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
+        const std::vector<Sight> sights = sightsOf(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
         double values[FLOW_VALUES] = {0}, jacobian[2][FLOW_VALUES];
         const DriveVector value = stateOf(camera, truth).value;
         std::copy(value.val, value.val + DRIVE_VALUES, values);
@@ -153,7 +160,7 @@ TEST_P(Scans, motion_is_found)
     {
         const Truth truth = randomTruth(rng);
         const Simulator simulator = simulate(camera, truth);
-        const std::vector<Sight> sights = makeSights(camera, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
+        const std::vector<Sight> sights = sightsOf(camera, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
         if (sights.size() < 100)
             continue;
         const DriveFit fit = fitDrive(camera, sights, std::vector<Candidate>(), DriveState(camera, AckermannEstimator::Params()), true);
@@ -185,8 +192,8 @@ TEST(RSAckermann_Drive, rest_is_rest)
         moving.speed = 1; // only to have points: those of a camera at rest are where they were
         std::vector<PointPair> pairs = randomPairs(simulate(camera, moving), 0.05, 200, 0, 0, rng);
         for (size_t k = 0; k < pairs.size(); k++)
-            pairs[k].before = pairs[k].now + Point2d(rng.gaussian(0.2), rng.gaussian(0.2));
-        const DriveFit fit = fitDrive(camera, makeSights(camera, pairs, 0.05), std::vector<Candidate>(), DriveState(camera, AckermannEstimator::Params()), true);
+            pairs[k].other = pairs[k].now + Point2d(rng.gaussian(0.2), rng.gaussian(0.2));
+        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<Candidate>(), DriveState(camera, AckermannEstimator::Params()), true);
         EXPECT_FALSE(fit.moves) << i;
         EXPECT_LT(std::abs(fit.state.value[DRIVE_YAW_RATE]), 0.5 * DEGREE) << i;
     }
@@ -211,7 +218,7 @@ TEST(RSAckermann_Drive, verticals_tell_roll)
         Mat segments;
         simulation::randomSegments(simulator, options, rng).ends.convertTo(segments, CV_64F);
         selectCandidates(segments.reshape(1), believed, AckermannEstimator::Params(), verticals, others);
-        const std::vector<Sight> sights = makeSights(believed, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
+        const std::vector<Sight> sights = sightsOf(believed, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
         const DriveFit fit = fitDrive(believed, sights, verticals, DriveState(believed, AckermannEstimator::Params()), true);
         errors.push_back(std::abs(fit.state.value[DRIVE_ROLL] - roll) / DEGREE);
     }
@@ -312,7 +319,7 @@ TEST(RSAckermann_Drive, points_are_tracked)
     ASSERT_GT(pairs.size(), 100u);
     std::vector<double> errors;
     for (size_t i = 0; i < pairs.size(); i++)
-        errors.push_back(cv::norm(pairs[i].now - pairs[i].before - Point2d(shift)));
+        errors.push_back(cv::norm(pairs[i].now - pairs[i].other - Point2d(shift)));
     EXPECT_LT(median(errors), 0.2);
     tracker.reset();
     tracker.track(texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);

@@ -42,23 +42,35 @@ void DriveEstimator::reset()
     isVague = true;
 }
 
-bool DriveEstimator::estimate(const Mat& gray, int scale, const Mat& segments, double seconds, const MotionPrior& prior, AckermannMotion& motion,
+// Points of the frame that are seen in the one before and in the one after.
+void DriveEstimator::look(const GrayFrame& frame, const GrayFrame& next, double passed)
+{
+    sights.clear();
+    if (!camera.isRowShutter() || !(camera.secondsPerUnitTime() > 0) || frame.gray.empty())
+        return;
+    tracker.track(frame.gray, frame.scale, pairs);
+    addSights(camera, pairs, passed, sights);
+    const double ahead = next.seconds - frame.seconds;
+    if (next.gray.empty() || ahead == 0 || !(std::abs(ahead) < LONGEST))
+        return;
+    tracker.trackNext(next.gray, pairs);
+    addSights(camera, pairs, -ahead, sights);
+}
+
+bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
                               Mat& labels)
 {
-    const double passed = seconds - time;
+    const double passed = frame.seconds - time;
     if (!hasFrame || passed == 0 || !(std::abs(passed) < LONGEST))
         reset();
     else
         state.predict(std::abs(passed));
-    time = seconds;
-    pairs.clear();
-    if (camera.isRowShutter() && camera.secondsPerUnitTime() > 0 && !gray.empty())
-        tracker.track(gray, scale, pairs);
+    time = frame.seconds;
     hasFrame = true;
+    look(frame, next, passed);
     state.measure(DRIVE_YAW_RATE, prior.yawRate, prior.yawRateSigma);
     state.measure(DRIVE_SPEED, prior.speed, prior.speedSigma);
     state.measure(DRIVE_DIRECTION, prior.wallDirection, prior.wallDirectionSigma);
-    const std::vector<Sight> sights = makeSights(camera, pairs, passed);
     if (sights.size() < LEAST_POINTS)
         return false;
 

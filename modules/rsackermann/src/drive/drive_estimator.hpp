@@ -10,6 +10,14 @@
 namespace cv {
 namespace rsackermann {
 
+//! A frame in 8 bit grey, smaller by scale; empty: it isn't used.
+struct GrayFrame
+{
+    Mat gray;
+    int scale;
+    double seconds; // time of its reference row
+};
+
 //! What consecutive frames say together (doc/theory.md, "Drive").
 class DriveEstimator
 {
@@ -20,13 +28,12 @@ public:
     void set(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 
     /** Goes on to the next frame and estimates its motion, if points could be tracked from a frame before.
-    @param gray the image in 8 bit grey, smaller by scale; empty: points aren't tracked.
+    @param frame the image; a frame that was taken before the last one is as good.
+    @param next the image after it, if that is known.
     @param segments of the image, N x 4, CV_64F.
-    @param seconds time of its reference row; a frame that was taken before the last one is as good.
     @param labels receives a #SegmentLabel for each segment.
-    @return false if there is nothing to go by: for a first frame, and for one that doesn't follow from the one before. */
-    bool estimate(const Mat& gray, int scale, const Mat& segments, double seconds, const MotionPrior& prior, AckermannMotion& motion,
-                  Mat& labels);
+    @return false if there is nothing to go by: for a frame that has nothing to do with the one before and the one after. */
+    bool estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
 
     //! What is known and what the frames before say of the yaw rate, for an estimate from the image alone.
     MotionPrior priorOfFrame(const MotionPrior& prior) const;
@@ -46,7 +53,9 @@ private:
     bool hasFrame;
     bool isVague;      // whether no frame has told the motion yet
     std::vector<PointPair> pairs;
+    std::vector<Sight> sights;
 
+    void look(const GrayFrame& frame, const GrayFrame& next, double passed);
     void report(const DriveFit& fit, const std::vector<Candidate>& verticals, const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
 };
 

@@ -187,7 +187,7 @@ void expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveF
         if (!(left < agrees))
             continue;
         count++;
-        fit.expectedRaw += FlowResidual::shutterPart(s) * focal * norm(s.now - s.before);
+        fit.expectedRaw += FlowResidual::shutterPart(s) * focal * norm(s.now - s.other);
         fit.expectedLeft += FlowResidual::shutterPart(s) * left;
     }
     fit.agreeing = problem.sights.empty() ? 0 : double(count) / problem.sights.size();

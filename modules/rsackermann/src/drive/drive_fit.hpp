@@ -24,7 +24,7 @@ struct DriveFit
     explicit DriveFit(const DriveState& prediction) : state(prediction), moves(false), expectedRaw(0), expectedLeft(0), agreeing(0) {}
 };
 
-/** Fits motion, planes and gravity to the points that were tracked from the frame before and to the verticals of the present one, together
+/** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to the verticals of the present one, together
 with what the frames before have told (doc/theory.md, "Drive").
 @param prediction of the state at the present frame.
 @param isVague whether the prediction is hardly more than what is usual: motions that differ from it are tried, too.

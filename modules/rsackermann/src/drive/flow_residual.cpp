@@ -9,17 +9,16 @@
 namespace cv {
 namespace rsackermann {
 
-std::vector<Sight> makeSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds)
+void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds, std::vector<Sight>& sights)
 {
     const double inFront = 0.1;
     std::vector<Point2d> pixels, rays;
     for (size_t i = 0; i < pairs.size(); i++)
     {
-        pixels.push_back(pairs[i].before);
+        pixels.push_back(pairs[i].other);
         pixels.push_back(pairs[i].now);
     }
     undistortedRays(camera, pixels, rays);
-    std::vector<Sight> sights;
     for (size_t i = 0; i < pairs.size(); i++)
     {
         const Vec3d a = camera.uprightRotation * Vec3d(rays[2 * i].x, rays[2 * i].y, 1);
@@ -27,11 +26,11 @@ std::vector<Sight> makeSights(const RollingShutterCamera& camera, const std::vec
         if (!(a[2] > inFront && b[2] > inFront))
             continue;
         const Sight s = {Point2d(a[0] / a[2], a[1] / a[2]), Point2d(b[0] / b[2], b[1] / b[2]),
-                         camera.rowTime(pixels[2 * i]) - seconds / camera.secondsPerUnitTime(), camera.rowTime(pixels[2 * i + 1])};
-        if (std::abs(s.timeNow - s.timeBefore) > FLT_EPSILON)
+                         camera.rowTime(pixels[2 * i]) - seconds / camera.secondsPerUnitTime(), camera.rowTime(pixels[2 * i + 1]),
+                         seconds > 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER, seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER};
+        if (std::abs(s.timeNow - s.timeOther) > FLT_EPSILON)
             sights.push_back(s);
     }
-    return sights;
 }
 
 FlowResidual::FlowResidual(const RollingShutterCamera& camera)
@@ -43,7 +42,7 @@ Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobia
 {
     const double alpha = u[DRIVE_YAW_RATE] * unit / 2, length = u[DRIVE_SPEED] * unit;
     const double cosine = std::cos(u[DRIVE_DIRECTION]), sine = std::sin(u[DRIVE_DIRECTION]);
-    const RowMotion now(alpha, heading, s.timeNow), before(alpha, heading, s.timeBefore);
+    const RowMotion now(alpha, heading, s.timeNow), other(alpha, heading, s.timeOther);
     const Vec3d ray(now.c * s.now.x + now.s, s.now.y, now.c - now.s * s.now.x);
     const double placeX = now.tau * now.s2, placeZ = now.tau * now.c2;
 
@@ -54,17 +53,17 @@ Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobia
     const int plane = int(std::max_element(planes, planes + 3) - planes);
     const double w = length * std::max(0., planes[plane]);
 
-    const double x = ray[0] + w * (placeX - before.tau * before.s2), z = ray[2] + w * (placeZ - before.tau * before.c2);
-    const double turnedX = before.c * x - before.s * z, turnedZ = before.s * x + before.c * z, behind = 1e3;
+    const double x = ray[0] + w * (placeX - other.tau * other.s2), z = ray[2] + w * (placeZ - other.tau * other.c2);
+    const double turnedX = other.c * x - other.s * z, turnedZ = other.s * x + other.c * z, behind = 1e3;
     if (!(turnedZ > least))
         return Point2d(behind, behind);
     const double px = turnedX / turnedZ, py = ray[1] / turnedZ;
-    const Point2d residual(px + px * py * u[FLOW_PITCH] - py * u[FLOW_ROLL] - s.before.x, py + (1 + py * py) * u[FLOW_PITCH] + px * u[FLOW_ROLL] - s.before.y);
+    const Point2d residual(px + px * py * u[s.pitch] - py * u[s.roll] - s.other.x, py + (1 + py * py) * u[s.pitch] + px * u[s.roll] - s.other.y);
     if (jacobian)
     {
         double *jx = jacobian[0], *jy = jacobian[1];
         std::fill(jx, jx + 2 * FLOW_VALUES, 0.);
-        const double mx = (s.now.x + s.before.x) / 2, my = (s.now.y + s.before.y) / 2, f = focal * (s.timeNow - s.timeBefore);
+        const double mx = (s.now.x + s.other.x) / 2, my = (s.now.y + s.other.y) / 2, f = focal * (s.timeNow - s.timeOther);
         const double xByW = f * (heading.s - mx * heading.c), yByW = -f * my * heading.c;
         double wBy[DRIVE_VALUES] = {0};
         if (plane == 2)
@@ -87,10 +86,10 @@ Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobia
         }
         jx[DRIVE_YAW_RATE] = f * unit * (1 + mx * mx);
         jy[DRIVE_YAW_RATE] = f * unit * mx * my;
-        jx[FLOW_PITCH] = focal * mx * my;
-        jy[FLOW_PITCH] = focal * (1 + my * my);
-        jx[FLOW_ROLL] = -focal * my;
-        jy[FLOW_ROLL] = focal * mx;
+        jx[s.pitch] = focal * mx * my;
+        jy[s.pitch] = focal * (1 + my * my);
+        jx[s.roll] = -focal * my;
+        jy[s.roll] = focal * mx;
     }
     return focal * residual;
 }

@@ -12,20 +12,29 @@
 namespace cv {
 namespace rsackermann {
 
+/** What a drive is described by, and turns about the other axes from the frame before and to the frame after, which are no part of the
+present image's motion. */
+enum
+{
+    FLOW_PITCH_BEFORE = DRIVE_VALUES,
+    FLOW_ROLL_BEFORE,
+    FLOW_PITCH_AFTER,
+    FLOW_ROLL_AFTER,
+    FLOW_VALUES
+};
+
 //! A tracked point as upright bearings with z = 1, and the row times at which it was seen, from the present reference row.
 struct Sight
 {
-    Point2d before, now;
-    double timeBefore, timeNow;
+    Point2d other, now;
+    double timeOther, timeNow;
+    int pitch, roll; // the turns of the other frame, among FLOW_VALUES
 };
 
-//! @param seconds between the reference rows of the two frames.
-std::vector<Sight> makeSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds);
+//! Adds sights. @param seconds from the other frame's reference row to the present one; negative if the other frame comes after.
+void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds, std::vector<Sight>& sights);
 
-//! What a drive is described by, and turns about the other axes between the two frames, which are no part of the present image's motion.
-enum { FLOW_PITCH = DRIVE_VALUES, FLOW_ROLL, FLOW_VALUES };
-
-/** By how much a point was elsewhere in the image before than the motion says (doc/theory.md, "Drive").
+/** By how much a point is elsewhere in another image than the motion says (doc/theory.md, "Drive").
 
 The motion between the two rows is exact; the derivatives are those of the displacement to first order.
 */
@@ -40,7 +49,7 @@ public:
     Point2d evaluate(const Sight& sight, const double* values, double (*jacobian)[FLOW_VALUES]) const;
 
     //! Part of a point's displacement between the frames that the shutter makes in the present image.
-    static double shutterPart(const Sight& s) { return std::abs(s.timeNow / (s.timeNow - s.timeBefore)); }
+    static double shutterPart(const Sight& s) { return std::abs(s.timeNow / (s.timeNow - s.timeOther)); }
 
 private:
     Heading heading;

@@ -19,7 +19,7 @@ static const double RETURN = 0.3;        // pixels by which a point that is foll
 
 void PointTracker::reset()
 {
-    before.clear();
+    now.clear();
 }
 
 // The point with the most texture of each cell.
@@ -42,43 +42,56 @@ void PointTracker::findPoints(const Mat& gray)
         }
 }
 
-// The points that are found again in the image before, from where they are followed back.
-void PointTracker::follow(int levels)
+int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image)
 {
-    const Size window(WINDOW, WINDOW);
-    const TermCriteria criteria(TermCriteria::COUNT + TermCriteria::EPS, 10, 0.03);
-    calcOpticalFlowPyrLK(now, before, points, past, found, error, window, levels, criteria);
-    returned = points;
-    calcOpticalFlowPyrLK(before, now, past, returned, foundAgain, error, window, 1, criteria, OPTFLOW_USE_INITIAL_FLOW);
-    for (size_t i = 0; i < points.size(); i++)
-        found[i] = found[i] && foundAgain[i] && norm(returned[i] - points[i]) < RETURN;
+    int halvings = 0;
+    image = gray;
+    for (; image.total() > MAX_PIXELS; halvings++)
+    {
+        Mat& target = smaller[halvings % 2];
+        resize(image, target, Size(image.cols / 2, image.rows / 2), 0, 0, INTER_AREA);
+        image = target;
+    }
+    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), LEVELS, true, BORDER_REFLECT_101, BORDER_CONSTANT, false);
+    return halvings;
 }
 
-void PointTracker::track(const Mat& gray, int scale, std::vector<PointPair>& pairs)
+// The points that are found in another image, from where they are followed back.
+void PointTracker::follow(const std::vector<Mat>& from, const std::vector<Mat>& to, std::vector<PointPair>& pairs)
 {
     pairs.clear();
-    const Mat* image = &gray;
-    for (int i = 0; image->total() > MAX_PIXELS; i = 1 - i, scale *= 2)
-    {
-        resize(*image, smaller[i], Size(image->cols / 2, image->rows / 2), 0, 0, INTER_AREA);
-        image = &smaller[i];
-    }
-    const int levels = buildOpticalFlowPyramid(*image, now, Size(WINDOW, WINDOW), LEVELS, true, BORDER_REFLECT_101, BORDER_CONSTANT, false);
-    if (!before.empty() && before[0].size() == now[0].size())
-    {
-        findPoints(*image);
-        if (!points.empty())
-            follow(levels);
-        const double shift = (scale - 1) / 2.; // centre of the first pixel of the small image
-        const Point2d origin(shift, shift);
-        for (size_t i = 0; i < points.size(); i++)
-            if (found[i])
-            {
-                const PointPair pair = {Point2d(past[i]) * scale + origin, Point2d(points[i]) * scale + origin};
-                pairs.push_back(pair);
-            }
-    }
+    if (points.empty() || to.empty() || from[0].size() != to[0].size())
+        return;
+    const Size window(WINDOW, WINDOW);
+    const TermCriteria criteria(TermCriteria::COUNT + TermCriteria::EPS, 10, 0.03);
+    calcOpticalFlowPyrLK(from, to, points, there, found, error, window, levels, criteria);
+    returned = points;
+    calcOpticalFlowPyrLK(to, from, there, returned, foundAgain, error, window, 1, criteria, OPTFLOW_USE_INITIAL_FLOW);
+    const double shift = (scale - 1) / 2.; // centre of the first pixel of the small image
+    const Point2d origin(shift, shift);
+    for (size_t i = 0; i < points.size(); i++)
+        if (found[i] && foundAgain[i] && norm(returned[i] - points[i]) < RETURN)
+        {
+            const PointPair pair = {Point2d(there[i]) * scale + origin, Point2d(points[i]) * scale + origin};
+            pairs.push_back(pair);
+        }
+}
+
+void PointTracker::track(const Mat& gray, int scale_, std::vector<PointPair>& pairs)
+{
     std::swap(before, now);
+    Mat image;
+    scale = scale_ << makePyramid(gray, now, image);
+    findPoints(image);
+    follow(now, before, pairs);
+}
+
+void PointTracker::trackNext(const Mat& gray, std::vector<PointPair>& pairs)
+{
+    // Its place is that of the image before, which has been used; track() will make it again.
+    Mat image;
+    makePyramid(gray, before, image);
+    follow(now, before, pairs);
 }
 
 }} // namespace cv::rsackermann

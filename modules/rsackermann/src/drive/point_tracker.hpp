@@ -10,13 +10,13 @@
 namespace cv {
 namespace rsackermann {
 
-//! A point of the scene in two consecutive raw images, pixels.
+//! A point of the scene in the present raw image and in another one, pixels.
 struct PointPair
 {
-    Point2d before, now;
+    Point2d other, now;
 };
 
-/** Tracks points from the image before to the present one.
+/** Tracks points of the present image in the one before and, if it is there, in the one after.
 
 Points are spread over the image: one for each cell of a grid, if there is one with texture in all directions. They are looked for in the
 present image and followed back and forth; those that don't return are left out.
@@ -24,20 +24,27 @@ present image and followed back and forth; those that don't return are left out.
 class PointTracker
 {
 public:
+    PointTracker() : levels(0), scale(1) {}
+
     /** @param gray present image, 8 bit, which may have been made smaller by scale.
     @param pairs receives the points, in pixels of the raw images; none for the first image. */
     void track(const Mat& gray, int scale, std::vector<PointPair>& pairs);
+
+    //! The same for the image after the one that track() had last.
+    void trackNext(const Mat& gray, std::vector<PointPair>& pairs);
 
     //! The next image belongs to another sequence.
     void reset();
 
 private:
+    int makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image);
     void findPoints(const Mat& gray);
-    void follow(int levels);
+    void follow(const std::vector<Mat>& from, const std::vector<Mat>& to, std::vector<PointPair>& pairs);
 
     std::vector<Mat> before, now; // pyramids
+    int levels, scale;            // of the present one
     Mat smaller[2], half, response;
-    std::vector<Point2f> points, past, returned;
+    std::vector<Point2f> points, there, returned;
     std::vector<uchar> found, foundAgain;
     std::vector<float> error;
 };

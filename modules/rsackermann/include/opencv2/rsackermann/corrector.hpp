@@ -98,6 +98,15 @@ public:
      */
     CV_WRAP virtual void setTimestamp(double seconds) = 0;
 
+    /** @brief Shows the image after the one that is corrected next: points that are seen in both count, too.
+
+    For recorded drives, of which each frame or at least the first one can be corrected by what comes after it. Used if
+    Params::carryMotion and Params::trackPoints are set.
+    @param image raw image of the camera's size, of a type for the detection; copied.
+    @param seconds time of its reference row, as in setTimestamp().
+     */
+    CV_WRAP virtual void setNextFrame(InputArray image, double seconds) = 0;
+
     /** @brief Forgets the motion that is carried to the next frame: for the first frame of another sequence.
 
     It is also forgotten if a camera is set that differs in more than uprightRotation, and where a frame shows a camera at rest (#MOTION_NOT_SIGNIFICANT). A frame
