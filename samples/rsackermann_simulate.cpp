@@ -6,6 +6,7 @@
 
 #include "camera_file.hpp"
 #include "files.hpp"
+#include "output/atomic_file.hpp"
 #include "progress.hpp"
 #include "street_model.hpp"
 #include "truth_file.hpp"
@@ -13,7 +14,6 @@
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgproc.hpp"
-#include <fstream>
 
 namespace {
 
@@ -120,15 +120,10 @@ cv::Mat distort(const cv::Mat& image, const Truth& truth)
     return distorted;
 }
 
-void writeText(const std::string& path, const std::string& text)
+void writeImage(AtomicFile& file, const cv::Mat& image)
 {
-    AtomicFile file(path);
-    std::ofstream stream(file.temporaryName().c_str(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream)
-        throw InputError(path + " can't be written");
-    file.commit();
+    const std::vector<uchar> bytes = encodeImage(file.path(), image);
+    file.write(bytes.data(), bytes.size());
 }
 
 int run(int argc, const char* const* argv)
@@ -165,13 +160,14 @@ int run(int argc, const char* const* argv)
 
     const street::StreetRenderer renderer(truth.camera, truth.scene);
     Progress progress;
-    writeImage(rolling, image.empty() ? renderer.rollingShutter(samples) : distort(image, truth));
+    AtomicFiles files;
+    writeImage(files.add(rolling), image.empty() ? renderer.rollingShutter(samples) : distort(image, truth));
     progress.update(1, 2, global);
-    writeImage(global, image.empty() ? renderer.globalShutter(samples) : image);
-    writeText(truthFile, truthText(truth));
-    AtomicFile cameraFile(camera);
-    writeCameraFile(cameraFile.temporaryName(), settings);
-    cameraFile.commit();
+    writeImage(files.add(global), image.empty() ? renderer.globalShutter(samples) : image);
+    const std::string truthContent = truthText(truth), cameraContent = cameraText(settings);
+    files.add(truthFile).write(truthContent.data(), truthContent.size());
+    files.add(camera).write(cameraContent.data(), cameraContent.size());
+    files.commit();
     return 0;
 }
 

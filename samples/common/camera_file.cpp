@@ -3,8 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "camera_file.hpp"
+#include "output/atomic_file.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -32,6 +35,7 @@ void readShutterAndMounting(const NumberSource& number, const TextSource& text, 
     const bool delay = number("line_delay", s.lineDelay), readOut = number("readout", s.readOut);
     require(!delay || !readOut, "line_delay and readout exclude each other");
     require(s.lineDelay >= 0 && s.readOut >= 0, "line_delay and readout must not be negative");
+    require(s.lineDelay <= 1 && s.readOut <= 100, "line_delay and readout are in seconds");
     number("roll", s.roll);
     number("pitch", s.pitch);
     number("heading", s.heading);
@@ -52,32 +56,77 @@ void setIntrinsics(const std::vector<double>& k, CameraSettings& s)
     s.calibrated = true;
 }
 
+// A size must be one of images, and neither overflow nor be missing by half.
+void setSize(double width, double height, CameraSettings& s)
+{
+    const double largest = 65535; // of most formats of images
+    require(width == std::floor(width) && height == std::floor(height) && width >= 1 && height >= 1 && width <= largest && height <= largest &&
+                width * height < 2147483648., cv::format("the image's size %g x %g is none of an image", width, height));
+    s.size = cv::Size(int(width), int(height));
+}
+
+double finite(double value, const std::string& key)
+{
+    require(std::isfinite(value), key + " is not a number");
+    return value;
+}
+
+// The elements of a matrix of cv::FileStorage; none if it isn't there.
+std::vector<double> matrixOf(const cv::FileNode& node)
+{
+    if (node.empty())
+        return std::vector<double>();
+    require(node.isMap() && node["data"].isSeq() && node["rows"].isInt() && node["cols"].isInt(), node.name() + " is not a matrix");
+    for (const cv::FileNode& element : node["data"])
+        require(element.isInt() || element.isReal(), node.name() + " has an element that is not a number");
+    cv::Mat matrix;
+    node >> matrix;
+    require(matrix.channels() == 1, node.name() + " is not a matrix of numbers");
+    matrix.convertTo(matrix, CV_64F);
+    return matrix.empty() ? std::vector<double>() : std::vector<double>(matrix.reshape(1, 1));
+}
+
+// The words of ROS, which files with matrices of OpenCV may use as well.
+int lensModelOf(const std::string& word)
+{
+    require(word == "plumb_bob" || word == "rational_polynomial" || word == "equidistant" || word == "fisheye",
+            "distortion_model " + word + " isn't known");
+    return word == "equidistant" || word == "fisheye" ? LENS_FISHEYE : LENS_PINHOLE;
+}
+
+int lensModelOf(const cv::FileStorage& fs)
+{
+    const cv::FileNode flag = fs["fisheye_model"], word = fs["distortion_model"];
+    require(flag.empty() || word.empty(), "fisheye_model and distortion_model exclude each other");
+    require(flag.empty() || (flag.isInt() && (int(flag) == 0 || int(flag) == 1)), "fisheye_model is neither 0 nor 1");
+    require(word.empty() || word.isString(), "distortion_model is not a word");
+    if (!word.empty())
+        return lensModelOf(std::string(word));
+    return !flag.empty() && int(flag) ? LENS_FISHEYE : LENS_PINHOLE;
+}
+
 void readOpenCv(const std::string& path, CameraSettings& s)
 {
     cv::FileStorage fs(path, cv::FileStorage::READ);
     require(fs.isOpened(), "can't be read");
-    cv::Mat k, lens;
-    fs["camera_matrix"] >> k;
-    fs["distortion_coefficients"] >> lens;
+    const NumberSource number = [&](const std::string& key, double& value) {
+        const cv::FileNode node = fs[key];
+        if (node.empty())
+            return false;
+        require(node.isInt() || node.isReal(), key + " is not a number");
+        value = finite(double(node), key);
+        return true;
+    };
+    const std::vector<double> k = matrixOf(fs["camera_matrix"]);
     require(!k.empty(), "has no camera_matrix");
-    k.convertTo(k, CV_64F);
-    setIntrinsics(std::vector<double>(k.reshape(1, 1)), s);
-    if (!lens.empty())
-    {
-        lens.convertTo(lens, CV_64F);
-        s.lens = std::vector<double>(lens.reshape(1, 1));
-    }
-    s.lensModel = int(fs["fisheye_model"]) ? LENS_FISHEYE : LENS_PINHOLE;
-    s.size = cv::Size(int(fs["image_width"]), int(fs["image_height"]));
+    setIntrinsics(k, s);
+    s.lens = matrixOf(fs["distortion_coefficients"]);
+    s.lensModel = lensModelOf(fs);
+    double width = 0, height = 0;
+    if (number("image_width", width) + number("image_height", height) > 0)
+        setSize(width, height, s);
     readShutterAndMounting(
-        [&](const std::string& key, double& value) {
-            const cv::FileNode node = fs[key];
-            if (node.empty())
-                return false;
-            require(node.isInt() || node.isReal(), key + " is not a number");
-            value = double(node);
-            return true;
-        },
+        number,
         [&](const std::string& key, std::string& value) {
             const cv::FileNode node = fs[key];
             if (node.empty())
@@ -106,15 +155,13 @@ void readRos(const YAML::Node& root, CameraSettings& s)
 {
     setIntrinsics(numbersOf(firstOf(root, {"camera_matrix", "K", "k"})), s);
     const YAML::Node lens = firstOf(root, {"distortion_coefficients", "D", "d"}), model = root["distortion_model"];
-    const std::string word = model ? model.as<std::string>() : "plumb_bob";
-    require(word == "plumb_bob" || word == "rational_polynomial" || word == "equidistant" || word == "fisheye",
-            "distortion_model " + word + " isn't known");
-    s.lensModel = word == "equidistant" || word == "fisheye" ? LENS_FISHEYE : LENS_PINHOLE;
+    s.lensModel = model ? lensModelOf(model.as<std::string>()) : LENS_PINHOLE;
     if (lens.IsDefined())
         s.lens = numbersOf(lens);
     const YAML::Node width = firstOf(root, {"image_width", "width"}), height = firstOf(root, {"image_height", "height"});
-    if (width.IsDefined() && height.IsDefined())
-        s.size = cv::Size(width.as<int>(), height.as<int>());
+    require(width.IsDefined() == height.IsDefined(), "the image's width or height is missing");
+    if (width.IsDefined())
+        setSize(width.as<double>(), height.as<double>(), s);
 }
 
 void readKalibr(const YAML::Node& camera, CameraSettings& s)
@@ -132,15 +179,16 @@ void readKalibr(const YAML::Node& camera, CameraSettings& s)
         s.lens = camera["distortion_coeffs"].as<std::vector<double> >();
     if (camera["resolution"])
     {
-        const std::vector<int> size = camera["resolution"].as<std::vector<int> >();
+        const std::vector<double> size = camera["resolution"].as<std::vector<double> >();
         require(size.size() == 2, "resolution hasn't 2 elements");
-        s.size = cv::Size(size[0], size[1]);
+        setSize(size[0], size[1], s);
     }
 }
 
-void readYaml(const std::string& path, CameraSettings& s)
+void readYaml(const std::string& text, CameraSettings& s)
 {
-    const YAML::Node file = YAML::LoadFile(path);
+    // cv::FileStorage writes a directive that isn't YAML.
+    const YAML::Node file = YAML::Load(text.compare(0, 5, "%YAML") == 0 ? text.substr(std::min(text.find('\n'), text.size())) : text);
     require(file.IsMap(), "is neither a calibration of OpenCV nor a camera_info of ROS nor a camchain of Kalibr");
     const YAML::Node root = file["cam0"] ? file["cam0"] : file;
     if (root["intrinsics"])
@@ -152,7 +200,7 @@ void readYaml(const std::string& path, CameraSettings& s)
     readShutterAndMounting(
         [&](const std::string& key, double& value) {
             if (root[key])
-                value = root[key].as<double>();
+                value = finite(root[key].as<double>(), key);
             return bool(root[key]);
         },
         [&](const std::string& key, std::string& value) {
@@ -163,14 +211,43 @@ void readYaml(const std::string& path, CameraSettings& s)
         s);
 }
 
-// FileStorage knows its files by how they begin.
-bool isOpenCvFile(const std::string& path)
+// Files of cv::FileStorage are known by how they begin and by their matrices.
+bool isOpenCvFile(const std::string& text)
 {
-    std::ifstream file(path.c_str(), std::ios::binary);
-    char begin[6] = {0};
-    file.read(begin, 5);
-    const std::string text = begin;
-    return text == "%YAML" || text == "<?xml" || (!text.empty() && text[0] == '{');
+    return text.compare(0, 5, "<?xml") == 0 || text.find("opencv-matrix") != std::string::npos;
+}
+
+// Parsers call themselves for what is nested, and a file that is nested enough ends the program.
+void checkNesting(const std::string& text)
+{
+    const int largest = 64;
+    int depth = 0;
+    bool lineBegins = true;
+    for (size_t i = 0, dashes = 0; i < text.size(); i++)
+    {
+        const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
+        dashes = c == '\n' ? 0 : dashes + (lineBegins && c == '-' && next == ' ');
+        lineBegins = c == '\n' || (lineBegins && (c == ' ' || c == '-'));
+        if (c == '[' || c == '{' || (c == '<' && std::isalpha((unsigned char)next)))
+            depth++;
+        else if (c == ']' || c == '}' || (c == '<' && next == '/') || (c == '/' && next == '>'))
+            depth--;
+        require(depth <= largest && dashes <= size_t(largest), "is nested too deeply");
+    }
+}
+
+std::string readText(const std::string& path)
+{
+    const std::streamoff largest = 1 << 20;
+    std::ifstream file(path.c_str(), std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    require(size >= 0, "can't be read");
+    require(size <= largest, "is larger than a megabyte");
+    std::string text(size_t(size), '\0');
+    file.seekg(0);
+    require(size == 0 || file.read(&text[0], size), "can't be read");
+    checkNesting(text);
+    return text;
 }
 
 } // namespace
@@ -180,11 +257,11 @@ void readCameraFile(const std::string& path, CameraSettings& settings)
     try
     {
         require(cv::utils::fs::exists(path) && !cv::utils::fs::isDirectory(path), "there is no such file");
-        if (isOpenCvFile(path))
+        const std::string text = readText(path);
+        if (isOpenCvFile(text))
             readOpenCv(path, settings);
         else
-            readYaml(path, settings);
-        require(settings.size.width >= 0 && settings.size.height >= 0, "the image's size is negative");
+            readYaml(text, settings);
         // A camera of any size shows whether the values make sense.
         settings.makeCamera(settings.size.area() > 0 ? settings.size : cv::Size(640, 480)).check();
     }
@@ -202,17 +279,21 @@ void readCameraFile(const std::string& path, CameraSettings& settings)
     }
 }
 
-void writeCameraFile(const std::string& path, const CameraSettings& s)
+std::string cameraText(const CameraSettings& s)
 {
-    cv::FileStorage fs(path, cv::FileStorage::WRITE);
-    if (!fs.isOpened())
-        throw InputError(path + " can't be written");
+    cv::FileStorage fs(".yml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
     fs << "image_width" << s.size.width << "image_height" << s.size.height << "camera_matrix" << cv::Mat(s.K);
     fs << "distortion_coefficients" << cv::Mat(1, int(s.lens.size()), CV_64F, const_cast<double*>(s.lens.data()));
     fs << "fisheye_model" << int(s.lensModel == LENS_FISHEYE);
     fs << (s.readOut > 0 ? "readout" : "line_delay") << (s.readOut > 0 ? s.readOut : s.lineDelay);
     fs << "scan" << SCAN_WORDS[s.scan] << "reference" << s.reference;
     fs << "roll" << s.roll << "pitch" << s.pitch << "heading" << s.heading << "camera_height" << s.height;
+    return fs.releaseAndGetString();
+}
+
+void writeCameraFile(const std::string& path, const CameraSettings& settings)
+{
+    writeFile(path, cameraText(settings));
 }
 
 } // namespace rsackermann_samples

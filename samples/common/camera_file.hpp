@@ -18,6 +18,9 @@ Throws UsageError with what is wrong.
 */
 void readCameraFile(const std::string& path, CameraSettings& settings);
 
+//! The text of a camera file that readCameraFile() reads, in OpenCV's format.
+std::string cameraText(const CameraSettings& settings);
+
 //! Writes a camera file that readCameraFile() reads, in OpenCV's format.
 void writeCameraFile(const std::string& path, const CameraSettings& settings);
 

@@ -4,94 +4,74 @@
 
 #include "files.hpp"
 #include "image_ends.hpp"
+#include "image_metadata.hpp"
 #include "options.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <unistd.h>
 
 namespace rsackermann_samples {
 
-AtomicFile::AtomicFile(const std::string& path) : path_(path), committed_(false)
-{
-    const std::string name = fileName(path), folder = path.substr(0, path.size() - name.size());
-    if (!folder.empty() && !cv::utils::fs::createDirectories(folder))
-        throw InputError("the folder " + folder + " can't be made");
-    temporary_ = folder + cv::format(".%d-", int(getpid())) + name;
-}
-
-AtomicFile::~AtomicFile()
-{
-    if (!committed_)
-        std::remove(temporary_.c_str());
-}
-
-void AtomicFile::commit()
-{
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
-        throw InputError(path_ + " can't be written");
-    committed_ = true;
-}
-
-cv::Mat readImage(const std::string& path)
+std::vector<uchar> readBytes(const std::string& path)
 {
     if (!cv::utils::fs::exists(path))
         throw InputError("there is no such file");
-    std::ifstream file(path.c_str(), std::ios::binary);
-    const std::vector<uchar> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (bytes.empty())
+    std::ifstream file(path.c_str(), std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    std::vector<uchar> bytes(size > 0 ? size_t(size) : 0u);
+    file.seekg(0);
+    if (bytes.empty() || !file.read(reinterpret_cast<char*>(bytes.data()), size))
         throw InputError("the file can't be read or is empty");
+    return bytes;
+}
+
+cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
+{
+    const std::vector<uchar> bytes = readBytes(path);
     // Some decoders fill up what is missing and say nothing.
     if (isCutShort(bytes))
         throw InputError("the image is cut short");
+    if (isCmyk(bytes))
+        throw InputError("images with the colours of printers (CMYK) aren't supported");
     // The sensor's rows count, hence no turning after the Exif orientation.
     const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
     if (image.empty())
         throw InputError("the image can't be decoded");
+    if (image.depth() != CV_8U && image.depth() != CV_16U)
+        throw InputError("the image is of type " + cv::typeToString(image.type()) + "; only 8 and 16 bits without a sign are supported");
+    if (exif)
+        *exif = exifOf(bytes);
     return image;
 }
 
-void writeImage(const std::string& path, const cv::Mat& image)
+std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, const std::vector<uchar>& exif)
 {
+    const std::string format = extension(path);
+    // Not every format has colours, 16 bits or an alpha channel, and encoders drop them in silence.
+    const bool isPortableMap = format == ".pbm" || format == ".pgm" || format == ".ppm" || format == ".pnm";
     std::vector<uchar> bytes;
     bool encoded = false;
     try
     {
-        encoded = cv::imencode(extension(path), image, bytes);
-        // Not every format has 16 bits or an alpha channel, and encoders drop them in silence.
-        if (encoded && (image.depth() != CV_8U || image.channels() == 4))
-            encoded = cv::imdecode(bytes, cv::IMREAD_UNCHANGED).type() == image.type();
+        encoded = cv::imencode(format, image, bytes);
+        if (encoded && (isPortableMap || image.depth() != CV_8U || image.channels() == 4))
+        {
+            const cv::Mat again = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
+            encoded = again.type() == image.type() && (!isPortableMap || cv::norm(again, image, cv::NORM_INF) == 0);
+        }
     }
     catch (const cv::Exception&)
     {
         encoded = false;
     }
     if (!encoded)
-        throw InputError(path + ": the format " + extension(path) + " can't hold an image of type " + cv::typeToString(image.type()));
-    AtomicFile file(path);
-    std::ofstream stream(file.temporaryName().c_str(), std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-    stream.close();
-    if (!stream)
-        throw InputError(path + " can't be written");
-    file.commit();
-}
-
-void copyFile(const std::string& from, const std::string& to)
-{
-    AtomicFile file(to);
-    std::ifstream source(from.c_str(), std::ios::binary);
-    std::ofstream target(file.temporaryName().c_str(), std::ios::binary);
-    target << source.rdbuf();
-    target.close();
-    if (!source || !target)
-        throw InputError(to + " can't be written");
-    file.commit();
+        throw InputError(path + ": the format " + format + " can't hold an image of type " + cv::typeToString(image.type()));
+    addExif(bytes, exif);
+    return bytes;
 }
 
 cv::Mat readSegments(const std::string& path)
@@ -138,11 +118,6 @@ std::string extension(const std::string& path)
     std::string result = dot == std::string::npos ? "" : name.substr(dot);
     std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return char(std::tolower(c)); });
     return result;
-}
-
-bool isSameFile(const std::string& a, const std::string& b)
-{
-    return cv::utils::fs::exists(a) && cv::utils::fs::exists(b) && cv::utils::fs::canonical(a) == cv::utils::fs::canonical(b);
 }
 
 } // namespace rsackermann_samples

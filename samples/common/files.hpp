@@ -11,36 +11,18 @@
 
 namespace rsackermann_samples {
 
-/** A file that appears complete or not at all: it is written under another name in the same folder and renamed at the end. */
-class AtomicFile
-{
-public:
-    //! Makes the file's folder where it is missing.
-    explicit AtomicFile(const std::string& path);
-    //! Removes what was written unless commit() was called.
-    ~AtomicFile();
+/** Reads an image of 8 or 16 bits as it is stored (depth, channels, sensor rows). Throws InputError if it is missing, damaged, cut short or
+of another kind.
+@param exif receives the image's Exif data, see exifOf(). */
+cv::Mat readImage(const std::string& path, std::vector<uchar>* exif = nullptr);
 
-    //! The name to write to; it has the extension of the final name.
-    const std::string& temporaryName() const { return temporary_; }
-    //! Gives the file its final name.
-    void commit();
+/** The bytes of an image file, without loss of depth or channels; throws InputError.
+@param path its extension tells the format.
+@param exif Exif data, which are kept in the formats that addExif() knows. */
+std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, const std::vector<uchar>& exif = std::vector<uchar>());
 
-private:
-    AtomicFile(const AtomicFile&);
-    AtomicFile& operator=(const AtomicFile&);
-
-    std::string path_, temporary_;
-    bool committed_;
-};
-
-//! Reads an image as it is stored (depth, channels, sensor rows); throws InputError where it is missing, damaged or cut short.
-cv::Mat readImage(const std::string& path);
-
-//! Writes an image of the format of the path's extension, without loss of depth or channels; throws InputError.
-void writeImage(const std::string& path, const cv::Mat& image);
-
-//! Copies a file byte by byte.
-void copyFile(const std::string& from, const std::string& to);
+//! The bytes of a file; throws InputError.
+std::vector<uchar> readBytes(const std::string& path);
 
 //! Line segments from a text file with four numbers x1 y1 x2 y2 a line (N x 4, CV_32F); throws UsageError.
 cv::Mat readSegments(const std::string& path);
@@ -51,9 +33,6 @@ std::string fileName(const std::string& path);
 std::string stem(const std::string& path);
 //! The extension with its dot, in lower case; empty where there is none.
 std::string extension(const std::string& path);
-//! Whether both paths lead to the same existing file.
-bool isSameFile(const std::string& a, const std::string& b);
-
 } // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_FILES_HPP

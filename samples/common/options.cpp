@@ -39,10 +39,16 @@ std::vector<const char*> sortArguments(int argc, const char* const* argv, const 
                                        std::map<std::string, std::string>& given, std::vector<std::string>& arguments)
 {
     std::vector<const char*> options(1, argv[0]);
+    bool onlyArguments = false; // behind --
     for (int i = 1; i < argc; i++)
     {
         const std::string argument = argv[i];
-        if (argument.size() < 2 || argument[0] != '-')
+        if (!onlyArguments && argument == "--")
+        {
+            onlyArguments = true;
+            continue;
+        }
+        if (onlyArguments || argument.size() < 2 || argument[0] != '-')
         {
             arguments.push_back(argument);
             continue;

@@ -35,7 +35,7 @@ int parseWord(const std::string& word, const std::string& source, const std::vec
 //! Numbers with commas between.
 std::vector<double> parseNumbers(const std::string& text, const std::string& source);
 
-/** Options of the form --key=value, and arguments without a dash.
+/** Options of the form --key=value, and arguments without a dash; behind -- all are arguments.
 
 A cv::CommandLineParser that refuses what it doesn't know instead of ignoring it.
 */

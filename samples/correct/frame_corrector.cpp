@@ -42,8 +42,11 @@ void FrameCorrector::prepare(const cv::Size& size)
     if (corrector_ && camera_.imageSize == size)
         return;
     camera_ = job_.camera.makeCamera(size);
-    corrector_ = RollingShutterCorrector::create(camera_, job_.params);
-    WarpMapGenerator::create(camera_, job_.params.warp)->initRectifyMap(AckermannMotion(), lensMap1_, lensMap2_);
+    RollingShutterCorrector::Params params = job_.params;
+    params.warp = StripWarp::coarse(camera_);
+    corrector_ = RollingShutterCorrector::create(camera_, params);
+    warp_.reset(new StripWarp(camera_));
+    WarpMapGenerator::create(camera_, params.warp)->initRectifyMap(AckermannMotion(), lensMap1_, lensMap2_);
 }
 
 void FrameCorrector::tell(const FrameFacts& facts)
@@ -54,8 +57,10 @@ void FrameCorrector::tell(const FrameFacts& facts)
     settings.pitch = orElse(facts.pitch, settings.pitch);
     camera_ = settings.makeCamera(camera_.imageSize);
     corrector_->setCamera(camera_);
+    warp_->setCamera(camera_);
 
     RollingShutterCorrector::Params params = job_.params;
+    params.warp = StripWarp::coarse(camera_);
     if (!std::isnan(facts.gravitySigma))
         setGravitySigma(facts.gravitySigma, params.estimator);
     corrector_->setParams(params);
@@ -80,22 +85,37 @@ void FrameCorrector::reset()
         corrector_->reset();
 }
 
+void FrameCorrector::warp(const cv::Mat& image, CorrectedFrame& frame)
+{
+    const AckermannMotion& motion = frame.report.motion;
+    cv::Vec2d seconds;
+    if (!job_.output.empty() && motion.status != MOTION_OK && warp_->hasNoLens())
+        frame.image = image;
+    else if (!job_.output.empty())
+        warp_->correct(image, motion, frame.image, seconds);
+    if (!job_.maps.empty())
+        warp_->maps(motion, frame.map1, frame.map2);
+    frame.report.timings += cv::Vec4d(0, 0, 1000 * seconds[0], 1000 * seconds[1]);
+}
+
 CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const FrameFacts& facts)
 {
     prepare(image.size());
     CorrectedFrame frame;
     FrameReport& report = frame.report;
-    cv::Mat mask, segments, labels;
     tell(facts);
     report.camera = camera_;
-    report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, frame.image, mask)
-                                    : corrector_->correct(image, frame.image, mask);
+    cv::Mat coarse, mask, map1, map2, segments, labels;
+    report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, coarse, mask)
+                                    : corrector_->correct(image, coarse, mask);
     corrector_->getSegments(segments, labels);
-    corrector_->getMaps(frame.map1, frame.map2);
+    corrector_->getMaps(map1, map2);
+    report.time = facts.time;
     report.segments = segments.rows;
     // Without a motion the maps undo the lens only.
-    report.meanShift = report.motion.status == MOTION_OK ? meanDistance(frame.map1, frame.map2, lensMap1_, lensMap2_, mask) : 0;
+    report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;
     report.timings = corrector_->getTimings();
+    warp(image, frame);
     if (!job_.overlay.empty())
     {
         frame.overlay = pictureOf(image);

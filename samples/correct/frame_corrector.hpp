@@ -7,6 +7,8 @@
 
 #include "job.hpp"
 #include "report.hpp"
+#include "strip_warp.hpp"
+#include <memory>
 
 namespace rsackermann_samples {
 
@@ -14,9 +16,7 @@ namespace rsackermann_samples {
 struct CorrectedFrame
 {
     FrameReport report; //!< all but the input's name
-    cv::Mat image;
-    cv::Mat overlay;    //!< empty where the job asks for none
-    cv::Mat map1, map2;
+    cv::Mat image, overlay, map1, map2; //!< empty if the job doesn't ask for them
 };
 
 //! Corrects images one by one, as the job says.
@@ -35,11 +35,13 @@ public:
 private:
     void prepare(const cv::Size& size);
     void tell(const FrameFacts& facts);
+    void warp(const cv::Mat& image, CorrectedFrame& frame);
 
     const Job& job_;
     cv::rsackermann::RollingShutterCamera camera_; // of the last image
-    cv::Ptr<cv::rsackermann::RollingShutterCorrector> corrector_;
-    cv::Mat lensMap1_, lensMap2_;                  // undo the lens only
+    cv::Ptr<cv::rsackermann::RollingShutterCorrector> corrector_; // its image and maps have every eighth pixel only
+    std::unique_ptr<StripWarp> warp_;
+    cv::Mat lensMap1_, lensMap2_; // undo the lens only, for every eighth pixel
 };
 
 } // namespace rsackermann_samples

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "image_task.hpp"
+#include "files.hpp"
 #include "map_file.hpp"
 
 namespace rsackermann_samples {
@@ -11,29 +12,49 @@ namespace {
 
 bool isSame(const cv::Mat& a, const cv::Mat& b)
 {
-    return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
+    return a.data == b.data || cv::norm(a, b, cv::NORM_INF) == 0;
+}
+
+void writeImage(AtomicFile& file, const cv::Mat& image, const std::vector<uchar>& exif)
+{
+    const std::vector<uchar> bytes = encodeImage(file.path(), image, exif);
+    file.write(bytes.data(), bytes.size());
+}
+
+// An image that stays as it is would lose by being coded again. Of formats with an orientation only those whose Exif data are kept in corrected
+// images are copied, so that all results are turned alike.
+bool isCopied(const std::string& input, const std::string& output)
+{
+    const std::string format = extension(input);
+    return extension(output) == format && format != ".webp" && format != ".tif" && format != ".tiff";
 }
 
 } // namespace
 
-std::string correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts, FrameCorrector& corrector)
+FrameReport correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts, FrameCorrector& corrector)
 {
-    const cv::Mat image = readImage(input);
+    std::vector<uchar> exif;
+    const cv::Mat image = readImage(input, &exif);
     CorrectedFrame frame = corrector.correct(image, facts);
+    AtomicFiles files;
     if (!targets.overlay.empty())
-        writeImage(targets.overlay, frame.overlay);
+        writeImage(files.add(targets.overlay), frame.overlay, exif);
     if (!targets.maps.empty())
-        writeMaps(targets.maps, frame.map1, frame.map2);
+        writeMaps(files.add(targets.maps), frame.map1, frame.map2);
     if (!targets.output.empty())
     {
-        // An image that stays as it is doesn't lose anything by being coded again.
-        if (extension(targets.output) == extension(input) && isSame(image, frame.image))
-            copyFile(input, targets.output);
+        AtomicFile& file = files.add(targets.output);
+        if (isCopied(input, targets.output) && isSame(image, frame.image))
+        {
+            const std::vector<uchar> bytes = readBytes(input);
+            file.write(bytes.data(), bytes.size());
+        }
         else
-            writeImage(targets.output, frame.image);
+            writeImage(file, frame.image, exif);
     }
+    files.commit();
     frame.report.input = input;
-    return reportLine(frame.report);
+    return frame.report;
 }
 
 } // namespace rsackermann_samples

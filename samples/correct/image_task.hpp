@@ -12,8 +12,8 @@ namespace rsackermann_samples {
 
 /** Corrects the image of a file and writes its results.
 @param facts what the log tells of the image.
-@return the line for the report. Throws InputError or cv::Exception. */
-std::string correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts, FrameCorrector& corrector);
+@return what is to be told about it. Throws InputError or cv::Exception, and then no result is there. */
+FrameReport correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts, FrameCorrector& corrector);
 
 } // namespace rsackermann_samples
 

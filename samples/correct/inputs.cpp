@@ -9,8 +9,8 @@
 #include "opencv2/core/utils/filesystem.hpp"
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <numeric>
+#include <set>
 
 namespace rsackermann_samples {
 
@@ -26,7 +26,16 @@ bool isOneOf(const std::string& word, const std::vector<std::string>& words)
 std::vector<std::string> filesOf(const std::string& folder)
 {
     std::vector<cv::String> paths;
-    fs::glob(folder, "*", paths, false, false);
+    try
+    {
+        fs::glob(folder, "*", paths, false, false);
+    }
+    catch (const cv::Exception&)
+    {
+        throw InputError("the folder can't be read");
+    }
+    // What is hidden isn't meant: temporary files, and those of file managers.
+    paths.erase(std::remove_if(paths.begin(), paths.end(), [](const std::string& path) { return fileName(path)[0] == '.'; }), paths.end());
     std::sort(paths.begin(), paths.end());
     return std::vector<std::string>(paths.begin(), paths.end());
 }
@@ -79,15 +88,15 @@ struct NumberPattern
 
 std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::string& folder)
 {
-    std::map<long, std::string> found;
+    std::set<std::pair<long, std::string> > found; // f_1 and f_01 have the same number
     for (const std::string& path : filesOf(folder.empty() ? "." : folder))
     {
         long number = 0;
         if (pattern.match(fileName(path), number))
-            found[number] = folder + fileName(path);
+            found.insert(std::make_pair(number, folder + fileName(path)));
     }
     std::vector<std::string> images;
-    for (const std::pair<const long, std::string>& entry : found)
+    for (const std::pair<long, std::string>& entry : found)
         images.push_back(entry.second);
     return images;
 }

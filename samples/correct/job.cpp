@@ -4,12 +4,12 @@
 
 #include "job.hpp"
 #include "files.hpp"
+#include "targets.hpp"
 #include "units.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include <algorithm>
 #include <iostream>
-#include <map>
 
 namespace rsackermann_samples {
 
@@ -38,7 +38,7 @@ const char* const JOB_KEYS =
     "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); several inputs: a folder as for --output with NAME.yml.gz, "
     "for a video with NAME_NNNNNN.yml.gz for each frame}"
     "{shard      |        | i/N: do every N-th input only, beginning with the i-th (1 to N)}"
-    "{skip_existing |     | leave out inputs whose result exists; the report is continued}"
+    "{skip_existing |     | leave out what exists: results, and inputs with all results and lines of the report}"
     "{overwrite  |        | replace existing files}";
 
 namespace {
@@ -120,30 +120,17 @@ bool hasVideo(const InputList& inputs)
     return std::any_of(inputs.files.begin(), inputs.files.end(), isVideo);
 }
 
-// Two inputs of the same name would have the same result.
-void checkNames(const Job& job)
-{
-    std::map<std::string, std::string> names;
-    for (const std::string& input : job.inputs.files)
-    {
-        const std::string name = job.maps.empty() ? fileName(input) : stem(input);
-        const std::string& other = names.insert(std::make_pair(name, input)).first->second;
-        if (&other != &input && other != input)
-            throw UsageError("the results of " + other + " and " + input + " would have the same name");
-    }
-}
-
-// Every result needs a name of its own, and the report must not replace an input.
+// All files are known before any work is done, those of other shards too.
 void checkTargets(const Job& job)
 {
-    const std::string targets[] = {job.output, job.overlay, job.maps, job.report};
-    for (const std::string& a : targets)
-        for (const std::string& b : targets)
-            if (&a != &b && !a.empty() && a == b)
-                throw UsageError("two results would have the name " + a);
+    OutputPlan plan;
     for (const std::string& input : job.inputs.files)
-        if (isSameFile(job.report, input))
-            throw UsageError("the report would replace the input " + input);
+        plan.addInput(input);
+    for (const std::string& input : job.inputs.files)
+        Targets(job, input).addTo(plan);
+    if (!job.report.empty() && job.report != "-")
+        plan.addOutput(job.report, "the report");
+    plan.removeLeftovers();
 }
 
 void checkVideos(const Job& job)
@@ -175,8 +162,13 @@ void checkLog(const Job& job)
         std::cerr << "rsackermann_correct: the log doesn't name " << unknown << " of the " << images << " images" << std::endl;
 }
 
-void readShard(const Options& options, InputList& inputs)
+void readShard(const Options& options, Job& job)
 {
+    job.shardCount = 1;
+    if (!options.given("shard"))
+        return;
+    if (job.params.carryMotion)
+        throw UsageError("--carry and --shard exclude each other: the frames of a shard aren't consecutive");
     const std::string text = options.text("shard"), source = "option --shard (i/N)";
     const size_t slash = text.find('/');
     if (slash == std::string::npos)
@@ -184,7 +176,10 @@ void readShard(const Options& options, InputList& inputs)
     const int count = parseInteger(text.substr(slash + 1), source, 1, 1000000);
     // 0/N is the same as N/N, for those who count from 0.
     const int shard = parseInteger(text.substr(0, slash), source, 0, count);
-    keepShard(inputs, shard + count - 1, count);
+    job.shardCount = count;
+    keepShard(job.inputs, shard + count - 1, count);
+    if (shard != 1 && count != 1)
+        job.inputs.failures.clear(); // the first one tells of them
 }
 
 } // namespace
@@ -211,8 +206,8 @@ Job readJob(const Options& options)
     job.overwrite = options.flag("overwrite");
     if (job.skipExisting && job.overwrite)
         throw UsageError("--skip_existing and --overwrite exclude each other");
-    if (job.skipExisting && job.output.empty() && job.overlay.empty())
-        throw UsageError("--skip_existing needs --output or --overlay");
+    if (job.skipExisting && job.output.empty() && job.overlay.empty() && job.maps.empty() && job.report == "-")
+        throw UsageError("--skip_existing needs a file: --output, --overlay, --maps or --report");
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 4096));
 
@@ -229,10 +224,8 @@ Job readJob(const Options& options)
     job.mapsIsFolder = isFolder(job.inputs, job.maps) || (!job.maps.empty() && hasVideo(job.inputs));
     if (options.given("log"))
         checkLog(job);
-    checkNames(job);
     checkTargets(job);
-    if (options.given("shard"))
-        readShard(options, job.inputs);
+    readShard(options, job);
     return job;
 }
 
@@ -243,11 +236,11 @@ void setGravitySigma(double degrees, AckermannEstimator::Params& params)
         params.vehiclePitchSigma = params.gravitySigma;
 }
 
-std::string resultPath(const std::string& target, bool isFolder, const std::string& input)
+std::string resultPath(const std::string& target, bool isFolder, const std::string& name)
 {
-    if (!isFolder)
+    if (!isFolder || target.empty())
         return target;
-    return target + (target.back() == '/' ? "" : "/") + fileName(input);
+    return target + (target.back() == '/' ? "" : "/") + name;
 }
 
 } // namespace rsackermann_samples

@@ -24,6 +24,7 @@ struct Job
     cv::Mat lines;                              //!< segments of the only image
     std::string output, overlay, maps, report;  //!< file or folder, empty: not wanted
     bool outputIsFolder, overlayIsFolder, mapsIsFolder;
+    int shardCount;
     bool skipExisting, overwrite;
 };
 
@@ -38,8 +39,9 @@ void setGravitySigma(double degrees, cv::rsackermann::AckermannEstimator::Params
 //! Reads the command line; throws UsageError.
 Job readJob(const Options& options);
 
-//! Where the result for an input goes; empty where it isn't wanted.
-std::string resultPath(const std::string& target, bool isFolder, const std::string& input);
+//! Where a result goes; empty if it isn't wanted.
+//! @param name without folders, for a result in a folder.
+std::string resultPath(const std::string& target, bool isFolder, const std::string& name);
 
 } // namespace rsackermann_samples
 

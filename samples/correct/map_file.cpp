@@ -6,18 +6,57 @@
 #include "files.hpp"
 #include "options.hpp"
 
+#include <zlib.h>
+
 namespace rsackermann_samples {
 
-void writeMaps(const std::string& path, const cv::Mat& map1, const cv::Mat& map2)
+namespace {
+
+// The text as a file of gzip, in pieces.
+void writeCompressed(AtomicFile& file, const std::string& text)
 {
-    AtomicFile file(path);
-    // Base64 takes a quarter of the time of decimal numbers and two thirds of their room, and it is exact.
-    cv::FileStorage fs(file.temporaryName(), cv::FileStorage::WRITE_BASE64);
-    if (!fs.isOpened())
-        throw InputError(path + " can't be written");
+    const int gzip = 16, fast = 1; // more effort makes the file smaller by 2 %
+    z_stream stream = {};
+    std::vector<Bytef> buffer(1 << 18);
+    if (deflateInit2(&stream, fast, Z_DEFLATED, MAX_WBITS + gzip, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY) != Z_OK)
+        throw InputError(file.path() + " can't be compressed");
+    const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, deflateEnd);
+    const size_t piece = 1 << 20;
+    for (size_t at = 0, state = Z_OK; state != Z_STREAM_END; at += piece)
+    {
+        const size_t count = std::min(piece, text.size() - at);
+        stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data() + at));
+        stream.avail_in = uInt(count);
+        do
+        {
+            stream.next_out = buffer.data();
+            stream.avail_out = uInt(buffer.size());
+            state = size_t(deflate(&stream, at + count == text.size() ? Z_FINISH : Z_NO_FLUSH));
+            file.write(buffer.data(), buffer.size() - stream.avail_out);
+        } while (stream.avail_out == 0);
+    }
+}
+
+} // namespace
+
+void writeMaps(AtomicFile& file, const cv::Mat& map1, const cv::Mat& map2)
+{
+    std::string name = file.path();
+    const bool compressed = extension(name) == ".gz";
+    if (compressed)
+        name.erase(name.size() - 3);
+    const std::string format = extension(name);
+    if (format != ".yml" && format != ".yaml" && format != ".xml" && format != ".json")
+        throw InputError(file.path() + ": the extension is none of .yml, .yaml, .xml and .json, with or without .gz");
+    // In memory, as cv::FileStorage doesn't tell of a full disk. Base64 takes a quarter of the time of decimal numbers and two thirds of their
+    // room, and it is exact.
+    cv::FileStorage fs(name, cv::FileStorage::WRITE_BASE64 | cv::FileStorage::MEMORY);
     fs << "map1" << map1 << "map2" << map2;
-    fs.release();
-    file.commit();
+    const std::string text = fs.releaseAndGetString();
+    if (compressed)
+        writeCompressed(file, text);
+    else
+        file.write(text.data(), text.size());
 }
 
 } // namespace rsackermann_samples

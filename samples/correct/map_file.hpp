@@ -6,12 +6,13 @@
 #define RSACKERMANN_SAMPLES_MAP_FILE_HPP
 
 #include "opencv2/core.hpp"
-#include <string>
+#include "output/atomic_file.hpp"
 
 namespace rsackermann_samples {
 
-//! Writes maps for cv::remap as a file of cv::FileStorage with the nodes map1 and map2; throws InputError.
-void writeMaps(const std::string& path, const cv::Mat& map1, const cv::Mat& map2);
+/** Writes maps for cv::remap in the format of cv::FileStorage that the name's extension tells (.yml, .xml or .json, each also with .gz), with
+the nodes map1 and map2; throws InputError. */
+void writeMaps(AtomicFile& file, const cv::Mat& map1, const cv::Mat& map2);
 
 } // namespace rsackermann_samples
 

@@ -3,11 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "report.hpp"
-#include "options.hpp"
 #include "units.hpp"
 
 #include <cmath>
-#include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace rsackermann_samples {
@@ -38,11 +37,22 @@ const char* modelWord(int model)
     }
 }
 
+// A file's name needn't be valid UTF-8.
+std::string dumped(const Json& json)
+{
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 } // namespace
+
+FrameReport::FrameReport() : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), segments(0), meanShift(0)
+{
+}
 
 std::string reportLine(const FrameReport& frame)
 {
     static const char* const statuses[] = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
+    static const char* const scales[] = {"unknown", "wall", "road", "speed"};
     const AckermannMotion& m = frame.motion;
     const bool ok = m.status == MOTION_OK;
     double yawRate = 0, speed = 0;
@@ -51,13 +61,27 @@ std::string reportLine(const FrameReport& frame)
     Json line;
     line["input"] = frame.input;
     if (frame.frame >= 0)
+    {
         line["frame"] = frame.frame;
+        line["frames"] = frame.frames;
+    }
+    if (!std::isnan(frame.time))
+        line["time_s"] = frame.time;
     line["status"] = statuses[m.status];
     line["model"] = modelWord(m.model);
     line["alpha"] = orNull(ok, m.alpha);
     line["beta"] = orNull(ok, m.wallSlope);
     line["delta"] = orNull(ok && m.wallSlope != 0, m.delta());
+    line["wall_offset"] = orNull(ok, m.wallOffset);
     line["wall_ratio"] = orNull(ok && m.wallRatio > 0, m.wallRatio);
+    line["road_slope"] = orNull(ok, m.roadSlope);
+    line["direction"] = ok ? Json(m.direction) : Json();
+    line["roll_correction_deg"] = orNull(ok, m.rollCorrection / DEGREE);
+    line["pitch_correction_deg"] = orNull(ok, m.pitchCorrection / DEGREE);
+    line["wall_distance_m"] = orNull(ok && m.wallDistance > 0, m.wallDistance);
+    line["scale"] = ok ? Json(scales[m.scale]) : Json();
+    line["covariance"] = ok ? Json(std::vector<double>(m.covariance.val, m.covariance.val + 16)) : Json();
+    line["roll_yaw_ambiguous"] = ok ? Json(m.rollYawAmbiguous) : Json();
     line["yaw_rate_deg_s"] = orNull(yawRateKnown, yawRate / DEGREE);
     line["speed_km_h"] = orNull(speedKnown, speed / KMH);
     const cv::Matx44d covariance = m.metricCovariance(frame.camera);
@@ -75,36 +99,17 @@ std::string reportLine(const FrameReport& frame)
     line["ms_estimate"] = frame.timings[1];
     line["ms_map"] = frame.timings[2];
     line["ms_remap"] = frame.timings[3];
-    // A file's name needn't be valid UTF-8.
-    return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return dumped(line);
 }
 
-ReportFile::ReportFile(const std::string& path, bool keep)
+std::string failureLine(const std::string& input, const std::string& error)
 {
-    if (path == "-")
-        return;
-    file_.reset(new AtomicFile(path));
-    stream_.open(file_->temporaryName().c_str(), std::ios::binary);
-    std::ifstream old(path.c_str(), std::ios::binary);
-    if (keep && old && old.peek() != std::ifstream::traits_type::eof())
-        stream_ << old.rdbuf();
-    if (!stream_)
-        throw InputError(path + " can't be written");
+    return dumped({{"input", input}, {"status", "failed"}, {"error", error}});
 }
 
-void ReportFile::add(const std::string& line)
+std::string nameInReport(const std::string& input)
 {
-    (file_ ? static_cast<std::ostream&>(stream_) : std::cout) << line << std::endl;
-}
-
-void ReportFile::commit()
-{
-    if (!file_)
-        return;
-    stream_.close();
-    if (!stream_)
-        throw InputError("the report can't be written");
-    file_->commit();
+    return Json::parse(dumped(input)).get<std::string>();
 }
 
 } // namespace rsackermann_samples

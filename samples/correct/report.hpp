@@ -5,20 +5,19 @@
 #ifndef RSACKERMANN_SAMPLES_REPORT_HPP
 #define RSACKERMANN_SAMPLES_REPORT_HPP
 
-#include "files.hpp"
 #include "opencv2/rsackermann.hpp"
-#include <fstream>
-#include <memory>
+#include <string>
 
 namespace rsackermann_samples {
 
 //! What is to be told about a frame.
 struct FrameReport
 {
-    FrameReport() : frame(-1), segments(0), meanShift(0) {}
+    FrameReport();
 
     std::string input;
-    int frame;         //!< number of a video's frame, from 0; -1: the input is an image
+    int frame, frames; //!< number of a video's frame, from 0, and how many there are; -1: the input is an image
+    double time;       //!< seconds; NaN: unknown
     cv::rsackermann::RollingShutterCamera camera;
     cv::rsackermann::AckermannMotion motion;
     int segments;
@@ -29,19 +28,11 @@ struct FrameReport
 //! A line of JSON; what isn't known is null.
 std::string reportLine(const FrameReport& frame);
 
-//! A file with a line of JSON for each frame, or standard output where its name is "-".
-class ReportFile
-{
-public:
-    //! @param keep whether the lines of an existing file are kept.
-    ReportFile(const std::string& path, bool keep);
-    void add(const std::string& line);
-    void commit();
+//! A line of JSON for an input that isn't corrected, or not to its end.
+std::string failureLine(const std::string& input, const std::string& error);
 
-private:
-    std::unique_ptr<AtomicFile> file_;
-    std::ofstream stream_;
-};
+//! A file's name as it stands in a line: where it isn't valid UTF-8 characters are replaced.
+std::string nameInReport(const std::string& input);
 
 } // namespace rsackermann_samples
 

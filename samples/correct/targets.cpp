@@ -11,9 +11,16 @@ namespace rsackermann_samples {
 
 static const char* const MAPS_EXTENSION = ".yml.gz";
 
+// Pictures of segments have colours, which not every format of an image has.
+static std::string overlayName(const std::string& input)
+{
+    const std::string format = extension(input);
+    return format == ".pgm" || format == ".pbm" ? stem(input) + ".png" : fileName(input);
+}
+
 Targets::Targets(const Job& job, const std::string& input)
-    : output(resultPath(job.output, job.outputIsFolder, input)), overlay(resultPath(job.overlay, job.overlayIsFolder, input)),
-      maps(job.maps)
+    : output(resultPath(job.output, job.outputIsFolder, fileName(input))),
+      overlay(resultPath(job.overlay, job.overlayIsFolder, overlayName(input))), maps(job.maps), input_(input)
 {
     if (job.mapsIsFolder)
         maps = resultPath(job.maps, true, stem(input)) + (isVideo(input) ? "" : MAPS_EXTENSION);
@@ -24,25 +31,36 @@ std::string Targets::mapsOfFrame(int frame) const
     return maps + cv::format("_%06d", frame) + MAPS_EXTENSION;
 }
 
-bool Targets::exist() const
+void Targets::leaveOutExisting()
 {
-    // The output is written last: where it exists everything does.
-    return cv::utils::fs::exists(output.empty() ? overlay : output);
+    const bool hasVideo = isVideo(input_) && !(output.empty() && overlay.empty());
+    for (std::string* path : {&output, &overlay})
+        if (cv::utils::fs::exists(*path))
+            path->clear();
+    if (hasVideo ? output.empty() && overlay.empty() : cv::utils::fs::exists(maps))
+        maps.clear();
 }
 
-void Targets::check(const Job& job, const std::string& input) const
+void Targets::check(const Job& job) const
 {
     for (const std::string& path : {output, overlay, maps})
     {
-        if (path.empty())
-            continue;
-        if (isSameFile(path, input))
-            throw InputError("the result " + path + " would replace the input");
         if (cv::utils::fs::isDirectory(path))
             throw InputError(path + " is a folder");
-        if (!job.overwrite && !job.skipExisting && cv::utils::fs::exists(path))
+        if (!job.overwrite && cv::utils::fs::exists(path))
             throw InputError(path + " exists (--overwrite replaces it)");
     }
+}
+
+void Targets::addTo(OutputPlan& plan) const
+{
+    for (const std::string& path : {output, overlay})
+        if (!path.empty())
+            plan.addOutput(path, input_);
+    if (!maps.empty() && isVideo(input_))
+        plan.addFrames(maps, MAPS_EXTENSION, input_);
+    else if (!maps.empty())
+        plan.addOutput(maps, input_);
 }
 
 } // namespace rsackermann_samples

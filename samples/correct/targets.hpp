@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_TARGETS_HPP
 
 #include "job.hpp"
+#include "output/output_plan.hpp"
 
 namespace rsackermann_samples {
 
@@ -18,10 +19,16 @@ struct Targets
 
     //! The file for the maps of a video's frame.
     std::string mapsOfFrame(int frame) const;
-    //! Whether the results are there already.
-    bool exist() const;
-    //! Throws InputError where a result would replace the input or what mustn't be replaced.
-    void check(const Job& job, const std::string& input) const;
+    //! Leaves out the results that are there already. Maps of a video's frames are when the videos are, of which they are the lesser part.
+    void leaveOutExisting();
+    bool empty() const { return output.empty() && overlay.empty() && maps.empty(); }
+    //! Throws InputError if a result would replace what mustn't be replaced.
+    void check(const Job& job) const;
+    //! Tells a plan of the results; throws UsageError.
+    void addTo(OutputPlan& plan) const;
+
+private:
+    std::string input_;
 };
 
 } // namespace rsackermann_samples

@@ -12,12 +12,12 @@
 namespace rsackermann_samples {
 
 /** Corrects the frames of a video and writes the results as videos, in the format of their names' extensions.
-@param log what is known of the frames besides.
+@param reports receives what is to be told about each frame.
 @param progress is called with the share of the video that is done.
-@param lines receives the lines for the report, one a frame.
-Throws InputError or cv::Exception. Where the video turns out to be cut short the results of its frames are there. */
-void correctVideo(const std::string& input, const Targets& targets, const DriveLog& log, FrameCorrector& corrector, std::vector<std::string>& lines,
-                  const std::function<void(double)>& progress);
+Throws InputError, cv::Exception or, if a signal asks the program to end, Interrupted: then no video is there, and of the maps those that are
+done. If the video turns out to be cut short the results of its frames are there. */
+void correctVideo(const std::string& input, const Targets& targets, const Job& job, FrameCorrector& corrector,
+                  std::vector<FrameReport>& reports, const std::function<void(double)>& progress);
 
 } // namespace rsackermann_samples
 

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <dirent.h>
+#include <fcntl.h>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace opencv_test {
 
@@ -27,16 +29,44 @@ std::string quoted(const std::string& word)
 
 } // namespace
 
-Outcome runProgram(const std::string& program, const Arguments& arguments)
+Outcome runCommand(const std::string& command)
 {
     const TemporaryFolder folder;
+    const std::string redirected = "{ " + command + "\n} >" + quoted(folder / "output") + " 2>" + quoted(folder / "messages") + " </dev/null";
+    const int status = std::system(redirected.c_str());
+    const bool exited = WIFEXITED(status) && WEXITSTATUS(status) < 126;
+    return Outcome{exited ? WEXITSTATUS(status) : -1, contentOf(folder / "output"), contentOf(folder / "messages")};
+}
+
+Outcome runProgram(const std::string& program, const Arguments& arguments)
+{
     std::string command = quoted(program);
     for (const std::string& argument : arguments)
         command += " " + quoted(argument);
-    command += " >" + quoted(folder / "output") + " 2>" + quoted(folder / "messages") + " </dev/null";
-    const int status = std::system(command.c_str());
-    const bool exited = WIFEXITED(status) && WEXITSTATUS(status) < 126;
-    return Outcome{exited ? WEXITSTATUS(status) : -1, contentOf(folder / "output"), contentOf(folder / "messages")};
+    return runCommand(command);
+}
+
+RunningProgram::RunningProgram(const std::string& program, Arguments arguments) : process_(fork())
+{
+    if (process_ != 0)
+        return;
+    arguments.insert(arguments.begin(), program);
+    std::vector<char*> words;
+    for (std::string& word : arguments)
+        words.push_back(&word[0]);
+    words.push_back(nullptr);
+    const int nothing = open("/dev/null", O_WRONLY);
+    dup2(nothing, 1);
+    dup2(nothing, 2);
+    execv(words[0], words.data());
+    _exit(127);
+}
+
+int RunningProgram::wait()
+{
+    int status = 0;
+    wait4(process_, &status, 0, &usage_);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 TemporaryFolder::TemporaryFolder()

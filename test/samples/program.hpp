@@ -8,8 +8,10 @@
 #include "opencv2/ts.hpp"
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
 
 // GoogleTest would take JSON for a container of JSON, without end.
@@ -29,10 +31,28 @@ struct Outcome
     std::string output, messages;
 };
 
+//! Runs a command of the shell.
+Outcome runCommand(const std::string& command);
 Outcome runProgram(const std::string& program, const Arguments& arguments);
 inline Outcome correct(const Arguments& arguments) { return runProgram(CORRECT_PROGRAM, arguments); }
 inline Outcome simulate(const Arguments& arguments) { return runProgram(SIMULATE_PROGRAM, arguments); }
 inline Outcome evaluate(const Arguments& arguments) { return runProgram(EVALUATE_PROGRAM, arguments); }
+
+//! A program that runs beside the test; what it writes to the terminal is lost.
+class RunningProgram
+{
+public:
+    RunningProgram(const std::string& program, Arguments arguments);
+    void send(int signal) const { kill(process_, signal); }
+    //! Waits for the end. @return the exit code, -1 if a signal has ended it.
+    int wait();
+    //! The most memory that it had at once, once it has ended.
+    double peakMegabytes() const { return double(usage_.ru_maxrss) / 1024; }
+
+private:
+    pid_t process_;
+    struct rusage usage_;
+};
 
 //! A folder that is removed with everything in it at the end.
 class TemporaryFolder

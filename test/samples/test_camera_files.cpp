@@ -82,6 +82,68 @@ TEST(CameraFiles, fisheye)
                                                   "  distortion_model: equidistant\n  distortion_coeffs: [0.1, 0, 0, 0]\n").lensModel);
 }
 
+// ROS writes a directive %YAML as well; the lens model's own key counts, whatever the format.
+TEST(CameraFiles, lens_model_by_its_own_key)
+{
+    const std::string ros = "image_width: 640\nimage_height: 380\ncamera_matrix:\n   rows: 3\n   cols: 3\n   data: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n"
+                            "distortion_coefficients:\n   rows: 1\n   cols: 4\n   data: [0.1, 0, 0, 0]\n";
+    const std::string opencv = "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                               "   data: [ 500., 0., 319.5, 0., 500., 189.5, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 4\n"
+                               "   cols: 1\n   dt: d\n   data: [ 0.1, 0., 0., 0. ]\n";
+    for (const std::string& content : {"%YAML:1.0\n---\n" + ros, "%YAML 1.2\n---\n" + ros, ros, opencv})
+    {
+        EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read(content + "distortion_model: equidistant\n").lensModel) << content;
+        EXPECT_EQ(cv::rsackermann::LENS_PINHOLE, read(content + "distortion_model: plumb_bob\n").lensModel) << content;
+        EXPECT_THROW(read(content + "distortion_model: magic\n"), rsackermann_samples::UsageError) << content;
+        EXPECT_EQ(500, read(content).K(0, 0));
+    }
+    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read(opencv + "fisheye_model: 1\n").lensModel);
+    EXPECT_EQ(cv::rsackermann::LENS_PINHOLE, read(opencv + "fisheye_model: 0\n").lensModel);
+    for (const char* value : {"\"no\"", "no", "2", "-1", "0.5", "[ 1 ]"})
+        EXPECT_THROW(read(opencv + "fisheye_model: " + value + "\n"), rsackermann_samples::UsageError) << value;
+}
+
+TEST(CameraFiles, sizes)
+{
+    const std::string opencv = std::string(OPENCV_YAML).substr(0, std::string(OPENCV_YAML).find("image_width")) +
+                               std::string(OPENCV_YAML).substr(std::string(OPENCV_YAML).find("camera_matrix"));
+    const std::string ros = "K: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n";
+    EXPECT_EQ(cv::Size(), read(opencv).size);
+    EXPECT_EQ(cv::Size(), read(ros).size);
+    for (const char* size : {"65536 65536", "65535 65535", "0 380", "-640 -380", "640.5 380", "640 many", "1e9 1"})
+    {
+        std::istringstream words(size);
+        std::string width, height;
+        words >> width >> height;
+        EXPECT_THROW(read(opencv + "image_width: " + width + "\nimage_height: " + height + "\n"), rsackermann_samples::UsageError) << size;
+        EXPECT_THROW(read(ros + "width: " + width + "\nheight: " + height + "\n"), rsackermann_samples::UsageError) << size;
+    }
+    EXPECT_THROW(read(opencv + "image_width: 640\n"), rsackermann_samples::UsageError);
+    EXPECT_THROW(read(ros + "height: 640\n"), rsackermann_samples::UsageError);
+    EXPECT_EQ(cv::Size(8192, 4096), read(opencv + "image_width: 8192\nimage_height: 4096\n").size);
+}
+
+// What would end a parser never gets there.
+TEST(CameraFiles, nested_or_large)
+{
+    std::string dashes, tags = "<?xml version=\"1.0\"?>\n<opencv_storage>";
+    for (int i = 0; i < 100000; i++)
+    {
+        dashes += "- ";
+        tags += "<a>";
+    }
+    for (const std::string& content : {"a: " + std::string(300000, '['), "%YAML:1.0\n---\na: " + std::string(300000, '['), std::string(300000, '{'),
+                                       "%YAML:1.0\n---\n#opencv-matrix\na: " + std::string(300000, '['), "a:\n  " + dashes + "1\n",
+                                       "%YAML:1.0\n---\n#opencv-matrix\na:\n  " + dashes + "1\n", tags, std::string(OPENCV_YAML) + "#" + std::string(2000000, 'x') + "\n"})
+        EXPECT_THROW(read(content), rsackermann_samples::UsageError) << content.substr(0, 60);
+    // Indentation: as deep as the size allows.
+    std::string indented;
+    for (int i = 0; i < 1400; i++)
+        indented += std::string(size_t(i), ' ') + "a:\n";
+    EXPECT_THROW(read(indented + std::string(1400, ' ') + "1\n"), rsackermann_samples::UsageError);
+    EXPECT_THROW(read("%YAML:1.0\n---\n#opencv-matrix\n" + indented + std::string(1400, ' ') + "1\n"), rsackermann_samples::UsageError);
+}
+
 TEST(CameraFiles, broken)
 {
     const std::string opencv = OPENCV_YAML, ros = ROS;
@@ -90,7 +152,11 @@ TEST(CameraFiles, broken)
              "cam0:\n  camera_model: pinhole\n  intrinsics: [1, 1]\n", "camera_matrix: {data: [1, 2, 3]}\n", "camera_matrix: {data: [a, b, c]}\n",
              ros + "scan: sideways\n", ros + "line_delay: 1e-5\nreadout: 0.01\n", ros + "line_delay: -1\n", ros + "roll: much\n", opencv + "roll: much\n",
              ros + "reference: half\n", "width: 640\nheight: 380\ndistortion_model: magic\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n",
-             "width: 640\nheight: 380\nK: [-500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n", "width: 640\nheight: 380\nD: [1]\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n"})
+             "width: 640\nheight: 380\nK: [-500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n", "width: 640\nheight: 380\nD: [1]\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n",
+             opencv + "line_delay: \"a\"\n", opencv + "heading: [ 1 ]\n", opencv + "roll: .Nan\n", ros + "roll: .nan\n", ros + "heading: .inf\n", ros + "line_delay: 20\n",
+             "%YAML:1.0\n---\ncamera_matrix: \"opencv-matrix\"\n", "%YAML:1.0\n---\ncamera_matrix: 5\n#opencv-matrix\n",
+             "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 1., a, 1., 0., 1., 1., 0., 0., 1. ]\n",
+             "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 300000\n   cols: 300000\n   dt: d\n   data: [ 1. ]\n"})
         EXPECT_THROW(read(content), rsackermann_samples::UsageError) << content;
 }
 

@@ -80,7 +80,9 @@ TEST(Correct, street_with_known_motion)
 
 TEST(Correct, report_keys)
 {
-    const char* const keys[] = {"input", "status", "model", "alpha", "beta", "delta", "wall_ratio", "yaw_rate_deg_s", "speed_km_h", "yaw_rate_sigma",
+    const char* const keys[] = {"input", "status", "model", "alpha", "beta", "delta", "wall_offset", "wall_ratio",
+                                "road_slope", "direction", "roll_correction_deg", "pitch_correction_deg", "wall_distance_m", "scale", "covariance",
+                                "roll_yaw_ambiguous", "yaw_rate_deg_s", "speed_km_h", "yaw_rate_sigma",
                                 "speed_sigma", "segments", "candidates", "inliers", "rms_px", "expected_px_raw",
                                 "expected_px_left", "mean_shift_px", "ms_detect", "ms_estimate", "ms_map",
                                 "ms_remap"};

@@ -6,6 +6,7 @@
 
 #include "opencv2/imgproc.hpp"
 #include <set>
+#include <unistd.h>
 
 namespace opencv_test { namespace {
 
@@ -87,7 +88,11 @@ TEST(CorrectInputs, one_broken_image_among_good_ones)
     const Names good = {"a.png", "b.png", "d.PNG", "e.jpg"};
     EXPECT_EQ(good, namesIn(out / "results"));
     EXPECT_EQ(good, namesIn(out / "overlays"));
-    EXPECT_EQ(good, inputsOf(out / "report.jsonl"));
+    // The report has the broken one as well.
+    EXPECT_EQ((Names{"a.png", "b.png", "c.png", "d.PNG", "e.jpg"}), inputsOf(out / "report.jsonl"));
+    const nlohmann::json failed = nlohmann::json::parse(linesOf(out / "report.jsonl")[2]);
+    EXPECT_EQ("failed", failed["status"]);
+    EXPECT_EQ("the image is cut short", failed["error"]);
     EXPECT_EQ((Names{"overlays", "report.jsonl", "results"}), namesIn(out.path()));
 }
 
@@ -152,12 +157,23 @@ TEST(CorrectInputs, inputs_are_never_replaced)
     const TemporaryFolder in;
     putImages(in, {"a.png"});
     const std::string before = contentOf(in / "a.png");
-    EXPECT_EQ(1, correct({in / "a.png", "--output=" + in.path(), "--overwrite"}).exitCode);
-    EXPECT_EQ(1, correct({in / "a.png", "--output=" + (in / "a.png"), "--overwrite"}).exitCode);
-    EXPECT_EQ(1, correct({in / "a.png", "--overlay=" + (in / "./a.png"), "--overwrite"}).exitCode);
-    EXPECT_EQ(2, correct({in / "a.png", "--report=" + (in / "a.png"), "--overwrite"}).exitCode);
+    ASSERT_EQ(0, symlink((in / "a.png").c_str(), (in / "link.png").c_str()));
+    ASSERT_EQ(0, link((in / "a.png").c_str(), (in / "same.png").c_str()));
+    for (const std::string& target : {"--output=" + in.path(), "--output=" + (in / "a.png"), "--overlay=" + (in / "./a.png"), "--report=" + (in / "a.png"),
+                                      "--output=" + (in / "x/../a.png"), "--output=" + (in / "link.png"), "--report=" + (in / "same.png"), "--maps=" + (in / "same.png")})
+    {
+        const Outcome outcome = correct({in / "a.png", target, "--overwrite"});
+        EXPECT_EQ(2, outcome.exitCode) << target;
+        EXPECT_NE(std::string::npos, outcome.messages.find("would replace the input")) << outcome.messages;
+    }
+    // Neither is another input, nor one under the name of a link.
+    EXPECT_EQ(2, correct({in / "link.png", "--output=" + (in / "link.png"), "--overwrite"}).exitCode);
+    cv::imwrite(in / "b.png", streetImage());
+    cv::utils::fs::createDirectories(in / "b");
+    cv::imwrite(in / "b/a.png", streetImage());
+    EXPECT_EQ(2, correct({in / "b/a.png", in / "a.png", in / "b.png", "--output=" + in.path(), "--overwrite"}).exitCode);
     EXPECT_EQ(before, contentOf(in / "a.png"));
-    EXPECT_EQ(Names{"a.png"}, namesIn(in.path()));
+    EXPECT_EQ((Names{"a.png", "b", "b.png", "link.png", "same.png"}), namesIn(in.path()));
 }
 
 TEST(CorrectInputs, results_that_cannot_be_written)
@@ -176,8 +192,9 @@ TEST(CorrectInputs, shards_are_all_inputs_once)
     std::multiset<std::string> done;
     for (const char* shard : {"1/3", "2/3", "3/3"})
     {
-        EXPECT_EQ(0, correct({in.path(), "--report=" + (out / "report.jsonl"), "--overwrite", std::string("--shard=") + shard}).exitCode);
-        for (const std::string& input : inputsOf(out / "report.jsonl"))
+        const std::string report = (out / "report") + shard[0] + ".jsonl";
+        EXPECT_EQ(0, correct({in.path(), "--report=" + report, std::string("--shard=") + shard}).exitCode);
+        for (const std::string& input : inputsOf(report))
             done.insert(input);
     }
     EXPECT_EQ((std::multiset<std::string>{"a.png", "b.png", "c.png", "d.png", "e.png"}), done);
@@ -217,6 +234,9 @@ TEST(CorrectInputs, lists_and_patterns)
     const std::string report = out / "report.jsonl";
     EXPECT_EQ(0, correct({in / "frame_%d.png", "--report=" + report, "--overwrite"}).exitCode);
     EXPECT_EQ((Names{"frame_9.png", "frame_10.png"}), inputsOf(report));
+    putImages(in, {"f_1.png", "f_01.png", "f_2.png"});
+    EXPECT_EQ(0, correct({in / "f_%d.png", "--report=" + report, "--overwrite"}).exitCode);
+    EXPECT_EQ((Names{"f_01.png", "f_1.png", "f_2.png"}), inputsOf(report));
     EXPECT_EQ(0, correct({in / "shot_%04d.png", "--report=" + report, "--overwrite"}).exitCode);
     EXPECT_EQ(Names{"shot_0007.png"}, inputsOf(report));
     EXPECT_EQ(1, correct({in / "none_%d.png", "--report=" + report, "--overwrite"}).exitCode);

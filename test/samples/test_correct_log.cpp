@@ -39,7 +39,7 @@ protected:
         for (std::string line; std::getline(stream, line);)
         {
             Json report = Json::parse(line);
-            for (const char* key : {"input", "ms_detect", "ms_estimate", "ms_map", "ms_remap"})
+            for (const char* key : {"input", "time_s", "ms_detect", "ms_estimate", "ms_map", "ms_remap"})
                 report.erase(key);
             results.push_back(report);
         }

@@ -4,6 +4,8 @@
 
 #include "program.hpp"
 
+#include <unistd.h>
+
 namespace opencv_test { namespace {
 
 TEST(CorrectUsage, help_names_every_option)
@@ -33,7 +35,7 @@ TEST_P(CorrectRefuses, command_line)
 }
 
 const std::pair<const char*, const char*> refused[] = {
-    {"--outptu=x.png", "--outptu"}, {"--gravity=0", "--gravity"}, {"-v", "-v"}, {"-focal=500", "-focal"}, {"--", "--"},
+    {"--outptu=x.png", "--outptu"}, {"--gravity=0", "--gravity"}, {"-v", "-v"}, {"-focal=500", "-focal"},
     {"--focal=abc", "abc"}, {"--focal=500px", "500px"}, {"--focal=", "--focal"}, {"--focal", "--focal"}, {"--focal=nan", "nan"},
     {"--focal=inf", "inf"}, {"--focal=0", "--focal"}, {"--focal=-816", "--focal"}, {"--focal=1e999", "1e999"},
     {"--line_delay=0", "--line_delay"}, {"--readout=x", "--readout"}, {"--scan=sideways", "sideways"}, {"--reference=half", "half"},
@@ -56,6 +58,7 @@ TEST(CorrectUsage, options_that_exclude_each_other)
     EXPECT_EQ(2, correct({image, "--report=-", "--focal=800", camera}).exitCode);
     EXPECT_EQ(2, correct({image, "--output=/tmp/never-written.png", "--skip_existing", "--overwrite"}).exitCode);
     EXPECT_EQ(2, correct({image, "--report=-", "--skip_existing"}).exitCode);
+    EXPECT_EQ(2, correct({image, "--report=-", "--carry", "--shard=1/2"}).exitCode);
 }
 
 TEST(CorrectUsage, sigmas_of_what_is_known)
@@ -85,6 +88,19 @@ TEST(CorrectUsage, lines_are_for_one_input)
     EXPECT_EQ(2, correct({a, b, "--report=-", "--lines=" + (folder / "lines.txt")}).exitCode);
 }
 
+TEST(CorrectUsage, arguments_that_look_like_options)
+{
+    const TemporaryFolder folder;
+    cv::imwrite(folder / "--x.png", streetImage());
+    for (const char* arguments : {"--report=- -- --x.png", "-- --x.png --report=- --overwrite=maybe"})
+    {
+        const Outcome outcome = runCommand("cd " + folder.path() + " && " CORRECT_PROGRAM " " + arguments);
+        const bool isOption = arguments[2] == 'r';
+        EXPECT_EQ(isOption ? 0 : 2, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(isOption, outcome.output.find("\"input\":\"--x.png\"") != std::string::npos) << outcome.output;
+    }
+}
+
 TEST(CorrectUsage, broken_lines_file)
 {
     const TemporaryFolder folder;
@@ -108,7 +124,29 @@ TEST(CorrectUsage, results_of_the_same_name)
     cv::imwrite(folder / "a/x.png", streetImage());
     cv::imwrite(folder / "b/x.png", streetImage());
     EXPECT_EQ(2, correct({folder / "a/x.png", folder / "b/x.png", "--output=" + (folder / "out")}).exitCode);
+    EXPECT_EQ(2, correct({folder / "a/x.png", folder / "a/../a/x.png", "--output=" + (folder / "out")}).exitCode);
     EXPECT_FALSE(cv::utils::fs::exists(folder / "out"));
+    // A report may have both.
+    EXPECT_EQ(0, correct({folder / "a/x.png", folder / "b/x.png", "--report=-"}).exitCode);
+
+    // One folder under two names.
+    cv::imwrite(folder / "a/y.png", streetImage());
+    cv::utils::fs::createDirectories(folder / "out");
+    ASSERT_EQ(0, symlink((folder / "out").c_str(), (folder / "link").c_str()));
+    for (const std::string& other : {folder / "out", folder / "./out/", folder / "link", folder / "a/../out", folder / "b/../link"})
+    {
+        const Outcome outcome = correct({folder / "a", "--output=" + (folder / "out"), "--overlay=" + other});
+        EXPECT_EQ(2, outcome.exitCode) << other;
+        EXPECT_NE(std::string::npos, outcome.messages.find("the same name")) << outcome.messages;
+    }
+    EXPECT_EQ(2, correct({folder / "a", "--output=" + (folder / "new"), "--overlay=" + (folder / "x/../new")}).exitCode);
+    EXPECT_EQ(2, correct({folder / "a", "--output=" + (folder / "out"), "--report=" + (folder / "link/y.png"), "--overwrite"}).exitCode);
+    EXPECT_TRUE(namesIn(folder / "out").empty());
+    EXPECT_FALSE(cv::utils::fs::exists(folder / "new"));
+    // Names that differ in their case are different here.
+    cv::imwrite(folder / "a/Y.png", streetImage());
+    EXPECT_EQ(0, correct({folder / "a", "--output=" + (folder / "out")}).exitCode);
+    EXPECT_EQ((std::vector<std::string>{"Y.png", "x.png", "y.png"}), namesIn(folder / "out"));
 }
 
 }} // namespace

@@ -121,7 +121,10 @@ TEST_F(CorrectVideo, cut_short)
     EXPECT_EQ(1, outcome.exitCode);
     EXPECT_NE(std::string::npos, outcome.messages.find("cut short")) << outcome.messages;
     EXPECT_EQ(left, framesOf(out_ / "out.avi").size());
-    EXPECT_EQ(left, linesOf(out_ / "report.jsonl").size());
+    const std::vector<std::string> lines = linesOf(out_ / "report.jsonl");
+    ASSERT_EQ(left + 1, lines.size());
+    EXPECT_EQ(left, Json::parse(lines[0])["frames"].get<size_t>());
+    EXPECT_EQ("failed", Json::parse(lines[left])["status"]);
 }
 
 TEST_F(CorrectVideo, files_that_are_no_videos)
@@ -145,7 +148,7 @@ TEST_F(CorrectVideo, results_that_cannot_be_written)
         EXPECT_TRUE(namesIn(out_.path()).empty()) << name;
     }
     const std::string before = contentOf(video_);
-    EXPECT_EQ(1, correct({video_, "--output=" + video_, "--overwrite"}).exitCode);
+    EXPECT_EQ(2, correct({video_, "--output=" + video_, "--overwrite"}).exitCode);
     EXPECT_EQ(before, contentOf(video_));
     EXPECT_EQ(std::vector<std::string>{"drive.avi"}, namesIn(in_.path()));
 }

@@ -1,0 +1,171 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "image_metadata.hpp"
+
+#include <cstring>
+#include <zlib.h>
+
+namespace rsackermann_samples {
+
+namespace {
+
+const char EXIF_HEAD[6] = {'E', 'x', 'i', 'f', 0, 0}; // of the segment of a JPEG file
+
+bool beginsWith(const std::vector<uchar>& file, const char* magic, size_t size)
+{
+    return file.size() >= size && std::memcmp(file.data(), magic, size) == 0;
+}
+
+bool isJpeg(const std::vector<uchar>& file)
+{
+    return beginsWith(file, "\xFF\xD8\xFF", 3);
+}
+
+bool isPng(const std::vector<uchar>& file)
+{
+    return beginsWith(file, "\x89PNG\r\n\x1A\n", 8);
+}
+
+size_t bigEndian(const uchar* bytes, int count)
+{
+    size_t value = 0;
+    for (int i = 0; i < count; i++)
+        value = value << 8 | bytes[i];
+    return value;
+}
+
+void appendBigEndian(std::vector<uchar>& bytes, size_t value, int count)
+{
+    for (int i = count - 1; i >= 0; i--)
+        bytes.push_back(uchar(value >> 8 * i));
+}
+
+// A part of a file: a segment of JPEG, without marker and length, or a chunk of PNG, without length, type and checksum.
+struct Part
+{
+    size_t type, begin, size;
+};
+
+// The segments in front of the coded data.
+std::vector<Part> segmentsOf(const std::vector<uchar>& file)
+{
+    std::vector<Part> parts;
+    const int SOS = 0xDA;
+    for (size_t at = 2; at + 4 <= file.size() && file[at] == 0xFF;)
+    {
+        if (file[at + 1] == 0xFF) // fill byte
+        {
+            at++;
+            continue;
+        }
+        const size_t length = bigEndian(&file[at + 2], 2);
+        if (length < 2 || at + 2 + length > file.size())
+            break;
+        parts.push_back({file[at + 1], at + 4, length - 2});
+        if (file[at + 1] == SOS)
+            break;
+        at += 2 + length;
+    }
+    return parts;
+}
+
+std::vector<Part> chunksOf(const std::vector<uchar>& file)
+{
+    std::vector<Part> parts;
+    for (size_t at = 8; at + 12 <= file.size();)
+    {
+        const size_t length = bigEndian(&file[at], 4);
+        if (length > file.size() - at - 12)
+            break;
+        parts.push_back({bigEndian(&file[at + 4], 4), at + 8, length});
+        at += 12 + length;
+    }
+    return parts;
+}
+
+const size_t EXIF_CHUNK = 'e' << 24 | 'X' << 16 | 'I' << 8 | 'f', APP1 = 0xE1;
+
+// A number of a TIFF file in its byte order; 0 beyond the end.
+size_t tiffNumber(const std::vector<uchar>& file, size_t at, int count)
+{
+    if (at + size_t(count) > file.size())
+        return 0;
+    if (file[0] == 'M')
+        return bigEndian(&file[at], count);
+    size_t value = 0;
+    for (int i = count - 1; i >= 0; i--)
+        value = value << 8 | file[at + size_t(i)];
+    return value;
+}
+
+bool isCmykTiff(const std::vector<uchar>& file)
+{
+    const size_t PHOTOMETRIC = 262, SEPARATED = 5, begin = tiffNumber(file, 4, 4), entries = tiffNumber(file, begin, 2);
+    for (size_t i = 0; i < entries; i++)
+        if (tiffNumber(file, begin + 2 + 12 * i, 2) == PHOTOMETRIC)
+            return tiffNumber(file, begin + 2 + 12 * i + 8, 2) == SEPARATED;
+    return false;
+}
+
+} // namespace
+
+std::vector<uchar> exifOf(const std::vector<uchar>& file)
+{
+    if (isJpeg(file))
+    {
+        for (const Part& part : segmentsOf(file))
+            if (part.type == APP1 && part.size > sizeof EXIF_HEAD && std::memcmp(&file[part.begin], EXIF_HEAD, sizeof EXIF_HEAD) == 0)
+                return std::vector<uchar>(&file[part.begin] + sizeof EXIF_HEAD, &file[part.begin] + part.size);
+    }
+    else if (isPng(file))
+    {
+        for (const Part& part : chunksOf(file))
+            if (part.type == EXIF_CHUNK)
+                return std::vector<uchar>(&file[part.begin], &file[part.begin] + part.size);
+    }
+    return std::vector<uchar>();
+}
+
+void addExif(std::vector<uchar>& file, const std::vector<uchar>& exif)
+{
+    const size_t largest = 0xFFFF - 2 - sizeof EXIF_HEAD; // of a segment
+    std::vector<uchar> part;
+    size_t place = 0;
+    if (exif.empty())
+        return;
+    if (isJpeg(file) && exif.size() <= largest)
+    {
+        place = 2;
+        part = {0xFF, uchar(APP1)};
+        appendBigEndian(part, 2 + sizeof EXIF_HEAD + exif.size(), 2);
+        part.insert(part.end(), EXIF_HEAD, EXIF_HEAD + sizeof EXIF_HEAD);
+        part.insert(part.end(), exif.begin(), exif.end());
+    }
+    else if (isPng(file))
+    {
+        const size_t header = 13; // bytes of the first chunk, behind which others may stand
+        place = 8 + 12 + header;
+        appendBigEndian(part, exif.size(), 4);
+        appendBigEndian(part, EXIF_CHUNK, 4);
+        part.insert(part.end(), exif.begin(), exif.end());
+        appendBigEndian(part, crc32(0, &part[4], uInt(part.size() - 4)), 4);
+    }
+    file.insert(file.begin() + std::ptrdiff_t(place), part.begin(), part.end());
+}
+
+bool isCmyk(const std::vector<uchar>& file)
+{
+    if (isJpeg(file))
+        for (const Part& part : segmentsOf(file))
+        {
+            // The segments SOF begin with the precision, rows, columns and the number of colours; DHT, JPG and DAC are among them.
+            const bool isFrame = part.type >= 0xC0 && part.type <= 0xCF && part.type != 0xC4 && part.type != 0xC8 && part.type != 0xCC;
+            if (isFrame && part.size >= 6)
+                return file[part.begin + 5] == 4;
+        }
+    return (beginsWith(file, "II*\0", 4) || beginsWith(file, "MM\0*", 4)) && isCmykTiff(file);
+}
+
+} // namespace rsackermann_samples

@@ -1,0 +1,140 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "batch.hpp"
+#include "image_task.hpp"
+#include "output/interrupt.hpp"
+#ifdef RSACKERMANN_WITH_VIDEOIO
+#include "video_task.hpp"
+#endif
+
+#include <iostream>
+#include <limits>
+
+namespace rsackermann_samples {
+
+Batch::Batch(const Job& job)
+    : job_(job), report_(job.report.empty() ? nullptr : new ReportFile(job)), corrector_(job), lastTask_(0), done_(0), failures_(0)
+{
+    for (size_t i = 0; i < job.inputs.files.size(); i++)
+        if (!taskOf(job.inputs.files[i]).isDone())
+            lastTask_ = i;
+}
+
+int Batch::run()
+{
+    for (const std::pair<std::string, std::string>& failure : job_.inputs.failures)
+        fail(failure.first, failure.second);
+    for (size_t i = 0; i < job_.inputs.files.size() && !interruptSignal(); i++)
+    {
+        const Task task = taskOf(job_.inputs.files[i]);
+        if (isLeftOut(i, task))
+            continue;
+        try
+        {
+            correct(i, task);
+        }
+        catch (const Interrupted&)
+        {
+            break;
+        }
+        done_++;
+    }
+    progress_.clear();
+    if (!interruptSignal())
+        return failures_ ? 1 : 0;
+    std::cerr << "rsackermann_correct: interrupted; what is complete stays, and --skip_existing goes on from there" << std::endl;
+    return 128 + interruptSignal();
+}
+
+Batch::Task Batch::taskOf(const std::string& input) const
+{
+    Task task = {Targets(job_, input), !report_ || report_->has(input)};
+    if (job_.skipExisting)
+        task.targets.leaveOutExisting();
+    return task;
+}
+
+// Where a motion is carried from image to image those before the last one that is left to be done count.
+bool Batch::isLeftOut(size_t index, const Task& task) const
+{
+    const bool isCarried = job_.params.carryMotion && !isVideo(job_.inputs.files[index]);
+    return job_.skipExisting && task.isDone() && !(isCarried && index < lastTask_);
+}
+
+void Batch::correct(size_t index, const Task& task)
+{
+    const std::string& input = job_.inputs.files[index];
+    std::string error;
+    std::vector<std::string> lines;
+    for (const FrameReport& frame : correctFile(index, task.targets, error))
+        lines.push_back(reportLine(frame));
+    if (task.isReported)
+        lines.clear();
+    report(lines);
+    if (!error.empty())
+        fail(input, error);
+}
+
+// The error is told and not thrown, as the frames of a video may be there though its end isn't.
+std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets, std::string& error)
+{
+    const std::string& input = job_.inputs.files[index];
+    // What is left out takes no time.
+    const double total = done_ + double(job_.inputs.files.size() - index);
+    std::vector<FrameReport> frames;
+    try
+    {
+        targets.check(job_);
+#ifdef RSACKERMANN_WITH_VIDEOIO
+        if (isVideo(input))
+        {
+            correctVideo(input, targets, job_, corrector_, frames, [&](double share) { progress_.update(done_ + share, total, input); });
+            return frames;
+        }
+#endif
+        const double unknown = std::numeric_limits<double>::quiet_NaN();
+        frames.push_back(correctImage(input, targets, job_.log.of(input, job_.inputs.numbers[index], unknown), corrector_));
+        progress_.update(done_ + 1, total, input);
+    }
+    catch (const Interrupted&)
+    {
+        throw;
+    }
+    catch (const cv::Exception& e)
+    {
+        error = e.err;
+    }
+    catch (const std::exception& e)
+    {
+        error = e.what();
+    }
+    return frames;
+}
+
+void Batch::fail(const std::string& input, const std::string& message)
+{
+    failures_++;
+    progress_.clear();
+    std::cerr << "rsackermann_correct: " << input << ": " << message << std::endl;
+    report({failureLine(input, message)});
+}
+
+void Batch::report(const std::vector<std::string>& lines)
+{
+    if (!report_ || lines.empty())
+        return;
+    try
+    {
+        report_->add(lines);
+    }
+    catch (const InputError& e)
+    {
+        failures_++;
+        progress_.clear();
+        std::cerr << "rsackermann_correct: the report: " << e.what() << std::endl;
+    }
+}
+
+} // namespace rsackermann_samples

@@ -1,0 +1,86 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "strip_warp.hpp"
+
+#include "opencv2/imgproc.hpp"
+#include <algorithm>
+
+namespace rsackermann_samples {
+
+using namespace cv::rsackermann;
+
+namespace {
+
+double secondsSince(int64 tick)
+{
+    return double(cv::getTickCount() - tick) / cv::getTickFrequency();
+}
+
+} // namespace
+
+StripWarp::StripWarp(const RollingShutterCamera& camera) : generator_(WarpMapGenerator::create(camera))
+{
+}
+
+template <class Use> void StripWarp::forEachStrip(const AckermannMotion& motion, const Use& use)
+{
+    const int pixels = 1 << 20; // enough for all threads
+    const RollingShutterCamera camera = generator_->getCamera();
+    const int rows = std::max(pixels / camera.imageSize.width, 16);
+    cv::Mat map1, map2;
+    for (int y = 0; y < camera.imageSize.height; y += rows)
+    {
+        const cv::Range strip(y, std::min(y + rows, camera.imageSize.height));
+        WarpMapGenerator::Params params;
+        params.newSize = cv::Size(camera.imageSize.width, strip.size());
+        params.newCameraMatrix = camera.cameraMatrix;
+        params.newCameraMatrix(1, 2) -= y;
+        generator_->setParams(params);
+        generator_->initRectifyMap(motion, map1, map2, CV_32FC1);
+        use(strip, map1, map2);
+    }
+}
+
+void StripWarp::correct(const cv::Mat& image, const AckermannMotion& motion, cv::Mat& corrected, cv::Vec2d& seconds)
+{
+    corrected.create(image.size(), image.type());
+    seconds = cv::Vec2d();
+    int64 start = cv::getTickCount();
+    forEachStrip(motion, [&](const cv::Range& rows, const cv::Mat& map1, const cv::Mat& map2) {
+        seconds[0] += secondsSince(start);
+        start = cv::getTickCount();
+        cv::remap(image, corrected.rowRange(rows), map1, map2, cv::INTER_LINEAR);
+        seconds[1] += secondsSince(start);
+        start = cv::getTickCount();
+    });
+}
+
+void StripWarp::maps(const AckermannMotion& motion, cv::Mat& map1, cv::Mat& map2)
+{
+    for (cv::Mat* map : {&map1, &map2})
+        map->create(generator_->getCamera().imageSize, CV_32FC1);
+    forEachStrip(motion, [&](const cv::Range& rows, const cv::Mat& strip1, const cv::Mat& strip2) {
+        strip1.copyTo(map1.rowRange(rows));
+        strip2.copyTo(map2.rowRange(rows));
+    });
+}
+
+bool StripWarp::hasNoLens() const
+{
+    const RollingShutterCamera camera = generator_->getCamera();
+    return camera.lensModel == LENS_PINHOLE &&
+           std::all_of(camera.distCoeffs.begin(), camera.distCoeffs.end(), [](double coefficient) { return coefficient == 0; });
+}
+
+WarpMapGenerator::Params StripWarp::coarse(const RollingShutterCamera& camera)
+{
+    const int step = 8;
+    WarpMapGenerator::Params params;
+    params.newCameraMatrix = cv::Matx33d::diag(cv::Vec3d(1. / step, 1. / step, 1)) * camera.cameraMatrix;
+    params.newSize = cv::Size((camera.imageSize.width + step - 1) / step, (camera.imageSize.height + step - 1) / step);
+    return params;
+}
+
+} // namespace rsackermann_samples

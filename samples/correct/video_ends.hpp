@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_VIDEO_ENDS_HPP
+#define RSACKERMANN_SAMPLES_VIDEO_ENDS_HPP
+
+#include <string>
+
+namespace rsackermann_samples {
+
+/** Whether a video's file ends before the container (AVI, MP4 and MOV, Matroska and WebM) says that it does; false for other formats.
+
+The number of frames that OpenCV announces doesn't tell: where the container has none it is a product of duration and rate, and wrong if
+the rate varies or the sound is longer than the pictures. */
+bool isVideoCutShort(const std::string& path);
+
+//! Whether the container says how many frames there are.
+bool countsFrames(const std::string& path);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_VIDEO_ENDS_HPP
