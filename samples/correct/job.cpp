@@ -126,8 +126,10 @@ void checkTargets(const Job& job)
     OutputPlan plan;
     for (const std::string& input : job.inputs.files)
         plan.addInput(input);
-    for (const std::string& input : job.inputs.files)
-        Targets(job, input).addTo(plan);
+    for (const bool video : {true, false}) // the names of frames first
+        for (const std::string& input : job.inputs.files)
+            if (isVideo(input) == video)
+                Targets(job, input).addTo(plan);
     if (!job.report.empty() && job.report != "-")
         plan.addOutput(job.report, "the report");
     plan.removeLeftovers();

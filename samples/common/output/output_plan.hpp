@@ -24,7 +24,7 @@ public:
     /** Tells of a file that is to be written.
     @param source whose result it is, for the message. Throws UsageError if it is an input or the result of another source. */
     void addOutput(const std::string& path, const std::string& source);
-    //! Tells of files STEM_NNNNNN with an extension, for each frame of a video.
+    //! Tells of files STEM_NNNNNN with an extension, for each frame of a video; before the outputs that may have such a name.
     void addFrames(const std::string& stem, const std::string& extension, const std::string& source);
     //! Removes what killed programs have left in the folders of the outputs.
     void removeLeftovers() const;
