@@ -38,6 +38,13 @@ if(BUILD_TESTING)
   add_test(NAME opencv_test_rsackermann_opencl COMMAND opencv_test_rsackermann "--gtest_filter=*OpenCL*"
     "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/opencv_test_rsackermann_opencl.xml")
   set_tests_properties(opencv_test_rsackermann_opencl PROPERTIES ENVIRONMENT "OPENCV_OPENCL_DEVICE=:CPU:")
+  # What a processor with the widest vectors would not run: the kernels for others.
+  foreach(kernels IN ITEMS avx2 baseline)
+    add_test(NAME opencv_test_rsackermann_${kernels} COMMAND opencv_test_rsackermann "--gtest_filter=*Warp*:*Passage*-*OpenCL*"
+      "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/opencv_test_rsackermann_${kernels}.xml")
+  endforeach()
+  set_tests_properties(opencv_test_rsackermann_avx2 PROPERTIES ENVIRONMENT "OPENCV_CPU_DISABLE=AVX512-SKX")
+  set_tests_properties(opencv_test_rsackermann_baseline PROPERTIES ENVIRONMENT "OPENCV_CPU_DISABLE=AVX512-SKX,AVX2")
 endif()
 if(BUILD_PERF_TESTS)
   rsackermann_add_ts_program(opencv_perf_rsackermann perf --perf_min_samples=1 --perf_force_samples=1 --perf_verify_sanity)

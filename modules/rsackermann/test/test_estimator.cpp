@@ -25,10 +25,12 @@ struct Passage
     double roll, pitch;   // deg
     int scanDirection;
     bool distorted;
+    double pixelRatio;    // fx / fy
 
     Simulator simulator() const
     {
         RollingShutterCamera camera = simulation::paperCamera();
+        camera.cameraMatrix(0, 0) *= pixelRatio;
         camera.heading = heading * degree;
         camera.setRollPitch(roll * degree, pitch * degree);
         camera.scanDirection = scanDirection;
@@ -41,17 +43,20 @@ struct Passage
 void PrintTo(const Passage& passage, std::ostream* out) { *out << passage.name; }
 
 const Passage passages[] = {
-    {"two walls", 40, 20, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, false},
-    {"left turn", -50, 15, 3, 2.5, 2, 0, 0, SCAN_TOP_TO_BOTTOM, false},
-    {"reverse", 30, -15, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, false},
-    {"left wall only", 40, 20, 2.5, 0, 10, 0, 0, SCAN_TOP_TO_BOTTOM, false},
-    {"right wall only", -40, 20, 0, 2.5, -10, 0, 0, SCAN_TOP_TO_BOTTOM, false},
-    {"tilted", 40, 20, 2.5, 3, 0, 4, -6, SCAN_TOP_TO_BOTTOM, false},
-    {"looks right", 40, 10, 0, 4, -90, 0, 0, SCAN_TOP_TO_BOTTOM, false},
-    {"looks left", 40, 10, 4, 0, 90, 0, 0, SCAN_TOP_TO_BOTTOM, false},
-    {"looks back", 40, 20, 2.5, 3, 180, 0, 0, SCAN_TOP_TO_BOTTOM, false},
-    {"bottom to top", 40, 20, 2.5, 3, 0, 0, 0, SCAN_BOTTOM_TO_TOP, false},
-    {"distorted lens", 40, 20, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, true},
+    {"two walls", 40, 20, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"left turn", -50, 15, 3, 2.5, 2, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"reverse", 30, -15, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"left wall only", 40, 20, 2.5, 0, 10, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"right wall only", -40, 20, 0, 2.5, -10, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"tilted", 40, 20, 2.5, 3, 0, 4, -6, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"looks right", 40, 10, 0, 4, -90, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"looks left", 40, 10, 4, 0, 90, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"looks back", 40, 20, 2.5, 3, 180, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
+    {"bottom to top", 40, 20, 2.5, 3, 0, 0, 0, SCAN_BOTTOM_TO_TOP, false, 1},
+    {"distorted lens", 40, 20, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, true, 1},
+    {"wide pixels", 40, 20, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, false, 0.8},
+    {"wide pixels, bottom to top, right wall only", -40, 20, 0, 2.5, -10, 0, 0, SCAN_BOTTOM_TO_TOP, false, 0.8},
+    {"narrow pixels, tilted, looks left", 40, 10, 4, 0, 90, 3, 2, SCAN_BOTTOM_TO_TOP, false, 1.25},
 };
 
 const Passage& twoWalls = passages[0];

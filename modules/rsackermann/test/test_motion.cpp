@@ -122,6 +122,43 @@ TEST(RSAckermann_Motion, metric_round_trip)
     }
 }
 
+// Against differences of the getters, for covariances of which no entry is special.
+TEST(RSAckermann_Motion, metric_covariance)
+{
+    RNG rng(9);
+    const RollingShutterCamera camera = simulation::paperCamera();
+    for (int round = 0; round < 20; round++)
+    {
+        AckermannMotion m = AckermannMotion::fromMetric(camera, rng.uniform(-1., 1.), rng.uniform(5., 30.) * (round % 2 ? 1 : -1), 2.5, 3,
+                                                        rng.uniform(-1., 1.));
+        Matx44d root, J;
+        for (int i = 0; i < 16; i++)
+            root.val[i] = rng.uniform(-0.01, 0.01);
+        m.covariance = root * root.t();
+        double AckermannMotion::*const unknowns[] = {&AckermannMotion::alpha, &AckermannMotion::wallSlope, &AckermannMotion::wallOffset,
+                                                     &AckermannMotion::wallRatio};
+        for (int j = 0; j < 4; j++)
+        {
+            Vec4d at[2];
+            const double h = 1e-6;
+            for (int side = 0; side < 2; side++)
+            {
+                AckermannMotion other = m;
+                other.*unknowns[j] += side ? h : -h;
+                ASSERT_TRUE(other.yawRate(camera, at[side][0]) && other.speed(camera, at[side][1]));
+                at[side][2] = other.delta();
+                at[side][3] = other.wallRatio;
+            }
+            for (int i = 0; i < 4; i++)
+                J(i, j) = (at[1][i] - at[0][i]) / (2 * h);
+        }
+        const Matx44d expected = J * m.covariance * J.t(), got = m.metricCovariance(camera);
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 4; j++)
+                EXPECT_NEAR(expected(i, j), got(i, j), 1e-5 * std::sqrt(expected(i, i) * expected(j, j))) << i << " " << j;
+    }
+}
+
 TEST(RSAckermann_Motion, metric_values_are_unknown_without_scale)
 {
     RollingShutterCamera camera = simulation::paperCamera();

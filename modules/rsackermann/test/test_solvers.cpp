@@ -46,7 +46,10 @@ A derived class says what the rolling shutter does: simulate() fills v for a giv
 class Generator
 {
 public:
+    Generator() : leastAlpha(0), mostAlpha(0.05) {}
     virtual ~Generator() {}
+
+    double leastAlpha, mostAlpha; // of |alpha|
 
     Problem problem(Motion motion, bool twoWalls, RNG& rng)
     {
@@ -64,7 +67,7 @@ protected:
 private:
     bool tryProblem(Motion motion, bool twoWalls, RNG& rng, Problem& result)
     {
-        const double alpha = motion == TRANSLATION ? 0 : rng.uniform(-0.05, 0.05);
+        const double alpha = motion == TRANSLATION ? 0 : rng.uniform(leastAlpha, mostAlpha) * (rng.uniform(0, 2) ? 1 : -1);
         // the left wall is at distance 1
         const double beta = motion == ROTATION ? 0 : rng.uniform(0.02, 0.6) * (rng.uniform(0, 2) ? 1 : -1);
         const double lambda = twoWalls ? rng.uniform(0.4, 2.5) : 0;
@@ -274,6 +277,15 @@ TEST_P(RSAckermann_WallSolvers, solve4LA_finds_its_own_model)
 TEST_P(RSAckermann_WallSolvers, solve4LAExact_finds_exact_motion)
 {
     expectFound(ExactGenerator(), run4LAExact, BOTH, GetParam(), 8, 0.99);
+}
+
+// Up to the default limit of the yaw, where a series has its largest error.
+TEST_P(RSAckermann_WallSolvers, solve4LAExact_finds_motions_at_the_limit)
+{
+    ExactGenerator generator;
+    generator.leastAlpha = 0.2;
+    generator.mostAlpha = 0.25;
+    expectFound(generator, run4LAExact, BOTH, GetParam(), 8, 0.99);
 }
 
 TEST_P(RSAckermann_WallSolvers, solveKnownYawRate_finds_exact_motion)

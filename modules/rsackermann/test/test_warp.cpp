@@ -242,24 +242,33 @@ TEST(RSAckermann_Warp, walls_that_are_passed_show_nothing)
     RollingShutterCamera camera = simulation::paperCamera();
     camera.referenceRow = 0;
     const double passedRow = 300;
-    AckermannMotion motion;
-    motion.status = MOTION_OK;
-    motion.wallOffset = 1 / camera.rowTime(Point2d(0, passedRow));
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
-    Mat map1, map2, mask;
-    generator->initDistortMap(motion, map1, map2, CV_32FC1, mask);
-    for (int y = 0; y < mask.rows; y++)
+    for (int right = 0; right < 2; right++)
     {
-        const int none = cv::countNonZero(map1.row(y) == FAR_OUTSIDE);
-        EXPECT_EQ(y > passedRow ? mask.cols : 0, none) << "row " << y;
-    }
-    EXPECT_EQ(mask.cols, cv::countNonZero(mask.row(0)));
-    EXPECT_EQ(0, cv::countNonZero(mask.rowRange((int)passedRow + 1, mask.rows)));
+        const AckermannMotion motion = motionThroughWall(camera, passedRow, right != 0);
+        Mat map1, map2, mask;
+        generator->initDistortMap(motion, map1, map2, CV_32FC1, mask);
+        for (int y = 0; y < mask.rows; y++)
+        {
+            const int none = cv::countNonZero(map1.row(y) == FAR_OUTSIDE);
+            EXPECT_EQ(y > passedRow ? mask.cols : 0, none) << "row " << y << ", right " << right;
+        }
+        EXPECT_EQ(mask.cols, cv::countNonZero(mask.row(0)));
+        EXPECT_EQ(0, cv::countNonZero(mask.rowRange((int)passedRow + 1, mask.rows)));
 
-    generator->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
-    double last;
-    cv::minMaxLoc(map2, 0, &last);
-    EXPECT_LE(last, passedRow);
+        generator->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
+        double last;
+        cv::minMaxLoc(map2, 0, &last);
+        EXPECT_LE(last, passedRow) << "right " << right;
+
+        // And so do points.
+        const std::vector<Point2d> points = {Point2d(300, passedRow - 5), Point2d(300, passedRow + 5)};
+        std::vector<Point2d> moved;
+        std::vector<uchar> exists;
+        generator->correctPoints(motion, points, moved, noArray(), exists);
+        EXPECT_EQ(255, exists[0]) << "right " << right;
+        EXPECT_EQ(0, exists[1]) << "right " << right;
+    }
 }
 
 TEST(RSAckermann_Warp, nearest_plane_is_seen)

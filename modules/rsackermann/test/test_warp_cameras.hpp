@@ -31,6 +31,17 @@ inline cv::rsackermann::RollingShutterCamera lensCamera(int lens)
     return camera;
 }
 
+//! A motion towards a wall across the road, as the left or the right one, that is reached at a row if the first one is the reference row.
+inline cv::rsackermann::AckermannMotion motionThroughWall(const cv::rsackermann::RollingShutterCamera& camera, double row, bool isRight)
+{
+    const double nearness = 1 / camera.rowTime(Point2d(0, row));
+    cv::rsackermann::AckermannMotion motion;
+    motion.status = cv::rsackermann::MOTION_OK;
+    motion.wallOffset = isRight ? -nearness / 2 : nearness;
+    motion.wallRatio = isRight ? 2 : 0;
+    return motion;
+}
+
 //! A motion within the paper's limits, 10-140 km/h and up to 70 deg/s to either side, in a street of random width.
 inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::RollingShutterCamera& camera, RNG& rng)
 {

@@ -171,6 +171,28 @@ TEST(RSAckermann_WarpOpenCL, absurd_motion_gives_no_NaN)
     }
 }
 
+TEST(RSAckermann_WarpOpenCL, walls_that_are_passed_show_nothing)
+{
+    skipWithoutDevice();
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.referenceRow = 0;
+    const int passedRow = 300;
+    for (int right = 0; right < 2; right++)
+    {
+        const AckermannMotion motion = motionThroughWall(camera, passedRow, right != 0);
+        UMat map1, map2, mask;
+        initMap(WarpMapGenerator::create(camera), true, motion, map1, map2, CV_32FC1, mask);
+        const Mat columns = map1.getMat(ACCESS_READ);
+        EXPECT_EQ(0, cv::countNonZero(columns.rowRange(0, passedRow - 1) == -16384)) << right;
+        EXPECT_EQ((camera.imageSize.height - passedRow - 2) * columns.cols,
+                  cv::countNonZero(columns.rowRange(passedRow + 2, columns.rows) == -16384)) << right;
+        initMap(WarpMapGenerator::create(camera), false, motion, map1, map2, CV_32FC1, mask);
+        double last;
+        cv::minMaxLoc(map2.getMat(ACCESS_READ), 0, &last);
+        EXPECT_LE(last, passedRow + 0.01) << right;
+    }
+}
+
 // Rays up to the border of strongly distorted images, and pixels beyond the lens model.
 TEST(RSAckermann_WarpOpenCL, strong_lenses)
 {
