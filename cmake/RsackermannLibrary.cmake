@@ -15,7 +15,7 @@ set_target_properties(opencv_rsackermann PROPERTIES
   VERSION ${PROJECT_VERSION}
   SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
   EXPORT_NAME rsackermann)
-target_compile_features(opencv_rsackermann PUBLIC cxx_std_11)
+target_compile_features(opencv_rsackermann PUBLIC cxx_std_${CMAKE_CXX_STANDARD})
 target_compile_definitions(opencv_rsackermann PRIVATE CVAPI_EXPORTS)
 # The library runs in threads of the caller, whose stacks may be small.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
@@ -25,7 +25,7 @@ set(RSACKERMANN_INSTALL_INCLUDEDIR "${CMAKE_INSTALL_INCLUDEDIR}/opencv${OpenCV_V
 target_include_directories(opencv_rsackermann
   PUBLIC "$<BUILD_INTERFACE:${RSACKERMANN_MODULE_DIR}/include>" "$<INSTALL_INTERFACE:${RSACKERMANN_INSTALL_INCLUDEDIR}>")
 target_link_libraries(opencv_rsackermann
-  PUBLIC opencv_core opencv_imgproc opencv_calib3d opencv_video
+  PUBLIC opencv_core opencv_imgproc opencv_video
   PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
 # opencv2/opencv_modules.hpp defines HAVE_OPENCV_XIMGPROC where OpenCV has this module.
 if(TARGET opencv_ximgproc)

@@ -24,6 +24,6 @@ function(rsackermann_embed_opencl target cl_dir)
   target_include_directories(${target} PRIVATE "${generated_dir}")
 
   # opencv2/core/opencl/ocl_defs.hpp includes cvconfig.h without a folder.
-  find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS} PATH_SUFFIXES opencv4/opencv2 opencv2)
+  find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS} PATH_SUFFIXES opencv${OpenCV_VERSION_MAJOR}/opencv2 opencv2)
   target_include_directories(${target} SYSTEM PRIVATE "${OPENCV_CVCONFIG_DIR}")
 endfunction()

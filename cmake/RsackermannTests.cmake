@@ -9,7 +9,7 @@ endif()
 
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio highgui)
 find_package(Threads REQUIRED)
-find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS} PATH_SUFFIXES opencv4/opencv2 opencv2)
+find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS} PATH_SUFFIXES opencv${OpenCV_VERSION_MAJOR}/opencv2 opencv2)
 
 file(GLOB ts_sources "${ts_dir}/src/*.cpp")
 add_library(opencv_ts STATIC ${ts_sources})
@@ -28,7 +28,7 @@ function(rsackermann_add_ts_program name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/${folder}/*.cpp")
   add_executable(${name} ${sources})
   target_include_directories(${name} PRIVATE "${RSACKERMANN_MODULE_DIR}/${folder}")
-  target_link_libraries(${name} PRIVATE opencv_rsackermann opencv_ts Eigen3::Eigen)
+  target_link_libraries(${name} PRIVATE opencv_rsackermann opencv_ts Eigen3::Eigen ${RSACKERMANN_LENS_MODELS})
   add_test(NAME ${name} COMMAND ${name} "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/${name}.xml" ${ARGN})
 endfunction()
 

@@ -1,12 +1,30 @@
 #!/bin/bash
 # Fetches the source of the installed OpenCV, main and contrib modules, and prints the directory that it is in.
+# usage: get_opencv_source.sh [VERSION_OF_DEBIANS_PACKAGE]
 #
 # It comes from the Debian source package, through an apt configuration of its own, so that the lists of the system stay
 # as they are. The directory is kept in ${XDG_CACHE_HOME:-~/.cache}/rsackermann and used again.
 
 . "$(dirname "$0")/common.sh"
 
-version=$(dpkg-query -W -f='${source:Version}' libopencv-dev) || die "libopencv-dev isn't installed"
+# Does with the archives what dpkg-source does with the description.
+unpack_archives()
+{
+    local name patch
+    for name in orig orig-contrib debian; do
+        ls opencv_*."$name".tar.* >/dev/null 2>&1 ||
+            die "the mirror doesn't have the source of opencv $version; what it said is in $cache/source-download.log"
+    done
+    mkdir -p unpacked/contrib
+    tar -xf opencv_*.orig.tar.* -C unpacked --strip-components=1
+    tar -xf opencv_*.orig-contrib.tar.* -C unpacked/contrib --strip-components=1
+    tar -xf opencv_*.debian.tar.* -C unpacked
+    while read -r patch; do
+        logged "$cache/source-unpack.log" patch -d unpacked -p1 -i "debian/patches/$patch"
+    done < <(sed -e 's/ *#.*//' -e '/^$/d' unpacked/debian/patches/series)
+}
+
+version=${1:-$(dpkg-query -W -f='${source:Version}' libopencv-dev)} || die "libopencv-dev isn't installed"
 target=$cache/opencv-$version
 if [ ! -d "$target" ]; then
     mkdir -p "$cache"
@@ -27,8 +45,13 @@ if [ ! -d "$target" ]; then
          -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=root)
     logged "$cache/source-update.log" "${apt[@]}" update
     cd "$work"
-    logged "$cache/source-download.log" "${apt[@]}" --only-source --download-only source "opencv=$version"
-    logged "$cache/source-unpack.log" dpkg-source --no-copy --no-check -x opencv_*.dsc unpacked
+    # Fetches what there is of the package: a mirror may lack the small file that describes it.
+    "${apt[@]}" --only-source --download-only source "opencv=$version" >"$cache/source-download.log" 2>&1 || true
+    if ls opencv_*.dsc >/dev/null 2>&1 && ls opencv_*.orig.tar.* >/dev/null 2>&1; then
+        logged "$cache/source-unpack.log" dpkg-source --no-copy --no-check -x opencv_*.dsc unpacked
+    else
+        unpack_archives
+    fi
     mv unpacked "$target"
 fi
 echo "$target"

@@ -3,9 +3,14 @@
 # - the library against the installed OpenCV, with samples, tests and performance tests (one sample each),
 # - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests.
 # Prints the number of test cases as its last line and fails if one of them failed.
-# usage: run_all.sh [BUILD_DIRECTORY]
+# usage: run_all.sh [--ts-source=DIRECTORY] [BUILD_DIRECTORY]
+#   --ts-source   take opencv_ts from this source of OpenCV, which may be of another version, and build nothing inside of OpenCV
 
 . "$(dirname "$0")/../scripts/common.sh"
+ts_source=
+case ${1:-} in
+    --ts-source=*) ts_source=${1#*=}; shift ;;
+esac
 build=${1:-$root/build-test}
 logs=$build/logs
 results=$build/test-results
@@ -66,8 +71,11 @@ mkdir -p "$logs"
 rm -rf "$results"
 mkdir -p "$results"
 install_packages "$logs/apt-install.log" "${packages_build[@]}" "${packages_test[@]}"
-step "Getting the source of OpenCV"
-opencv_source=$("$root/scripts/get_opencv_source.sh")
+opencv_source=$ts_source
+if [ -z "$ts_source" ]; then
+    step "Getting the source of OpenCV"
+    opencv_source=$("$root/scripts/get_opencv_source.sh")
+fi
 
 step "Building against the installed OpenCV in $build"
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
@@ -79,6 +87,11 @@ step "Testing"
 status=0
 ctest --test-dir "$build" --verbose --output-junit "$results/ctest.junit" >"$logs/ctest.log" 2>&1 || status=$?
 count "Against the installed OpenCV" $status "$logs/ctest.log" ctest "$results/ctest.junit" "$results"
+
+if [ -n "$ts_source" ]; then
+    finished=yes
+    exit
+fi
 
 # OpenCV itself is built once: this directory stays. One run at a time uses it.
 in_tree=$cache/in-tree-$(basename "$opencv_source")
@@ -98,5 +111,4 @@ PYTHONPATH=$in_tree/build/python_loader:$opencv_source/modules/python/test \
     /usr/bin/python3 -B -m unittest discover -v -s "$root/modules/rsackermann/misc/python/test" \
     >"$logs/in-tree-python.log" 2>&1 || status=$?
 count "Inside of OpenCV, python" $status "$logs/in-tree-python.log" unittest "$logs/in-tree-python.log"
-
 finished=yes

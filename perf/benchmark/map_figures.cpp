@@ -5,7 +5,7 @@
 #include "figures.hpp"
 #include "workload.hpp"
 
-#include "opencv2/calib3d.hpp"
+#include "test_lens_models.hpp"
 #include "opencv2/core/utility.hpp"
 #include <cstring>
 

@@ -6,8 +6,7 @@
 #include "lens.hpp"
 #include "street_model.hpp"
 
-#include "opencv2/calib3d.hpp"
-#include "opencv2/imgproc.hpp"
+#include "test_lens_models.hpp"
 
 namespace opencv_test { namespace {
 

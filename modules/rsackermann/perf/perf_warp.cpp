@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "perf_precomp.hpp"
-#include "opencv2/calib3d.hpp"
+#include "../test/test_lens_models.hpp"
 
 namespace opencv_test { namespace {
 

@@ -9,6 +9,10 @@
 #include "opencv2/core/utility.hpp"
 #include "opencv2/imgcodecs.hpp"
 #include "opencv2/imgproc.hpp"
+#include "opencv2/opencv_modules.hpp"
+#ifdef HAVE_OPENCV_FEATURES // goodFeaturesToTrack, from OpenCV 5 on
+#include "opencv2/features.hpp"
+#endif
 #include <iostream>
 
 using namespace cv;

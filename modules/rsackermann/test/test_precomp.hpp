@@ -6,8 +6,8 @@
 #define OPENCV_RSACKERMANN_TEST_PRECOMP_HPP
 
 #include "opencv2/ts.hpp"
-#include "opencv2/calib3d.hpp"
 #include "opencv2/rsackermann.hpp"
+#include "test_lens_models.hpp"
 
 namespace opencv_test {
 using namespace cv::rsackermann;

@@ -6,7 +6,7 @@
 #define OPENCV_TEST_RSACKERMANN_SIMULATOR_HPP
 
 #include <limits>
-#include "opencv2/calib3d.hpp"
+#include "test_lens_models.hpp"
 #include "opencv2/rsackermann.hpp"
 
 namespace opencv_test {

@@ -4,9 +4,6 @@
 
 #include "../precomp.hpp"
 #include "detectors.hpp"
-#ifdef HAVE_OPENCV_XIMGPROC
-#include "opencv2/ximgproc.hpp"
-#endif
 
 namespace cv {
 namespace rsackermann {

@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "opencv2/imgproc.hpp"
 #include "detectors.hpp"
 
 namespace cv {
@@ -11,7 +10,7 @@ namespace rsackermann {
 
 void detectLSD(const Mat& gray, double scale, std::vector<Vec4f>& segments)
 {
-    createLineSegmentDetector(LSD_REFINE_STD, scale)->detect(gray, segments);
+    detectLSDSegments(gray, scale, segments);
 
     // The detector scales coordinates back about the corner of the image instead of the corner of its first pixel, whose
     // centre is at 0.

@@ -4,7 +4,7 @@
 
 // For *.simd.hpp files, which are compiled for several processors: the types in here are those of one of them.
 
-#include "../simd.hpp"
+#include "../opencv_versions.hpp"
 
 namespace cv {
 namespace rsackermann {

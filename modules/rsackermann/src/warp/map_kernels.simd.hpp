@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "../simd.hpp"
+#include "../opencv_versions.hpp"
 #include "opencv2/imgproc.hpp"
 #include "patch.hpp"
 
