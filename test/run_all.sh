@@ -67,6 +67,19 @@ run_in_tree()
     count "$title" $status "$logs/$name.log" gtest "$results/$name.xml"
 }
 
+# A project that uses the module of an installed OpenCV that was built with it.
+consumer_of_opencv()
+{
+    local prefix=$in_tree/installed build=$in_tree/consumer component
+    rm -rf "$prefix" "$build"
+    for component in libs dev; do
+        cmake --install "$in_tree/build" --prefix "$prefix" --component $component || return
+    done
+    cmake -G Ninja -S "$root/test/consumer" -B "$build" -DMODULE_OF_OPENCV=ON "-DCMAKE_PREFIX_PATH=$prefix" || return
+    cmake --build "$build" || return
+    LD_LIBRARY_PATH=$prefix/lib "$build/rsackermann_consumer"
+}
+
 mkdir -p "$logs"
 rm -rf "$results"
 mkdir -p "$results"
@@ -111,4 +124,12 @@ PYTHONPATH=$in_tree/build/python_loader:$opencv_source/modules/python/test \
     /usr/bin/python3 -B -m unittest discover -v -s "$root/modules/rsackermann/misc/python/test" \
     >"$logs/in-tree-python.log" 2>&1 || status=$?
 count "Inside of OpenCV, python" $status "$logs/in-tree-python.log" unittest "$logs/in-tree-python.log"
+if consumer_of_opencv >"$logs/in-tree-consumer.log" 2>&1; then
+    passed=$((passed + 1))
+else
+    tail -n 20 "$logs/in-tree-consumer.log" >&2
+    echo "Inside of OpenCV, consumer: failed, see $logs/in-tree-consumer.log" >&2
+    failed=$((failed + 1))
+fi
+
 finished=yes
