@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "batch.hpp"
+#include "files.hpp"
 #include "image_task.hpp"
 #include "output/interrupt.hpp"
 #ifdef RSACKERMANN_WITH_VIDEOIO
@@ -77,6 +78,26 @@ void Batch::correct(size_t index, const Task& task)
         fail(input, error);
 }
 
+FrameFacts Batch::factsOf(size_t index) const
+{
+    return job_.log.of(job_.inputs.files[index], job_.inputs.numbers[index], std::numeric_limits<double>::quiet_NaN());
+}
+
+// An image that can't be read says so when it is its turn.
+NextFrame Batch::nextOf(size_t index) const
+{
+    if (!corrector_.wantsNext() || index + 1 >= job_.inputs.files.size() || isVideo(job_.inputs.files[index + 1]))
+        return NextFrame();
+    try
+    {
+        return NextFrame(readImage(job_.inputs.files[index + 1]), factsOf(index + 1).time);
+    }
+    catch (const InputError&)
+    {
+        return NextFrame();
+    }
+}
+
 // The error is told and not thrown, as the frames of a video may be there though its end isn't.
 std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets, std::string& error)
 {
@@ -94,8 +115,7 @@ std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets
             return frames;
         }
 #endif
-        const double unknown = std::numeric_limits<double>::quiet_NaN();
-        frames.push_back(correctImage(input, targets, job_.log.of(input, job_.inputs.numbers[index], unknown), corrector_));
+        frames.push_back(correctImage(input, targets, factsOf(index), nextOf(index), corrector_));
         progress_.update(done_ + 1, total, input);
     }
     catch (const Interrupted&)

@@ -38,6 +38,8 @@ private:
     Task taskOf(const std::string& input) const;
     bool isLeftOut(size_t index, const Task& task) const;
     void correct(size_t index, const Task& task);
+    FrameFacts factsOf(size_t index) const;
+    NextFrame nextOf(size_t index) const;
     std::vector<FrameReport> correctFile(size_t index, const Targets& targets, std::string& error);
     void fail(const std::string& input, const std::string& message);
     void report(const std::vector<std::string>& lines);

@@ -81,6 +81,7 @@ void FrameCorrector::tell(const FrameFacts& facts)
 
 void FrameCorrector::reset()
 {
+    isFirst_ = true;
     if (corrector_)
         corrector_->reset();
 }
@@ -98,12 +99,15 @@ void FrameCorrector::warp(const cv::Mat& image, CorrectedFrame& frame)
     frame.report.timings += cv::Vec4d(0, 0, 1000 * seconds[0], 1000 * seconds[1]);
 }
 
-CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const FrameFacts& facts)
+CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const FrameFacts& facts, const NextFrame& next)
 {
     prepare(image.size());
     CorrectedFrame frame;
     FrameReport& report = frame.report;
     tell(facts);
+    if (wantsNext() && next.image.size() == image.size())
+        corrector_->setNextFrame(next.image, next.time);
+    isFirst_ = false;
     report.camera = camera_;
     cv::Mat coarse, mask, map1, map2, segments, labels;
     report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, coarse, mask)

@@ -19,15 +19,29 @@ struct CorrectedFrame
     cv::Mat image, overlay, map1, map2; //!< empty if the job doesn't ask for them
 };
 
+//! The image after one that is corrected; empty: not known.
+struct NextFrame
+{
+    cv::Mat image;
+    double time; //!< seconds; NaN: unknown
+
+    NextFrame() : time(0) {}
+    NextFrame(const cv::Mat& image_, double time_) : image(image_), time(time_) {}
+};
+
 //! Corrects images one by one, as the job says.
 class FrameCorrector
 {
 public:
-    explicit FrameCorrector(const Job& job) : job_(job) {}
+    explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true) {}
+
+    //! Whether the image after the one that is corrected next says something: for the first one of a drive, which has none before.
+    bool wantsNext() const { return job_.params.carryMotion && (isFirst_ || job_.smooth); }
 
     /** Corrects an image; throws InputError or cv::Exception.
-    @param facts what the log tells of it, or only its time. */
-    CorrectedFrame correct(const cv::Mat& image, const FrameFacts& facts);
+    @param facts what the log tells of it, or only its time.
+    @param next see wantsNext(). */
+    CorrectedFrame correct(const cv::Mat& image, const FrameFacts& facts, const NextFrame& next = NextFrame());
 
     //! The next image belongs to another sequence.
     void reset();
@@ -38,6 +52,7 @@ private:
     void warp(const cv::Mat& image, CorrectedFrame& frame);
 
     const Job& job_;
+    bool isFirst_; // of a sequence
     cv::rsackermann::RollingShutterCamera camera_; // of the last image
     cv::Ptr<cv::rsackermann::RollingShutterCorrector> corrector_; // its image and maps have every eighth pixel only
     std::unique_ptr<StripWarp> warp_;

@@ -26,6 +26,7 @@ const char* const JOB_KEYS =
     "{log        |        | CSV file with what is known of each frame (columns file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, "
     "yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it goes before the options}"
     "{carry      |        | the inputs, or the frames of each video, are consecutive: what is known of one helps with the next}"
+    "{smooth     |        | --carry, and what the frame after says counts for each frame, too}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's roll 1, of its pitch 0.3)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
@@ -197,7 +198,8 @@ Job readJob(const Options& options)
     if (options.given("log"))
         job.log = DriveLog(options.text("log"));
     job.prior = readPrior(options, job);
-    job.params.carryMotion = options.flag("carry");
+    job.smooth = options.flag("smooth");
+    job.params.carryMotion = job.smooth || options.flag("carry");
     job.output = target(options, "output");
     job.overlay = target(options, "overlay");
     job.maps = target(options, "maps");

@@ -20,6 +20,7 @@ struct Job
     cv::rsackermann::RollingShutterCorrector::Params params;
     cv::rsackermann::MotionPrior prior;
     DriveLog log;
+    bool smooth;                                //!< what the frame after says counts for each frame of a drive
     bool linesGiven;
     cv::Mat lines;                              //!< segments of the only image
     std::string output, overlay, maps, report;  //!< file or folder, empty: not wanted

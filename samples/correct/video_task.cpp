@@ -16,6 +16,60 @@ namespace rsackermann_samples {
 
 namespace {
 
+// The frames of a video, of which one is read ahead if it is wanted.
+class FrameReader
+{
+public:
+    FrameReader(cv::VideoCapture& capture, const DriveLog& log, const std::string& input)
+        : capture_(capture), clock_(capture), log_(log), input_(input), number_(-1), isAhead_(false)
+    {
+    }
+
+    bool read()
+    {
+        if (isAhead_)
+        {
+            image_ = ahead_;
+            ahead_ = cv::Mat();
+            facts_ = factsAhead_;
+            isAhead_ = false;
+        }
+        else if (!readNext(image_, facts_))
+            return false;
+        number_++;
+        return true;
+    }
+
+    NextFrame next()
+    {
+        isAhead_ = readNext(ahead_, factsAhead_);
+        return isAhead_ ? NextFrame(ahead_, factsAhead_.time) : NextFrame();
+    }
+
+    int number() const { return number_; }
+    const cv::Mat& image() const { return image_; }
+    const FrameFacts& facts() const { return facts_; }
+
+private:
+    bool readNext(cv::Mat& image, FrameFacts& facts)
+    {
+        image = cv::Mat(); // the one before may still be in use
+        if (!capture_.read(image))
+            return false;
+        facts = log_.of(input_, number_ + 1, clock_.timeOfFrame(capture_));
+        return true;
+    }
+
+    cv::VideoCapture& capture_;
+    FrameClock clock_;
+    const DriveLog& log_;
+    const std::string& input_;
+    int number_;
+    bool isAhead_;
+    cv::Mat image_, ahead_;
+    FrameFacts facts_, factsAhead_;
+};
+
 void addTo(std::unique_ptr<VideoFile>& video, const std::string& path, double framesPerSecond, const cv::Mat& frame)
 {
     if (path.empty())
@@ -47,17 +101,18 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     cv::VideoCapture capture = openVideo(input);
     const bool isWritten = !targets.output.empty() || !targets.overlay.empty();
     const double announced = capture.get(cv::CAP_PROP_FRAME_COUNT), framesPerSecond = isWritten ? meanRate(input) : 0;
-    FrameClock clock(capture);
+    FrameReader reader(capture, job.log, input);
 
     corrector.reset();
     std::unique_ptr<VideoFile> output, overlay;
     std::vector<FrameReport> frames;
-    for (cv::Mat image; capture.read(image);)
+    while (reader.read())
     {
         if (interruptSignal())
             throw Interrupted();
-        const int number = int(frames.size());
-        CorrectedFrame frame = corrector.correct(image, job.log.of(input, number, clock.timeOfFrame(capture)));
+        const int number = reader.number();
+        const NextFrame next = corrector.wantsNext() ? reader.next() : NextFrame();
+        CorrectedFrame frame = corrector.correct(reader.image(), reader.facts(), next);
         addTo(output, targets.output, framesPerSecond, frame.image);
         addTo(overlay, targets.overlay, framesPerSecond, frame.overlay);
         if (!targets.maps.empty())

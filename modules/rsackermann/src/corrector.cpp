@@ -153,7 +153,6 @@ public:
     void setNextFrame(InputArray image, double seconds) CV_OVERRIDE
     {
         checkSource(image, "image");
-        checkFinite(seconds, "seconds");
         finder.prepare(image);
         finder.reduced().copyTo(next.gray);
         next.scale = finder.reduction();
@@ -248,7 +247,9 @@ private:
     {
         time = std::isfinite(timestamp) ? timestamp : time + params.frameInterval;
         timestamp = std::numeric_limits<double>::quiet_NaN();
-        const GrayFrame frame = {params.trackPoints ? finder.reduced() : Mat(), finder.reduction(), time};
+        if (!std::isfinite(next.seconds))
+            next.seconds = time + params.frameInterval;
+        const GrayFrame frame(params.trackPoints ? finder.reduced() : Mat(), finder.reduction(), time);
         AckermannMotion motion;
         const bool isFromFrames = drive.estimate(frame, next, segmentRows(segments), prior, motion, labels);
         next.gray.release();

@@ -21,15 +21,18 @@ DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const Ackerm
 
 void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
 {
-    // What was known of gravity was known of another one.
+    // What is known of gravity is known of this one.
+    const bool isSameGravity = camera_.uprightRotation == camera.uprightRotation && params_.gravitySigma == params.gravitySigma &&
+                               params_.vehiclePitchSigma == params.vehiclePitchSigma;
+    const int kept = isSameGravity ? DRIVE_VALUES : DRIVE_ROLL;
     const DriveState before = state;
     camera = camera_;
     params = params_;
     state = DriveState(camera, params);
-    for (int i = 0; i < DRIVE_ROLL; i++)
+    for (int i = 0; i < kept; i++)
     {
         state.value[i] = before.value[i];
-        for (int j = 0; j < DRIVE_ROLL; j++)
+        for (int j = 0; j < kept; j++)
             state.covariance(i, j) = before.covariance(i, j);
     }
 }

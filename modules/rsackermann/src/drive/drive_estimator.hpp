@@ -16,6 +16,9 @@ struct GrayFrame
     Mat gray;
     int scale;
     double seconds; // time of its reference row
+
+    GrayFrame() : scale(1), seconds(0) {}
+    GrayFrame(const Mat& gray_, int scale_, double seconds_) : gray(gray_), scale(scale_), seconds(seconds_) {}
 };
 
 //! What consecutive frames say together (doc/theory.md, "Drive").

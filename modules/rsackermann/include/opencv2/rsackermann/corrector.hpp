@@ -109,7 +109,7 @@ public:
     For recorded drives, of which each frame or at least the first one can be corrected by what comes after it. Used if
     Params::carryMotion and Params::trackPoints are set.
     @param image raw image of the camera's size, of a type for the detection; copied.
-    @param seconds time of its reference row, as in setTimestamp().
+    @param seconds time of its reference row, as in setTimestamp(); not finite: Params::frameInterval after the one before it.
      */
     CV_WRAP virtual void setNextFrame(InputArray image, double seconds) = 0;
 
