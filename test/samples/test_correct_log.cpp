@@ -4,6 +4,8 @@
 
 #include "program.hpp"
 
+#include "opencv2/imgproc.hpp"
+
 namespace opencv_test { namespace {
 
 typedef nlohmann::ordered_json Json;
@@ -121,15 +123,21 @@ TEST_F(CorrectLog, each_image_has_its_row)
 
 TEST_F(CorrectLog, time_between_frames_of_a_drive)
 {
-    // Far apart in time the frame before tells less than close by.
-    cv::imwrite(folder_ / "a.png", streetImage());
-    cv::imwrite(folder_ / "b.png", streetImage());
+    // A picture that grows, as when the car drives on.
+    cv::Mat nearer;
+    const cv::Mat street = streetImage();
+    cv::warpAffine(street, nearer, cv::getRotationMatrix2D(cv::Point2f(320, 190), 0, 1.03), street.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+    cv::imwrite(folder_ / "a.png", street);
+    cv::imwrite(folder_ / "b.png", nearer);
     const Arguments inputs = {folder_ / "a.png", folder_ / "b.png"};
-    const std::vector<Json> close = resultsOf(runWithLog("file,time_s\na.png,5\nb.png,5.0333333333333333\n", inputs, {"--carry"}));
-    ASSERT_EQ(2u, close.size());
-    // 1/30 s is what is assumed without a log.
+    // 1/30 s is what is assumed without a log. The origin of the times doesn't matter.
     const std::vector<Json> untold = resultsOf(run(inputs, {"--carry"}));
-    EXPECT_NEAR(untold[1]["alpha"].get<double>(), close[1]["alpha"].get<double>(), 1e-6);
+    const std::vector<Json> close = resultsOf(runWithLog("file,time_s\na.png,0\nb.png,0.033333333333333333\n", inputs, {"--carry"}));
+    const std::vector<Json> far = resultsOf(runWithLog("file,time_s\na.png,0\nb.png,0.1\n", inputs, {"--carry"}));
+    ASSERT_EQ(2u, untold.size());
+    EXPECT_EQ(untold, close);
+    EXPECT_EQ(untold[0], far[0]);
+    EXPECT_NE(untold[1], far[1]);
 }
 
 TEST_F(CorrectLog, speed_without_line_delay)
