@@ -52,14 +52,6 @@ const char* const KEYS =
     "{seed       | 0       | of the rendered street}"
     "{threads    |         | largest number of threads}";
 
-cv::Size readSize(const std::string& text)
-{
-    const size_t x = text.find('x');
-    if (x == std::string::npos)
-        throw UsageError("option --size: '" + text + "' is not WIDTHxHEIGHT");
-    return cv::Size(parseInteger(text.substr(0, x), "option --size", 2, 20000), parseInteger(text.substr(x + 1), "option --size", 2, 20000));
-}
-
 CameraSettings readSettings(const Options& options, const cv::Size& size, double defaultFocal)
 {
     if (options.given("line_delay") && options.given("readout"))
@@ -146,7 +138,7 @@ int run(int argc, const char* const* argv)
         cv::setNumThreads(options.integer("threads", 1, 4096));
 
     const cv::Mat image = options.given("image") ? readImage(options.text("image")) : cv::Mat();
-    const cv::Size size = image.empty() ? readSize(options.text("size")) : image.size();
+    const cv::Size size = image.empty() ? parseSize(options.text("size"), "option --size", 2, 20000) : image.size();
     const CameraSettings settings = readSettings(options, size, image.empty() ? 816 : 0.9 * std::max(size.width, size.height));
     const Truth truth = readTruthOptions(options, settings);
     const int samples = options.integer("samples", 1, 16);

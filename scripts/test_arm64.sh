@@ -34,7 +34,7 @@ step "Testing with $(in_chroot "$system" qemu-aarch64-static --version | head -n
 # The tests of the programs start them by name.
 logged "$logs/wrappers.log" in_chroot "$system" sh -ec '
     cd /build/samples
-    for program in rsackermann_correct rsackermann_evaluate rsackermann_simulate example_rsackermann_correct_frame; do
+    for program in rsackermann_correct rsackermann_evaluate rsackermann_export rsackermann_simulate example_rsackermann_correct_frame; do
         if [ "$(head -c 2 $program)" != "#!" ]; then mv $program $program.arm64; fi
         printf "#!/bin/sh\nexec qemu-aarch64-static /build/samples/%s.arm64 \"\$@\"\n" $program >$program
         chmod +x $program

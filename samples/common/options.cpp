@@ -103,6 +103,14 @@ int parseWord(const std::string& word, const std::string& source, const std::vec
     throw UsageError(source + ": '" + word + "' is none of " + list);
 }
 
+cv::Size parseSize(const std::string& text, const std::string& source, int low, int high)
+{
+    const size_t x = text.find('x');
+    if (x == std::string::npos)
+        throw UsageError(source + ": '" + text + "' is not WIDTHxHEIGHT");
+    return cv::Size(parseInteger(text.substr(0, x), source, low, high), parseInteger(text.substr(x + 1), source, low, high));
+}
+
 std::vector<double> parseNumbers(const std::string& text, const std::string& source)
 {
     std::vector<double> values;

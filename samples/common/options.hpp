@@ -32,6 +32,8 @@ double parseNumber(const std::string& text, const std::string& source);
 int parseInteger(const std::string& text, const std::string& source, int low, int high);
 //! The position of a word among the words.
 int parseWord(const std::string& word, const std::string& source, const std::vector<std::string>& words);
+//! WIDTHxHEIGHT, both in [low, high].
+cv::Size parseSize(const std::string& text, const std::string& source, int low, int high);
 //! Numbers with commas between.
 std::vector<double> parseNumbers(const std::string& text, const std::string& source);
 

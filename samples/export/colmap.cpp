@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "colmap.hpp"
+#include "image_file.hpp"
+#include "output/atomic_file.hpp"
+#include "opencv2/rsackermann/warp.hpp"
+
+namespace rsackermann_samples {
+
+using namespace cv::rsackermann;
+
+std::string colmapCameras(const RollingShutterCamera& camera)
+{
+    const cv::Matx33d& K = camera.cameraMatrix;
+    // The centre of COLMAP's first pixel is at (0.5, 0.5).
+    return cv::format("# Camera list with one line of data per camera:\n"
+                      "#   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n"
+                      "# Number of cameras: 1\n"
+                      "1 PINHOLE %d %d %.17g %.17g %.17g %.17g\n",
+                      camera.imageSize.width, camera.imageSize.height, K(0, 0), K(1, 1), K(0, 2) + 0.5, K(1, 2) + 0.5);
+}
+
+void writeColmap(const std::string& folder, const RollingShutterCamera& camera, const std::vector<MotionFrame>& frames)
+{
+    writeFile(folder + "/cameras.txt", colmapCameras(camera));
+    const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    for (const MotionFrame& frame : frames)
+    {
+        cv::Mat columns, rows, mask;
+        generator->initRectifyMap(frame.motion, columns, rows, CV_32FC1, mask);
+        writeImage(folder + "/masks/" + frame.name() + ".png", mask);
+    }
+}
+
+} // namespace rsackermann_samples

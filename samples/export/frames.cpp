@@ -1,0 +1,109 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "frames.hpp"
+#include "files.hpp"
+#include "options.hpp"
+#include "units.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace rsackermann_samples {
+
+using namespace cv::rsackermann;
+
+std::string MotionFrame::name() const
+{
+    return frame < 0 ? fileName(input) : fileName(input) + cv::format(".%06d", frame);
+}
+
+namespace {
+
+typedef nlohmann::json Json;
+
+// The words of a report, in the order of MotionStatus and MotionScale.
+const std::vector<std::string> STATUSES = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
+const std::vector<std::string> SCALES = {"unknown", "wall", "road", "speed"};
+
+// A number of the line; 0 if it is null.
+double numberOf(const Json& line, const char* key)
+{
+    const Json& value = line.at(key);
+    return value.is_null() ? 0 : value.get<double>();
+}
+
+AckermannMotion motionOf(const Json& line, const std::string& source)
+{
+    AckermannMotion motion;
+    motion.status = parseWord(line.at("status"), source, STATUSES);
+    if (motion.status != MOTION_OK)
+        return motion;
+    motion.alpha = numberOf(line, "alpha");
+    motion.wallSlope = numberOf(line, "beta");
+    motion.wallOffset = numberOf(line, "wall_offset");
+    motion.wallRatio = numberOf(line, "wall_ratio");
+    motion.roadSlope = numberOf(line, "road_slope");
+    motion.direction = numberOf(line, "direction") < 0 ? -1 : 1;
+    motion.rollCorrection = numberOf(line, "roll_correction_deg") * DEGREE;
+    motion.pitchCorrection = numberOf(line, "pitch_correction_deg") * DEGREE;
+    motion.wallDistance = numberOf(line, "wall_distance_m");
+    motion.scale = parseWord(line.at("scale"), source, SCALES);
+    return motion;
+}
+
+} // namespace
+
+std::vector<MotionFrame> readReport(const std::string& path)
+{
+    std::ifstream file(path.c_str());
+    if (!file)
+        throw InputError(path + " can't be read");
+    std::vector<MotionFrame> frames;
+    int number = 0;
+    for (std::string text; std::getline(file, text);)
+    {
+        const std::string source = path + cv::format(", line %d", ++number);
+        try
+        {
+            const Json line = Json::parse(text);
+            if (line.at("status") == "failed")
+                continue;
+            MotionFrame frame;
+            frame.input = line.at("input").get<std::string>();
+            frame.frame = line.value("frame", -1);
+            frame.motion = motionOf(line, source);
+            frames.push_back(frame);
+        }
+        catch (const Json::exception& e)
+        {
+            throw InputError(source + " isn't one of a report: " + e.what());
+        }
+    }
+    return frames;
+}
+
+std::vector<MotionFrame> readMotionFile(const std::string& path)
+{
+    cv::FileStorage fs;
+    try
+    {
+        fs.open(path, cv::FileStorage::READ);
+    }
+    catch (const cv::Exception&)
+    {
+    }
+    if (!fs.isOpened())
+        throw InputError(path + " can't be read");
+    const cv::FileNode node = fs["motion"].isMap() ? fs["motion"] : fs.root();
+    if (node["status"].empty())
+        throw InputError(path + " holds no motion");
+    MotionFrame frame;
+    frame.input = fs["input"].isString() ? std::string(fs["input"]) : std::string("frame.png");
+    frame.frame = -1;
+    frame.motion.read(node);
+    return {frame};
+}
+
+} // namespace rsackermann_samples

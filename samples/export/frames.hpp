@@ -1,0 +1,34 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_EXPORT_FRAMES_HPP
+#define RSACKERMANN_SAMPLES_EXPORT_FRAMES_HPP
+
+#include "opencv2/rsackermann/motion.hpp"
+#include <string>
+#include <vector>
+
+namespace rsackermann_samples {
+
+//! A frame whose motion is known.
+struct MotionFrame
+{
+    std::string input; //!< as the report names it
+    int frame;         //!< number of a video's frame; -1: the input is an image
+    cv::rsackermann::AckermannMotion motion;
+
+    //! A name for files of this frame: that of the image, or that of the video with the frame's number.
+    std::string name() const;
+};
+
+//! The frames of a report of rsackermann_correct, failed ones left out; throws InputError.
+std::vector<MotionFrame> readReport(const std::string& path);
+
+/** One frame from a file of cv::FileStorage with what AckermannMotion::write() has written, in the root or in the node
+"motion", and maybe the frame's name in the node "input"; throws InputError. */
+std::vector<MotionFrame> readMotionFile(const std::string& path);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_EXPORT_FRAMES_HPP

@@ -1,0 +1,87 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "row_poses.hpp"
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace rsackermann_samples {
+
+using namespace cv::rsackermann;
+
+namespace {
+
+typedef nlohmann::ordered_json Json;
+
+// Names of gsplat's RollingShutterType and of 3DGUT's ShutterType, in the order of ScanDirection.
+const char* const SHUTTERS[] = {"ROLLING_TOP_TO_BOTTOM", "ROLLING_BOTTOM_TO_TOP", "ROLLING_LEFT_TO_RIGHT", "ROLLING_RIGHT_TO_LEFT"};
+
+// What AckermannMotion::pose() counts lengths in, in another unit.
+struct LengthUnit
+{
+    const char* name;
+    double perUnit; // of these in one of pose()'s
+};
+
+LengthUnit lengthUnit(const RollingShutterCamera& camera, const AckermannMotion& m)
+{
+    const double wall = std::hypot(m.wallSlope, m.wallOffset), road = std::abs(m.roadSlope);
+    if (m.wallDistance > 0 && wall > 0)
+        return {"metre", wall * m.wallDistance};
+    if (wall > 0)
+        return {"left_wall_distance", wall};
+    if (camera.height > 0 && road > 0)
+        return {"metre", road * camera.height};
+    return {"camera_height", road};
+}
+
+// The 4 x 4 matrix from the world, the camera frame at the reference line, to the camera frame at a row time.
+Json viewMatrix(const RollingShutterCamera& camera, const AckermannMotion& motion, double time, double scale)
+{
+    cv::Matx33d R;
+    cv::Vec3d T;
+    motion.pose(camera, time, R, T);
+    const cv::Vec3d t = -(R.t() * (T * scale));
+    Json rows = Json::array();
+    for (int i = 0; i < 3; i++)
+        rows.push_back({R(0, i), R(1, i), R(2, i), t[i]});
+    rows.push_back({0, 0, 0, 1});
+    return rows;
+}
+
+} // namespace
+
+std::string rowPosesText(const RollingShutterCamera& camera, const std::vector<MotionFrame>& frames)
+{
+    const bool upwards = camera.scanDirection == SCAN_BOTTOM_TO_TOP || camera.scanDirection == SCAN_RIGHT_TO_LEFT;
+    const int lines = camera.isRowShutter() ? camera.imageSize.height : camera.imageSize.width;
+    const int first = upwards ? lines - 1 : 0, last = upwards ? 0 : lines - 1;
+    const double startTime = camera.rowTime(cv::Point2d(first, first)), endTime = camera.rowTime(cv::Point2d(last, last));
+
+    Json json;
+    json["width"] = camera.imageSize.width;
+    json["height"] = camera.imageSize.height;
+    json["shutter"] = SHUTTERS[camera.scanDirection];
+    json["line_delay_s"] = camera.lineDelay > 0 ? Json(camera.lineDelay) : Json();
+    json["start_line"] = first;
+    json["end_line"] = last;
+    json["reference_line"] = camera.referenceRow;
+    json["frames"] = Json::array();
+    for (const MotionFrame& f : frames)
+    {
+        const AckermannMotion motion = f.motion.status == MOTION_OK ? f.motion : AckermannMotion();
+        const LengthUnit unit = lengthUnit(camera, motion);
+        Json frame;
+        frame["file"] = f.name();
+        frame["moves"] = f.motion.status == MOTION_OK;
+        frame["unit"] = unit.name;
+        frame["viewmat_start"] = viewMatrix(camera, motion, startTime, unit.perUnit);
+        frame["viewmat_end"] = viewMatrix(camera, motion, endTime, unit.perUnit);
+        json["frames"].push_back(frame);
+    }
+    // A file's name needn't be valid UTF-8.
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace rsackermann_samples

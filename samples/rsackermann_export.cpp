@@ -1,0 +1,87 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Writes the motion that rsackermann_correct has found in the forms that other tools read.
+
+#include "camera_settings.hpp"
+#include "export/colmap.hpp"
+#include "export/row_poses.hpp"
+#include "export/st_map.hpp"
+#include "export/tracks.hpp"
+#include "export/warp_mesh.hpp"
+#include "output/atomic_file.hpp"
+
+namespace {
+
+using namespace rsackermann_samples;
+
+const char* const ABOUT =
+    "Writes the motion that rsackermann_correct has found in the forms that other tools read (doc/exports.md).\n"
+    "The options for the camera are those that rsackermann_correct was called with.\n"
+    "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
+
+const char* const KEYS =
+    "{help          |       | print this message}"
+    "{report        |       | report of rsackermann_correct}"
+    "{motion        |       | instead of a report: file of cv::FileStorage with an AckermannMotion}"
+    "{size          |       | WIDTHxHEIGHT of the images in pixels, where the camera's file doesn't tell}"
+    "{row_poses     |       | JSON file: poses of the first and the last line of each frame}"
+    "{colmap        |       | folder: cameras.txt and masks of the corrected images}"
+    "{stmap         |       | folder: an STMap for each frame and direction, NAME.rectify and NAME.distort}"
+    "{stmap_format  | png   | png (16 bits) or exr}"
+    "{tracks        |       | CSV file with points of the raw images, columns file, x, y and maybe depth}"
+    "{tracks_output |       | CSV file: the same table with the points of the corrected images}"
+    "{mesh          |       | JSON file: a coarse grid with the places of its nodes}"
+    "{mesh_size     | 17x10 | nodes in a row and in a column}";
+
+cv::rsackermann::RollingShutterCamera readCamera(const Options& options)
+{
+    const CameraSettings settings = readCameraOptions(options);
+    const cv::Size size = options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : settings.size;
+    if (size.area() == 0)
+        throw UsageError("--size is missing: the size of the images isn't known");
+    return settings.makeCamera(size);
+}
+
+int run(int argc, const char* const* argv)
+{
+    Options options(argc, argv, std::string(KEYS) + CAMERA_KEYS);
+    if (options.given("help"))
+    {
+        options.printHelp(ABOUT);
+        return 0;
+    }
+    if (!options.arguments().empty())
+        throw UsageError("unknown argument " + options.arguments()[0]);
+    if (options.given("report") == options.given("motion"))
+        throw UsageError("either --report or --motion is needed");
+    if (options.given("tracks") != options.given("tracks_output"))
+        throw UsageError("--tracks and --tracks_output belong together");
+    const std::string format = options.text("stmap_format");
+    if (format != "png" && format != "exr")
+        throw UsageError("option --stmap_format: " + format + " is neither png nor exr");
+    const cv::Size nodes = parseSize(options.text("mesh_size"), "option --mesh_size", 2, 10000);
+
+    const cv::rsackermann::RollingShutterCamera camera = readCamera(options);
+    const std::vector<MotionFrame> frames =
+        options.given("report") ? readReport(options.text("report")) : readMotionFile(options.text("motion"));
+    if (options.given("row_poses"))
+        writeFile(options.text("row_poses"), rowPosesText(camera, frames));
+    if (options.given("colmap"))
+        writeColmap(options.text("colmap"), camera, frames);
+    if (options.given("stmap"))
+        writeStMaps(options.text("stmap"), format, camera, frames);
+    if (options.given("tracks"))
+        writeFile(options.text("tracks_output"), correctTracks(options.text("tracks"), camera, frames));
+    if (options.given("mesh"))
+        writeFile(options.text("mesh"), warpMeshText(camera, frames, nodes.width, nodes.height));
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return rsackermann_samples::runProgram(run, argc, argv);
+}

@@ -1,0 +1,411 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Reads what rsackermann_export writes as the tools that it is for do (doc/exports.md) and compares with the renderer's truth.
+
+#include "program.hpp"
+#include "street_model.hpp"
+#include "truth_file.hpp"
+
+#include <sstream>
+
+namespace opencv_test { namespace {
+
+using nlohmann::json;
+using rsackermann_samples::Truth;
+
+Outcome exportMotion(const Arguments& arguments) { return runProgram(EXPORT_PROGRAM, arguments); }
+
+// A street with its true motion in a file.
+class Export : public testing::Test
+{
+public:
+    Export() : truth(rsackermann_samples::readTruth(streetFolder() + "/truth.json")), renderer(truth.camera, truth.scene)
+    {
+        cv::FileStorage fs(folder / "motion.yml", cv::FileStorage::WRITE);
+        fs << "input" << "street/rolling.png" << "motion" << "{";
+        rsackermann_samples::libraryMotion(truth.camera, truth.scene).write(fs);
+        fs << "}";
+    }
+
+    void write(const Arguments& options)
+    {
+        Arguments all = {"--motion=" + (folder / "motion.yml"), "--camera=" + streetFolder() + "/camera.yml"};
+        all.insert(all.end(), options.begin(), options.end());
+        const Outcome outcome = exportMotion(all);
+        ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    }
+
+    cv::Size size() const { return truth.camera.size; }
+
+    TemporaryFolder folder;
+    Truth truth;
+    street::StreetRenderer renderer;
+};
+
+typedef cv::Matx44d Pose;
+
+Pose poseOf(const json& rows)
+{
+    Pose pose;
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            pose(i, j) = rows.at(i).at(j);
+    return pose;
+}
+
+// The camera drives on a circle, which the chord cuts at half of the yaw to the reference.
+Pose viewAt(const Truth& truth, double row)
+{
+    const double time = (row - truth.camera.reference) * truth.camera.lineDelay, yaw = truth.scene.yawRate * time;
+    const double chord = std::abs(yaw) > 1e-12 ? truth.scene.speed * time * std::sin(yaw / 2) / (yaw / 2) : truth.scene.speed * time;
+    const cv::Vec3d position(chord * std::sin(yaw / 2), 0, chord * std::cos(yaw / 2));
+    const cv::Matx33d toCamera(std::cos(yaw), 0, -std::sin(yaw), 0, 1, 0, std::sin(yaw), 0, std::cos(yaw));
+    const cv::Vec3d t = -(toCamera * position);
+    Pose pose = Pose::eye();
+    for (int i = 0; i < 3; i++)
+    {
+        for (int j = 0; j < 3; j++)
+            pose(i, j) = toCamera(i, j);
+        pose(i, 3) = t[i];
+    }
+    return pose;
+}
+
+TEST_F(Export, row_poses_are_the_views_at_the_first_and_the_last_line)
+{
+    write({"--row_poses=" + (folder / "poses.json")});
+    const json poses = json::parse(contentOf(folder / "poses.json"));
+    EXPECT_EQ(size().width, poses["width"]);
+    EXPECT_EQ(size().height, poses["height"]);
+    EXPECT_EQ("ROLLING_TOP_TO_BOTTOM", poses["shutter"]);
+    EXPECT_NEAR(truth.camera.lineDelay, poses["line_delay_s"].get<double>(), 1e-12);
+    EXPECT_EQ(0, poses["start_line"]);
+    EXPECT_EQ(size().height - 1, poses["end_line"]);
+    ASSERT_EQ(1u, poses["frames"].size());
+    const json& frame = poses["frames"][0];
+    EXPECT_EQ("rolling.png", frame["file"]);
+    EXPECT_EQ(true, frame["moves"]);
+    EXPECT_EQ("metre", frame["unit"]);
+    EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
+    EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
+    EXPECT_GT(cv::norm(poseOf(frame["viewmat_end"]) - poseOf(frame["viewmat_start"])), 0.1);
+}
+
+TEST_F(Export, row_poses_of_a_shutter_that_goes_up_begin_at_the_last_row)
+{
+    write({"--row_poses=" + (folder / "poses.json"), "--scan=bottom_to_top"});
+    const json poses = json::parse(contentOf(folder / "poses.json"));
+    EXPECT_EQ("ROLLING_BOTTOM_TO_TOP", poses["shutter"]);
+    EXPECT_EQ(size().height - 1, poses["start_line"]);
+    EXPECT_EQ(0, poses["end_line"]);
+    // The last row is read as much before the reference as the first one is read after it.
+    EXPECT_LT(cv::norm(poseOf(poses["frames"][0]["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
+    EXPECT_LT(cv::norm(poseOf(poses["frames"][0]["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
+}
+
+// https://colmap.github.io/format.html: pixel centres at 0.5; masks are named after their image, and 0 stands for no features.
+TEST_F(Export, colmap_camera_and_masks)
+{
+    write({"--colmap=" + (folder / "colmap")});
+    std::vector<std::string> cameras;
+    for (const std::string& line : linesOf(folder / "colmap/cameras.txt"))
+        if (!line.empty() && line[0] != '#')
+            cameras.push_back(line);
+    ASSERT_EQ(1u, cameras.size());
+    std::istringstream words(cameras[0]);
+    int id = 0;
+    std::string model;
+    cv::Size colmapSize;
+    double fx = 0, fy = 0, cx = 0, cy = 0;
+    words >> id >> model >> colmapSize.width >> colmapSize.height >> fx >> fy >> cx >> cy;
+    ASSERT_FALSE(words.fail());
+    EXPECT_TRUE((words >> std::ws).eof());
+    EXPECT_EQ("PINHOLE", model);
+    EXPECT_EQ(size(), colmapSize);
+    EXPECT_NEAR(truth.camera.fx, fx, 1e-9);
+    EXPECT_NEAR(truth.camera.fy, fy, 1e-9);
+    EXPECT_NEAR(truth.camera.cx + 0.5, cx, 1e-9);
+    EXPECT_NEAR(truth.camera.cy + 0.5, cy, 1e-9);
+
+    const cv::Mat mask = cv::imread(folder / "colmap/masks/rolling.png.png", cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(CV_8UC1, mask.type());
+    ASSERT_EQ(size(), mask.size());
+    cv::Mat columns, rows, seen;
+    renderer.rectifyMap(columns, rows, seen);
+    EXPECT_LT(cv::countNonZero(seen), int(seen.total()));
+    // Pixels that are seen at the very border may round either way.
+    EXPECT_LE(cv::countNonZero(mask != seen), size().width + size().height);
+}
+
+// Applies an STMap as Nuke's node of this name: shares of the source's size from its lower left corner, at the pixel's centre.
+cv::Point2d placeOf(const cv::Mat& map, int x, int y, const cv::Size& source, double full)
+{
+    double u = 0, v = 0;
+    if (map.depth() == CV_16U)
+    {
+        u = map.at<cv::Vec3w>(y, x)[2] / full;
+        v = map.at<cv::Vec3w>(y, x)[1] / full;
+    }
+    else
+    {
+        u = map.at<cv::Vec3f>(y, x)[2] / full;
+        v = map.at<cv::Vec3f>(y, x)[1] / full;
+    }
+    return cv::Point2d(u * source.width - 0.5, (1 - v) * source.height - 0.5);
+}
+
+void expectRectifies(const cv::Mat& map, const street::StreetRenderer& renderer, double full, double tolerance)
+{
+    int compared = 0;
+    for (int y = 0; y < map.rows; y += 7)
+        for (int x = 0; x < map.cols; x += 7)
+        {
+            cv::Point2d exact;
+            const bool inside = renderer.toRolling(cv::Point2d(x, y), exact) && exact.x >= 0 && exact.y >= 0 &&
+                                exact.x <= map.cols - 1 && exact.y <= map.rows - 1;
+            if (!inside)
+                continue;
+            compared++;
+            ASSERT_LT(cv::norm(placeOf(map, x, y, map.size(), full) - exact), tolerance) << x << ", " << y;
+        }
+    EXPECT_GT(compared, 1000);
+}
+
+void expectDistorts(const cv::Mat& map, const street::StreetRenderer& renderer, double full, double tolerance)
+{
+    int compared = 0;
+    for (int y = 0; y < map.rows; y += 7)
+        for (int x = 0; x < map.cols; x += 7)
+        {
+            cv::Point2d exact;
+            const bool inside = renderer.toGlobal(cv::Point2d(x, y), exact) && exact.x >= 0 && exact.y >= 0 &&
+                                exact.x <= map.cols - 1 && exact.y <= map.rows - 1;
+            if (!inside)
+                continue;
+            compared++;
+            ASSERT_LT(cv::norm(placeOf(map, x, y, map.size(), full) - exact), tolerance) << x << ", " << y;
+        }
+    EXPECT_GT(compared, 1000);
+}
+
+// A step of the 16 bits is 0.01 pixels of this width.
+TEST_F(Export, stmap_of_16_bits)
+{
+    write({"--stmap=" + (folder / "maps")});
+    const cv::Mat rectify = cv::imread(folder / "maps/rolling.png.rectify.png", cv::IMREAD_UNCHANGED);
+    const cv::Mat distort = cv::imread(folder / "maps/rolling.png.distort.png", cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(CV_16UC3, rectify.type());
+    ASSERT_EQ(CV_16UC3, distort.type());
+    expectRectifies(rectify, renderer, 65535, 0.02);
+    expectDistorts(distort, renderer, 65535, 0.02);
+    // Blue tells whether there is a place in the image.
+    cv::Mat columns, rows, seen, blue;
+    renderer.rectifyMap(columns, rows, seen);
+    cv::extractChannel(rectify, blue, 0);
+    EXPECT_LE(cv::countNonZero((blue == 65535) != seen), size().width + size().height);
+    EXPECT_EQ(0, cv::countNonZero((blue != 65535) & (blue != 0)));
+}
+
+TEST_F(Export, stmap_of_floats)
+{
+    write({"--stmap=" + (folder / "maps"), "--stmap_format=exr"});
+    const cv::Mat rectify = cv::imread(folder / "maps/rolling.png.rectify.exr", cv::IMREAD_UNCHANGED);
+    const cv::Mat distort = cv::imread(folder / "maps/rolling.png.distort.exr", cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(CV_32FC3, rectify.type());
+    ASSERT_EQ(CV_32FC3, distort.type());
+    expectRectifies(rectify, renderer, 1, 2e-3);
+    expectDistorts(distort, renderer, 1, 2e-3);
+}
+
+TEST_F(Export, tracks_keep_their_other_columns)
+{
+    // Points of the corrected image and their places in the raw one.
+    const std::vector<cv::Point2d> points = {{100, 80}, {320, 300}, {500.25, 200.5}, {40, 350}};
+    std::string table = "track,x,\"a note, quoted\",y\r\n";
+    for (size_t i = 0; i < points.size(); i++)
+    {
+        cv::Point2d raw;
+        ASSERT_TRUE(renderer.toRolling(points[i], raw));
+        table += cv::format("%d,%.9f,n%d,%.9f\r\n", int(10 + i), raw.x, int(i), raw.y);
+    }
+    writeContent(folder / "tracks.csv", table);
+    write({"--tracks=" + (folder / "tracks.csv"), "--tracks_output=" + (folder / "corrected.csv")});
+    const std::vector<std::string> lines = linesOf(folder / "corrected.csv");
+    ASSERT_EQ(1 + points.size(), lines.size());
+    EXPECT_EQ("track,x,\"a note, quoted\",y", lines[0]);
+    for (size_t i = 0; i < points.size(); i++)
+    {
+        int track = -1, note = -1;
+        double x = 0, y = 0;
+        ASSERT_EQ(4, std::sscanf(lines[1 + i].c_str(), "%d,%lf,n%d,%lf", &track, &x, &note, &y)) << lines[1 + i];
+        EXPECT_EQ(int(10 + i), track);
+        EXPECT_EQ(int(i), note);
+        EXPECT_LT(cv::norm(cv::Point2d(x, y) - points[i]), 1e-3);
+    }
+}
+
+TEST_F(Export, damaged_tracks_are_refused_with_their_line)
+{
+    const std::vector<std::pair<std::string, std::string> > cases = {
+        {"x,z\n1,2\n", "a header with x, y"}, {"x,y\n1,2\n1,2,3\n", "line 3"},
+        {"x,y\n1,abc\n", "line 2"}, {"file,x,y\nother.png,1,2\n", "no motion of the file other.png"}, {"", "tracks.csv"}};
+    for (const auto& c : cases)
+    {
+        writeContent(folder / "tracks.csv", c.first);
+        const Outcome outcome = exportMotion({"--motion=" + (folder / "motion.yml"), "--camera=" + streetFolder() + "/camera.yml",
+                                              "--tracks=" + (folder / "tracks.csv"), "--tracks_output=" + (folder / "out.csv")});
+        EXPECT_NE(0, outcome.exitCode) << c.first;
+        EXPECT_NE(std::string::npos, outcome.messages.find(c.second)) << outcome.messages;
+        EXPECT_FALSE(cv::utils::fs::exists(folder / "out.csv"));
+    }
+}
+
+// The mesh as a warper takes it: the four nodes around a pixel, bilinear.
+TEST_F(Export, mesh_has_the_error_that_it_says)
+{
+    double coarse = 0;
+    for (const int columns : {9, 33})
+    {
+        const int rows = columns * 2 / 3;
+        write({"--mesh=" + (folder / "mesh.json"), cv::format("--mesh_size=%dx%d", columns, rows)});
+        const json mesh = json::parse(contentOf(folder / "mesh.json"));
+        EXPECT_EQ(columns, mesh["columns"]);
+        EXPECT_EQ(rows, mesh["rows"]);
+        const json& frame = mesh["frames"][0];
+        const json& nodes = frame["nodes"];
+        ASSERT_EQ(size_t(columns * rows), nodes.size());
+        EXPECT_EQ(json({0, 0}), json({nodes[0][0], nodes[0][1]}));
+        EXPECT_EQ(json({639, 379}), json({nodes.back()[0], nodes.back()[1]}));
+
+        double sum = 0, largest = 0;
+        int compared = 0;
+        for (int j = 0; j + 1 < rows; j++)
+            for (int i = 0; i + 1 < columns; i++)
+            {
+                const json corners[] = {nodes[j * columns + i], nodes[j * columns + i + 1], nodes[(j + 1) * columns + i],
+                                        nodes[(j + 1) * columns + i + 1]};
+                const cv::Point2d low(corners[0][0], corners[0][1]), high(corners[3][0], corners[3][1]);
+                for (int y = int(std::ceil(low.y)); y < high.y; y++)
+                    for (int x = int(std::ceil(low.x)); x < high.x; x++)
+                    {
+                        cv::Point2d exact, place;
+                        if (!renderer.toRolling(cv::Point2d(x, y), exact) || exact.x < 0 || exact.y < 0 || exact.x > 639 || exact.y > 379)
+                            continue;
+                        const double u = (x - low.x) / (high.x - low.x), v = (y - low.y) / (high.y - low.y);
+                        const double weights[] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+                        for (int k = 0; k < 4; k++)
+                            place += weights[k] * cv::Point2d(corners[k][2], corners[k][3]);
+                        const double error = cv::norm(place - exact);
+                        largest = std::max(largest, error);
+                        sum += error * error;
+                        compared++;
+                    }
+            }
+        ASSERT_GT(compared, 100000);
+        EXPECT_NEAR(largest, frame["max_error_px"].get<double>(), 5e-3);
+        EXPECT_NEAR(std::sqrt(sum / compared), frame["rms_error_px"].get<double>(), 1e-3);
+        if (coarse > 0)
+        {
+            EXPECT_LT(frame["rms_error_px"].get<double>(), coarse / 3);
+        }
+        coarse = frame["rms_error_px"];
+    }
+}
+
+// A report has what the file of a motion has.
+TEST_F(Export, report)
+{
+    const cv::rsackermann::AckermannMotion m = rsackermann_samples::libraryMotion(truth.camera, truth.scene);
+    const json street = {{"input", "street/rolling.png"}, {"status", "ok"}, {"alpha", m.alpha}, {"beta", m.wallSlope},
+                         {"wall_offset", m.wallOffset}, {"wall_ratio", m.wallRatio}, {"road_slope", m.roadSlope}, {"direction", m.direction},
+                         {"roll_correction_deg", 0}, {"pitch_correction_deg", 0}, {"wall_distance_m", m.wallDistance}, {"scale", "wall"}};
+    json frame = street;
+    frame["input"] = "drive.mp4";
+    frame["frame"] = 7;
+    const json failed = {{"input", "x.png"}, {"status", "failed"}, {"error", "the image can't be decoded"}};
+    const json still = {{"input", "still.png"}, {"status", "not_significant"}, {"alpha", nullptr}};
+    writeContent(folder / "report.jsonl", street.dump() + "\n" + failed.dump() + "\n" + still.dump() + "\n" + frame.dump() + "\n");
+    const std::string camera = "--camera=" + streetFolder() + "/camera.yml";
+    const Outcome outcome = exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--row_poses=" + (folder / "of_report.json")});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    write({"--row_poses=" + (folder / "of_motion.json")});
+    const json expected = json::parse(contentOf(folder / "of_motion.json"))["frames"][0];
+    const json frames = json::parse(contentOf(folder / "of_report.json"))["frames"];
+    ASSERT_EQ(3u, frames.size());
+    EXPECT_EQ(expected, frames[0]);
+    EXPECT_EQ("still.png", frames[1]["file"]);
+    EXPECT_EQ(false, frames[1]["moves"]);
+    EXPECT_EQ("drive.mp4.000007", frames[2]["file"]);
+    EXPECT_EQ(expected["viewmat_end"], frames[2]["viewmat_end"]);
+
+    for (const std::string& damaged : {std::string("{}"), std::string("no JSON"), json({{"input", "x"}, {"status", "ok"}}).dump()})
+    {
+        writeContent(folder / "report.jsonl", street.dump() + "\n" + damaged + "\n");
+        const Outcome refused = exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--row_poses=" + (folder / "none.json")});
+        EXPECT_EQ(1, refused.exitCode);
+        EXPECT_NE(std::string::npos, refused.messages.find("report.jsonl, line 2")) << refused.messages;
+        EXPECT_FALSE(cv::utils::fs::exists(folder / "none.json"));
+    }
+}
+
+// What is rebuilt from a line of a report makes the same map as rsackermann_correct has made.
+TEST_F(Export, report_of_rsackermann_correct)
+{
+    const std::string camera = "--camera=" + streetFolder() + "/camera.yml";
+    const Outcome corrected = correct({streetFolder() + "/rolling.png", camera, "--wall=2.5", "--roll=1", "--maps=" + (folder / "maps.yml"),
+                                       "--report=" + (folder / "report.jsonl")});
+    ASSERT_EQ(0, corrected.exitCode) << corrected.messages;
+    ASSERT_EQ("ok", json::parse(contentOf(folder / "report.jsonl"))["status"]);
+    const Outcome exported = exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--roll=1", "--stmap=" + folder.path(),
+                                           "--stmap_format=exr"});
+    ASSERT_EQ(0, exported.exitCode) << exported.messages;
+    cv::Mat columns, rows;
+    cv::FileStorage fs(folder / "maps.yml", cv::FileStorage::READ);
+    fs["map1"] >> columns;
+    fs["map2"] >> rows;
+    const cv::Mat map = cv::imread(folder / "rolling.png.rectify.exr", cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(columns.size(), map.size());
+    for (int y = 0; y < map.rows; y++)
+        for (int x = 0; x < map.cols; x++)
+        {
+            const cv::Point2d expected(columns.at<float>(y, x), rows.at<float>(y, x));
+            if (expected.x >= 0 && expected.y >= 0 && expected.x <= 639 && expected.y <= 379)
+            {
+                ASSERT_LT(cv::norm(placeOf(map, x, y, map.size(), 1) - expected), 1e-3) << x << ", " << y;
+            }
+        }
+}
+
+TEST_F(Export, frames_without_a_motion_stay_as_they_are)
+{
+    {
+        cv::FileStorage fs(folder / "motion.yml", cv::FileStorage::WRITE);
+        cv::rsackermann::AckermannMotion().write(fs);
+    }
+    write({"--row_poses=" + (folder / "poses.json"), "--mesh=" + (folder / "mesh.json")});
+    const json frame = json::parse(contentOf(folder / "poses.json"))["frames"][0];
+    EXPECT_EQ(false, frame["moves"]);
+    EXPECT_EQ(0, cv::norm(poseOf(frame["viewmat_start"]) - Pose::eye()));
+    EXPECT_EQ(0, cv::norm(poseOf(frame["viewmat_end"]) - Pose::eye()));
+    for (const json& node : json::parse(contentOf(folder / "mesh.json"))["frames"][0]["nodes"])
+        EXPECT_LT(cv::norm(cv::Point2d(node[0], node[1]) - cv::Point2d(node[2], node[3])), 1e-9);
+}
+
+TEST_F(Export, usage)
+{
+    const std::string motion = "--motion=" + (folder / "motion.yml"), camera = "--camera=" + streetFolder() + "/camera.yml";
+    EXPECT_EQ(2, exportMotion({camera}).exitCode);
+    EXPECT_EQ(2, exportMotion({motion, camera, "--report=x"}).exitCode);
+    EXPECT_EQ(2, exportMotion({motion}).exitCode); // the size isn't known
+    EXPECT_EQ(2, exportMotion({motion, camera, "--tracks=x"}).exitCode);
+    EXPECT_EQ(2, exportMotion({motion, camera, "--stmap=x", "--stmap_format=jpg"}).exitCode);
+    EXPECT_EQ(2, exportMotion({motion, camera, "--mesh_size=1x5"}).exitCode);
+    EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "missing.yml"), camera}).exitCode);
+    writeContent(folder / "empty.yml", "%YAML:1.0\n---\nx: 1\n");
+    EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "empty.yml"), camera}).exitCode);
+    EXPECT_EQ(0, exportMotion({motion, "--size=640x380", "--focal=500"}).exitCode);
+}
+
+}} // namespace
