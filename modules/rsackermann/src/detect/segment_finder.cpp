@@ -209,7 +209,7 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
         }
     }
     keepLong(minLength);
-    returnSegments(found.empty() ? Mat(0, 4, CV_32F) : Mat(found).reshape(1), segments_);
+    returnSegments(found.empty() ? Mat(0, 4, CV_32F) : Mat(found).reshape(1, (int)found.size()), segments_);
 }
 
 }} // namespace cv::rsackermann
