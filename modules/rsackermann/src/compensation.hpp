@@ -78,24 +78,24 @@ struct RowMotion
 
 /** A bearing turned into the reference frame, and how it shifts with the scaled inverse depth.
 
-With the direction (N, M) of the turned bearing in the horizontal plane, X = N/M and g = G/M, the compensated column on the
-wall w = D - B x is p1 = (X + g D) / (1 + g B) = (N + G D) / (M + G B) (doc/theory.md, "Compensation"). This form has no
-poles, and (N, M, G) scale with the length of the bearing.
+With the direction (N, M) of the rotated bearing in the horizontal plane, X = N/M and g = gamma/M, the compensated column on the
+wall w = D - B x is p1 = (X + g D) / (1 + g B) = (N + gamma D) / (M + gamma B) (doc/theory.md, "Compensation"). This form has no
+poles, and (N, M, gamma) scale with the length of the bearing.
 */
-struct TurnedBearing
+struct RotatedBearing
 {
-    double N, M, G;
+    double N, M, gamma;
 
-    TurnedBearing() : N(0), M(0), G(0) {}
+    RotatedBearing() : N(0), M(0), gamma(0) {}
     //! @param bearing horizontal part (x, z) of the upright bearing.
-    TurnedBearing(const Point2d& bearing, const RowMotion& row)
+    RotatedBearing(const Point2d& bearing, const RowMotion& row)
     {
         N = row.c * bearing.x + row.s * bearing.y;
         M = row.c * bearing.y - row.s * bearing.x;
-        G = row.tau * (M * row.s2 - N * row.c2);
+        gamma = row.tau * (M * row.s2 - N * row.c2);
     }
 
-    double column(double B, double D) const { return (N + G * D) / (M + G * B); }
+    double column(double B, double D) const { return (N + gamma * D) / (M + gamma * B); }
 };
 
 }} // namespace cv::rsackermann

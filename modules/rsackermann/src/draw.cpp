@@ -47,7 +47,7 @@ static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels,
         const double B = side * motion.wallSlope, D = side * motion.wallOffset;
         const Vec3d b = up * Vec3d(rays[i].x, rays[i].y, 1);
         const RowMotion row(motion.alpha, camera.heading, camera.rowTime(middles[i]));
-        const double depth = std::abs(D - B * TurnedBearing(Point2d(b[0], b[2]), row).column(B, D));
+        const double depth = std::abs(D - B * RotatedBearing(Point2d(b[0], b[2]), row).column(B, D));
         w[i] = depth < DBL_MAX ? depth : 0;
     }
     return w;

@@ -57,8 +57,8 @@ TEST(RSAckermann_Candidates, limits)
     const MotionLimits limits(camera, params);
     EXPECT_TRUE(limits.areMetric);
     EXPECT_NEAR(params.maxYawRate * unit / 2, limits.maxAlpha, 1e-12);
-    EXPECT_NEAR(params.maxSpeed * unit / 2.5, limits.maxSpeed, 1e-12);
-    EXPECT_NEAR(4 * params.maxSlant, limits.maxRightSpeed, 1e-12);
+    EXPECT_NEAR(params.maxSpeed * unit / 2.5, limits.maxScaledSpeed, 1e-12);
+    EXPECT_NEAR(4 * params.maxSlant, limits.maxRightScaledSpeed, 1e-12);
     EXPECT_FALSE(MotionLimits(camera, AckermannEstimator::Params()).areMetric);
     camera.lineDelay = 0;
     EXPECT_NEAR(params.maxSlant / 2, MotionLimits(camera, params).maxAlpha, 1e-12);
@@ -68,17 +68,17 @@ TEST(RSAckermann_Candidates, limits)
     m[P_ALPHA] = 1.01 * limits.maxAlpha;
     EXPECT_FALSE(limits.allow(m));
     m[P_ALPHA] = -0.99 * limits.maxAlpha;
-    m[P_B] = 0.6 * limits.maxSpeed;
-    m[P_D] = 0.79 * limits.maxSpeed;
+    m[P_B] = 0.6 * limits.maxScaledSpeed;
+    m[P_D] = 0.79 * limits.maxScaledSpeed;
     EXPECT_TRUE(limits.allow(m));
-    m[P_LAMBDA] = 1.02 * limits.maxRightSpeed / limits.maxSpeed;
+    m[P_LAMBDA] = 1.02 * limits.maxRightScaledSpeed / limits.maxScaledSpeed;
     EXPECT_FALSE(limits.allow(m)); // too fast for the right wall
-    m[P_LAMBDA] = 0.98 * limits.maxRightSpeed / limits.maxSpeed;
+    m[P_LAMBDA] = 0.98 * limits.maxRightScaledSpeed / limits.maxScaledSpeed;
     EXPECT_TRUE(limits.allow(m));
     m[P_LAMBDA] = 0.04; // one wall far behind the other
     EXPECT_FALSE(limits.allow(m));
     m[P_LAMBDA] = 0;
-    m[P_D] = 0.81 * limits.maxSpeed;
+    m[P_D] = 0.81 * limits.maxScaledSpeed;
     EXPECT_FALSE(limits.allow(m));
     m[P_D] = 0;
     m[P_ROLL] = 0.31;
@@ -102,7 +102,7 @@ TEST(RSAckermann_Candidates, sorts_segments)
     for (int i = 0; i < 5; i++)
         Mat(Vec4d(x - 0.6 * ends[i], 140, x + 0.6 * ends[i], 240)).reshape(1, 1).copyTo(segments.row(i));
     Mat(Vec4d(x, 140, x, 160)).reshape(1, 1).copyTo(segments.row(5)); // too short
-    std::vector<Candidate> verticals, others;
+    std::vector<UprightSegment> verticals, others;
     selectCandidates(segments, camera, params, verticals, others);
     std::vector<int> indices;
     for (size_t i = 0; i < verticals.size(); i++)

@@ -7,7 +7,7 @@
 
 // Internals of the library that it doesn't export.
 #include "../src/compensation.hpp"
-#include "../src/estimator/vertical_residual.cpp"
+#include "../src/estimator/residuals/vertical_residual.cpp"
 
 namespace opencv_test { namespace {
 
@@ -44,9 +44,9 @@ struct RandomScene
 };
 
 //! A segment that is more or less vertical.
-Candidate randomCandidate(RNG& rng)
+UprightSegment randomCandidate(RNG& rng)
 {
-    Candidate c;
+    UprightSegment c;
     c.u = Vec3d(rng.uniform(-0.6, 0.6), rng.uniform(-0.4, 0.4), 1);
     c.v = Vec3d(c.u[0] + rng.uniform(-0.03, 0.03), rng.uniform(-0.4, 0.4), 1);
     c.timeU = rng.uniform(-0.25, 0.25);
@@ -134,7 +134,7 @@ TEST(RSAckermann_Compensation, column_agrees_with_ray_casting)
                 continue;
             const double scale = plane == simulation::LEFT ? 1 : -scene.model[P_LAMBDA];
             const double length = rng.uniform(0.5, 2.);
-            const TurnedBearing turned(Point2d(bearing[0], bearing[2]) * length, RowMotion(scene.model[P_ALPHA], scene.heading, t));
+            const RotatedBearing turned(Point2d(bearing[0], bearing[2]) * length, RowMotion(scene.model[P_ALPHA], scene.heading, t));
             const double B = scale * scene.model[P_B], D = scale * scene.model[P_D];
             ASSERT_NEAR(expected, turned.column(B, D), 1e-12 * (1 + expected * expected));
             compared++;
@@ -151,7 +151,7 @@ TEST(RSAckermann_Compensation, residual_agrees_with_ray_casting)
     for (int i = 0; i < 20000; i++)
     {
         const RandomScene scene(rng);
-        const Candidate candidate = randomCandidate(rng);
+        const UprightSegment candidate = randomCandidate(rng);
         AckermannMotion tilt;
         tilt.rollCorrection = scene.model[P_ROLL];
         tilt.pitchCorrection = scene.model[P_PITCH];
@@ -174,7 +174,7 @@ TEST(RSAckermann_Compensation, residual_agrees_with_ray_casting)
 }
 
 // Central differences of the fourth order.
-double difference(const Candidate& candidate, Model model, double heading, Parameter parameter, bool& sameWall)
+double difference(const UprightSegment& candidate, Model model, double heading, Parameter parameter, bool& sameWall)
 {
     const double h = 1e-3, at = model[parameter];
     const double weights[] = {1. / 12, -2. / 3, 0, 2. / 3, -1. / 12};
@@ -199,7 +199,7 @@ TEST(RSAckermann_Compensation, jacobian_agrees_with_differences)
         RandomScene scene(rng);
         if (rng.uniform(0, 10) == 0)
             scene.model[P_ALPHA] = 0;
-        const Candidate candidate = randomCandidate(rng);
+        const UprightSegment candidate = randomCandidate(rng);
         double jacobian[PARAMETERS];
         int wall;
         const double residual = verticalResidual(candidate, scene.model, scene.heading, wall, jacobian);
@@ -233,7 +233,7 @@ TEST(RSAckermann_Compensation, residual_at_infinity)
     {
         RandomScene scene(rng);
         scene.model[P_LAMBDA] = scene.model[P_ROLL] = scene.model[P_PITCH] = 0;
-        const Candidate c = randomCandidate(rng);
+        const UprightSegment c = randomCandidate(rng);
         double jacobian[PARAMETERS];
         int wall;
         const double residual = verticalResidual(c, scene.model, scene.heading, wall, jacobian);

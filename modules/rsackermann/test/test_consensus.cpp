@@ -55,7 +55,7 @@ TEST(RSAckermann_Consensus, samples_and_their_mirror_images)
         const RefinementProblem problem = exactProblem(street, params, left);
         ASSERT_GE(left, 8);
         ASSERT_GE(40 - left, 8);
-        CandidateConsensus consensus(problem, Structure(MODEL_4LA, 2), 0.5);
+        CandidateConsensus consensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5);
         ASSERT_EQ(4, consensus.sampleSize());
         const int threeLeft[] = {0, left / 2, left - 1, 38}, threeRight[] = {2, left, left + (40 - left) / 2, 39};
         Model models[CandidateConsensus::MAX_MODELS];
@@ -75,8 +75,8 @@ TEST(RSAckermann_Consensus, near_right_wall)
     const RefinementProblem problem = exactProblem(street, params, left);
     ASSERT_GE(left, 2);
     const Model truth = modelOf(street);
-    ASSERT_GT(truth[P_LAMBDA] * std::hypot(truth[P_B], truth[P_D]), problem.limits.maxSpeed);
-    CandidateConsensus consensus(problem, Structure(MODEL_4LA, 2), 0.5);
+    ASSERT_GT(truth[P_LAMBDA] * std::hypot(truth[P_B], truth[P_D]), problem.limits.maxScaledSpeed);
+    CandidateConsensus consensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5);
     const int threeRight[] = {0, left, left + (40 - left) / 2, 39};
     Model models[CandidateConsensus::MAX_MODELS];
     EXPECT_LT(errorOf(models, consensus.generate(threeRight, models), truth), 0.05);
@@ -102,9 +102,9 @@ TEST(RSAckermann_Consensus, what_is_known_saves_a_segment)
                 k == 0 ? (v ? 0.3 : 0.01) * problem.limits.maxAlpha * 2 / unit : k == 1 ? (v ? 6 : 0.2) : (v ? 0.1 : 0.001);
         }
         problem.prior = PriorTerms(vague, street.camera, params, problem.limits);
-        EXPECT_EQ(4, CandidateConsensus(problem, Structure(MODEL_4LA, 2), 0.5).sampleSize()) << k;
+        EXPECT_EQ(4, CandidateConsensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5).sampleSize()) << k;
         problem.prior = PriorTerms(exact, street.camera, params, problem.limits);
-        CandidateConsensus consensus(problem, Structure(MODEL_4LA, 2), 0.5);
+        CandidateConsensus consensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5);
         ASSERT_EQ(3, consensus.sampleSize()) << k;
         Model models[CandidateConsensus::MAX_MODELS];
         EXPECT_LT(errorOf(models, consensus.generate(sample, models), modelOf(street)), 0.05) << k;

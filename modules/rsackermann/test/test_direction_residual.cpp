@@ -6,7 +6,7 @@
 #include "test_simulator.hpp"
 
 // Internals of the library that it doesn't export.
-#include "../src/estimator/direction_residual.cpp"
+#include "../src/estimator/residuals/direction_residual.cpp"
 
 namespace opencv_test { namespace {
 
@@ -58,7 +58,7 @@ struct RoadScene
 
     /** The image of a line along (or, on the road, across) the street. Returns false where it isn't seen, or near the border of
     two planes. */
-    bool randomLine(RNG& rng, bool across, Candidate& c, Surface& plane) const
+    bool randomLine(RNG& rng, bool across, UprightSegment& c, Surface& plane) const
     {
         const Vec3d ray(rng.uniform(-0.5, 0.5), rng.uniform(-0.3, 0.3), 1);
         plane = street.first(Vec3d(), ray);
@@ -92,7 +92,7 @@ TEST(RSAckermann_DirectionResidual, is_zero_at_the_truth)
     {
         const RoadScene scene(rng);
         const bool across = rng.uniform(0, 2) == 1;
-        Candidate c;
+        UprightSegment c;
         Surface plane;
         if (!scene.randomLine(rng, across, c, plane))
             continue;
@@ -115,7 +115,7 @@ TEST(RSAckermann_DirectionResidual, pure_rotation)
     {
         RoadScene scene(rng);
         scene.drive.speed = 0;
-        Candidate c;
+        UprightSegment c;
         Surface plane;
         if (!scene.randomLine(rng, false, c, plane))
             continue;
@@ -129,7 +129,7 @@ TEST(RSAckermann_DirectionResidual, pure_rotation)
 }
 
 // Fourth-order difference quotient with a step that is a fraction of a small change of the parameter.
-double differenceQuotient(const Candidate& c, Model model, const RoadScene& scene, Parameter p, bool translates, double fraction)
+double differenceQuotient(const UprightSegment& c, Model model, const RoadScene& scene, Parameter p, bool translates, double fraction)
 {
     const double h = fraction * (p == P_B || p == P_D ? std::hypot(model[P_B], model[P_D]) : 0.1);
     const double at = model[p], weights[] = {1. / 12, -2. / 3, 0, 2. / 3, -1. / 12};
@@ -149,7 +149,7 @@ TEST(RSAckermann_DirectionResidual, jacobian_agrees_with_differences)
     for (int i = 0; i < 20000; i++)
     {
         const RoadScene scene(rng);
-        Candidate c;
+        UprightSegment c;
         Surface plane;
         if (!scene.randomLine(rng, false, c, plane))
             continue;

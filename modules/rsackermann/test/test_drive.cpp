@@ -163,7 +163,7 @@ TEST_P(Scans, motion_is_found)
         const std::vector<Sight> sights = sightsOf(camera, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
         if (sights.size() < 100)
             continue;
-        const DriveFit fit = fitDrive(camera, sights, std::vector<Candidate>(), DriveState(camera, AckermannEstimator::Params()), true);
+        const DriveFit fit = fitDrive(camera, sights, std::vector<UprightSegment>(), DriveState(camera, AckermannEstimator::Params()), true);
         EXPECT_TRUE(fit.moves) << i;
         EXPECT_LT(fit.expectedLeft, fit.expectedRaw) << i;
         EXPECT_GT(fit.agreeing, 0.7) << i;
@@ -193,7 +193,7 @@ TEST(RSAckermann_Drive, rest_is_rest)
         std::vector<PointPair> pairs = randomPairs(simulate(camera, moving), 0.05, 200, 0, 0, rng);
         for (size_t k = 0; k < pairs.size(); k++)
             pairs[k].other = pairs[k].now + Point2d(rng.gaussian(0.2), rng.gaussian(0.2));
-        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<Candidate>(), DriveState(camera, AckermannEstimator::Params()), true);
+        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<UprightSegment>(), DriveState(camera, AckermannEstimator::Params()), true);
         EXPECT_FALSE(fit.moves) << i;
         EXPECT_LT(std::abs(fit.state.value[DRIVE_YAW_RATE]), 0.5 * DEGREE) << i;
     }
@@ -214,7 +214,7 @@ TEST(RSAckermann_Drive, verticals_tell_roll)
         believed.setRollPitch(0.01 - roll, 0.04);
         simulation::SegmentOptions options;
         options.noise = 0.3;
-        std::vector<Candidate> verticals, others;
+        std::vector<UprightSegment> verticals, others;
         Mat segments;
         simulation::randomSegments(simulator, options, rng).ends.convertTo(segments, CV_64F);
         selectCandidates(segments.reshape(1), believed, AckermannEstimator::Params(), verticals, others);

@@ -21,7 +21,7 @@ protected:
 
     static Fit turning(double alpha, double sigma = 0)
     {
-        Fit fit(Structure(MODEL_1LA, 0));
+        Fit fit(MotionHypothesis(MODEL_1LA, 0));
         fit.model[P_ALPHA] = alpha;
         fit.covariance(P_ALPHA, P_ALPHA) = sigma * sigma;
         return fit;
@@ -29,14 +29,14 @@ protected:
 
     static Fit moving(double B, double lambda)
     {
-        Fit fit(Structure(MODEL_3LA, lambda > 0 ? 2 : 1));
+        Fit fit(MotionHypothesis(MODEL_3LA, lambda > 0 ? 2 : 1));
         fit.model[P_B] = B;
         fit.model[P_LAMBDA] = lambda;
         fit.model.direction = B < 0 ? -1 : 1;
         return fit;
     }
 
-    void add(const Fit& fit, double probability) { mixture.add(fit, fit.structure, 700 + std::log(probability)); }
+    void add(const Fit& fit, double probability) { mixture.add(fit, fit.hypothesis, 700 + std::log(probability)); }
 
     //! Mean displacement by a yaw rate.
     double displacement(double alpha) const
@@ -60,7 +60,7 @@ TEST_F(MixtureOfMotions, of_one_is_that_one)
     const Posterior best = mixture.best();
     EXPECT_NEAR(0.01, best.model[P_ALPHA], 1e-15);
     EXPECT_NEAR(1e-6, best.covariance(P_ALPHA, P_ALPHA), 1e-15);
-    EXPECT_EQ(MODEL_1LA, best.structure.motion);
+    EXPECT_EQ(MODEL_1LA, best.hypothesis.motion);
     EXPECT_GT(best.expectedRaw, displacement(0.01)); // the mean of what is uncertain
     EXPECT_NEAR(std::sqrt(2 / CV_PI) * displacement(0.001), best.expectedLeft, 1e-9);
 }
@@ -89,7 +89,7 @@ TEST_F(MixtureOfMotions, the_middle_of_three)
 
 TEST_F(MixtureOfMotions, rest_with_the_majority_leaves_the_image)
 {
-    add(Fit(Structure(MODEL_NONE, 0)), 0.7);
+    add(Fit(MotionHypothesis(MODEL_NONE, 0)), 0.7);
     add(turning(0.04), 0.3);
     const Posterior best = mixture.best();
     EXPECT_LT(std::abs(best.model[P_ALPHA]), 2e-3);
@@ -107,8 +107,8 @@ TEST_F(MixtureOfMotions, walls_are_averaged_as_inverse_distances)
     EXPECT_LE(t, 1);
     EXPECT_NEAR((1 - t) * 0.05 + t * 0.45, best.model[P_LAMBDA] * best.model[P_B], 1e-9);
     EXPECT_EQ(1, best.model.direction);
-    EXPECT_EQ(2, best.structure.walls);
-    EXPECT_EQ(MODEL_3LA, best.structure.motion);
+    EXPECT_EQ(2, best.hypothesis.walls);
+    EXPECT_EQ(MODEL_3LA, best.hypothesis.motion);
     EXPECT_NEAR(usual.roadRatio() * best.model[P_B], best.G, 1e-9);
 }
 
@@ -117,15 +117,15 @@ TEST_F(MixtureOfMotions, the_faster_direction_decides)
     add(moving(-0.3, 0), 0.6);
     add(moving(0.1, 0), 0.4);
     EXPECT_EQ(-1, mixture.best().model.direction);
-    EXPECT_EQ(1, mixture.best().structure.walls);
+    EXPECT_EQ(1, mixture.best().hypothesis.walls);
 }
 
 TEST_F(MixtureOfMotions, weights_that_are_none_do_not_count)
 {
     add(turning(0.01), 1);
-    mixture.add(turning(0.05), Structure(MODEL_1LA, 0), NaN);
-    mixture.add(turning(0.05), Structure(MODEL_1LA, 0), infinity);
-    mixture.add(turning(0.05), Structure(MODEL_1LA, 0), -infinity);
+    mixture.add(turning(0.05), MotionHypothesis(MODEL_1LA, 0), NaN);
+    mixture.add(turning(0.05), MotionHypothesis(MODEL_1LA, 0), infinity);
+    mixture.add(turning(0.05), MotionHypothesis(MODEL_1LA, 0), -infinity);
     EXPECT_NEAR(0.01, mixture.best().model[P_ALPHA], 1e-15);
 }
 

@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/estimator/prior_residuals.hpp"
+#include "../src/estimator/residuals/prior_residuals.hpp"
 
 namespace opencv_test { namespace {
 
@@ -17,10 +17,10 @@ PriorTerms makeTerms(const MotionPrior& prior, const Params& params = Params())
     return PriorTerms(prior, camera, params, MotionLimits(camera, params));
 }
 
-double costOf(const PriorTerms& terms, const Model& model, const Structure& structure)
+double costOf(const PriorTerms& terms, const Model& model, const MotionHypothesis& hypothesis)
 {
     Jet r[PriorTerms::MAX_RESIDUALS];
-    const int n = terms.evaluate(model, structure, r);
+    const int n = terms.evaluate(model, hypothesis, r);
     double cost = 0;
     for (int i = 0; i < n; i++)
         cost += r[i].value * r[i].value;
@@ -46,9 +46,9 @@ TEST(RSAckermann_PriorTerms, reverse_has_its_probability)
     forward.direction = 1;
     back.direction = -1;
     const PriorTerms terms = makeTerms(MotionPrior(), params);
-    const Structure structure(MODEL_3LA, 1);
+    const MotionHypothesis hypothesis(MODEL_3LA, 1);
     // A cost is minus twice the logarithm of a probability.
-    EXPECT_NEAR(-2 * std::log(0.003), costOf(terms, back, structure) - costOf(terms, forward, structure), 1e-9);
+    EXPECT_NEAR(-2 * std::log(0.003), costOf(terms, back, hypothesis) - costOf(terms, forward, hypothesis), 1e-9);
 }
 
 TEST(RSAckermann_PriorTerms, each_piece_in_units_of_its_sigma)
@@ -56,28 +56,28 @@ TEST(RSAckermann_PriorTerms, each_piece_in_units_of_its_sigma)
     const double unit = simulation::paperCamera().secondsPerUnitTime();
     Params params;
     params.wallDistance = 2.5;
-    const Structure structure(MODEL_4LA, 1);
+    const MotionHypothesis hypothesis(MODEL_4LA, 1);
     const Model m = exampleModel();
     const double azimuth = std::atan2(m[P_D], m[P_B]), speed = std::hypot(m[P_B], m[P_D]) * 2.5 / unit, yawRate = 2 * m[P_ALPHA] / unit;
-    const double none = costOf(makeTerms(MotionPrior(), params), m, structure);
+    const double none = costOf(makeTerms(MotionPrior(), params), m, hypothesis);
     MotionPrior prior;
     prior.speed = speed - 1.5;
     prior.speedSigma = 0.5;
-    EXPECT_NEAR(9, costOf(makeTerms(prior, params), m, structure) - none, 1e-6);
+    EXPECT_NEAR(9, costOf(makeTerms(prior, params), m, hypothesis) - none, 1e-6);
     prior = MotionPrior();
     prior.yawRate = yawRate + 0.08;
     prior.yawRateSigma = 0.02;
-    EXPECT_NEAR(16, costOf(makeTerms(prior, params), m, structure) - none, 1e-6);
+    EXPECT_NEAR(16, costOf(makeTerms(prior, params), m, hypothesis) - none, 1e-6);
     prior = MotionPrior();
     prior.wallDirection = azimuth + 0.02;
     prior.wallDirectionSigma = 0.01;
-    EXPECT_NEAR(4, costOf(makeTerms(prior, params), m, structure) - none, 1e-3);
+    EXPECT_NEAR(4, costOf(makeTerms(prior, params), m, hypothesis) - none, 1e-3);
 
     // How far walls usually deviate from the car's direction.
     params.wallDeviationSigma = 0;
-    const double free = costOf(makeTerms(MotionPrior(), params), m, structure);
+    const double free = costOf(makeTerms(MotionPrior(), params), m, hypothesis);
     params.wallDeviationSigma = 0.1;
-    EXPECT_NEAR(std::pow(std::sin(azimuth) / 0.1, 2), costOf(makeTerms(MotionPrior(), params), m, structure) - free, 1e-9);
+    EXPECT_NEAR(std::pow(std::sin(azimuth) / 0.1, 2), costOf(makeTerms(MotionPrior(), params), m, hypothesis) - free, 1e-9);
 }
 
 }} // namespace

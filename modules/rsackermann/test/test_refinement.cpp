@@ -7,7 +7,7 @@
 #include "test_private_problem.hpp"
 #include "../src/estimator/fit.hpp"
 #include "../src/estimator/uncertainty.hpp"
-#include "../src/estimator/vertical_residual.hpp"
+#include "../src/estimator/residuals/vertical_residual.hpp"
 
 namespace opencv_test { namespace {
 
@@ -43,7 +43,7 @@ TEST(RSAckermann_Refinement, covariance_of_gravity_alone)
         const RefinementProblem problem = makeProblem(camera, params, Mat(0, 4, CV_64F));
         Model model;
         Matx<double, PARAMETERS, PARAMETERS> covariance;
-        refine(problem, Structure(MODEL_NONE, 0), ALL_SEGMENTS, 10, model, &covariance);
+        refine(problem, MotionHypothesis(MODEL_NONE, 0), ALL_SEGMENTS, 10, model, &covariance);
         EXPECT_NEAR(c * c * roll * roll + s * s * pitch * pitch, covariance(P_ROLL, P_ROLL), 1e-9) << k;
         EXPECT_NEAR(s * s * roll * roll + c * c * pitch * pitch, covariance(P_PITCH, P_PITCH), 1e-9) << k;
         EXPECT_NEAR(c * s * (pitch * pitch - roll * roll), covariance(P_ROLL, P_PITCH), 1e-9) << k;
@@ -61,20 +61,20 @@ TEST(RSAckermann_Refinement, covariance_of_least_squares)
     problem.lossScale = 1e4;
     problem.sigma = 0.05; // too small: the residuals say more
     problem.weigh();
-    const Structure structure(MODEL_4LA, 2);
+    const MotionHypothesis hypothesis(MODEL_4LA, 2);
     Model model = modelOf(street);
     Matx<double, PARAMETERS, PARAMETERS> covariance;
     double inflation;
-    refine(problem, structure, VERTICALS_ONLY, 50, model, &covariance, &inflation);
+    refine(problem, hypothesis, VERTICALS_ONLY, 50, model, &covariance, &inflation);
 
-    const int n = structure.unknowns();
+    const int n = hypothesis.unknowns();
     Mat1d J(count, n);
     double squares = 0;
     const double scale = problem.focal / problem.sigma, h = 1e-6;
     for (int i = 0; i < count; i++)
     {
         int wall;
-        const Candidate& c = problem.verticals[i];
+        const UprightSegment& c = problem.verticals[i];
         squares += std::pow(scale * verticalResidual(c, model, problem.heading, wall, 0), 2);
         for (int j = 0; j < n; j++)
         {
@@ -104,14 +104,14 @@ TEST(RSAckermann_Fit, criterion)
     Model turning, oneWall = start;
     turning[P_ALPHA] = start[P_ALPHA];
     oneWall[P_LAMBDA] = 0;
-    const Fit none = refineFrom(problem, Model(), Structure(MODEL_NONE, 0)), rotation = refineFrom(problem, turning, Structure(MODEL_1LA, 0));
-    const Fit translation = refineFrom(problem, oneWall, Structure(MODEL_3LA, 1)), both = refineFrom(problem, oneWall, Structure(MODEL_4LA, 1));
+    const Fit none = refineFrom(problem, Model(), MotionHypothesis(MODEL_NONE, 0)), rotation = refineFrom(problem, turning, MotionHypothesis(MODEL_1LA, 0));
+    const Fit translation = refineFrom(problem, oneWall, MotionHypothesis(MODEL_3LA, 1)), both = refineFrom(problem, oneWall, MotionHypothesis(MODEL_4LA, 1));
     EXPECT_NEAR(0, none.criterion - none.cost, 1e-9);
     EXPECT_NEAR(each, rotation.criterion - rotation.cost, 1e-9);
     EXPECT_NEAR(2 * each, translation.criterion - translation.cost, 1e-9);
     EXPECT_NEAR(3 * each, both.criterion - both.cost, 1e-9);
     // A second wall costs what is learnt of its distance, less what two walls are more usual.
-    const Fit two = refineFrom(problem, start, Structure(MODEL_4LA, 2));
+    const Fit two = refineFrom(problem, start, MotionHypothesis(MODEL_4LA, 2));
     const double learnt = std::log(std::pow(0.8 * two.model[P_LAMBDA], 2) / two.covariance(P_LAMBDA, P_LAMBDA));
     EXPECT_GT(learnt, std::log(2.));
     EXPECT_NEAR(3 * each + learnt - 4, two.criterion - two.cost, 1e-9);
@@ -123,9 +123,9 @@ TEST(RSAckermann_Uncertainty, valley_widens_with_the_inflation)
     const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.5, 20, 2.5, 3, 0);
     const RefinementProblem problem = streetProblem(street, 0.2, 40, exactGravity(), 6);
     // From a minimum: none that is cheaper takes its place.
-    Fit narrow = refineFrom(problem, modelOf(street), Structure(MODEL_4LA, 2));
+    Fit narrow = refineFrom(problem, modelOf(street), MotionHypothesis(MODEL_4LA, 2));
     exploreValley(problem, narrow);
-    narrow = refineFrom(problem, narrow.model, Structure(MODEL_4LA, 2));
+    narrow = refineFrom(problem, narrow.model, MotionHypothesis(MODEL_4LA, 2));
     narrow.cost -= 1e-3;
     Fit wide = narrow;
     narrow.inflation = 1;

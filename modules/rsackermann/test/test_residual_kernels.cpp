@@ -10,18 +10,18 @@
 #undef CV_CPU_OPTIMIZATION_NAMESPACE_END
 #define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace tested {
 #define CV_CPU_OPTIMIZATION_NAMESPACE_END }
-#include "../src/estimator/residual_kernels.simd.hpp"
+#include "../src/estimator/residuals/residual_kernels.simd.hpp"
 
 // And what they are where there are no vectors.
 #undef CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 #define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace tested_without_vectors {
 #undef CV_SIMD_64F
 #define CV_SIMD_64F 0
-#include "../src/estimator/residual_kernels.simd.hpp"
+#include "../src/estimator/residuals/residual_kernels.simd.hpp"
 
-#include "../src/estimator/direction_residual.hpp"
-#include "../src/estimator/segment_arrays.cpp"
-#include "../src/estimator/vertical_residual.hpp"
+#include "../src/estimator/residuals/direction_residual.hpp"
+#include "../src/estimator/residuals/segment_arrays.cpp"
+#include "../src/estimator/residuals/vertical_residual.hpp"
 
 // The kernels of the estimator that test_private_sources.cpp has, without dispatch.
 namespace cv {
@@ -77,12 +77,12 @@ Model randomModel(RNG& rng)
     return m;
 }
 
-std::vector<Candidate> randomSegments(RNG& rng, int count, double slant, double largestTime)
+std::vector<UprightSegment> randomSegments(RNG& rng, int count, double slant, double largestTime)
 {
-    std::vector<Candidate> segments(count);
+    std::vector<UprightSegment> segments(count);
     for (int i = 0; i < count; i++)
     {
-        Candidate& c = segments[i];
+        UprightSegment& c = segments[i];
         c.u = Vec3d(rng.uniform(-0.6, 0.6), rng.uniform(-0.4, 0.4), 1);
         c.v = Vec3d(c.u[0] + rng.uniform(-slant, slant), rng.uniform(-0.4, 0.4), 1);
         c.timeU = rng.uniform(-largestTime, largestTime);
@@ -101,16 +101,16 @@ FreeParameters randomParameters(RNG& rng)
     return unknowns;
 }
 
-typedef double (*Residual)(const Candidate&, const PreparedModel&, double*);
+typedef double (*Residual)(const UprightSegment&, const PreparedModel&, double*);
 
-double vertical(const Candidate& c, const PreparedModel& m, double* jacobian)
+double vertical(const UprightSegment& c, const PreparedModel& m, double* jacobian)
 {
     int wall;
     return verticalResidual(c, m, wall, jacobian);
 }
 
 // The sums over the residuals one by one.
-ResidualSums expectedSums(const std::vector<Candidate>& segments, const PreparedModel& m, const RobustLoss& loss, const FreeParameters& unknowns,
+ResidualSums expectedSums(const std::vector<UprightSegment>& segments, const PreparedModel& m, const RobustLoss& loss, const FreeParameters& unknowns,
                           Residual residual)
 {
     ResidualSums sums;
@@ -160,7 +160,7 @@ void testSums(AddSegments add, Residual residual, double slant)
     {
         const Model model = randomModel(rng);
         const PreparedModel prepared(model, rng.uniform(-CV_PI, CV_PI), rng.uniform(1., 3.), rng.uniform(0, 2) == 1);
-        const std::vector<Candidate> segments = randomSegments(rng, rng.uniform(0, 20), slant, rng.uniform(0, 5) ? 0.5 : 5.);
+        const std::vector<UprightSegment> segments = randomSegments(rng, rng.uniform(0, 20), slant, rng.uniform(0, 5) ? 0.5 : 5.);
         const FreeParameters unknowns = randomParameters(rng);
         const RobustLoss loss(rng.uniform(1., 100.), rng.uniform(0.1, 1.));
         SegmentArrays arrays;
@@ -193,7 +193,7 @@ void testScore(Score scoreVerticals)
     for (int i = 0; i < 3000; i++)
     {
         const PreparedModel prepared(randomModel(rng), rng.uniform(-CV_PI, CV_PI));
-        const std::vector<Candidate> segments = randomSegments(rng, rng.uniform(0, 100), 0.01, 0.5);
+        const std::vector<UprightSegment> segments = randomSegments(rng, rng.uniform(0, 100), 0.01, 0.5);
         SegmentArrays arrays;
         arrays.assign(segments);
         const double threshold = rng.uniform(1., 20.), best = rng.uniform(0, 2) ? DBL_MAX : rng.uniform(0., 1e4);
@@ -235,7 +235,7 @@ TEST(RSAckermann_ResidualKernels, street_cost)
     {
         Model model = randomModel(rng);
         const double heading = rng.uniform(-CV_PI, CV_PI), ratio = rng.uniform(1., 3.), scale = rng.uniform(10., 500.);
-        const std::vector<Candidate> segments = randomSegments(rng, rng.uniform(0, 20), 0.5, 0.5);
+        const std::vector<UprightSegment> segments = randomSegments(rng, rng.uniform(0, 20), 0.5, 0.5);
         SegmentArrays arrays;
         arrays.assign(segments);
         std::vector<double> points(4 * arrays.paddedSize() + 1);

@@ -49,7 +49,7 @@ TEST(RSAckermann_Selection, two_walls_only_along_the_street)
     {
         const RollingShutterCamera camera = wideCamera(headings[k] * degree);
         const Simulator street = Simulator::fromMetric(camera, 0.3, 12, 2.5, 3, camera.heading);
-        EXPECT_EQ(expected[k], select(camera, street, MODEL_3LA).structure.walls) << headings[k];
+        EXPECT_EQ(expected[k], select(camera, street, MODEL_3LA).hypothesis.walls) << headings[k];
     }
 }
 
@@ -59,7 +59,7 @@ TEST(RSAckermann_Selection, only_the_model_that_is_asked_for)
     const Simulator street = Simulator::fromMetric(camera, 0.5, 20, 2.5, 3, 0);
     const int models[] = {MODEL_1LA, MODEL_3LA, MODEL_4LA};
     for (int k = 0; k < 3; k++)
-        EXPECT_EQ(models[k], select(camera, street, models[k]).structure.motion);
+        EXPECT_EQ(models[k], select(camera, street, models[k]).hypothesis.motion);
 }
 
 // Segments that are nearly exact: the noise becomes theirs, but walls aren't as plane as segments are straight.
@@ -100,7 +100,7 @@ TEST(RSAckermann_StreetDirection, is_found_at_every_angle)
         problem.directionSigma = 1;
         ASSERT_GE(problem.others.size(), 5u) << k;
         Model model;
-        ASSERT_TRUE(startFromStreetDirection(problem, Structure(MODEL_1LA, 0), model)) << k;
+        ASSERT_TRUE(startFromStreetDirection(problem, MotionHypothesis(MODEL_1LA, 0), model)) << k;
         EXPECT_NEAR(angles[k], model[P_STREET], 0.011) << k; // the step of the search
         // Walls keep the side on which they are.
         for (int sign = -1; sign <= 1; sign += 2)
@@ -108,13 +108,13 @@ TEST(RSAckermann_StreetDirection, is_found_at_every_angle)
             Model walls;
             walls.direction = 1;
             walls[P_B] = 0.2 * sign;
-            ASSERT_TRUE(startFromStreetDirection(problem, Structure(MODEL_3LA, 1), walls)) << k;
+            ASSERT_TRUE(startFromStreetDirection(problem, MotionHypothesis(MODEL_3LA, 1), walls)) << k;
             EXPECT_NEAR(0.2 * sign * std::cos(model[P_STREET]), walls[P_B], 0.01) << k;
             EXPECT_NEAR(0.2 * sign * std::sin(model[P_STREET]), walls[P_D], 0.01) << k;
         }
         problem.others.resize(4);
         problem.arrange();
-        EXPECT_FALSE(startFromStreetDirection(problem, Structure(MODEL_1LA, 0), model)) << k;
+        EXPECT_FALSE(startFromStreetDirection(problem, MotionHypothesis(MODEL_1LA, 0), model)) << k;
     }
 }
 

@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/estimator/usual_drive.hpp"
+#include "../src/estimator/residuals/usual_drive.hpp"
 
 // doc/theory.md, "Posterior": what is usual, as numbers.
 
@@ -74,7 +74,7 @@ TEST(RSAckermann_UsualDrive, residual_of_the_yaw_rate_is_its_density)
     for (int i = -20; i <= 20; i++)
     {
         m[P_ALPHA] = 0.3 * i * drive.alphaScale();
-        ASSERT_EQ(2, drive.evaluate(m, Structure(MODEL_1LA, 0), r)); // the other one is that of the street's direction
+        ASSERT_EQ(2, drive.evaluate(m, MotionHypothesis(MODEL_1LA, 0), r)); // the other one is that of the street's direction
         EXPECT_NEAR(drive.logYawDensity(0) - drive.logYawDensity(m[P_ALPHA]), 0.5 * r[0].value * r[0].value, 1e-9) << i;
     }
 }
@@ -82,7 +82,7 @@ TEST(RSAckermann_UsualDrive, residual_of_the_yaw_rate_is_its_density)
 TEST(RSAckermann_UsualDrive, derivatives)
 {
     const UsualDrive drives[] = {makeDrive(simulation::paperCamera()), makeDrive(simulation::paperCamera(), toldSpeed(15, 1))};
-    const Structure structures[] = {Structure(MODEL_1LA, 0), Structure(MODEL_3LA, 1), Structure(MODEL_4LA, 1), Structure(MODEL_4LA, 2)};
+    const MotionHypothesis structures[] = {MotionHypothesis(MODEL_1LA, 0), MotionHypothesis(MODEL_3LA, 1), MotionHypothesis(MODEL_4LA, 1), MotionHypothesis(MODEL_4LA, 2)};
     for (int d = 0; d < 2; d++)
         for (int s = 0; s < 4; s++)
         {
@@ -125,15 +125,15 @@ TEST(RSAckermann_UsualDrive, speed)
     // The usual speed costs nothing, another one its logarithm over the standard deviation of speed and wall.
     Jet r[UsualDrive::MAX_RESIDUALS];
     const UsualDrive drive = makeDrive(camera);
-    ASSERT_EQ(2, drive.evaluate(movingModel(2 * drive.usualScaledSpeed(1), 0), Structure(MODEL_4LA, 1), r));
+    ASSERT_EQ(2, drive.evaluate(movingModel(2 * drive.usualScaledSpeed(1), 0), MotionHypothesis(MODEL_4LA, 1), r));
     EXPECT_NEAR(std::log(2.) / std::hypot(0.8, 0.6), r[1].value, 1e-6);
     // With two walls the distance of both, in the mean of the logarithms, is what is usual.
     Model m = movingModel(drive.usualScaledSpeed(1) * 4, 0);
     m[P_LAMBDA] = 1. / 16;
-    ASSERT_EQ(2, drive.evaluate(m, Structure(MODEL_4LA, 2), r));
+    ASSERT_EQ(2, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
     EXPECT_NEAR(0, r[1].value, 1e-6);
     // Where speed and wall are told the refinement measures it.
-    EXPECT_EQ(1, makeDrive(camera, toldSpeed(15, 1), params).evaluate(m, Structure(MODEL_4LA, 1), r));
+    EXPECT_EQ(1, makeDrive(camera, toldSpeed(15, 1), params).evaluate(m, MotionHypothesis(MODEL_4LA, 1), r));
 }
 
 TEST(RSAckermann_UsualDrive, rest)
@@ -150,9 +150,9 @@ TEST(RSAckermann_UsualDrive, volume)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double street = std::log(0.4);
-    EXPECT_NEAR(street, makeDrive(camera).logVolume(Structure(MODEL_1LA, 0)), 1e-9);
-    EXPECT_NEAR(street + std::log(std::hypot(0.8, 0.6)), makeDrive(camera).logVolume(Structure(MODEL_4LA, 1)), 1e-9);
-    EXPECT_NEAR(street + 0.5 * std::log(0.8 * 0.8 + 0.6 * 0.6 / 2) + std::log(0.8), makeDrive(camera).logVolume(Structure(MODEL_4LA, 2)), 1e-9);
+    EXPECT_NEAR(street, makeDrive(camera).logVolume(MotionHypothesis(MODEL_1LA, 0)), 1e-9);
+    EXPECT_NEAR(street + std::log(std::hypot(0.8, 0.6)), makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 1)), 1e-9);
+    EXPECT_NEAR(street + 0.5 * std::log(0.8 * 0.8 + 0.6 * 0.6 / 2) + std::log(0.8), makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 2)), 1e-9);
 }
 
 TEST(RSAckermann_UsualDrive, road)

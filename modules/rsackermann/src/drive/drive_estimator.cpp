@@ -77,7 +77,7 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
     if (sights.size() < LEAST_POINTS)
         return false;
 
-    std::vector<Candidate> verticals, others;
+    std::vector<UprightSegment> verticals, others;
     selectCandidates(segments, camera, params, verticals, others);
     const DriveFit fit = fitDrive(camera, sights, verticals, state, isVague);
     if (fit.agreeing < LEAST_AGREEING)
@@ -96,7 +96,7 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
     return true;
 }
 
-void DriveEstimator::report(const DriveFit& fit, const std::vector<Candidate>& verticals, const MotionPrior& prior, AckermannMotion& motion,
+void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior, AckermannMotion& motion,
                             Mat& labels) const
 {
     motion.candidates = int(verticals.size());

@@ -59,7 +59,7 @@ private:
     std::vector<Sight> sights;
 
     void look(const GrayFrame& frame, const GrayFrame& next, double passed);
-    void report(const DriveFit& fit, const std::vector<Candidate>& verticals, const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
+    void report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
 };
 
 }} // namespace cv::rsackermann

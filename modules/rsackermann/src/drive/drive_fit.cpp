@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../estimator/vertical_residual.hpp"
+#include "../estimator/residuals/vertical_residual.hpp"
 #include "drive_fit.hpp"
 #include <Eigen/Cholesky>
 
@@ -32,7 +32,7 @@ double weightOf(double squared, double scale) { return 1 / (1 + squared / (scale
 class DriveProblem
 {
 public:
-    DriveProblem(const RollingShutterCamera& camera, const std::vector<Sight>& sights_, const std::vector<Candidate>& verticals_,
+    DriveProblem(const RollingShutterCamera& camera, const std::vector<Sight>& sights_, const std::vector<UprightSegment>& verticals_,
                  const DriveState& prediction)
         : sights(sights_), residual(camera), verticals(verticals_), heading(camera.heading), unit(camera.secondsPerUnitTime()),
           focal(camera.cameraMatrix(0, 0))
@@ -122,7 +122,7 @@ private:
     }
 
     // Slant of a vertical that the motion should have made upright, in sigmas.
-    double slant(const Candidate& c, const PreparedModel& model, double* jacobian) const
+    double slant(const UprightSegment& c, const PreparedModel& model, double* jacobian) const
     {
         int wall;
         const double length = norm(c.u - c.v), sigma = std::hypot(LEAN * length, END_SIGMA / focal);
@@ -167,7 +167,7 @@ private:
         }
     }
 
-    const std::vector<Candidate>& verticals;
+    const std::vector<UprightSegment>& verticals;
     Heading heading;
     double unit, focal;
     Unknowns expected;
@@ -202,7 +202,7 @@ void expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveF
 
 } // namespace
 
-DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<Candidate>& verticals,
+DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<UprightSegment>& verticals,
                   const DriveState& prediction, bool isVague)
 {
     const double enough = 0.5; // of the points agree

@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_DRIVE_DRIVE_FIT_HPP
 #define OPENCV_RSACKERMANN_SRC_DRIVE_DRIVE_FIT_HPP
 
-#include "../estimator/candidate.hpp"
+#include "../estimator/upright_segment.hpp"
 #include "flow_residual.hpp"
 
 namespace cv {
@@ -29,7 +29,7 @@ with what the frames before have told (doc/theory.md, "Drive").
 @param prediction of the state at the present frame.
 @param isVague whether the prediction is hardly more than what is usual: motions that differ from it are tried, too.
 */
-DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<Candidate>& verticals,
+DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<UprightSegment>& verticals,
                   const DriveState& prediction, bool isVague);
 
 }} // namespace cv::rsackermann

@@ -5,12 +5,12 @@
 #include "../precomp.hpp"
 #include "../scene.hpp"
 #include "account.hpp"
-#include "vertical_residual.hpp"
+#include "residuals/vertical_residual.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-double labelInliers(const std::vector<Candidate>& verticals, const Model& model, const Heading& heading, const Agreement& agreement,
+double labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading, const Agreement& agreement,
                     AckermannMotion& motion, Mat& labels)
 {
     motion.candidates = int(verticals.size());
@@ -18,7 +18,7 @@ double labelInliers(const std::vector<Candidate>& verticals, const Model& model,
     double sum = 0, chance = 0;
     for (size_t i = 0; i < verticals.size(); i++)
     {
-        const Candidate& c = verticals[i];
+        const UprightSegment& c = verticals[i];
         // Real verticals lean: what they do usually is no disagreement.
         const double leaning = 2 * agreement.focal * agreement.lean * norm(c.u - c.v), threshold = std::max(agreement.threshold, leaning);
         chance += std::min(1., threshold / (agreement.focal * c.gate)) / verticals.size();

@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_ACCOUNT_HPP
 
 #include "../compensation.hpp"
-#include "candidate.hpp"
+#include "upright_segment.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -22,7 +22,7 @@ struct Agreement
 /** Labels the segments that agree with a model, and counts them.
 @param labels of all segments; the verticals' are at least SEGMENT_OUTLIER.
 @return mean probability that a candidate with a random slant agrees. */
-double labelInliers(const std::vector<Candidate>& verticals, const Model& model, const Heading& heading, const Agreement& agreement,
+double labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading, const Agreement& agreement,
                     AckermannMotion& motion, Mat& labels);
 
 //! Whether roll and yaw rate can't be told apart.

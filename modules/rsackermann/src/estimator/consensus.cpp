@@ -5,17 +5,17 @@
 #include "../precomp.hpp"
 #include "../compensation.hpp"
 #include "consensus.hpp"
-#include "residual_kernels.hpp"
+#include "residuals/residual_kernels.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const Structure& structure_, double threshold_)
-    : problem(problem_), structure(structure_), threshold(threshold_), verticals(problem_.verticals.size())
+CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const MotionHypothesis& structure_, double threshold_)
+    : problem(problem_), hypothesis(structure_), threshold(threshold_), verticals(problem_.verticals.size())
 {
     for (size_t i = 0; i < verticals.size(); i++)
     {
-        const Candidate& c = problem.verticals[i];
+        const UprightSegment& c = problem.verticals[i];
         verticals[i].u = Point2d(c.u[0], c.u[2]);
         verticals[i].v = Point2d(c.v[0], c.v[2]);
         verticals[i].timeU = c.timeU;
@@ -27,24 +27,24 @@ CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const 
 bool CandidateConsensus::knowsYawRate() const
 {
     const PriorTerms& prior = problem.prior;
-    return structure.motion == MODEL_4LA && prior.alphaSigma > 0 && prior.alphaSigma < 0.1 * problem.limits.maxAlpha;
+    return hypothesis.motion == MODEL_4LA && prior.alphaSigma > 0 && prior.alphaSigma < 0.1 * problem.limits.maxAlpha;
 }
 
 bool CandidateConsensus::knowsSpeed() const
 {
     const PriorTerms& prior = problem.prior;
-    return structure.motion == MODEL_4LA && !knowsYawRate() && prior.sizeSigma > 0 && prior.sizeSigma < 0.1 * std::abs(prior.size);
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && prior.scaledSpeedSigma > 0 && prior.scaledSpeedSigma < 0.1 * std::abs(prior.scaledSpeed);
 }
 
 bool CandidateConsensus::knowsWallDirection() const
 {
     const double vague = 0.02; // radians
-    return structure.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 && problem.prior.streetSigma < vague;
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 && problem.prior.streetSigma < vague;
 }
 
 int CandidateConsensus::sampleSize() const
 {
-    return structure.sampleSize() - (knowsYawRate() || knowsSpeed() || knowsWallDirection() ? 1 : 0);
+    return hypothesis.sampleSize() - (knowsYawRate() || knowsSpeed() || knowsWallDirection() ? 1 : 0);
 }
 
 int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* solutions) const
@@ -52,16 +52,16 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
     SolverOptions options;
     options.heading = problem.heading.angle;
     options.maxAlpha = problem.limits.maxAlpha;
-    options.maxSpeed = problem.limits.maxRightSpeed; // either wall may be the first one
+    options.maxSpeed = problem.limits.maxRightScaledSpeed; // either wall may be the first one
     options.rollingShutterDepth = false;
-    const bool twoWalls = structure.walls == 2;
+    const bool twoWalls = hypothesis.walls == 2;
     if (knowsYawRate())
         return solveKnownYawRate(segments, twoWalls, problem.prior.alpha, options, solutions);
     if (knowsSpeed())
-        return solveKnownSpeed(segments, twoWalls, std::abs(problem.prior.size), options, solutions);
+        return solveKnownSpeed(segments, twoWalls, std::abs(problem.prior.scaledSpeed), options, solutions);
     if (knowsWallDirection())
         return solveKnownWallDirection(segments, twoWalls, problem.prior.street, options, solutions);
-    switch (structure.motion)
+    switch (hypothesis.motion)
     {
     case MODEL_1LA: return solve1LA(segments[0], options, solutions);
     case MODEL_3LA: return solve3LA(segments, twoWalls, options, solutions);
@@ -72,7 +72,7 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
 // Sign of the scaled inverse depth at the end u of a segment on the left (or only) wall.
 int CandidateConsensus::directionOf(const MinimalSolution& s, const VerticalSegment& left) const
 {
-    const TurnedBearing u(left.u, RowMotion(s.alpha, problem.heading, left.timeU));
+    const RotatedBearing u(left.u, RowMotion(s.alpha, problem.heading, left.timeU));
     return s.D - s.B * u.column(s.B, s.D) > 0 ? 1 : -1;
 }
 
@@ -91,7 +91,7 @@ int CandidateConsensus::generate(const int* sample, Model* models)
 {
     const int n = sampleSize();
     // The speed is known in terms of the left wall's distance, so that the right wall can't take its place.
-    const int arrangements = structure.walls == 2 && !knowsSpeed() ? 2 : 1;
+    const int arrangements = hypothesis.walls == 2 && !knowsSpeed() ? 2 : 1;
     int count = 0;
     for (int mirrored = 0; mirrored < arrangements; mirrored++)
     {
@@ -106,7 +106,7 @@ int CandidateConsensus::generate(const int* sample, Model* models)
             Model& m = models[count++];
             m = Model();
             m[P_ALPHA] = s.alpha;
-            if (structure.translates())
+            if (hypothesis.translates())
                 m.direction = directionOf(s, segments[0]);
             m[P_B] = s.B;
             m[P_D] = s.D;
@@ -126,7 +126,7 @@ double CandidateConsensus::score(const Model& model, double best, int& inliers) 
 
 void CandidateConsensus::optimize(Model& model) const
 {
-    refine(problem, structure, VERTICALS_ONLY, 4, model);
+    refine(problem, hypothesis, VERTICALS_ONLY, 4, model);
 }
 
 }} // namespace cv::rsackermann

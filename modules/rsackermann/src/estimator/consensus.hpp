@@ -11,7 +11,7 @@
 namespace cv {
 namespace rsackermann {
 
-/** Consensus of the candidates on one motion structure; the Estimator of loRansac().
+/** Consensus of the candidates on one motion hypothesis; the Estimator of loRansac().
 
 Samples for two walls take all but one of their segments from one side of the image and the last one from the other side:
 the three leftmost on the left wall and the rightmost on the right wall, and the mirror image of it. A yaw rate, a speed or a line
@@ -24,7 +24,7 @@ public:
     enum { MAX_MODELS = 16 };
 
     //! @param candidates from left to right.
-    CandidateConsensus(const RefinementProblem& problem, const Structure& structure, double threshold);
+    CandidateConsensus(const RefinementProblem& problem, const MotionHypothesis& hypothesis, double threshold);
 
     int size() const { return (int)problem.verticals.size(); }
     int sampleSize() const;
@@ -40,7 +40,7 @@ private:
     int directionOf(const MinimalSolution& solution, const VerticalSegment& left) const;
 
     const RefinementProblem& problem;
-    Structure structure;
+    MotionHypothesis hypothesis;
     double threshold;
     std::vector<VerticalSegment> verticals;
 };

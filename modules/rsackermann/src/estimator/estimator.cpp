@@ -146,10 +146,10 @@ int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDr
     {
         found = withExpectation(usual, selectMotion(problem, params));
         const double chance = label(problem, found, motion, labels);
-        if (logFalseAlarms(motion.candidates, motion.inliers, found.structure.sampleSize(), chance) > 0)
+        if (logFalseAlarms(motion.candidates, motion.inliers, found.hypothesis.sampleSize(), chance) > 0)
             return MOTION_NO_CONSENSUS;
     }
-    return found.structure.motion != MODEL_NONE && found.expectedLeft < found.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+    return found.hypothesis.motion != MODEL_NONE && found.expectedLeft < found.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
 }
 
 Posterior AckermannEstimatorImpl::withExpectation(const UsualDrive& usual, const Fit& fit) const
@@ -157,7 +157,7 @@ Posterior AckermannEstimatorImpl::withExpectation(const UsualDrive& usual, const
     const DisplacementField field(camera);
     Posterior found;
     found.model = fit.model;
-    found.structure = fit.structure;
+    found.hypothesis = fit.hypothesis;
     found.covariance = fit.covariance;
     double variance;
     usual.road(fit.model, found.G, variance);
@@ -180,7 +180,7 @@ double AckermannEstimatorImpl::label(const RefinementProblem& problem, const Pos
 void AckermannEstimatorImpl::report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const
 {
     const Model& m = found.model;
-    motion.model = found.structure.motion;
+    motion.model = found.hypothesis.motion;
     motion.alpha = m[P_ALPHA];
     motion.wallSlope = m[P_B];
     motion.wallOffset = m[P_D];

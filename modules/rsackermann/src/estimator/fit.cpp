@@ -14,9 +14,9 @@ namespace rsackermann {
 static double criterion(const RefinementProblem& problem, const Fit& fit)
 {
     const double dependence = 1.5;
-    const int unknowns = (fit.structure.turns() ? 1 : 0) + (fit.structure.translates() ? 2 : 0);
+    const int unknowns = (fit.hypothesis.turns() ? 1 : 0) + (fit.hypothesis.translates() ? 2 : 0);
     double result = fit.cost + dependence * unknowns * std::log((double)problem.verticals.size());
-    if (fit.structure.walls == 2)
+    if (fit.hypothesis.walls == 2)
     {
         const double usualSecondWall = 4, unseenSecondWall = 2, usual = PriorTerms::usualLogRatio() * fit.model[P_LAMBDA];
         const double learnt = std::log(usual * usual / std::max(fit.covariance(P_LAMBDA, P_LAMBDA), DBL_MIN));
@@ -25,9 +25,9 @@ static double criterion(const RefinementProblem& problem, const Fit& fit)
     return result;
 }
 
-Fit refineFrom(const RefinementProblem& problem, const Model& start, const Structure& structure)
+Fit refineFrom(const RefinementProblem& problem, const Model& start, const MotionHypothesis& hypothesis)
 {
-    Fit fit(structure);
+    Fit fit(hypothesis);
     fit.model = start;
     refineAgain(problem, fit);
     return fit;
@@ -35,7 +35,7 @@ Fit refineFrom(const RefinementProblem& problem, const Model& start, const Struc
 
 void refineAgain(const RefinementProblem& problem, Fit& fit)
 {
-    fit.cost = refine(problem, fit.structure, ALL_SEGMENTS, 30, fit.model, &fit.covariance, &fit.inflation);
+    fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, 30, fit.model, &fit.covariance, &fit.inflation);
     fit.criterion = criterion(problem, fit);
 }
 

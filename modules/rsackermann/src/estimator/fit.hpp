@@ -10,21 +10,21 @@
 namespace cv {
 namespace rsackermann {
 
-//! A motion structure with its best model.
+//! A motion hypothesis with its best model.
 struct Fit
 {
-    Structure structure;
+    MotionHypothesis hypothesis;
     Model model;
     double cost;      // robust, in units of sigma^2
     double criterion; // Bayesian information criterion (doc/theory.md, "Estimation"); the lower the better
     Matx<double, PARAMETERS, PARAMETERS> covariance;
     double inflation; // by which the segments' part of the covariance exceeds the inverse of their normal equations
 
-    explicit Fit(const Structure& s) : structure(s), cost(DBL_MAX), criterion(DBL_MAX), inflation(1) {}
+    explicit Fit(const MotionHypothesis& s) : hypothesis(s), cost(DBL_MAX), criterion(DBL_MAX), inflation(1) {}
 };
 
 //! Refines a start on all segments.
-Fit refineFrom(const RefinementProblem& problem, const Model& start, const Structure& structure);
+Fit refineFrom(const RefinementProblem& problem, const Model& start, const MotionHypothesis& hypothesis);
 
 //! Refines a fit again, where the noise or its model has changed.
 void refineAgain(const RefinementProblem& problem, Fit& fit);

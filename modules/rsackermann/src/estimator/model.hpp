@@ -36,12 +36,12 @@ struct Model
 };
 
 //! Which unknowns are free: a motion model and the number of walls.
-struct Structure
+struct MotionHypothesis
 {
     int motion; // a MotionModel
     int walls;  // 0, 1 or 2
 
-    Structure(int motion_, int walls_) : motion(motion_), walls(walls_) {}
+    MotionHypothesis(int motion_, int walls_) : motion(motion_), walls(walls_) {}
 
     bool turns() const { return motion == 1 || motion == 4; }
     bool translates() const { return motion == 3 || motion == 4; }

@@ -8,12 +8,12 @@
 namespace cv {
 namespace rsackermann {
 
-void MotionMixture::add(const Fit& fit, const Structure& structure, double logWeight)
+void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight)
 {
     if (!(logWeight > -DBL_MAX && logWeight < DBL_MAX))
         return;
     double varianceOfG;
-    Component c = {fit.model, structure, fit.covariance, logWeight, 0, DisplacementField::Values(), DisplacementField::Variances()};
+    Component c = {fit.model, hypothesis, fit.covariance, logWeight, 0, DisplacementField::Values(), DisplacementField::Variances()};
     usual.road(c.model, c.G, varianceOfG);
     field.displacement(c.model, c.G, c.displacement);
     field.variance(c.model, c.G, varianceOfG, c.covariance, c.variance);
@@ -85,9 +85,9 @@ Posterior MotionMixture::best() const
         for (int p = 0; p < PARAMETERS; p++)
             difference[p] = c.model.value[p] - result.model.value[p];
         result.covariance += probability[i] * (c.covariance + difference * difference.t());
-        translating[c.structure.walls] += c.structure.translates() ? probability[i] : 0;
+        translating[c.hypothesis.walls] += c.hypothesis.translates() ? probability[i] : 0;
     }
-    result.structure = Structure(field.mainMotion(result.model, result.G), translating[2] > translating[1] ? 2 : 1);
+    result.hypothesis = MotionHypothesis(field.mainMotion(result.model, result.G), translating[2] > translating[1] ? 2 : 1);
     return result;
 }
 

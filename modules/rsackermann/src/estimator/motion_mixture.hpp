@@ -16,8 +16,8 @@ class MotionMixture
 public:
     MotionMixture(const DisplacementField& field_, const UsualDrive& usual_) : field(field_), usual(usual_) {}
 
-    //! @param structure whose unknowns the model has; the others are 0.
-    void add(const Fit& fit, const Structure& structure, double logWeight);
+    //! @param hypothesis whose unknowns the model has; the others are 0.
+    void add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight);
 
     /** The average that minimises the expected displacement: the geometric median of the displacement fields, which is that of the
     most probable motions if they have more than half of the probability, and between all of them otherwise. */
@@ -27,7 +27,7 @@ private:
     struct Component
     {
         Model model;
-        Structure structure;
+        MotionHypothesis hypothesis;
         Matx<double, PARAMETERS, PARAMETERS> covariance;
         double logWeight, G;
         DisplacementField::Values displacement;

@@ -25,10 +25,10 @@ static const double LARGEST_DEPENDENCE = 8;
 
 namespace {
 
-// A motion structure with the logarithm of its prior probability, given that the camera moves.
-struct Hypothesis
+// A motion hypothesis with the logarithm of its prior probability, given that the camera moves.
+struct WeighedHypothesis
 {
-    Structure structure;
+    MotionHypothesis hypothesis;
     double logPrior;
 };
 
@@ -46,10 +46,10 @@ public:
         problem.lean = 0;
         problem.weigh();
         const bool ahead = std::abs(problem.heading.c) > 0.5;
-        const Hypothesis all[] = {{Structure(MODEL_1LA, 0), std::log(0.05)}, {Structure(MODEL_4LA, ahead ? 2 : 1), std::log(0.7)}};
+        const WeighedHypothesis all[] = {{MotionHypothesis(MODEL_1LA, 0), std::log(0.05)}, {MotionHypothesis(MODEL_4LA, ahead ? 2 : 1), std::log(0.7)}};
         std::vector<Fit> fits;
         for (int i = 0; i < 2; i++)
-            fits.push_back(bestFit(all[i].structure));
+            fits.push_back(bestFit(all[i].hypothesis));
         const size_t best = fits[1].cost < fits[0].cost ? 1 : 0;
         if (!(fits[best].cost < DBL_MAX))
             return false;
@@ -64,22 +64,22 @@ public:
 
 private:
     // What is usual, what verticals agree on, and a pure rotation.
-    std::vector<Model> starts(const Structure& structure) const
+    std::vector<Model> starts(const MotionHypothesis& hypothesis) const
     {
         std::vector<Model> models;
         Model m;
         m[P_STREET] = problem.heading.angle;
         Model consensus;
-        if (findConsensus(structure, consensus))
+        if (findConsensus(hypothesis, consensus))
             models.push_back(consensus);
-        if (!structure.translates())
+        if (!hypothesis.translates())
         {
             m[P_ALPHA] = usual.yawRateIsTold() ? usual.toldAlpha() : medianAlpha();
             models.push_back(m);
             return models;
         }
         m[P_ALPHA] = usual.toldAlpha();
-        m[P_LAMBDA] = structure.walls == 2 ? 1 : 0;
+        m[P_LAMBDA] = hypothesis.walls == 2 ? 1 : 0;
         const double factors[] = {0.5, 2};
         for (int direction = 1; direction >= -1; direction -= 2)
             for (int i = 0; i < 2; i++)
@@ -93,7 +93,7 @@ private:
                 m.direction = direction;
                 // The only wall is on the side on which the verticals are.
                 const double column = problem.verticals[problem.verticals.size() / 2].u[0];
-                if (structure.walls == 1 && direction * (m[P_D] - m[P_B] * column) < 0)
+                if (hypothesis.walls == 1 && direction * (m[P_D] - m[P_B] * column) < 0)
                 {
                     m[P_B] *= -1;
                     m[P_D] *= -1;
@@ -108,13 +108,13 @@ private:
         return models;
     }
 
-    bool findConsensus(const Structure& structure, Model& model) const
+    bool findConsensus(const MotionHypothesis& hypothesis, Model& model) const
     {
         RansacOptions options;
         options.confidence = params.confidence;
         options.maxIterations = std::min(params.maxIterations, CONSENSUS_ITERATIONS);
         options.seed = (uint64)params.seed;
-        CandidateConsensus consensus(problem, structure, params.threshold);
+        CandidateConsensus consensus(problem, hypothesis, params.threshold);
         double score;
         return loRansac(consensus, options, model, score);
     }
@@ -125,7 +125,7 @@ private:
         std::vector<double> alphas;
         for (size_t i = 0; i < problem.verticals.size(); i++)
         {
-            const Candidate& c = problem.verticals[i];
+            const UprightSegment& c = problem.verticals[i];
             alphas.push_back(0.5 * (std::atan(c.v[0]) - std::atan(c.u[0])) / (c.timeU - c.timeV));
         }
         std::nth_element(alphas.begin(), alphas.begin() + alphas.size() / 2, alphas.end());
@@ -133,25 +133,25 @@ private:
         return std::min(std::max(alphas[alphas.size() / 2], -limit), limit);
     }
 
-    bool isAllowed(const Structure& structure, const Model& model) const
+    bool isAllowed(const MotionHypothesis& hypothesis, const Model& model) const
     {
-        return problem.limits.allow(model) && wallsAreSeen(problem, structure, model);
+        return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
     }
 
-    Fit bestFit(const Structure& structure) const
+    Fit bestFit(const MotionHypothesis& hypothesis) const
     {
-        Fit best(structure);
-        const std::vector<Model> models = starts(structure);
+        Fit best(hypothesis);
+        const std::vector<Model> models = starts(hypothesis);
         for (size_t i = 0; i < models.size(); i++)
         {
             Model start = models[i];
             for (int pass = 0; pass < 2; pass++)
             {
-                if (pass > 0 && !startFromStreetDirection(problem, structure, start))
+                if (pass > 0 && !startFromStreetDirection(problem, hypothesis, start))
                     break;
-                if (!isAllowed(structure, start))
+                if (!isAllowed(hypothesis, start))
                     continue;
-                const Fit fit = refineFrom(problem, start, structure);
+                const Fit fit = refineFrom(problem, start, hypothesis);
                 if (fit.cost < best.cost)
                     best = fit;
             }
@@ -172,7 +172,7 @@ private:
             if (problem.lean < same * before && before < same * problem.lean)
                 break;
         }
-        const Slants slants(problem, fits[best].model, fits[best].structure.translates());
+        const Slants slants(problem, fits[best].model, fits[best].hypothesis.translates());
         double neighbours;
         const double measured = dependenceOf(slants, noise, problem.focal, neighbours);
         // What verticals have in common looks like roll, pitch and motion: free unknowns take it up, and the residuals don't show it.
@@ -188,7 +188,7 @@ private:
 
     void setNoise(const Fit& fit)
     {
-        noise = fitSlantNoise(Slants(problem, fit.model, fit.structure.translates()), problem.focal);
+        noise = fitSlantNoise(Slants(problem, fit.model, fit.hypothesis.translates()), problem.focal);
         problem.sigma = noise.pixels;
         problem.lean = noise.lean;
         problem.weigh();
@@ -204,7 +204,7 @@ private:
     // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the refinement.
     double ownNoiseOf(const Fit& fit) const
     {
-        const Slants slants(problem, fit.model, fit.structure.translates());
+        const Slants slants(problem, fit.model, fit.hypothesis.translates());
         double cost = 0;
         for (size_t i = 0; i < slants.size(); i++)
         {
@@ -216,13 +216,13 @@ private:
     }
 
     // Laplace's approximation of what a fit at one yaw rate contributes.
-    double logEvidence(const Fit& fit, const Structure& structure) const
+    double logEvidence(const Fit& fit, const MotionHypothesis& hypothesis) const
     {
-        double volume = logVolume(fit) - usual.logVolume(structure);
+        double volume = logVolume(fit) - usual.logVolume(hypothesis);
         // In the logarithms of the wall's scaled speed and of the ratio, and in the azimuth.
-        if (structure.translates())
+        if (hypothesis.translates())
             volume -= 2 * std::log(std::hypot(fit.model[P_B], fit.model[P_D]));
-        if (structure.walls == 2)
+        if (hypothesis.walls == 2)
             volume -= std::log(fit.model[P_LAMBDA]);
         return volume - fit.cost / 2;
     }
@@ -232,7 +232,7 @@ private:
 
     void addRest()
     {
-        const Structure none(MODEL_NONE, 0);
+        const MotionHypothesis none(MODEL_NONE, 0);
         Model still;
         still[P_STREET] = problem.heading.angle;
         const Fit fit = refineFrom(problem, still, none);
@@ -243,13 +243,13 @@ private:
     void sweep(const Fit& fit, double logPrior)
     {
         const double growth = 1.25, improbable = 7, halfSigmas = 0.7;
-        const Structure pinned(fit.structure.translates() ? MODEL_3LA : MODEL_NONE, fit.structure.walls);
+        const MotionHypothesis pinned(fit.hypothesis.translates() ? MODEL_3LA : MODEL_NONE, fit.hypothesis.walls);
         const double variance = fit.covariance(P_ALPHA, P_ALPHA), sigma = variance > 0 ? std::sqrt(variance) : usual.alphaScale();
         const double first = std::min(halfSigmas * sigma, 0.5 * usual.alphaScale());
         const double logWeight = logPrior + logNoise(fit);
         Fit middle(pinned);
         middle.model = fit.model;
-        double highest = addPinned(fit.structure, first, logWeight, middle);
+        double highest = addPinned(fit.hypothesis, first, logWeight, middle);
         for (int side = -1; side <= 1; side += 2)
         {
             Fit last = middle;
@@ -258,13 +258,13 @@ private:
                 Model next = last.model;
                 for (int i = 0; i < PARAMETERS && variance > 0; i++)
                     next.value[i] += side * step * fit.covariance(i, P_ALPHA) / variance;
-                if (!isAllowed(fit.structure, next))
+                if (!isAllowed(fit.hypothesis, next))
                     next = last.model;
                 next[P_ALPHA] = fit.model[P_ALPHA] + side * offset;
                 if (!problem.limits.allow(next))
                     break;
                 last.model = next;
-                const double added = addPinned(fit.structure, (1 + growth) / 2 * step, logWeight, last);
+                const double added = addPinned(fit.hypothesis, (1 + growth) / 2 * step, logWeight, last);
                 highest = std::max(highest, added);
                 if (added < highest - improbable)
                     break;
@@ -273,12 +273,12 @@ private:
     }
 
     // Refines and adds the motion at the yaw rate of a fit. Returns the logarithm of its density.
-    double addPinned(const Structure& structure, double width, double logWeight, Fit& fit)
+    double addPinned(const MotionHypothesis& hypothesis, double width, double logWeight, Fit& fit)
     {
         const int iterations = 8;
-        fit.cost = refine(problem, fit.structure, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
-        const double density = logWeight + logEvidence(fit, structure) + usual.logYawDensity(fit.model[P_ALPHA]);
-        mixture.add(fit, structure, density + std::log(width));
+        fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
+        const double density = logWeight + logEvidence(fit, hypothesis) + usual.logYawDensity(fit.model[P_ALPHA]);
+        mixture.add(fit, hypothesis, density + std::log(width));
         return density;
     }
 

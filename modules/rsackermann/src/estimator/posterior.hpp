@@ -16,11 +16,11 @@ struct Posterior
 {
     Model model;         //!< the correction with the smallest expected displacement
     double G;            //!< slope of the road's scaled inverse depth
-    Structure structure; //!< of the model
+    MotionHypothesis hypothesis; //!< of the model
     Matx<double, PARAMETERS, PARAMETERS> covariance; //!< mean square deviation from the model
     double expectedRaw, expectedLeft; //!< mean displacement in pixels to be expected of the image as it is, and after the correction
 
-    Posterior() : G(0), structure(MODEL_NONE, 0), expectedRaw(0), expectedLeft(0) {}
+    Posterior() : G(0), hypothesis(MODEL_NONE, 0), expectedRaw(0), expectedLeft(0) {}
 };
 
 /** Averages the correction over the motions that are possible, weighted by their probability (doc/theory.md, "Posterior").

@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "refinement.hpp"
-#include "residual_kernels.hpp"
+#include "residuals/residual_kernels.hpp"
 #include <Eigen/Cholesky>
 
 namespace cv {
@@ -26,24 +26,24 @@ void RefinementProblem::weigh()
     otherArrays.weigh(others, focal, directionSigma, lean);
 }
 
-static FreeParameters freeParameters(const RefinementProblem& problem, const Structure& structure, Evidence evidence)
+static FreeParameters freeParameters(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence)
 {
     FreeParameters unknowns;
-    if (structure.turns())
+    if (hypothesis.turns())
         unknowns.add(P_ALPHA);
-    if (structure.translates())
+    if (hypothesis.translates())
     {
         unknowns.add(P_B);
         unknowns.add(P_D);
     }
-    if (structure.walls == 2)
+    if (hypothesis.walls == 2)
         unknowns.add(P_LAMBDA);
     if (problem.gravitySigma > 0)
     {
         unknowns.add(P_ROLL);
         unknowns.add(P_PITCH);
     }
-    if (!structure.translates() && evidence == ALL_SEGMENTS && (!problem.others.empty() || problem.prior.streetSigma > 0))
+    if (!hypothesis.translates() && evidence == ALL_SEGMENTS && (!problem.others.empty() || problem.prior.streetSigma > 0))
         unknowns.add(P_STREET);
     return unknowns;
 }
@@ -61,17 +61,17 @@ static void addJet(const Jet& residual, const FreeParameters& unknowns, Residual
     }
 }
 
-static void addPriors(const RefinementProblem& problem, const Structure& structure, const FreeParameters& unknowns, const Model& model,
+static void addPriors(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const FreeParameters& unknowns, const Model& model,
                       ResidualSums& sums)
 {
     Jet prior[PriorTerms::MAX_RESIDUALS];
-    const int n = problem.prior.evaluate(model, structure, prior);
+    const int n = problem.prior.evaluate(model, hypothesis, prior);
     for (int i = 0; i < n; i++)
         addJet(prior[i], unknowns, sums);
     if (problem.usual)
     {
         Jet usual[UsualDrive::MAX_RESIDUALS];
-        const int m = problem.usual->evaluate(model, structure, usual);
+        const int m = problem.usual->evaluate(model, hypothesis, usual);
         for (int i = 0; i < m; i++)
             addJet(usual[i], unknowns, sums);
     }
@@ -84,16 +84,16 @@ static void addPriors(const RefinementProblem& problem, const Structure& structu
     }
 }
 
-static ResidualSums evaluate(const RefinementProblem& problem, const Structure& structure, Evidence evidence, const FreeParameters& unknowns,
+static ResidualSums evaluate(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence, const FreeParameters& unknowns,
                              const Model& model)
 {
     const RobustLoss loss(problem.lossScale, problem.verticalWeight), otherLoss(problem.lossScale, problem.otherWeight);
-    const PreparedModel prepared(model, problem.heading, problem.roadRatio, structure.translates());
+    const PreparedModel prepared(model, problem.heading, problem.roadRatio, hypothesis.translates());
     ResidualSums sums;
     addVerticals(problem.verticalArrays, prepared, loss, unknowns, sums);
     if (evidence == ALL_SEGMENTS)
         addDirections(problem.otherArrays, prepared, otherLoss, unknowns, sums);
-    addPriors(problem, structure, unknowns, model, sums);
+    addPriors(problem, hypothesis, unknowns, model, sums);
     return sums;
 }
 
@@ -106,9 +106,9 @@ static Hessian hessianOf(const ResidualSums& sums, int size)
     return hessian;
 }
 
-bool wallsAreSeen(const RefinementProblem& problem, const Structure& structure, const Model& m)
+bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& m)
 {
-    if (structure.walls != 2)
+    if (hypothesis.walls != 2)
         return true;
     const double left = m[P_D] - m[P_B] * problem.verticals.front().u[0], right = m[P_D] - m[P_B] * problem.verticals.back().u[0];
     return left * right < 0;
@@ -124,7 +124,7 @@ static double covarianceInflation(const ResidualSums& sums, double unknowns)
 }
 
 // The covariance of all parameters at a model with the given sums; 0 for those that aren't free.
-static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem& problem, const Structure& structure,
+static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
                                                         const FreeParameters& unknowns, const Model& model, const ResidualSums& sums)
 {
     Matx<double, PARAMETERS, PARAMETERS> covariance = Matx<double, PARAMETERS, PARAMETERS>::zeros();
@@ -133,7 +133,7 @@ static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem
         return covariance;
     // What the segments say is worth less by the inflation, what the priors say is not.
     ResidualSums prior;
-    addPriors(problem, structure, unknowns, model, prior);
+    addPriors(problem, hypothesis, unknowns, model, prior);
     const Hessian priorHessian = hessianOf(prior, n);
     const Hessian hessian = (hessianOf(sums, n) - priorHessian) / covarianceInflation(sums, n) + priorHessian;
     // The unknowns differ by orders of magnitude: with a diagonal of ones the inverse keeps its digits.
@@ -148,12 +148,12 @@ static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem
     return covariance;
 }
 
-double refine(const RefinementProblem& problem, const Structure& structure, Evidence evidence, int maxIterations, Model& model,
+double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence, int maxIterations, Model& model,
               Matx<double, PARAMETERS, PARAMETERS>* covariance, double* inflation)
 {
-    const FreeParameters unknowns = freeParameters(problem, structure, evidence);
+    const FreeParameters unknowns = freeParameters(problem, hypothesis, evidence);
     const int n = unknowns.count;
-    ResidualSums sums = evaluate(problem, structure, evidence, unknowns, model);
+    ResidualSums sums = evaluate(problem, hypothesis, evidence, unknowns, model);
     const double startDamping = 1e-3, tolerance = 1e-6;
     double damping = startDamping;
     for (int iteration = 0; iteration < maxIterations && n > 0 && damping < 1e8; iteration++)
@@ -169,9 +169,9 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
         Model next = model;
         for (int i = 0; i < n; i++)
             next.value[unknowns.index[i]] += step[i];
-        const bool allowed = step.allFinite() && problem.limits.allow(next) && wallsAreSeen(problem, structure, next);
+        const bool allowed = step.allFinite() && problem.limits.allow(next) && wallsAreSeen(problem, hypothesis, next);
         // The derivatives come along: nearly all steps are taken.
-        const ResidualSums nextSums = allowed ? evaluate(problem, structure, evidence, unknowns, next) : sums;
+        const ResidualSums nextSums = allowed ? evaluate(problem, hypothesis, evidence, unknowns, next) : sums;
         if (!(nextSums.cost < sums.cost))
         {
             damping *= 8;
@@ -187,7 +187,7 @@ double refine(const RefinementProblem& problem, const Structure& structure, Evid
     if (inflation)
         *inflation = covarianceInflation(sums, n);
     if (covariance)
-        *covariance = covarianceAt(problem, structure, unknowns, model, sums);
+        *covariance = covarianceAt(problem, hypothesis, unknowns, model, sums);
     return sums.cost < DBL_MAX ? sums.cost : DBL_MAX;
 }
 

@@ -6,11 +6,11 @@
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_REFINEMENT_HPP
 
 #include "../compensation.hpp"
-#include "candidate.hpp"
+#include "upright_segment.hpp"
 #include "model.hpp"
-#include "prior_residuals.hpp"
-#include "segment_arrays.hpp"
-#include "usual_drive.hpp"
+#include "residuals/prior_residuals.hpp"
+#include "residuals/segment_arrays.hpp"
+#include "residuals/usual_drive.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -18,8 +18,8 @@ namespace rsackermann {
 //! The data of the refinement.
 struct RefinementProblem
 {
-    std::vector<Candidate> verticals; // from left to right
-    std::vector<Candidate> others;    // may point along the street or across it
+    std::vector<UprightSegment> verticals; // from left to right
+    std::vector<UprightSegment> others;    // may point along the street or across it
     SegmentArrays verticalArrays, otherArrays;
     MotionLimits limits;
     PriorTerms prior;
@@ -49,20 +49,20 @@ struct RefinementProblem
 };
 
 //! Whether a model has its walls where verticals are: two walls are seen together where the line at infinity lies between them.
-bool wallsAreSeen(const RefinementProblem& problem, const Structure& structure, const Model& model);
+bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 
 //! Which residuals count.
 enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
 
 /** Levenberg-Marquardt with the exact model on all candidates (doc/theory.md, "Estimation").
-@param structure which unknowns are free.
+@param hypothesis which unknowns are free.
 @param model start and result.
 @param covariance receives, unless it is null, the covariance of all parameters; 0 for those that aren't free.
 @param inflation receives, unless it is null, the factor by which the covariance of what the segments say exceeds the inverse of
 their normal equations.
 @return cost of the result; DBL_MAX where it isn't finite.
 */
-double refine(const RefinementProblem& problem, const Structure& structure, Evidence evidence, int maxIterations, Model& model,
+double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence, int maxIterations, Model& model,
               Matx<double, PARAMETERS, PARAMETERS>* covariance = 0, double* inflation = 0);
 
 }} // namespace cv::rsackermann

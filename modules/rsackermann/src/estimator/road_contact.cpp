@@ -4,9 +4,9 @@
 
 #include "../precomp.hpp"
 #include "../scene.hpp"
-#include "direction_residual.hpp"
+#include "residuals/direction_residual.hpp"
 #include "road_contact.hpp"
-#include "vertical_residual.hpp"
+#include "residuals/vertical_residual.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -21,7 +21,7 @@ double roadRatioFromContacts(const RefinementProblem& problem, const Model& mode
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         int wall;
-        const Candidate& c = problem.verticals[i];
+        const UprightSegment& c = problem.verticals[i];
         const double r = problem.focal * verticalResidual(c, prepared, wall, 0);
         if (!(std::abs(r) < threshold) || (wall != Scene::LEFT_WALL && wall != Scene::RIGHT_WALL))
             continue;

@@ -4,12 +4,12 @@
 
 #include "../precomp.hpp"
 #include "consensus.hpp"
-#include "direction_residual.hpp"
+#include "residuals/direction_residual.hpp"
 #include "lo_ransac.hpp"
 #include "selection.hpp"
 #include "street_direction.hpp"
 #include "uncertainty.hpp"
-#include "vertical_residual.hpp"
+#include "residuals/vertical_residual.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -21,9 +21,9 @@ static bool canSeeTwoWalls(const Heading& heading)
 }
 
 // From simple to rich: the richer ones start from the simpler ones, too.
-static std::vector<Structure> allowedStructures(int model, const Heading& heading)
+static std::vector<MotionHypothesis> allowedStructures(int model, const Heading& heading)
 {
-    std::vector<Structure> structures(1, Structure(MODEL_NONE, 0));
+    std::vector<MotionHypothesis> structures(1, MotionHypothesis(MODEL_NONE, 0));
     const int motions[3] = {MODEL_1LA, MODEL_3LA, MODEL_4LA};
     for (int i = 0; i < 3; i++)
     {
@@ -31,43 +31,43 @@ static std::vector<Structure> allowedStructures(int model, const Heading& headin
             continue;
         if (motions[i] == MODEL_1LA)
         {
-            structures.push_back(Structure(MODEL_1LA, 0));
+            structures.push_back(MotionHypothesis(MODEL_1LA, 0));
             continue;
         }
-        structures.push_back(Structure(motions[i], 1));
+        structures.push_back(MotionHypothesis(motions[i], 1));
         if (canSeeTwoWalls(heading))
-            structures.push_back(Structure(motions[i], 2));
+            structures.push_back(MotionHypothesis(motions[i], 2));
     }
     return structures;
 }
 
-// The best model of a structure for the verticals alone. Returns false where there is none.
-static bool fitVerticals(const RefinementProblem& problem, const AckermannEstimator::Params& params, const Structure& structure, Model& model)
+// The best model of a hypothesis for the verticals alone. Returns false where there is none.
+static bool fitVerticals(const RefinementProblem& problem, const AckermannEstimator::Params& params, const MotionHypothesis& hypothesis, Model& model)
 {
-    if (structure.motion == MODEL_NONE)
+    if (hypothesis.motion == MODEL_NONE)
         return true;
     RansacOptions options;
     options.confidence = params.confidence;
     options.maxIterations = params.maxIterations;
     options.seed = (uint64)params.seed;
-    CandidateConsensus consensus(problem, structure, params.threshold);
+    CandidateConsensus consensus(problem, hypothesis, params.threshold);
     double score;
     if (!loRansac(consensus, options, model, score))
         return false;
-    refine(problem, structure, VERTICALS_ONLY, 20, model);
+    refine(problem, hypothesis, VERTICALS_ONLY, 20, model);
     return true;
 }
 
 // Joint refinement from several starts, and from each with the street where the other segments see it.
-static Fit fitAllSegments(const RefinementProblem& problem, const Structure& structure, const std::vector<Model>& starts)
+static Fit fitAllSegments(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const std::vector<Model>& starts)
 {
     std::vector<Fit> minima;
     for (size_t i = 0; i < starts.size(); i++)
     {
-        minima.push_back(refineFrom(problem, starts[i], structure));
+        minima.push_back(refineFrom(problem, starts[i], hypothesis));
         Model towardsStreet = starts[i];
-        if (startFromStreetDirection(problem, structure, towardsStreet))
-            minima.push_back(refineFrom(problem, towardsStreet, structure));
+        if (startFromStreetDirection(problem, hypothesis, towardsStreet))
+            minima.push_back(refineFrom(problem, towardsStreet, hypothesis));
     }
     return *std::min_element(minima.begin(), minima.end(), isCheaper);
 }
@@ -95,7 +95,7 @@ static double medianSigma(std::vector<double>& residuals, double gross, double o
 // The noise of the segments, as the residuals of a fit show it.
 static void measureNoise(const Fit& fit, RefinementProblem& problem)
 {
-    const PreparedModel prepared(fit.model, problem.heading, problem.roadRatio, fit.structure.translates());
+    const PreparedModel prepared(fit.model, problem.heading, problem.roadRatio, fit.hypothesis.translates());
     std::vector<double> verticals, others;
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
@@ -120,23 +120,23 @@ static void dropHopeless(std::vector<Fit>& fits)
     fits.erase(std::remove_if(fits.begin(), fits.end(), [best, far](const Fit& f) { return f.criterion > best + far; }), fits.end());
 }
 
-// What a structure makes of the model of another one; false where that says nothing of its walls.
-static bool convert(const Fit& from, const Structure& to, Model& model)
+// What a hypothesis makes of the model of another one; false where that says nothing of its walls.
+static bool convert(const Fit& from, const MotionHypothesis& to, Model& model)
 {
     model = from.model;
     if (!to.turns())
         model[P_ALPHA] = 0;
     if (!to.translates())
     {
-        if (from.structure.translates())
+        if (from.hypothesis.translates())
             model[P_STREET] = azimuthOf(from.model);
         model[P_B] = model[P_D] = model[P_LAMBDA] = 0;
         model.direction = 0;
         return true;
     }
-    if (to.walls == 2 && from.structure.walls == 1)
+    if (to.walls == 2 && from.hypothesis.walls == 1)
         model[P_LAMBDA] = 1;
-    return from.structure.walls > 0 && from.structure.walls <= to.walls;
+    return from.hypothesis.walls > 0 && from.hypothesis.walls <= to.walls;
 }
 
 // Structures compare fairly where each has the best minimum that it can have: starts from the one of the best fit, too.
@@ -146,14 +146,14 @@ static void startFromBest(const RefinementProblem& problem, std::vector<Fit>& fi
     for (size_t i = 0; i < fits.size(); i++)
     {
         // Without translation and with gravity known little is left that could have several minima.
-        const Structure& structure = fits[i].structure;
-        const bool isBest = structure.motion == best.structure.motion && structure.walls == best.structure.walls;
+        const MotionHypothesis& hypothesis = fits[i].hypothesis;
+        const bool isBest = hypothesis.motion == best.hypothesis.motion && hypothesis.walls == best.hypothesis.walls;
         Model start;
-        if (isBest || (!structure.translates() && problem.gravitySigma == 0) || !convert(best, structure, start))
+        if (isBest || (!hypothesis.translates() && problem.gravitySigma == 0) || !convert(best, hypothesis, start))
             continue;
-        if (!problem.limits.allow(start) || !wallsAreSeen(problem, structure, start))
+        if (!problem.limits.allow(start) || !wallsAreSeen(problem, hypothesis, start))
             continue;
-        const Fit other = refineFrom(problem, start, structure);
+        const Fit other = refineFrom(problem, start, hypothesis);
         if (other.cost < fits[i].cost)
             fits[i] = other;
     }
@@ -161,7 +161,7 @@ static void startFromBest(const RefinementProblem& problem, std::vector<Fit>& fi
 
 Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& params)
 {
-    const std::vector<Structure> structures = allowedStructures(params.model, problem.heading);
+    const std::vector<MotionHypothesis> structures = allowedStructures(params.model, problem.heading);
     std::vector<Fit> fits;
     for (size_t i = 0; i < structures.size(); i++)
     {
@@ -169,7 +169,7 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
         if (!fitVerticals(problem, params, structures[i], starts[0]))
             continue;
         for (size_t j = 0; j < fits.size(); j++)
-            if (structures[i].motion == MODEL_4LA && fits[j].structure.walls == structures[i].walls)
+            if (structures[i].motion == MODEL_4LA && fits[j].hypothesis.walls == structures[i].walls)
                 starts.push_back(fits[j].model);
         fits.push_back(fitAllSegments(problem, structures[i], starts));
     }

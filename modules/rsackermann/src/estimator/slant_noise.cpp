@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "slant_noise.hpp"
-#include "vertical_residual.hpp"
+#include "residuals/vertical_residual.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -19,7 +19,7 @@ Slants::Slants(const RefinementProblem& problem, const Model& model, bool transl
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         int wall;
-        const Candidate& c = problem.verticals[i];
+        const UprightSegment& c = problem.verticals[i];
         const double l = norm(c.u - c.v);
         length.push_back(l);
         slant.push_back(verticalResidual(c, prepared, wall, 0) / l);

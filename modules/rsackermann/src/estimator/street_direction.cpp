@@ -3,18 +3,18 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "residual_kernels.hpp"
+#include "residuals/residual_kernels.hpp"
 #include "street_direction.hpp"
 
 namespace cv {
 namespace rsackermann {
 
 // The model with walls along an azimuth.
-static Model turnStreet(const Model& model, const Structure& structure, double azimuth)
+static Model turnStreet(const Model& model, const MotionHypothesis& hypothesis, double azimuth)
 {
     Model turned = model;
     turned[P_STREET] = azimuth;
-    if (structure.translates())
+    if (hypothesis.translates())
     {
         // Along or against the azimuth: the walls stay on the side on which they are.
         const double size = std::hypot(model[P_B], model[P_D]);
@@ -25,7 +25,7 @@ static Model turnStreet(const Model& model, const Structure& structure, double a
     return turned;
 }
 
-bool startFromStreetDirection(const RefinementProblem& problem, const Structure& structure, Model& model)
+bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model)
 {
     const size_t minSegments = 5;
     if (problem.others.size() < minSegments)
@@ -48,7 +48,7 @@ bool startFromStreetDirection(const RefinementProblem& problem, const Structure&
             best = azimuth;
         }
     }
-    model = turnStreet(model, structure, best);
+    model = turnStreet(model, hypothesis, best);
     return true;
 }
 

@@ -98,7 +98,7 @@ static std::vector<Fit> findMinima(const RefinementProblem& problem, const Fit& 
         for (int i = 0; i < PARAMETERS; i++)
             start.value[i] += steps[k] * fit.covariance(i, P_ALPHA) / sigma;
         if (problem.limits.allow(start))
-            minima.push_back(refineFrom(problem, start, fit.structure));
+            minima.push_back(refineFrom(problem, start, fit.hypothesis));
     }
     std::sort(minima.begin(), minima.end(), isCheaper);
     return minima;
@@ -121,7 +121,7 @@ static double addPinned(RefinementProblem& pinned, const PriorTerms& prior, cons
 {
     pinned.prior.street = azimuth;
     fit.model = predict(pinned.limits, fit, azimuth);
-    fit.cost = refine(pinned, fit.structure, ALL_SEGMENTS, 8, fit.model, &fit.covariance);
+    fit.cost = refine(pinned, fit.hypothesis, ALL_SEGMENTS, 8, fit.model, &fit.covariance);
     if (prior.streetSigma > 0)
         fit.cost += std::pow(std::sin(azimuth - prior.street) / prior.streetSigma, 2);
     mixture.add(std::log(width) + logVolume(fit) - worse(fit, best), covarianceAround(fit, best.model));
@@ -157,7 +157,7 @@ static Covariance integrateOverAzimuth(const RefinementProblem& problem, const F
 
 void exploreValley(const RefinementProblem& problem, Fit& fit)
 {
-    if (fit.structure.motion != MODEL_4LA || !(fit.covariance(P_ALPHA, P_ALPHA) > 0))
+    if (fit.hypothesis.motion != MODEL_4LA || !(fit.covariance(P_ALPHA, P_ALPHA) > 0))
         return;
     const std::vector<Fit> minima = findMinima(problem, fit);
     fit = minima[0];
@@ -195,21 +195,21 @@ static Fit inTermsOf(const Fit& best, const Fit& fit)
 
 void addOtherStructures(const std::vector<Fit>& fits, Fit& best)
 {
-    if (!best.structure.translates())
+    if (!best.hypothesis.translates())
         return;
     // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does, as seen from it.
     for (size_t i = 0; i < fits.size(); i++)
-        if (best.structure.motion == MODEL_3LA && fits[i].structure.motion == MODEL_4LA && fits[i].structure.walls == best.structure.walls)
+        if (best.hypothesis.motion == MODEL_3LA && fits[i].hypothesis.motion == MODEL_4LA && fits[i].hypothesis.walls == best.hypothesis.walls)
             best.covariance = covarianceAround(fits[i], best.model);
     Mixture mixture;
     mixture.add(0, best.covariance);
     for (size_t i = 0; i < fits.size(); i++)
     {
-        if (fits[i].structure.motion != MODEL_4LA || fits[i].structure.walls == best.structure.walls)
+        if (fits[i].hypothesis.motion != MODEL_4LA || fits[i].hypothesis.walls == best.hypothesis.walls)
             continue;
         double lowest = fits[i].criterion;
         for (size_t j = 0; j < fits.size(); j++)
-            if (fits[j].structure.walls == fits[i].structure.walls)
+            if (fits[j].hypothesis.walls == fits[i].hypothesis.walls)
                 lowest = std::min(lowest, fits[j].criterion);
         mixture.add(-(lowest - best.criterion) / 2, covarianceAround(inTermsOf(best, fits[i]), best.model));
     }

@@ -18,7 +18,7 @@ double logVolume(const Fit& fit);
 */
 void exploreValley(const RefinementProblem& problem, Fit& fit);
 
-/** What isn't known of a fit because another structure explains the image nearly as well: adds to its covariance.
+/** What isn't known of a fit because another hypothesis explains the image nearly as well: adds to its covariance.
 @param fits of all structures; those of 4-LA have been explored.
 */
 void addOtherStructures(const std::vector<Fit>& fits, Fit& best);

@@ -60,12 +60,12 @@ bool solveWallsFromThree(const Constraint c[3], const Constraint* right, Minimal
 }
 
 // The side of the line at infinity on which a bearing is seen, as the sign of its scaled inverse depth; 0 behind the camera.
-static int wallSide(const TurnedBearing& bearing, double B, double D)
+static int wallSide(const RotatedBearing& bearing, double B, double D)
 {
-    const double z = bearing.M + bearing.G * B;
+    const double z = bearing.M + bearing.gamma * B;
     if (!(z > 0))
         return 0;
-    return D * z - B * (bearing.N + bearing.G * D) > 0 ? 1 : -1;
+    return D * z - B * (bearing.N + bearing.gamma * D) > 0 ? 1 : -1;
 }
 
 bool areOnWalls(const MinimalSolution& s, const TurnedSegment* segments, int left, bool twoWalls)

@@ -40,7 +40,7 @@ struct Constraint
 //! Both ends of a segment in the reference frame.
 struct TurnedSegment
 {
-    TurnedBearing u, v;
+    RotatedBearing u, v;
 
     TurnedSegment() {}
     //! @param s segment whose ends are passed at two rows.
@@ -53,7 +53,7 @@ struct TurnedSegment
     //! What the segment says about (B, D), exactly.
     Constraint constraint() const
     {
-        return Constraint(u.N * v.M - v.N * u.M, u.G * v.M - v.G * u.M, u.N * v.G - v.N * u.G);
+        return Constraint(u.N * v.M - v.N * u.M, u.gamma * v.M - v.gamma * u.M, u.N * v.gamma - v.N * u.gamma);
     }
 };
 

@@ -40,10 +40,10 @@ static Series operator*(const Series& a, const Series& b)
     return r;
 }
 
-// TurnedBearing as Taylor polynomials: sin(alpha t)/alpha stands for tau, and s2 M - c2 N is s cos(.) - c sin(.) of alpha t.
+// RotatedBearing as Taylor polynomials: sin(alpha t)/alpha stands for tau, and s2 M - c2 N is s cos(.) - c sin(.) of alpha t.
 struct BearingSeries
 {
-    Series N, M, G;
+    Series N, M, gamma;
 
     BearingSeries(const Point2d& p, double t, const Heading& heading, double scale)
     {
@@ -57,10 +57,10 @@ struct BearingSeries
         M.c[1] = -k * p.x;
         M.c[2] = -k * k / 2 * p.y;
         M.c[3] = k * k * k / 6 * p.x;
-        G.c[0] = t * across;
-        G.c[1] = -t * h * along;
-        G.c[2] = -t * h * h * across * (2. / 3);
-        G.c[3] = t * h * h * h * along / 3;
+        gamma.c[0] = t * across;
+        gamma.c[1] = -t * h * along;
+        gamma.c[2] = -t * h * h * across * (2. / 3);
+        gamma.c[3] = t * h * h * h * along / 3;
     }
 };
 
@@ -73,8 +73,8 @@ struct ConstraintSeries
     {
         const BearingSeries u(s.u, s.timeU, heading, scale), v(s.v, s.timeV, heading, scale);
         e = u.N * v.M - v.N * u.M;
-        d = u.G * v.M - v.G * u.M;
-        b = u.N * v.G - v.N * u.G;
+        d = u.gamma * v.M - v.gamma * u.M;
+        b = u.N * v.gamma - v.N * u.gamma;
     }
 };
 

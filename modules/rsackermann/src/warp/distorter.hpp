@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_DISTORTER_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_DISTORTER_HPP
 
-#include "shutter.hpp"
+#include "shutter_geometry.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -19,7 +19,7 @@ nothing.
 class Distorter
 {
 public:
-    explicit Distorter(const Shutter& shutter_) : shutter(shutter_) {}
+    explicit Distorter(const ShutterGeometry& shutter_) : shutter(shutter_) {}
 
     //! What a raw pixel sees, whatever its depth.
     struct View
@@ -39,7 +39,7 @@ public:
         if (!shutter.moving)
             return true;
         const RowMotion m = shutter.motionAt(shutter.rowTime(raw));
-        v.direction = Shutter::turnBack(v.direction, m);
+        v.direction = ShutterGeometry::rotateBack(v.direction, m);
         v.x = m.tau * m.s2;
         v.z = m.tau * m.c2;
         return shutter.scene.isInside(v.x, v.z);
@@ -73,12 +73,12 @@ public:
             return true;
         // The depth of the bearing a + w tau (s2, 0, c2) is w / inverseDepth, which is linear in w.
         const RowMotion m = shutter.motionAt(shutter.rowTime(raw));
-        const Vec3d a = Shutter::turnBack(shutter.up * ray, m);
+        const Vec3d a = ShutterGeometry::rotateBack(shutter.up * ray, m);
         const double approach = 1 - m.tau * (shutter.down * Vec3d(m.s2, 0, m.c2))[2] * inverseDepth;
         if (!(approach > 0))
             return false;
         const double w = inverseDepth * (shutter.down * a)[2] / approach;
-        ray = shutter.down * Shutter::moveBack(a, w, m);
+        ray = shutter.down * ShutterGeometry::moveBack(a, w, m);
         return ray[2] > 0;
     }
 
@@ -91,7 +91,7 @@ private:
         return found;
     }
 
-    const Shutter& shutter;
+    const ShutterGeometry& shutter;
 };
 
 }} // namespace cv::rsackermann

@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "distorter.hpp"
-#include "pixels.hpp"
+#include "maps/remap_limits.hpp"
 #include "points.hpp"
 #include "rectifier.hpp"
 
@@ -53,7 +53,7 @@ static void setPlace(const Point2d& point, Place& place)
 void correctPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
                    const std::vector<Point2d>& raw, const std::vector<double>& depths, std::vector<Place>& places)
 {
-    const Shutter shutter(camera, motion);
+    const ShutterGeometry shutter(camera, motion);
     const Distorter distorter(shutter);
     const InverseDepths inverseDepths(camera, motion, depths);
     places.assign(raw.size(), Place());
@@ -72,7 +72,7 @@ void distortPoints(const RollingShutterCamera& camera, const Matx33d& matrix, co
     const int maxIterations = 50;
     const double tolerance = 1e-9;
 
-    const Shutter shutter(camera, motion);
+    const ShutterGeometry shutter(camera, motion);
     const Rectifier rectifier(shutter, maxIterations, tolerance);
     const InverseDepths inverseDepths(camera, motion, depths);
     const Matx33d inverse = matrix.inv();

@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_RECTIFIER_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_RECTIFIER_HPP
 
-#include "shutter.hpp"
+#include "shutter_geometry.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -30,7 +30,7 @@ public:
     };
 
     //! @param tolerance pixels; the place is found where a step changes it by less.
-    Rectifier(const Shutter& shutter_, int maxIterations_, double tolerance_)
+    Rectifier(const ShutterGeometry& shutter_, int maxIterations_, double tolerance_)
         : shutter(shutter_), maxIterations(maxIterations_), tolerance(tolerance_), timeTolerance(tolerance_ * shutter_.timePerPixel())
     {
     }
@@ -99,7 +99,7 @@ private:
                (rateKnown && distance <= 10 * timeTolerance && std::max(std::abs(change.x), std::abs(change.y)) <= tolerance);
     }
 
-    const Shutter& shutter;
+    const ShutterGeometry& shutter;
     int maxIterations;
     double tolerance, timeTolerance;
 };

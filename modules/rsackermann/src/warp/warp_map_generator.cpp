@@ -4,9 +4,9 @@
 
 #include "../precomp.hpp"
 #include "../storage.hpp"
-#include "map_ocl.hpp"
-#include "maps.hpp"
-#include "pixels.hpp"
+#include "maps/map_ocl.hpp"
+#include "maps/maps.hpp"
+#include "maps/remap_limits.hpp"
 #include "points.hpp"
 #include "valid_area.hpp"
 

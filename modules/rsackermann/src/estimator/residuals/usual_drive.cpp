@@ -1,0 +1,148 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../../precomp.hpp"
+#include "prior_residuals.hpp"
+#include "usual_drive.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+// doc/theory.md, "Posterior", has the reasons.
+static const double USUAL_YAW_RATE = 5 * CV_PI / 180; // rad/s, scale of Student's t with YAW_FREEDOM degrees of freedom
+static const double YAW_FREEDOM = 2;
+static const double USUAL_SPEED = 12;                // m/s
+static const double USUAL_REVERSE_SPEED = 1.5;       // m/s
+static const double LOG_SPEED_SIGMA = 0.8;
+static const double USUAL_WALL = 8;                  // metres
+static const double LOG_WALL_SIGMA = 0.6;            // 3 to 30 m within two of them
+static const double USUAL_HEIGHT = 1.3;              // metres, of the camera
+static const double USUAL_SECONDS_PER_UNIT = 0.06;   // of the row time, if the line delay is unknown
+static const double LOG_SECONDS_SIGMA = 1;
+static const double REST = 0.5;                      // probability before anything is seen, which includes global shutters
+static const double REST_IF_TOLD = 0.1;              // who is told of a motion is seldom at rest
+
+UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                       const MotionLimits& limits)
+    : alpha(0), toldAlphaSigma(0), toldSpeed(0), toldSpeedSigma(0), heading(camera.heading), headingSigma(params.wallDeviationSigma),
+      height(camera.height), logRatioSigma(0)
+{
+    const double unit = camera.secondsPerUnitTime();
+    const bool knowsWall = params.wallDistance > 0;
+    yawScale = unit > 0 ? USUAL_YAW_RATE * unit / 2 : 0.5 * limits.maxAlpha;
+    if (unit > 0 && prior.yawRateSigma > 0)
+    {
+        alpha = prior.yawRate * unit / 2;
+        toldAlphaSigma = prior.yawRateSigma * unit / 2;
+    }
+    double speed = USUAL_SPEED, speedSigma = LOG_SPEED_SIGMA;
+    if (unit > 0 && prior.speedSigma > 0)
+    {
+        toldSpeed = prior.speed * unit;
+        toldSpeedSigma = prior.speedSigma * unit;
+        // Near rest a logarithm would say more than is known.
+        speed = std::max(std::abs(prior.speed), prior.speedSigma);
+        speedSigma = std::min(speedSigma, prior.speedSigma / speed);
+    }
+    speedIsKnown = toldSpeedSigma > 0 && knowsWall;
+    logSpeed = std::log(speed * (unit > 0 ? unit : USUAL_SECONDS_PER_UNIT) / (knowsWall ? params.wallDistance : USUAL_WALL));
+    logSpeedSigma = std::hypot(speedSigma, unit > 0 ? 0 : LOG_SECONDS_SIGMA);
+    logWallSigma = knowsWall ? 0 : LOG_WALL_SIGMA;
+    if (params.roadRatio > 0)
+        ratio = params.roadRatio;
+    else
+        ratio = (knowsWall ? params.wallDistance : USUAL_WALL) / (height > 0 ? height : USUAL_HEIGHT);
+    if (!(knowsWall && height > 0))
+        logRatioSigma = LOG_WALL_SIGMA;
+    // A camera of unknown height that looks to the side may not see the road at all.
+    roadIsSeen = height > 0 || std::abs(std::cos(camera.heading)) > 0.5;
+}
+
+int UsualDrive::evaluate(const Model& model, const MotionHypothesis& hypothesis, Jet residuals[MAX_RESIDUALS]) const
+{
+    int n = 0;
+    if (hypothesis.turns() && !(toldAlphaSigma > 0))
+    {
+        const Jet a = Jet::variable(model[P_ALPHA], P_ALPHA);
+        const double q = a.value / yawScale, cost = (YAW_FREEDOM + 1) * std::log1p(q * q / YAW_FREEDOM), r = std::sqrt(cost);
+        const double halfSlope = (YAW_FREEDOM + 1) * q / (YAW_FREEDOM + q * q) / yawScale;
+        // The cost of a residual is its square; next to 0 it is quadratic.
+        residuals[n++] = r > 1e-6 ? a.apply(std::copysign(r, q), std::copysign(halfSlope / r, 1.))
+                                  : std::sqrt(1 + 1 / YAW_FREEDOM) / yawScale * a;
+    }
+    if (!hypothesis.translates())
+    {
+        if (headingSigma > 0)
+        {
+            const double angle = model[P_STREET] - heading;
+            residuals[n++] = (1 / headingSigma) * Jet::variable(model[P_STREET], P_STREET).apply(std::sin(angle), std::cos(angle));
+        }
+        return n;
+    }
+    if (speedIsKnown)
+        return n;
+    const Jet speed = length(Jet::variable(model[P_B], P_B), Jet::variable(model[P_D], P_D));
+    const double least = 1e-12;
+    Jet logarithm = speed.apply(std::log(speed.value + least), 1 / (speed.value + least));
+    double sigma = std::hypot(logSpeedSigma, logWallSigma);
+    if (hypothesis.walls == 2 && logWallSigma > 0)
+    {
+        // Both walls are as far away as walls are: the mean of the logarithms says it, their difference is in PriorTerms.
+        const Jet r = Jet::variable(model[P_LAMBDA], P_LAMBDA);
+        logarithm = logarithm + r.apply(0.5 * std::log(r.value), 0.5 / r.value);
+        sigma = std::hypot(logSpeedSigma, logWallSigma / std::sqrt(2.));
+    }
+    residuals[n++] = (1 / sigma) * (logarithm - std::log(usualScaledSpeed(model.direction)));
+    return n;
+}
+
+double UsualDrive::usualScaledSpeed(int direction) const
+{
+    const bool isUnusual = direction < 0 && !(toldSpeedSigma > 0);
+    return std::exp(logSpeed) * (isUnusual ? USUAL_REVERSE_SPEED / USUAL_SPEED : 1);
+}
+
+double UsualDrive::logYawDensity(double a) const
+{
+    if (toldAlphaSigma > 0)
+        return -std::log(toldAlphaSigma * std::sqrt(2 * CV_PI));
+    const double q = a / yawScale;
+    // Student's t with two degrees of freedom has the density 1 / (2 sqrt 2) at 0.
+    return -0.5 * (YAW_FREEDOM + 1) * std::log1p(q * q / YAW_FREEDOM) - std::log(2 * std::sqrt(2.) * yawScale);
+}
+
+double UsualDrive::logVolume(const MotionHypothesis& hypothesis) const
+{
+    double volume = headingSigma > 0 ? std::log(headingSigma) : 0;
+    if (hypothesis.translates() && !speedIsKnown)
+        volume += std::log(std::hypot(logSpeedSigma, hypothesis.walls == 2 ? logWallSigma / std::sqrt(2.) : logWallSigma));
+    if (hypothesis.walls == 2)
+        volume += std::log(PriorTerms::usualLogRatio());
+    return volume;
+}
+
+double UsualDrive::logRest() const
+{
+    const bool isTold = toldAlphaSigma > 0 || toldSpeedSigma > 0;
+    const double z = toldSpeedSigma > 0 ? toldSpeed / toldSpeedSigma : 0;
+    return std::log(isTold ? REST_IF_TOLD : REST) - 0.5 * z * z;
+}
+
+void UsualDrive::road(const Model& model, double& G, double& variance) const
+{
+    G = variance = 0;
+    const double speed = std::hypot(model[P_B], model[P_D]);
+    if (speed == 0 || !roadIsSeen)
+        return;
+    G = (model.direction < 0 ? -1 : 1) * speed * ratio;
+    variance = std::pow(logRatioSigma * G, 2);
+    const double toldSigma = toldSpeedSigma / height;
+    if (toldSpeedSigma > 0 && height > 0 && toldSigma * toldSigma < variance)
+    {
+        G = toldSpeed / height;
+        variance = toldSigma * toldSigma;
+    }
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,39 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../../precomp.hpp"
+#include "map_kernels.hpp"
+
+#include "map_kernels.simd.hpp"
+#include "warp/maps/map_kernels.simd_declarations.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x, float* y, size_t step)
+{
+    CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
+}
+
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step)
+{
+    CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
+}
+
+void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction)
+{
+    CV_CPU_DISPATCH(packFixedPoint, (x, y, width, whole, fraction), CV_CPU_DISPATCH_MODES_ALL);
+}
+
+void packInterleaved(const float* x, const float* y, int width, float* xy)
+{
+    CV_CPU_DISPATCH(packInterleaved, (x, y, width, xy), CV_CPU_DISPATCH_MODES_ALL);
+}
+
+void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask)
+{
+    CV_CPU_DISPATCH(packMask, (x, y, width, low, highX, highY, mask), CV_CPU_DISPATCH_MODES_ALL);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_KERNELS_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_KERNELS_HPP
+
+#include "map_patch.hpp"
+
+// What is done with every pixel of a map, in vectors of the widest kind that the processor has.
+
+namespace cv {
+namespace rsackermann {
+
+/** The first size pixels of a square, x and y each with step floats a row. Each pixel is taken from the nearest plane.
+@param patches one for each plane.
+@param depths of the planes, relative to the first pixel.
+@param count of planes.
+*/
+void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x, float* y, size_t step);
+
+//! The same with depths that aren't linear; the pixel takes the patch with the largest.
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step);
+
+//! A row of coordinates in the formats CV_16SC2 and CV_16UC1, with INTER_BITS fractional bits; whole parts are saturated.
+void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
+
+//! A row of coordinates in the format CV_32FC2.
+void packInterleaved(const float* x, const float* y, int width, float* xy);
+
+//! 255 where low <= x <= highX and low <= y <= highY, elsewhere 0.
+void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_KERNELS_HPP

@@ -1,0 +1,268 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../../opencv_versions.hpp"
+#include "opencv2/imgproc.hpp"
+#include "map_patch.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
+
+void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x, float* y, size_t step);
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step);
+void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
+void packInterleaved(const float* x, const float* y, int width, float* xy);
+void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
+
+#ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+
+namespace {
+
+// A polynomial along one row. Next to what is constant along the row the rest is small: single precision takes
+// no more from it than from the coordinate.
+struct RowCubic
+{
+    float c[Bicubic::NODES];
+
+    RowCubic() {}
+    RowCubic(const Bicubic& bicubic, double row)
+    {
+        const double (&p)[Bicubic::NODES][Bicubic::NODES] = bicubic.c;
+#if CV_SIMD128_64F
+        const v_float64x2 t = v_setall_f64(row);
+        v_float64x2 low = v_load(p[3]), high = v_load(p[3] + 2);
+        for (int m = 2; m >= 0; m--)
+        {
+            low = v_fma(low, t, v_load(p[m]));
+            high = v_fma(high, t, v_load(p[m] + 2));
+        }
+        v_store(c, v_cvt_f32(low, high));
+#else
+        for (int n = 0; n < Bicubic::NODES; n++)
+            c[n] = float(p[0][n] + row * (p[1][n] + row * (p[2][n] + row * p[3][n])));
+#endif
+    }
+
+    float at(float column) const { return c[0] + column * (c[1] + column * (c[2] + column * c[3])); }
+};
+
+#if CV_SIMD
+struct WideRowCubic
+{
+    v_float32 c0, c1, c2, c3;
+
+    explicit WideRowCubic(const RowCubic& p)
+        : c0(vx_setall_f32(p.c[0])), c1(vx_setall_f32(p.c[1])), c2(vx_setall_f32(p.c[2])), c3(vx_setall_f32(p.c[3]))
+    {
+    }
+
+    v_float32 at(const v_float32& column) const { return v_fma(v_fma(v_fma(c3, column, c2), column, c1), column, c0); }
+};
+
+inline v_float32 columnsFrom(int first)
+{
+    CV_DECL_ALIGNED(CV_SIMD_WIDTH) static const float lane[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    return v_add(vx_load_aligned(lane), vx_setall_f32(float(first)));
+}
+#endif
+
+// Columns from first to last - 1; what follows them up to the width may be overwritten.
+void evaluateRun(const MapPatch& patch, int row, int first, int last, int width, float* x, float* y)
+{
+    const RowCubic cubicX(patch.x, row), cubicY(patch.y, row);
+    int i = first;
+#if CV_SIMD
+    const int lanes = VTraits<v_float32>::vlanes();
+    const WideRowCubic wideX(cubicX), wideY(cubicY);
+    const v_float32 next = vx_setall_f32(float(lanes));
+    v_float32 column = columnsFrom(first);
+    for (; i < last && i <= width - lanes; i += lanes, column = v_add(column, next))
+    {
+        v_store(x + i, wideX.at(column));
+        v_store(y + i, wideY.at(column));
+    }
+#else
+    CV_UNUSED(width);
+#endif
+    for (; i < last; i++)
+    {
+        x[i] = cubicX.at(float(i));
+        y[i] = cubicY.at(float(i));
+    }
+}
+
+// A patch and its depth along one row.
+struct RowPatch
+{
+    RowCubic x, y, depth;
+
+    RowPatch() {}
+    RowPatch(const MapPatch& patch, const Bicubic& depth_, double row) : x(patch.x, row), y(patch.y, row), depth(depth_, row) {}
+};
+
+// A row of which every pixel takes the patch with the largest depth.
+void evaluateNearest(const RowPatch* patches, int count, int width, float* x, float* y)
+{
+    int i = 0;
+#if CV_SIMD
+    const int lanes = VTraits<v_float32>::vlanes();
+    for (; i <= width - lanes; i += lanes)
+    {
+        const v_float32 column = columnsFrom(i);
+        v_float32 nearest = WideRowCubic(patches[0].depth).at(column);
+        v_float32 placeX = WideRowCubic(patches[0].x).at(column), placeY = WideRowCubic(patches[0].y).at(column);
+        for (int k = 1; k < count; k++)
+        {
+            const v_float32 depth = WideRowCubic(patches[k].depth).at(column), nearer = v_gt(depth, nearest);
+            nearest = v_select(nearer, depth, nearest);
+            placeX = v_select(nearer, WideRowCubic(patches[k].x).at(column), placeX);
+            placeY = v_select(nearer, WideRowCubic(patches[k].y).at(column), placeY);
+        }
+        v_store(x + i, placeX);
+        v_store(y + i, placeY);
+    }
+#endif
+    for (; i < width; i++)
+    {
+        int best = 0;
+        for (int k = 1; k < count; k++)
+            if (patches[k].depth.at(float(i)) > patches[best].depth.at(float(i)))
+                best = k;
+        x[i] = patches[best].x.at(float(i));
+        y[i] = patches[best].y.at(float(i));
+    }
+}
+
+// The plane that is nearest at a column and, of those, the one that comes nearer fastest.
+int nearestPlane(const PlaneInverseDepth* depths, int count, int column, int row)
+{
+    int best = 0;
+    for (int k = 1; k < count; k++)
+    {
+        const double ahead = depths[k].at(column, row) - depths[best].at(column, row);
+        if (ahead > 0 || (ahead == 0 && depths[k].perColumn > depths[best].perColumn))
+            best = k;
+    }
+    return best;
+}
+
+// The column at which another plane becomes nearer than the present one.
+int endOfPlane(const PlaneInverseDepth* depths, int count, int plane, int column, int row, int width)
+{
+    int end = width;
+    for (int k = 0; k < count; k++)
+    {
+        const double approach = depths[k].perColumn - depths[plane].perColumn;
+        if (!(approach > 0))
+            continue;
+        const double left = (depths[plane].at(column, row) - depths[k].at(column, row)) / approach;
+        if (left < end - column)
+            end = column + std::max(cvCeil(left), 1);
+    }
+    return end;
+}
+
+} // namespace
+
+void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x, float* y, size_t step)
+{
+    for (int row = 0; row < size.height; row++, x += step, y += step)
+        for (int column = 0; column < size.width;)
+        {
+            const int plane = nearestPlane(depths, count, column, row);
+            const int end = endOfPlane(depths, count, plane, column, row, size.width);
+            evaluateRun(patches[plane], row, column, end, size.width, x, y);
+            column = end;
+        }
+}
+
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step)
+{
+    AutoBuffer<RowPatch, 4> rows(count);
+    for (int row = 0; row < size.height; row++, x += step, y += step)
+    {
+        if (count == 1)
+        {
+            evaluateRun(patches[0], row, 0, size.width, size.width, x, y);
+            continue;
+        }
+        for (int i = 0; i < count; i++)
+            rows[i] = RowPatch(patches[i], depths[i], row);
+        evaluateNearest(rows.data(), count, size.width, x, y);
+    }
+}
+
+void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction)
+{
+    int i = 0;
+#if CV_SIMD
+    const int lanes = VTraits<v_float32>::vlanes();
+    const v_float32 scale = vx_setall_f32(INTER_TAB_SIZE);
+    const v_int32 low = vx_setall_s32(INTER_TAB_SIZE - 1), rowStep = vx_setall_s32(INTER_TAB_SIZE);
+    for (; i <= width - 2 * lanes; i += 2 * lanes)
+    {
+        const v_int32 x0 = v_round(v_mul(vx_load(x + i), scale)), x1 = v_round(v_mul(vx_load(x + i + lanes), scale));
+        const v_int32 y0 = v_round(v_mul(vx_load(y + i), scale)), y1 = v_round(v_mul(vx_load(y + i + lanes), scale));
+        v_store_interleave(whole + 2 * i, v_pack(v_shr<INTER_BITS>(x0), v_shr<INTER_BITS>(x1)),
+                           v_pack(v_shr<INTER_BITS>(y0), v_shr<INTER_BITS>(y1)));
+        v_store(fraction + i, v_pack_u(v_add(v_mul(v_and(y0, low), rowStep), v_and(x0, low)),
+                                       v_add(v_mul(v_and(y1, low), rowStep), v_and(x1, low))));
+    }
+#endif
+    for (; i < width; i++)
+    {
+        const int ix = saturate_cast<int>(x[i] * INTER_TAB_SIZE), iy = saturate_cast<int>(y[i] * INTER_TAB_SIZE);
+        whole[2 * i] = saturate_cast<short>(ix >> INTER_BITS);
+        whole[2 * i + 1] = saturate_cast<short>(iy >> INTER_BITS);
+        fraction[i] = ushort((iy & (INTER_TAB_SIZE - 1)) * INTER_TAB_SIZE + (ix & (INTER_TAB_SIZE - 1)));
+    }
+}
+
+void packInterleaved(const float* x, const float* y, int width, float* xy)
+{
+    int i = 0;
+#if CV_SIMD
+    const int lanes = VTraits<v_float32>::vlanes();
+    for (; i <= width - lanes; i += lanes)
+        v_store_interleave(xy + 2 * i, vx_load(x + i), vx_load(y + i));
+#endif
+    for (; i < width; i++)
+    {
+        xy[2 * i] = x[i];
+        xy[2 * i + 1] = y[i];
+    }
+}
+
+#if CV_SIMD
+static inline v_uint32 isBetween(const v_float32& value, const v_float32& low, const v_float32& high)
+{
+    return v_reinterpret_as_u32(v_and(v_ge(value, low), v_le(value, high)));
+}
+#endif
+
+void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask)
+{
+    int i = 0;
+#if CV_SIMD
+    const int lanes = VTraits<v_float32>::vlanes();
+    const v_float32 wideLow = vx_setall_f32(low), wideHighX = vx_setall_f32(highX), wideHighY = vx_setall_f32(highY);
+    for (; i <= width - 4 * lanes; i += 4 * lanes)
+    {
+        v_uint32 inside[4];
+        for (int k = 0; k < 4; k++)
+            inside[k] = v_and(isBetween(vx_load(x + i + k * lanes), wideLow, wideHighX), isBetween(vx_load(y + i + k * lanes), wideLow, wideHighY));
+        v_store(mask + i, v_pack_b(inside[0], inside[1], inside[2], inside[3]));
+    }
+#endif
+    for (; i < width; i++)
+        mask[i] = x[i] >= low && x[i] <= highX && y[i] >= low && y[i] <= highY ? 255 : 0;
+}
+
+#endif // CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+
+CV_CPU_OPTIMIZATION_NAMESPACE_END
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,56 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../../precomp.hpp"
+#include "maps.hpp"
+#include "tile_distorter.hpp"
+#include "tile_rectifier.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+GlobalCamera::GlobalCamera(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params)
+    : matrix(params.newCameraMatrix == Matx33d::zeros() ? camera.cameraMatrix : params.newCameraMatrix),
+      size(params.newSize == Size() ? camera.imageSize : params.newSize)
+{
+}
+
+namespace {
+
+class FillTiles : public ParallelLoopBody
+{
+public:
+    FillTiles(const TileFiller& filler_, MapWriter& writer_) : filler(filler_), writer(writer_) {}
+
+    void operator()(const Range& range) const CV_OVERRIDE
+    {
+        std::vector<float> buffer;
+        for (int i = range.start; i < range.end; i++)
+        {
+            MapWriter::Tile tile(writer, i, buffer);
+            filler.fill(tile);
+            tile.write();
+        }
+    }
+
+private:
+    const TileFiller& filler;
+    MapWriter& writer;
+};
+
+} // namespace
+
+void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
+              MapWriter& writer)
+{
+    const ShutterGeometry shutter(camera, motion);
+    const Matx33d matrix = GlobalCamera(camera, params).matrix;
+    const Range tiles(0, writer.tiles());
+    if (warp == WARP_RECTIFY)
+        parallel_for_(tiles, FillTiles(TileRectifier(shutter, matrix, params.maxIterations, params.tolerance), writer));
+    else
+        parallel_for_(tiles, FillTiles(TileDistorter(shutter, matrix), writer));
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAPS_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAPS_HPP
+
+#include "opencv2/rsackermann/warp.hpp"
+#include "map_writer.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! Which image a map belongs to.
+enum WarpDirection
+{
+    WARP_RECTIFY, //!< the global-shutter image; its places are in the raw image
+    WARP_DISTORT  //!< the raw image; its places are in the global-shutter image
+};
+
+//! The global-shutter camera as the parameters and the rolling-shutter camera determine it.
+struct GlobalCamera
+{
+    GlobalCamera(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params);
+
+    Matx33d matrix;
+    Size size;
+};
+
+//! For each pixel of one image the place in the other one.
+void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
+              MapWriter& writer);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAPS_HPP

@@ -1,0 +1,165 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../../precomp.hpp"
+#include "map_kernels.hpp"
+#include "remap_limits.hpp"
+#include "tile_distorter.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+TileDistorter::TileDistorter(const ShutterGeometry& shutter_, const Matx33d& matrix_) : shutter(shutter_), distorter(shutter_), matrix(matrix_)
+{
+}
+
+bool TileDistorter::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
+{
+    Nodes nodes;
+    if (!look(square, nodes))
+        return false;
+    int visible[PLANES];
+    const int count = visiblePlanes(nodes, visible);
+    MapPatch patches[PLANES];
+    Bicubic depths[PLANES];
+    for (int i = 0; i < count; i++)
+        if (!fitPatch(nodes, visible[i], patches[i]) || (count > 1 && !fitDepth(nodes, visible[i], depths[i])))
+            return false;
+
+    const Size size(square.width, (square & tile.area()).height);
+    evaluatePatches(patches, depths, count, size, tile.x(square.tl()), tile.y(square.tl()), tile.step);
+    return true;
+}
+
+bool TileDistorter::look(const Rect& square, Nodes& nodes) const
+{
+    const Point2d first = square.tl();
+    nodes.step = square.width / (NODES - 1.);
+    for (int i = 0; i < NODES * NODES; i++)
+        if (!look(first + nodes.step * Point2d(i % NODES, i / NODES), nodes.grid[i / NODES][i % NODES]))
+            return false;
+    for (int i = 0; i < MapPatch::CHECKS; i++)
+        if (!look(first + MapPatch::check(i, nodes.step), nodes.checks[i]))
+            return false;
+    return true;
+}
+
+bool TileDistorter::look(const Point2d& pixel, Node& node) const
+{
+    if (!distorter.view(pixel, node.view))
+        return false;
+    shutter.scene.inverseDepths(node.view.direction, node.view.x, node.view.z, node.depths);
+    for (int i = 0; i < PLANES; i++)
+        node.depths[i] *= shutter.scene.direction;
+    return true;
+}
+
+// The values at 0, 1/3, 2/3 and 1 become the Bernstein coefficients of the cubic through them.
+static void toBernstein(const double& v0, double& v1, double& v2, const double& v3)
+{
+    const double b1 = (-5 * v0 + 18 * v1 - 9 * v2 + 2 * v3) / 6;
+    v2 = (2 * v0 - 9 * v1 + 18 * v2 - 5 * v3) / 6;
+    v1 = b1;
+}
+
+// A polynomial none of whose Bernstein coefficients is above that of another one is nowhere above it in the square.
+int TileDistorter::visiblePlanes(const Nodes& nodes, int visible[PLANES]) const
+{
+    visible[0] = Scene::INFINITE;
+    if (!shutter.moving)
+        return 1;
+    double b[PLANES][NODES][NODES];
+    for (int i = 0; i < PLANES; i++)
+    {
+        for (int m = 0; m < NODES; m++)
+        {
+            for (int n = 0; n < NODES; n++)
+                b[i][m][n] = nodes.grid[m][n].depths[i];
+            toBernstein(b[i][m][0], b[i][m][1], b[i][m][2], b[i][m][3]);
+        }
+        for (int n = 0; n < NODES; n++)
+            toBernstein(b[i][0][n], b[i][1][n], b[i][2][n], b[i][3][n]);
+    }
+    int count = 0;
+    for (int i = 0; i < PLANES; i++)
+    {
+        bool hidden = false;
+        for (int j = 0; j < PLANES && !hidden; j++)
+        {
+            double least = DBL_MAX, largest = -DBL_MAX;
+            for (int k = 0; k < NODES * NODES; k++)
+            {
+                const double ahead = b[j][k / NODES][k % NODES] - b[i][k / NODES][k % NODES];
+                least = std::min(least, ahead);
+                largest = std::max(largest, ahead);
+            }
+            hidden = j != i && least >= 0 && (largest > 0 || j < i);
+        }
+        if (!hidden)
+            visible[count++] = i;
+    }
+    return count;
+}
+
+bool TileDistorter::fitPatch(const Nodes& nodes, int plane, MapPatch& patch) const
+{
+    Point2d places[NODES][NODES];
+    for (int i = 0; i < NODES * NODES; i++)
+    {
+        const Node& node = nodes.grid[i / NODES][i % NODES];
+        if (!place(node, node.depths[plane], places[i / NODES][i % NODES]))
+            return false;
+    }
+    patch = MapPatch(places, nodes.step);
+    for (int i = 0; i < MapPatch::CHECKS; i++)
+    {
+        const Point2d check = MapPatch::check(i, nodes.step);
+        Point2d expected;
+        if (!place(nodes.checks[i], nodes.checks[i].depths[plane], expected) || !MapPatch::isNear(patch.at(check.x, check.y), expected))
+            return false;
+    }
+    return true;
+}
+
+// What counts of an error of the depth is by how much it moves the place: next to a crease a pixel may take the other plane.
+bool TileDistorter::fitDepth(const Nodes& nodes, int plane, Bicubic& depth) const
+{
+    double values[NODES][NODES];
+    for (int i = 0; i < NODES * NODES; i++)
+        values[i / NODES][i % NODES] = nodes.grid[i / NODES][i % NODES].depths[plane];
+    depth = Bicubic(values, nodes.step);
+    for (int i = 0; i < MapPatch::CHECKS; i++)
+    {
+        const Point2d check = MapPatch::check(i, nodes.step);
+        Point2d expected, got;
+        if (!place(nodes.checks[i], nodes.checks[i].depths[plane], expected) ||
+            !place(nodes.checks[i], depth.at(check.x, check.y), got) || !MapPatch::isNear(got, expected))
+            return false;
+    }
+    return true;
+}
+
+bool TileDistorter::place(const Node& node, double depth, Point2d& place) const
+{
+    Vec3d ray;
+    if (!distorter.rayTo(node.view, shutter.scene.direction * depth, ray))
+        return false;
+    place = pixelOf(matrix, ray);
+    return isAddressable(place);
+}
+
+void TileDistorter::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
+{
+    for (int y = area.y; y < area.br().y; y++)
+        for (int x = area.x; x < area.br().x; x++)
+        {
+            Vec3d ray;
+            if (distorter.solve(Point2d(x, y), ray))
+                tile.set(Point(x, y), pixelOf(matrix, ray));
+            else
+                tile.setNone(Point(x, y));
+        }
+}
+
+}} // namespace cv::rsackermann

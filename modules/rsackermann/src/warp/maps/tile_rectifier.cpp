@@ -1,0 +1,143 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../../precomp.hpp"
+#include "map_kernels.hpp"
+#include "remap_limits.hpp"
+#include "tile_rectifier.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+TileRectifier::TileRectifier(const ShutterGeometry& shutter_, const Matx33d& matrix, int maxIterations, double tolerance)
+    : shutter(shutter_), forPixels(shutter_, maxIterations, tolerance), forPatches(shutter_, maxIterations, 0.3 * tolerance),
+      inverse(matrix.inv()), upright(shutter_.up * inverse)
+{
+    const double time0 = shutter.rowTime(Point2d(0, 0));
+    timeSlope.x = (shutter.rowTime(Point2d(1, 0)) - time0) * shutter.lens.fx / matrix(0, 0);
+    timeSlope.y = (shutter.rowTime(Point2d(0, 1)) - time0) * shutter.lens.fy / matrix(1, 1);
+
+    const Scene& scene = shutter.scene;
+    const Vec3d left(-scene.B, 0, scene.D), normals[PLANES] = {Vec3d(), left, -scene.lambda * left, Vec3d(0, scene.G, 0)};
+    for (int i = 0; i < PLANES; i++)
+    {
+        const Vec3d w = scene.direction * (upright.t() * normals[i]);
+        planes[i].perColumn = w[0];
+        planes[i].perRow = w[1];
+        planes[i].at0 = w[2];
+    }
+}
+
+bool TileRectifier::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
+{
+    PlaneInverseDepth visible[PLANES];
+    MapPatch patches[PLANES];
+    const int count = visiblePlanes(square, visible);
+    for (int i = 0; i < count; i++)
+        if (!fitPatch(square, visible[i], patches[i]))
+            return false;
+
+    const Size size(square.width, (square & tile.area()).height);
+    evaluatePatches(patches, visible, count, size, tile.x(square.tl()), tile.y(square.tl()), tile.step);
+    return true;
+}
+
+// A linear function that is nowhere above another one at the corners of a square is nowhere above it in between.
+int TileRectifier::visiblePlanes(const Rect& square, PlaneInverseDepth visible[PLANES]) const
+{
+    if (!shutter.moving)
+    {
+        visible[0] = planes[0];
+        return 1;
+    }
+    Vec4d atCorners[PLANES];
+    for (int i = 0; i < PLANES; i++)
+        for (int k = 0; k < 4; k++)
+            atCorners[i][k] = planes[i].at(square.x + k % 2 * square.width, square.y + k / 2 * square.height);
+    int count = 0;
+    for (int i = 0; i < PLANES; i++)
+    {
+        bool hidden = false;
+        for (int j = 0; j < PLANES && !hidden; j++)
+        {
+            const Vec4d ahead = atCorners[j] - atCorners[i];
+            const double least = std::min(std::min(ahead[0], ahead[1]), std::min(ahead[2], ahead[3]));
+            const bool same = ahead == Vec4d();
+            hidden = j != i && least >= 0 && (!same || j < i);
+        }
+        if (hidden)
+            continue;
+        visible[count] = planes[i];
+        visible[count++].at0 = atCorners[i][0];
+    }
+    return count;
+}
+
+bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth, MapPatch& patch) const
+{
+    // First the first row and column of the places, then the last corner: they tell the row times of the others.
+    static const int order[MapPatch::NODES * MapPatch::NODES][2] = {{0, 0}, {3, 0}, {0, 3}, {3, 3}, {1, 0}, {2, 0}, {0, 1}, {0, 2},
+                                                              {1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}};
+    const double step = square.width / (MapPatch::NODES - 1.);
+    Rectifier::Guess guess;
+    Point2d slope = timeSlope * step;
+    double twist = 0, times[MapPatch::NODES][MapPatch::NODES];
+    Point2d nodes[MapPatch::NODES][MapPatch::NODES];
+    for (int k = 0; k < MapPatch::NODES * MapPatch::NODES; k++)
+    {
+        const int n = order[k][0], m = order[k][1];
+        if (k == 1 || k == 2)
+            guess.time = times[0][0] + n * slope.x + m * slope.y;
+        else if (n > 0 && m > 0)
+            guess.time = times[0][n] + times[m][0] - times[0][0] + n * m * twist;
+        else if (k > 0)
+            guess.time = n ? times[0][n - 1] + slope.x : times[m - 1][0] + slope.y;
+        if (!solve(square, n * step, m * step, depth, guess, nodes[m][n]))
+            return false;
+        times[m][n] = guess.time;
+        if (k == 1)
+            slope.x = (times[0][3] - times[0][0]) / 3;
+        else if (k == 2)
+            slope.y = (times[3][0] - times[0][0]) / 3;
+        else if (k == 3)
+            twist = (times[3][3] - times[0][3] - times[3][0] + times[0][0]) / 9;
+    }
+
+    patch = MapPatch(nodes, step);
+    for (int i = 0; i < MapPatch::CHECKS; i++)
+    {
+        const Point2d check = MapPatch::check(i, step), expected = patch.at(check.x, check.y);
+        Point2d place;
+        guess.time = shutter.rowTime(expected);
+        if (!solve(square, check.x, check.y, depth, guess, place) || !MapPatch::isNear(place, expected))
+            return false;
+    }
+    return true;
+}
+
+bool TileRectifier::solve(const Rect& square, double column, double row, const PlaneInverseDepth& depth, Rectifier::Guess& guess, Point2d& place) const
+{
+    const Vec3d pixel(square.x + column, square.y + row, 1);
+    const double w = shutter.scene.direction * depth.at(column, row);
+    return forPatches.solve(inverse * pixel, upright * pixel, w, true, guess, place) && isAddressable(place);
+}
+
+void TileRectifier::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
+{
+    for (int y = area.y; y < area.br().y; y++)
+    {
+        Rectifier::Guess guess;
+        for (int x = area.x; x < area.br().x; x++)
+        {
+            const Vec3d pixel(x, y, 1), b = upright * pixel;
+            Point2d place;
+            if (forPixels.solve(inverse * pixel, b, shutter.scene.inverseDepth(b), true, guess, place))
+                tile.set(Point(x, y), place);
+            else
+                tile.setNone(Point(x, y));
+        }
+    }
+}
+
+}} // namespace cv::rsackermann
