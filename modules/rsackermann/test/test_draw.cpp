@@ -45,7 +45,7 @@ TEST(Draw, colours_tell_labels_and_distance)
         EXPECT_NEAR(255, c[0] + c[2], 1);
     }
     EXPECT_NEAR(255 * (319.5 - 280) / (319.5 - 40), farLeft[0], 12);
-    EXPECT_GT(nearRight[0], 200);
+    EXPECT_NEAR(255 * ((600 - 319.5) / 3) / ((319.5 - 40) / 2.5), nearRight[0], 12); // the right wall is further away
     EXPECT_LT(farRight[0], 50);
     EXPECT_EQ(Vec3b(0, 0, 0), colourAt(image, segments[4]));
     const Vec3b rejected = colourAt(image, segments[5]);
