@@ -210,7 +210,8 @@ class rsackermann_test(NewOpenCVTests):
             value.write(storage)
             text = storage.releaseAndGetString()
             other = type(value)()
-            other.read(cv.FileStorage(text, cv.FileStorage_READ + cv.FileStorage_MEMORY).root())
+            storage = cv.FileStorage(text, cv.FileStorage_READ + cv.FileStorage_MEMORY)  # its nodes don't keep it alive
+            other.read(storage.root())
             self.assertEqual(told(other), told(value))
 
     def test_save_and_load(self):
