@@ -40,7 +40,7 @@ StreetCamera::StreetCamera(const cv::Size& imageSize, double focal, double delay
 }
 
 StreetScene::StreetScene()
-    : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), seed(0), clutter(0), stagger(0), obstacles(0), noise(1)
+    : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), travelled(0), seed(0), clutter(0), stagger(0), obstacles(0), noise(1)
 {
 }
 
@@ -141,7 +141,7 @@ cv::Vec3d StreetRenderer::directionAt(int plane, const cv::Vec3d& v) const
 cv::Vec3d StreetRenderer::placeAt(int plane, const cv::Vec3d& v) const
 {
     const double side = across_.dot(v);
-    return cv::Vec3d(along_.dot(v), plane == 1 ? -side - scene_.left : side - scene_.right, camera_.height - v[1]);
+    return cv::Vec3d(along_.dot(v) + scene_.travelled, plane == 1 ? -side - scene_.left : side - scene_.right, camera_.height - v[1]);
 }
 
 cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) const
@@ -155,7 +155,7 @@ cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) 
     const double metres = hit.distance * cv::norm(ray), footprint = metres / camera_.fx;
     cv::Vec3f paint;
     if (hit.plane == 3)
-        paint = sampleRoad(along_.dot(place), across_.dot(place) + scene_.left, scene_.left + scene_.right, footprint);
+        paint = sampleRoad(along_.dot(place) + scene_.travelled, across_.dot(place) + scene_.left, scene_.left + scene_.right, footprint);
     else if (!(hit.plane == 1 ? left_ : right_).sample(hit.surface, placeAt(hit.plane, place), footprint, paint))
         return sky;
     const double clear = std::exp(-metres / HAZE);

@@ -33,6 +33,7 @@ struct StreetScene
     double speed;              //!< metres per second, negative in reverse
     double left, right;        //!< metres to the walls, 0: there is none
     double wallDirection;      //!< radians from the optical axis to the direction along the walls
+    double travelled;          //!< metres along the walls from where the street begins: frames of a drive have the same street
     unsigned seed;             //!< of the facades and the noise
     double clutter;            //!< share of slanted lines, 0..1
     double stagger;            //!< metres: each house stands back from its wall by its own amount between 0 and this

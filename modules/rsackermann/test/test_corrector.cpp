@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "opencv2/core/ocl.hpp"
+#include "opencv2/imgproc.hpp"
 #include "test_simulator.hpp"
 
 namespace opencv_test { namespace {
@@ -508,6 +509,54 @@ TEST(RSAckermann_Corrector, frames_without_estimate_between)
     for (int i = 0; i < 3; i++)
         ASSERT_EQ(MOTION_TOO_FEW_SEGMENTS, c.frame(a.rowRange(0, 2)).status);
     EXPECT_NEAR(c.after(first, 4 * INTERVAL, b).alpha, c.frame(b).alpha, 1e-9);
+}
+
+//! A texture of which points can be tracked.
+Mat texturedImage(const Size& size, int seed)
+{
+    RNG rng(seed);
+    Mat noise(size, CV_8U), image;
+    rng.fill(noise, RNG::UNIFORM, 0, 256);
+    GaussianBlur(noise, image, Size(), 2);
+    normalize(image, image, 0, 255, NORM_MINMAX);
+    return image;
+}
+
+// After a cut a frame is as good as alone, whatever was known before.
+TEST(RSAckermann_Corrector, another_scene_is_recognised)
+{
+    CorrectorOfFrames c;
+    const Mat a = noisySegments(c.camera, 0.6, 20, 3), b = noisySegments(c.camera, 0.65, 20.5, 4);
+    Mat dst;
+    for (int i = 0; i < 3; i++)
+        c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst);
+    const AckermannMotion known = c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst);
+    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, known.status) << "an image that stays the same is one of a camera at rest, whatever the segments say";
+    expectSame(c.alone(b), c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 2), b, dst));
+}
+
+TEST(RSAckermann_Corrector, points_arent_tracked_unless_asked_for)
+{
+    CorrectorOfFrames c;
+    c.params.trackPoints = false;
+    c.corrector->setParams(c.params);
+    const Mat a = noisySegments(c.camera, 0.6, 20, 3);
+    Mat dst;
+    for (int i = 0; i < 3; i++)
+        EXPECT_EQ(MOTION_OK, c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst).status) << i;
+}
+
+TEST(RSAckermann_Corrector, next_frame)
+{
+    CorrectorOfFrames c;
+    const Mat a = noisySegments(c.camera, 0.6, 20, 3), image = texturedImage(c.camera.imageSize, 1);
+    Mat dst;
+    // What is the same in the next image is at rest; that is used once.
+    c.corrector->setNextFrame(image, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, c.corrector->correctWithSegments(image, a, dst).status);
+    c.corrector->reset();
+    EXPECT_EQ(MOTION_OK, c.corrector->correctWithSegments(image, a, dst).status);
+    EXPECT_THROW(c.corrector->setNextFrame(Mat(10, 10, CV_8U, Scalar(0)), 1), cv::Exception);
 }
 
 TEST(RSAckermann_Corrector, carrying_pays_in_a_steady_drive)

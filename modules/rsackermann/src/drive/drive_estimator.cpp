@@ -12,6 +12,8 @@ namespace rsackermann {
 
 static const double LONGEST = 1;      // seconds between two frames of which one follows from the other
 static const size_t LEAST_POINTS = 20;
+static const size_t MANY_POINTS = 80;   // if next to none of them was there before, it is another scene
+static const double LEAST_TRACKED = 0.3; // of the points that a frame has
 static const double LEAST_AGREEING = 0.3; // of the points; with fewer of them it is another scene
 
 DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
@@ -40,8 +42,14 @@ void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEst
 void DriveEstimator::reset()
 {
     tracker.reset();
-    state = DriveState(camera, params);
     hasFrame = false;
+    forget();
+}
+
+// It is another scene.
+void DriveEstimator::forget()
+{
+    state = DriveState(camera, params);
     isVague = true;
 }
 
@@ -52,19 +60,27 @@ void DriveEstimator::look(const GrayFrame& frame, const GrayFrame& next, double 
     if (!camera.isRowShutter() || !(camera.secondsPerUnitTime() > 0) || frame.gray.empty())
         return;
     tracker.track(frame.gray, frame.scale, pairs);
-    addSights(camera, pairs, passed, sights);
+    addPairs(passed);
     const double ahead = next.seconds - frame.seconds;
     if (next.gray.empty() || ahead == 0 || !(std::abs(ahead) < LONGEST))
         return;
     tracker.trackNext(next.gray, pairs);
-    addSights(camera, pairs, -ahead, sights);
+    addPairs(-ahead);
+}
+
+// Between frames of different scenes some points find something that looks like them.
+void DriveEstimator::addPairs(double seconds)
+{
+    if (pairs.size() >= LEAST_TRACKED * tracker.pointCount())
+        addSights(camera, pairs, seconds, sights);
 }
 
 bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
                               Mat& labels)
 {
     const double passed = frame.seconds - time;
-    if (!hasFrame || passed == 0 || !(std::abs(passed) < LONGEST))
+    const bool follows = hasFrame && passed != 0 && std::abs(passed) < LONGEST;
+    if (!follows)
         reset();
     else
         state.predict(std::abs(passed));
@@ -75,15 +91,18 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
     state.measure(DRIVE_SPEED, prior.speed, prior.speedSigma);
     state.measure(DRIVE_DIRECTION, prior.wallDirection, prior.wallDirectionSigma);
     if (sights.size() < LEAST_POINTS)
+    {
+        if (follows && tracker.pointCount() > MANY_POINTS)
+            forget();
         return false;
+    }
 
     std::vector<UprightSegment> verticals, others;
     selectCandidates(segments, camera, params, verticals, others);
     const DriveFit fit = fitDrive(camera, sights, verticals, state, isVague);
     if (fit.agreeing < LEAST_AGREEING)
     {
-        state = DriveState(camera, params);
-        isVague = true;
+        forget();
         return false;
     }
     state = fit.state;
@@ -96,20 +115,40 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
     return true;
 }
 
+// Points aren't spread as pixels are: what they say is the share of the displacement that is left.
+Model DriveEstimator::expect(const DriveFit& fit, AckermannMotion& motion) const
+{
+    const double unit = camera.secondsPerUnitTime();
+    Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+    const DriveVector& value = fit.state.value;
+    const Model model = toModel(value, unit, &byValues);
+    const double G = value[DRIVE_SPEED] * unit * value[DRIVE_ROAD];
+    Matx<double, 1, DRIVE_VALUES> roadByValues;
+    roadByValues(0, DRIVE_SPEED) = unit * value[DRIVE_ROAD];
+    roadByValues(0, DRIVE_ROAD) = unit * value[DRIVE_SPEED];
+    const DisplacementField field(camera);
+    DisplacementField::Values displacement;
+    DisplacementField::Variances variances;
+    field.displacement(model, G, displacement);
+    field.variance(model, G, (roadByValues * fit.state.covariance * roadByValues.t())(0), byValues * fit.state.covariance * byValues.t(), variances);
+    motion.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
+    const double unknown = DisplacementField::meanDistance(displacement, displacement, variances);
+    motion.expectedLeft = std::hypot(unknown, motion.expectedRaw * fit.left);
+    return model;
+}
+
 void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior, AckermannMotion& motion,
                             Mat& labels) const
 {
     motion.candidates = int(verticals.size());
-    motion.expectedRaw = fit.expectedRaw;
-    motion.expectedLeft = std::min(fit.expectedLeft, fit.expectedRaw);
-    if (!fit.moves || !(fit.expectedLeft < fit.expectedRaw))
+    const Model model = expect(fit, motion);
+    if (!fit.moves || !(motion.expectedLeft < motion.expectedRaw))
     {
         motion.expectedLeft = motion.expectedRaw;
         return;
     }
     motion.status = MOTION_OK;
     fit.state.toMotion(camera.secondsPerUnitTime(), motion);
-    const Model model = toModel(fit.state.value, camera.secondsPerUnitTime(), 0);
     motion.model = DisplacementField(camera).mainMotion(model, motion.roadSlope);
     const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, LEAN};
     labelInliers(verticals, model, camera.heading, agreement, motion, labels);

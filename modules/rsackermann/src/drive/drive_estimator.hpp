@@ -58,7 +58,10 @@ private:
     std::vector<PointPair> pairs;
     std::vector<Sight> sights;
 
+    void addPairs(double seconds);
+    void forget();
     void look(const GrayFrame& frame, const GrayFrame& next, double passed);
+    Model expect(const DriveFit& fit, AckermannMotion& motion) const;
     void report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
 };
 

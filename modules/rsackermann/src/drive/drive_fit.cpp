@@ -179,7 +179,7 @@ void expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveF
 {
     const double agrees = 4 * POINT_SIGMA;
     size_t count = 0;
-    fit.expectedRaw = fit.expectedLeft = 0;
+    double displacement = 0, missed = 0;
     for (size_t i = 0; i < problem.sights.size(); i++)
     {
         const Sight& s = problem.sights[i];
@@ -187,12 +187,11 @@ void expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveF
         if (!(left < agrees))
             continue;
         count++;
-        fit.expectedRaw += FlowResidual::shutterPart(s) * focal * norm(s.now - s.other);
-        fit.expectedLeft += FlowResidual::shutterPart(s) * left;
+        displacement += FlowResidual::shutterPart(s) * focal * norm(s.now - s.other);
+        missed += FlowResidual::shutterPart(s) * left;
     }
     fit.agreeing = problem.sights.empty() ? 0 : double(count) / problem.sights.size();
-    fit.expectedRaw /= std::max<size_t>(count, 1);
-    fit.expectedLeft /= std::max<size_t>(count, 1);
+    fit.left = displacement > 0 ? missed / displacement : 1;
     // A motion has to explain more than its unknowns would by chance.
     const int unknowns = 6;
     Unknowns still = u;

@@ -18,10 +18,10 @@ struct DriveFit
 {
     DriveState state;   //!< prediction and frame together
     bool moves;         //!< whether the points tell the motion from a camera at rest
-    double expectedRaw, expectedLeft; //!< mean displacement in pixels of the points that agree, in the raw image and in the corrected one
+    double left;        //!< by which part of their displacement in the raw image the points that agree miss the motion
     double agreeing;    //!< share of the points that agree with the motion
 
-    explicit DriveFit(const DriveState& prediction) : state(prediction), moves(false), expectedRaw(0), expectedLeft(0), agreeing(0) {}
+    explicit DriveFit(const DriveState& prediction) : state(prediction), moves(false), left(1), agreeing(0) {}
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to the verticals of the present one, together

@@ -33,6 +33,9 @@ public:
     //! The same for the image after the one that track() had last.
     void trackNext(const Mat& gray, std::vector<PointPair>& pairs);
 
+    //! Number of points that the last image has.
+    size_t pointCount() const { return points.size(); }
+
     //! The next image belongs to another sequence.
     void reset();
 

@@ -1,0 +1,171 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "experiment.hpp"
+#include "options.hpp"
+#include "street_renderer.hpp"
+
+#include "opencv2/imgcodecs.hpp"
+#include <cstdio>
+
+using namespace cv::rsackermann;
+using namespace experiments;
+using namespace rsackermann_samples;
+
+namespace {
+
+const char* const ABOUT =
+    "Renders a drive of ten seconds (straight, a bend to and fro, a stop, a wall that ends, roll of the suspension) and measures what the\n"
+    "correction leaves, frame by frame alone and as a drive, against the true correspondence; and how much the correction flickers.\n"
+    "usage: rsackermann_experiment_rendered_drive [--option=value]...\n";
+
+const char* const KEYS =
+    "{help       |        | print this message}"
+    "{frames     | 300    | number of frames, 30 a second}"
+    "{seed       | 1      | of the street}"
+    "{stagger    | 1.5    | metres by which houses stand back}"
+    "{roll       | 0.5    | amplitude of the suspension's roll, which isn't told, degrees}"
+    "{save       |        | folder for the images}"
+    "{quiet      |        | print the summary only}"
+    "{threads    |        | number of threads}";
+
+const double DEGREE = CV_PI / 180, FRAMES_PER_SECOND = 30;
+
+// The car in a straight street.
+struct Car
+{
+    double travelled, sideways, yaw; // metres along and to the right, radians to the right
+    double speed, yawRate;
+
+    Car() : travelled(0), sideways(0), yaw(0), speed(0), yawRate(0) {}
+
+    void drive(double seconds, double duration)
+    {
+        const int steps = 20;
+        for (int i = 0; i < steps; i++)
+        {
+            travelled += speed * std::cos(yaw) * duration / steps;
+            sideways += speed * std::sin(yaw) * duration / steps;
+            yaw += yawRate * duration / steps;
+        }
+        // 12 m/s, a stop at 7.2 s, and on.
+        speed = seconds < 6 ? 12 : seconds < 7.2 ? 10 * (7.2 - seconds) : seconds < 8.2 ? 0 : 4 * (seconds - 8.2);
+        // To the right and back.
+        yawRate = seconds > 2.5 && seconds < 6.5 ? 10 * DEGREE * std::sin((seconds - 2.5) * CV_PI / 2) : 0;
+    }
+};
+
+struct Series
+{
+    std::vector<double> raw, left, change; // pixels
+    std::vector<cv::Point2d> before;       // error of the correction of the frame before
+};
+
+// Adds what maps leave at the points of a grid.
+void measure(const street::StreetRenderer& renderer, const cv::Mat maps[2], Series& series)
+{
+    const int step = 20;
+    double raw = 0, left = 0, change = 0;
+    int count = 0;
+    std::vector<cv::Point2d> errors;
+    for (int y = step / 2; y < maps[0].rows; y += step)
+        for (int x = step / 2; x < maps[0].cols; x += step)
+        {
+            const cv::Point2d p(x, y), q(maps[0].at<float>(y, x), maps[1].at<float>(y, x));
+            cv::Point2d truth;
+            const bool isSeen = renderer.toRolling(p, truth);
+            errors.push_back(isSeen ? q - truth : cv::Point2d());
+            if (!isSeen)
+                continue;
+            raw += cv::norm(p - truth);
+            left += cv::norm(errors.back());
+            if (!series.before.empty())
+                change += (errors.back() - series.before[errors.size() - 1]).dot(errors.back() - series.before[errors.size() - 1]);
+            count++;
+        }
+    series.raw.push_back(raw / std::max(count, 1));
+    series.left.push_back(left / std::max(count, 1));
+    if (!series.before.empty())
+        series.change.push_back(std::sqrt(change / std::max(count, 1)));
+    series.before = errors;
+}
+
+void summarise(const char* name, const Series& s)
+{
+    double flicker = 0;
+    for (double c : s.change)
+        flicker += c * c / s.change.size();
+    std::printf("%-8s raw %.3f left mean %.3f median %.3f p99 %.3f largest %.3f flicker %.3f px\n", name, mean(s.raw), mean(s.left), quantile(s.left, 0.5),
+                quantile(s.left, 0.99), quantile(s.left, 1), std::sqrt(flicker));
+}
+
+int run(int argc, const char* const* argv)
+{
+    Options options(argc, argv, KEYS);
+    if (options.given("help"))
+    {
+        options.printHelp(ABOUT);
+        return 0;
+    }
+    if (options.given("threads"))
+        cv::setNumThreads(options.integer("threads", 1, 1024));
+    street::StreetCamera eye(cv::Size(640, 380), 620, 0.025 / 380, 1.3);
+    street::StreetScene scene;
+    scene.seed = unsigned(options.integer("seed", 0, INT_MAX));
+    scene.stagger = options.number("stagger", 0, 10);
+    scene.clutter = 0.2;
+    const double roll = options.number("roll", 0, 10) * DEGREE;
+    const int frames = options.integer("frames", 2, 300);
+    const bool quiet = options.flag("quiet");
+
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(eye.size, eye.fx);
+    camera.lineDelay = eye.lineDelay;
+    camera.height = eye.height;
+    RollingShutterCorrector::Params params;
+    const cv::Ptr<RollingShutterCorrector> alone = RollingShutterCorrector::create(camera, params);
+    params.carryMotion = true;
+    const cv::Ptr<RollingShutterCorrector> carried = RollingShutterCorrector::create(camera, params);
+    Series series[2];
+    Car car;
+    for (int i = 0; i < frames; i++)
+    {
+        const double seconds = i / FRAMES_PER_SECOND;
+        car.drive(seconds, 1 / FRAMES_PER_SECOND);
+        eye.roll = roll * std::sin(2 * seconds) * std::cos(0.7 * seconds);
+        scene.speed = car.speed;
+        scene.yawRate = car.yawRate;
+        scene.travelled = car.travelled;
+        scene.wallDirection = -car.yaw;
+        scene.left = seconds > 1 && seconds < 2 ? 0 : 6 + car.sideways;
+        scene.right = 11 - car.sideways;
+        const street::StreetRenderer renderer(eye, scene);
+        const cv::Mat image = renderer.rollingShutter(2);
+        if (options.given("save"))
+            cv::imwrite(options.text("save") + cv::format("/%03d.jpg", i), image);
+        cv::Mat corrected, maps[2][2];
+        carried->setTimestamp(seconds);
+        for (int k = 0; k < 2; k++)
+        {
+            const AckermannMotion motion = (k == 0 ? alone : carried)->correct(image, corrected);
+            (k == 0 ? alone : carried)->getMaps(maps[k][0], maps[k][1]);
+            measure(renderer, maps[k], series[k]);
+            double yawRate = 0;
+            motion.yawRate(camera, yawRate);
+            if (!quiet)
+                std::printf("%3d %s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n", i, k == 0 ? "alone  " : "carried",
+                            car.speed, car.yawRate / DEGREE, yawRate / DEGREE, motion.status, series[k].raw.back(), series[k].left.back(), motion.expectedRaw,
+                            motion.expectedLeft);
+        }
+    }
+    summarise("alone", series[0]);
+    summarise("carried", series[1]);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return runProgram(run, argc, argv);
+}
