@@ -8,8 +8,8 @@
 
 namespace opencv_test { namespace {
 
-//! Facades of windows to both sides of a road, as a moving camera with a rolling shutter sees them.
-Mat streetImage(const RollingShutterCamera& camera, const AckermannMotion& motion)
+//! Facades of windows to both sides of a road, as a moving camera with a rolling shutter sees them after some metres.
+Mat streetImage(const RollingShutterCamera& camera, const AckermannMotion& motion, double travelled = 0)
 {
     const Size size = camera.imageSize;
     const double f = camera.cameraMatrix(0, 0), cx = camera.cameraMatrix(0, 2), cy = camera.cameraMatrix(1, 2);
@@ -22,7 +22,7 @@ Mat streetImage(const RollingShutterCamera& camera, const AckermannMotion& motio
                 Point corners[4];
                 for (int i = 0; i < 4; i++)
                 {
-                    const double depth = z - (i == 1 || i == 2 ? 1 : 0);
+                    const double depth = z - travelled - (i == 1 || i == 2 ? 1 : 0);
                     corners[i] = Point(cvRound(16 * (cx + f * x / depth)), cvRound(16 * (cy + f * (y + (i > 1 ? 1.8 : 0)) / depth)));
                 }
                 fillConvexPoly(global, corners, 4, Scalar(60, 70, 80), LINE_AA, 4);
@@ -53,6 +53,33 @@ PERF_TEST_P(Corrector, correct, testing::Combine(testing::Values(szVGA, sz720p, 
     Mat dst(src.size(), src.type());
     declare.in(src).out(dst);
     TEST_CYCLE() corrector->correct(src, dst);
+    SANITY_CHECK_NOTHING();
+}
+
+// The frames of a drive, whose points are tracked.
+typedef TestBaseWithParam<Size> Drive;
+
+PERF_TEST_P(Drive, carried, testing::Values(szVGA, sz720p, sz1080p))
+{
+    const double seconds = 1 / 30., speed = 15;
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(GetParam());
+    camera.lineDelay = 0.4 * seconds / camera.imageSize.height;
+    camera.height = 1.2;
+    const AckermannMotion motion = AckermannMotion::fromMetric(camera, 0, speed, 2.75, 2.75, 0);
+    const Mat frames[] = {streetImage(camera, motion), streetImage(camera, motion, speed * seconds)};
+    RollingShutterCorrector::Params params;
+    params.carryMotion = true;
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+    Mat dst(frames[0].size(), frames[0].type());
+    declare.in(frames[0], frames[1]).out(dst);
+    int i = 0;
+    TEST_CYCLE()
+    {
+        // To and fro: time may run backward.
+        corrector->setTimestamp(i * seconds);
+        corrector->correct(frames[i], dst);
+        i = 1 - i;
+    }
     SANITY_CHECK_NOTHING();
 }
 
