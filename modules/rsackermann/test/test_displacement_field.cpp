@@ -79,7 +79,7 @@ TEST(RSAckermann_DisplacementField, variance_is_that_of_small_changes)
     {
         const RollingShutterCamera camera = makeCamera(c);
         const DisplacementField field(camera);
-        const AckermannMotion motion = smallMotion(camera, 3);
+        const AckermannMotion motion = AckermannMotion::fromMetric(camera, -0.3, 20, 2.5, 3, camera.heading + 0.1);
         const Model model = modelOf(motion);
         Matx<double, PARAMETERS, PARAMETERS> root, covariance;
         for (int i = 0; i < 4; i++)

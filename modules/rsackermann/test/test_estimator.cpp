@@ -215,6 +215,38 @@ TEST_P(RSAckermann_EstimatorPassage, noisy_segments)
     EXPECT_LT(median(leftByChoice), 0.25 * Params().threshold + median(best));
 }
 
+// The residual of a segment is a distance of columns, where these are wider or narrower than rows as well.
+TEST(RSAckermann_Estimator, rms_is_in_columns)
+{
+    const double ratios[] = {0.8, 1, 1.25};
+    for (int k = 0; k < 3; k++)
+    {
+        Passage passage = twoWalls;
+        passage.pixelRatio = ratios[k];
+        const Simulator truth = passage.simulator();
+        const Segments segments = makeSegments(truth, 80, 1, 0.2, 3);
+        Mat labels;
+        const AckermannMotion m = estimate(truth, segments.ends, labels);
+        ASSERT_EQ(MOTION_OK, m.status);
+        const Simulator found = Simulator::fromMotion(truth.camera, m);
+        double sum = 0;
+        int inliers = 0;
+        for (int i = 0; i < 80; i++)
+        {
+            const int label = labels.at<uchar>(i);
+            if (label != SEGMENT_LEFT_WALL && label != SEGMENT_RIGHT_WALL)
+                continue;
+            const double r = found.residual(segments.at(i), label == SEGMENT_LEFT_WALL ? simulation::LEFT : simulation::RIGHT);
+            EXPECT_LT(std::abs(r), Params().threshold) << ratios[k];
+            sum += r * r;
+            inliers++;
+        }
+        EXPECT_EQ(inliers, m.inliers);
+        EXPECT_GE(inliers, 60);
+        EXPECT_NEAR(std::sqrt(sum / inliers), m.rms, 1e-3 * m.rms) << ratios[k];
+    }
+}
+
 class RSAckermann_EstimatorInliers : public testing::TestWithParam<int /* percent */> {};
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorInliers, testing::Values(100, 90, 80, 70, 60, 50, 40, 30));
 
