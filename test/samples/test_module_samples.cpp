@@ -38,4 +38,17 @@ TEST(ModuleSamples, correct_frame_without_image)
     EXPECT_EQ(1, runProgram(CORRECT_FRAME_PROGRAM, {"/no/such/image.png"}).exitCode);
 }
 
+TEST(ModuleSamples, minimal_solvers)
+{
+    const TemporaryFolder folder;
+    const std::string raw = streetFolder() + "/rolling.png";
+    const Outcome outcome = runProgram(MINIMAL_SOLVERS_PROGRAM, {raw, folder / "corrected.png", "--focal=816"});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const cv::Mat before = cv::imread(raw), corrected = cv::imread(folder / "corrected.png"), truth = cv::imread(streetFolder() + "/global.png");
+    ASSERT_EQ(truth.size(), corrected.size());
+    EXPECT_LT(differenceInside(truth, corrected), 0.8 * differenceInside(truth, before)) << outcome.output;
+    EXPECT_EQ(2, runProgram(MINIMAL_SOLVERS_PROGRAM, {}).exitCode);
+    EXPECT_EQ(1, runProgram(MINIMAL_SOLVERS_PROGRAM, {"/no/such/image.png"}).exitCode);
+}
+
 }} // namespace
