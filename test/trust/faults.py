@@ -86,6 +86,15 @@ def require_equal(out, reference, lines):
     require(report_of(out) == lines, 'the report differs from that of an undisturbed run')
 
 
+def wait_for_work(processes, out):
+    """Until something new is in the folder or a program has ended."""
+    def names():
+        return {path.name for folder in RESULTS for path in (out / folder).glob('*')}
+    before = names()
+    while names() == before and all(process.poll() is None for process in processes):
+        time.sleep(0.0005)
+
+
 def killed(correct, inputs, out, reference, lines, moments, rng):
     quiet = {'stdout': subprocess.DEVNULL, 'stderr': subprocess.DEVNULL}
     shards = [command(correct, inputs, out, '--shard=%d/2' % i, '--skip_existing') for i in (1, 2)]
@@ -94,13 +103,15 @@ def killed(correct, inputs, out, reference, lines, moments, rng):
         process.wait()
     duration = time.monotonic() - begin
     require_equal(out, reference, lines)
-    kills = rounds = 0
+    kills = within = rounds = 0
     while kills < moments:
         shutil.rmtree(out)
         finished = False
         while not finished:
             processes = [subprocess.Popen(shard, **quiet) for shard in shards]
             if kills < moments:
+                if rng.random() < 0.9: # the others are killed while they start
+                    wait_for_work(processes, out)
                 for process in processes:
                     time.sleep(rng.uniform(0, duration / 4))
                     if process.poll() is None:
@@ -109,10 +120,12 @@ def killed(correct, inputs, out, reference, lines, moments, rng):
             codes = [process.wait() for process in processes]
             finished = all(code >= 0 for code in codes)
             require_part_of(out, reference, lines)
+            within += 0 < len(files_of(out, hidden=False)) < len(reference)
         require(sorted(codes) == [0, 1], 'exit codes %s' % codes)
         require_equal(out, reference, lines)
         rounds += 1
-    return '%d kills in %d batches' % (kills, rounds)
+    require(within > 0, 'no kill has met a batch at work')
+    return '%d kills in %d batches, %d times with a part of the results there' % (kills, rounds, within)
 
 
 @contextlib.contextmanager
