@@ -47,6 +47,9 @@ const char* const KEYS =
     "{right      | 3       | metres to the right wall, 0: there is none}"
     "{wall_direction |     | degrees from the optical axis to the direction along the walls (default: the heading)}"
     "{clutter    | 0       | share of slanted lines in the rendered street, 0..1}"
+    "{stagger    | 0       | metres: each rendered house stands back from its wall by its own amount between 0 and this}"
+    "{obstacles  | 0       | parked cars, posts and leaning trees on 100 m of each side of the rendered street; cars park only if the camera "
+    "passes the wall at 2.8 m or more}"
     "{noise      | 1       | of the rendered image, grey levels}"
     "{samples    | 3       | rays across and down a pixel}"
     "{seed       | 0       | of the rendered street}"
@@ -96,6 +99,8 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
     scene.right = options.number("right", 0, 1000);
     scene.wallDirection = (options.given("wall_direction") ? options.number("wall_direction", -180, 180) : settings.heading) * DEGREE;
     scene.clutter = options.number("clutter", 0, 1);
+    scene.stagger = options.number("stagger", 0, 10);
+    scene.obstacles = options.number("obstacles", 0, 100);
     scene.noise = options.number("noise", 0, 100);
     scene.seed = unsigned(options.integer("seed", 0, 1 << 30));
     return truth;
@@ -131,7 +136,7 @@ int run(int argc, const char* const* argv)
     if (!options.given("output"))
         throw UsageError("--output is missing");
     if (options.given("image"))
-        for (const char* name : {"size", "clutter", "noise", "samples", "seed"})
+        for (const char* name : {"size", "clutter", "stagger", "obstacles", "noise", "samples", "seed"})
             if (options.given(name))
                 throw UsageError(std::string("--") + name + " is for rendered streets, not for --image");
     if (options.given("threads"))

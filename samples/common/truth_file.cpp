@@ -25,6 +25,9 @@ std::string truthText(const Truth& truth)
     json["left_wall_m"] = s.left;
     json["right_wall_m"] = s.right;
     json["wall_direction_deg"] = s.wallDirection / DEGREE;
+    json["stagger_m"] = s.stagger;
+    json["obstacles_per_100_m"] = s.obstacles;
+    json["seed"] = s.seed;
     json["height_m"] = c.height;
     json["width"] = c.size.width;
     json["height"] = c.size.height;
@@ -58,6 +61,9 @@ try
     s.left = json.at("left_wall_m");
     s.right = json.at("right_wall_m");
     s.wallDirection = json.at("wall_direction_deg").get<double>() * DEGREE;
+    s.stagger = json.at("stagger_m");
+    s.obstacles = json.at("obstacles_per_100_m");
+    s.seed = json.at("seed");
     c.fx = json.at("fx");
     c.fy = json.at("fy");
     c.cx = json.at("cx");

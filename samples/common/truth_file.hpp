@@ -16,7 +16,7 @@ struct Truth
     street::StreetScene scene;
 };
 
-//! The truth as JSON, with angles in degrees and the speed in km/h; lens, motion and walls suffice to make the true map.
+//! The truth as JSON, with angles in degrees and the speed in km/h; it suffices to make the true map.
 std::string truthText(const Truth& truth);
 //! Reads what truthText() has written from a file; throws InputError.
 Truth readTruth(const std::string& path);

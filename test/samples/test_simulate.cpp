@@ -24,10 +24,12 @@ TEST(Simulate, refuses_what_it_does_not_know)
     const TemporaryFolder folder;
     const std::string output = "--output=" + (folder / "out");
     for (const char* option : {"--sped=3", "--speed=fast", "--size=640", "--size=0x3", "--left=-1", "--lens=1,2", "--lens=1,2,x,4", "--clutter=2",
-                               "--samples=0", "--scan=x", "--line_delay=1e-5,", "street.png"})
+                               "--stagger=-1", "--obstacles=101", "--samples=0", "--scan=x", "--line_delay=1e-5,", "street.png"})
         EXPECT_EQ(2, simulate({output, option}).exitCode) << option;
     EXPECT_EQ(2, simulate({}).exitCode);
     EXPECT_EQ(2, simulate({output, "--image=" + streetFolder() + "/global.png", "--clutter=1"}).exitCode);
+    EXPECT_EQ(2, simulate({output, "--image=" + streetFolder() + "/global.png", "--stagger=1"}).exitCode);
+    EXPECT_EQ(2, simulate({output, "--image=" + streetFolder() + "/global.png", "--obstacles=1"}).exitCode);
     EXPECT_EQ(1, simulate({output, "--image=/no/such.png"}).exitCode);
     EXPECT_TRUE(namesIn(folder.path()).empty());
     EXPECT_EQ(0, simulate({"--help"}).exitCode);
@@ -83,6 +85,34 @@ TEST(Simulate, camera_that_looks_to_the_right_at_one_wall)
     // There is neither a line at infinity in the image nor a second wall.
     for (const char* row : {"line at infinity", "wall distances"})
         EXPECT_EQ(std::string::npos, evaluated.output.find(row)) << evaluated.output;
+}
+
+TEST(Simulate, truth_knows_staggered_houses_and_obstacles)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = simulate({"--output=" + folder.path(), "--stagger=1.5", "--obstacles=40", "--seed=7", "--left=5", "--right=6",
+                                      "--noise=0", "--size=128x76", "--focal=160"});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const nlohmann::json json = nlohmann::json::parse(contentOf(folder / "truth.json"));
+    EXPECT_EQ(1.5, json["stagger_m"]);
+    EXPECT_EQ(40, json["obstacles_per_100_m"]);
+    EXPECT_EQ(7, json["seed"]);
+
+    // The truth that is read makes the same image, and each of these values matters.
+    rsackermann_samples::Truth truth = rsackermann_samples::readTruth(folder / "truth.json");
+    truth.scene.noise = 0;
+    const cv::Mat rolling = cv::imread(folder / "rolling.png");
+    const auto isSame = [&](const street::StreetScene& scene) {
+        return cv::norm(rolling, street::StreetRenderer(truth.camera, scene).rollingShutter(), cv::NORM_INF) <= 1; // a grey level of rounding
+    };
+    EXPECT_TRUE(isSame(truth.scene));
+    street::StreetScene inLine = truth.scene, empty = truth.scene, other = truth.scene;
+    inLine.stagger = 0;
+    empty.obstacles = 0;
+    other.seed++;
+    EXPECT_FALSE(isSame(inLine));
+    EXPECT_FALSE(isSame(empty));
+    EXPECT_FALSE(isSame(other));
 }
 
 TEST(Simulate, distorts_a_given_image)
