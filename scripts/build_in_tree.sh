@@ -22,7 +22,7 @@ options=(
     -DCMAKE_BUILD_TYPE=Release
     -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DENABLE_CCACHE=OFF
     "-DOPENCV_EXTRA_MODULES_PATH=$source/contrib/modules;$checkout/modules"
-    -DBUILD_LIST=ximgproc,calib3d,geometry,video,imgcodecs,videoio,highgui,ts,python3,rsackermann
+    "-DBUILD_LIST=ximgproc,calib3d,geometry,video,imgcodecs,videoio,highgui,ts,python3,rsackermann"
     -DBUILD_TESTS=ON -DOPENCV_BUILD_TEST_MODULES_LIST=rsackermann
     -DBUILD_PERF_TESTS=ON -DOPENCV_BUILD_PERF_TEST_MODULES_LIST=rsackermann
     -DBUILD_EXAMPLES=OFF -DBUILD_opencv_apps=OFF -DBUILD_JAVA=OFF

@@ -25,7 +25,9 @@ case $version in
 esac
 system=$cache/debian-$from
 logs=$cache/logs-$version
-make_chroot "$system" $release "$logs/debootstrap.log" $([ $from = $release ] || echo $from)
+others=()
+[ $from = $release ] || others=("$from")
+make_chroot "$system" $release "$logs/debootstrap.log" "${others[@]}"
 if [ $from != $release ]; then
     printf 'Package: src:opencv\nPin: release a=%s\nPin-Priority: 990\n' $from >"$system/etc/apt/preferences.d/opencv"
 fi

@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154 # root and cache are those of common.sh
 # Bare Debian systems to build and test in: sourced after common.sh, not run. Needs root.
 #
 # They are kept in the cache; the system that the scripts run on gets no package but debootstrap.

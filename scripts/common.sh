@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2034 # what is set here is used where this is sourced
 # Parts that the scripts share: sourced, not run.
 
 set -euo pipefail

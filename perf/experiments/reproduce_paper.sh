@@ -18,7 +18,7 @@ here=$(cd "$(dirname "$0")" && pwd)/paper
 build=$1
 output=$2
 shift 2
-photos= options=() made_with=()
+photos="" options=() made_with=()
 speeds="20 60 100 140"
 for argument in "$@"; do
     case $argument in

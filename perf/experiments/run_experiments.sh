@@ -11,8 +11,10 @@ while [ $# -gt 0 ] && [ "$1" != -- ]; do
     arguments+=("$1")
     shift
 done
-[ ${#arguments[@]} -ge 1 ] && [ ${#arguments[@]} -le 2 ] ||
-    { echo "usage: $0 BUILD_DIRECTORY [PHOTO_FOLDER] [-- OPTION...]" >&2; exit 2; }
+if [ ${#arguments[@]} -lt 1 ] || [ ${#arguments[@]} -gt 2 ]; then
+    echo "usage: $0 BUILD_DIRECTORY [PHOTO_FOLDER] [-- OPTION...]" >&2
+    exit 2
+fi
 program=${arguments[0]}/perf/experiments/rsackermann_experiment_streets
 photos=${arguments[1]:-}
 common=("${@:2}")

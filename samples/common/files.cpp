@@ -83,7 +83,7 @@ cv::Mat readSegments(const std::string& path)
     std::string line;
     for (int number = 1; std::getline(file, line); number++)
     {
-        line = line.substr(0, line.find('#'));
+        line.resize(std::min(line.find('#'), line.size()));
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream stream(line);
         const std::vector<std::string> fields((std::istream_iterator<std::string>(stream)), std::istream_iterator<std::string>());

@@ -286,9 +286,9 @@ private:
     const AckermannEstimator::Params& params;
     const UsualDrive& usual;
     MotionMixture mixture;
-    SlantNoise noise;  // of the best fit
-    double dependence; // by which the verticals say less than their number
-    double ownNoise;   // of the best fit
+    SlantNoise noise = SlantNoise(); // of the best fit
+    double dependence = 1;           // by which the verticals say less than their number
+    double ownNoise = 0;             // of the best fit
 };
 
 } // namespace

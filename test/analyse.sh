@@ -1,0 +1,34 @@
+#!/bin/bash
+# Static analysis: shellcheck of all scripts, cppcheck of the library and the programs, and clang-tidy with --tidy.
+# Prints what they find and fails if there is anything.
+# usage: analyse.sh [--tidy=BUILD_DIRECTORY]
+#   --tidy   also clang-tidy (some minutes), with the compile_commands.json of a build with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+
+. "$(dirname "$0")/../scripts/common.sh"
+tidy=
+case ${1:-} in
+    --tidy=*) tidy=$(realpath "${1#*=}") ;;
+    "") ;;
+    *) die "unknown argument $1" ;;
+esac
+logs=${TMPDIR:-/tmp}
+packages=(shellcheck cppcheck)
+[ -z "$tidy" ] || packages+=(clang-tidy)
+install_packages "$logs/rsackermann-apt-install.log" "${packages[@]}"
+cd "$root"
+mapfile -t scripts < <(git ls-files '*.sh' .ci/run)
+mapfile -t sources < <(git ls-files 'modules/rsackermann/src/*.cpp' 'samples/*.cpp')
+
+step "shellcheck, ${#scripts[@]} scripts"
+shellcheck "${scripts[@]}"
+
+step "cppcheck, ${#sources[@]} sources"
+cppcheck --quiet --std=c++14 --language=c++ --enable=warning,portability --inline-suppr --library=opencv2 --suppress=unknownMacro \
+    --suppressions-list=test/cppcheck_suppressions.txt --error-exitcode=1 --template='{file}:{line}: {id}: {message}' \
+    -I modules/rsackermann/include -I modules/rsackermann/src -I samples/common "${sources[@]}"
+
+if [ -n "$tidy" ]; then
+    step "clang-tidy, ${#sources[@]} sources"
+    printf '%s\0' "${sources[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p "$tidy"
+fi
+echo "nothing found"
