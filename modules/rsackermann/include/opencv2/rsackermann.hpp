@@ -11,6 +11,7 @@
 #include "opencv2/rsackermann/estimator.hpp"
 #include "opencv2/rsackermann/warp.hpp"
 #include "opencv2/rsackermann/corrector.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
 #include "opencv2/rsackermann/draw.hpp"
 
 /** @defgroup rsackermann Rolling shutter compensation for cars from a single image
@@ -25,7 +26,8 @@ The way from a raw image to a corrected one:
 -   find the motion with cv::rsackermann::AckermannEstimator,
 -   make the maps with cv::rsackermann::WarpMapGenerator and call cv::remap,
 
-or let cv::rsackermann::RollingShutterCorrector do all of it in one call.
+or let cv::rsackermann::RollingShutterCorrector do all of it in one call. cv::rsackermann::MountCalibrator finds from a drive how the camera is
+mounted.
 
 Conventions of the whole module:
 -   The camera frame has x to the right, y down and z forward. Pixel centres are at integer coordinates.

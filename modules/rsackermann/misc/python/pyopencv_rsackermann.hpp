@@ -4,6 +4,7 @@
 
 #ifdef HAVE_OPENCV_RSACKERMANN
 typedef cv::rsackermann::AckermannEstimator::Params AckermannEstimator_Params;
+typedef cv::rsackermann::MountCalibrator::Params MountCalibrator_Params;
 typedef cv::rsackermann::WarpMapGenerator::Params WarpMapGenerator_Params;
 typedef cv::rsackermann::RollingShutterCorrector::Params RollingShutterCorrector_Params;
 #endif

@@ -3,31 +3,20 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../estimator/residuals/vertical_residual.hpp"
 #include "drive_fit.hpp"
+#include "drive_terms.hpp"
 #include <Eigen/Cholesky>
 
 namespace cv {
 namespace rsackermann {
 
-// doc/theory.md, "Drive", has the reasons.
-static const double POINT_SIGMA = 1.5;      // pixels by which points of the scene miss its planes
-static const double POINT_DEPENDENCE = 5;   // neighbouring points err together
-static const double END_SIGMA = 0.5;        // pixels, of a vertical's slant in the image
-static const double SLANT_SCALE = 2;        // of the robust loss, in sigmas
-static const double SLANT_DEPENDENCE = 5;   // verticals of one facade err together
-static const double TURN_SIGMA = 0.5 * CV_PI / 180; // of pitch and roll from frame to frame
-static const int ITERATIONS = 6;            // at each scale
+static const int ITERATIONS = 6; // at each scale
 
 namespace {
 
 typedef Eigen::Matrix<double, FLOW_VALUES, 1> Unknowns;
 typedef Eigen::Matrix<double, FLOW_VALUES, FLOW_VALUES> Information;
 typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
-
-// Cauchy's loss of a squared residual, and its weight.
-double loss(double squared, double scale) { return scale * scale * std::log1p(squared / (scale * scale)); }
-double weightOf(double squared, double scale) { return 1 / (1 + squared / (scale * scale)); }
 
 class DriveProblem
 {
@@ -57,7 +46,7 @@ public:
         for (size_t i = 0; i < sights.size(); i++)
         {
             const Point2d r = residual.evaluate(sights[i], u.data(), 0);
-            sum += loss(r.dot(r) / (POINT_SIGMA * POINT_SIGMA), scale);
+            sum += cauchyLoss(r.dot(r) / (POINT_SIGMA * POINT_SIGMA), scale);
         }
         return sum / POINT_DEPENDENCE;
     }
@@ -114,22 +103,11 @@ private:
             const Point2d r = residual.evaluate(sights[i], u.data(), jacobian);
             if (!(r.dot(r) < 1e6))
                 continue;
-            const double variance = POINT_SIGMA * POINT_SIGMA, weight = weightOf(r.dot(r) / variance, scale) / variance / POINT_DEPENDENCE;
+            const double variance = POINT_SIGMA * POINT_SIGMA, weight = cauchyWeight(r.dot(r) / variance, scale) / variance / POINT_DEPENDENCE;
             const Eigen::Map<const FlowGradient> J(jacobian[0]);
             information.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
             gradient += weight * (J * Eigen::Vector2d(r.x, r.y));
         }
-    }
-
-    // Slant of a vertical that the motion should have made upright, in sigmas.
-    double slant(const UprightSegment& c, const PreparedModel& model, double* jacobian) const
-    {
-        int wall;
-        const double length = norm(c.u - c.v), sigma = std::hypot(LEAN * length, END_SIGMA / focal);
-        const double r = verticalResidual(c, model, wall, jacobian);
-        for (int i = 0; i < PARAMETERS && jacobian; i++)
-            jacobian[i] /= sigma;
-        return r / sigma;
     }
 
     double slantCost(const Unknowns& u) const
@@ -138,8 +116,8 @@ private:
         double sum = 0;
         for (size_t i = 0; i < verticals.size(); i++)
         {
-            const double r = slant(verticals[i], model, 0);
-            sum += loss(r * r, SLANT_SCALE);
+            const double r = slantInSigmas(verticals[i], model, focal, 0);
+            sum += cauchyLoss(r * r, SLANT_SCALE);
         }
         return sum / SLANT_DEPENDENCE;
     }
@@ -153,7 +131,7 @@ private:
         Vec<double, PARAMETERS> products, jacobian;
         for (size_t i = 0; i < verticals.size(); i++)
         {
-            const double r = slant(verticals[i], model, jacobian.val), weight = weightOf(r * r, SLANT_SCALE) / SLANT_DEPENDENCE;
+            const double r = slantInSigmas(verticals[i], model, focal, jacobian.val), weight = cauchyWeight(r * r, SLANT_SCALE) / SLANT_DEPENDENCE;
             squares += weight * (jacobian * jacobian.t());
             products += weight * r * jacobian;
         }

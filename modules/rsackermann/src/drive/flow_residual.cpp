@@ -38,6 +38,10 @@ FlowResidual::FlowResidual(const RollingShutterCamera& camera)
 {
 }
 
+FlowResidual::FlowResidual(double heading_, double unit_, double focal_) : heading(heading_), unit(unit_), focal(focal_)
+{
+}
+
 Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobian)[FLOW_VALUES]) const
 {
     const double alpha = u[DRIVE_YAW_RATE] * unit / 2, length = u[DRIVE_SPEED] * unit;

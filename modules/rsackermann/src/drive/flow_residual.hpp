@@ -42,6 +42,8 @@ class FlowResidual
 {
 public:
     explicit FlowResidual(const RollingShutterCamera& camera);
+    //! @param unit seconds per unit of row time.
+    FlowResidual(double heading, double unit, double focal);
 
     /** @param values FLOW_VALUES of them.
     @param jacobian receives, unless it is null, the derivatives of x and then those of y.

@@ -1,0 +1,91 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_DRIVE_CALIBRATION_FRAME_HPP
+#define OPENCV_RSACKERMANN_SRC_DRIVE_CALIBRATION_FRAME_HPP
+
+#include "../estimator/residuals/prepared_model.hpp"
+#include "drive_fit.hpp"
+#include <Eigen/Core>
+
+namespace cv {
+namespace rsackermann {
+
+//! What all frames of a drive share: corrections of the camera.
+enum MountValue
+{
+    MOUNT_ROLL,    //!< radians
+    MOUNT_PITCH,   //!< radians
+    MOUNT_HEADING, //!< radians
+    MOUNT_DELAY,   //!< logarithm of the line delay over the camera's one, as the turning of the car shows it
+    MOUNT_PASSING, //!< the same as the passing of the scene shows it, which depends on how plane the scene is
+    MOUNT_VALUES
+};
+
+typedef Eigen::Matrix<double, MOUNT_VALUES, 1> MountVector;
+typedef Eigen::Matrix<double, MOUNT_VALUES, MOUNT_VALUES> MountMatrix;
+// The first of FlowResidual's values, without the turns to a frame after. Those that other frames have to do with are the last ones: roll, pitch and the
+// turns about both axes since the frame before.
+enum { FRAME_VALUES = FLOW_ROLL_BEFORE + 1, SCENE_VALUES = DRIVE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
+typedef Eigen::Matrix<double, FRAME_VALUES, 1> FrameVector;
+
+//! How a frame is seen and what it says.
+struct CalibrationFrame
+{
+    double time, interval; //!< seconds; since the frame before
+    std::vector<Sight> sights;
+    std::vector<UprightSegment> verticals;
+    FrameVector value; //!< unknowns of the frame, with the whole corrections of roll and pitch
+    double expected[SCENE_VALUES], sigma[SCENE_VALUES]; //!< what was known of the first of them
+};
+
+//! Values of the mount on which the residuals of a frame depend: the last ones. Roll and pitch are in the frame's own tilt.
+enum { SHARED_VALUES = MOUNT_VALUES - MOUNT_HEADING };
+
+/** Normal equations of a frame for its linked values and the shared ones, after the motion and the scene are eliminated: change is solved
+from information * change = -gradient. */
+struct FrameEquations
+{
+    enum { ROLL, PITCH, PITCH_TURN, ROLL_TURN, VALUES = LINKED_VALUES + SHARED_VALUES };
+    typedef Eigen::Matrix<double, VALUES, 1> Vector;
+
+    Eigen::Matrix<double, VALUES, VALUES> information;
+    Vector gradient;
+    Eigen::Matrix<double, SCENE_VALUES, VALUES> sceneByOthers; //!< the change of motion and scene is -(scene + sceneByOthers * change)
+    Eigen::Matrix<double, SCENE_VALUES, 1> scene;
+
+    Eigen::Matrix<double, SCENE_VALUES, 1> sceneChange(const Vector& change) const { return -(scene + sceneByOthers * change); }
+};
+
+/** What a frame says of its own values and of the camera (doc/theory.md, "Self-calibration"). */
+class FrameProblem
+{
+public:
+    //! @param pointSigma, slantSigma of the residuals, over the usual ones.
+    FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale, double pointSigma, double slantSigma);
+
+    double cost(const CalibrationFrame& frame) const;
+    FrameEquations equations(const CalibrationFrame& frame) const;
+
+    //! Adds the absolute residuals of the points in pixels and of the verticals in sigmas.
+    void addResiduals(const CalibrationFrame& frame, std::vector<double>& points, std::vector<double>& slants) const;
+
+private:
+    enum { COLUMNS = FRAME_VALUES + SHARED_VALUES };
+    typedef Eigen::Matrix<double, COLUMNS, COLUMNS> Information;
+    typedef Eigen::Matrix<double, COLUMNS, 1> Gradient;
+
+    void addPoints(const CalibrationFrame& frame, Information& information, Gradient& gradient) const;
+    void addVerticals(const CalibrationFrame& frame, Information& information, Gradient& gradient) const;
+    PreparedModel modelOf(const CalibrationFrame& frame) const;
+
+    double heading, unit, givenUnit, focal; // unit: as the passing of the scene shows it
+    double turning; // the unit as the turning shows it, over that
+    FlowResidual residual, turned, slower; // of this heading and line delay, and of slightly larger ones
+    double pointLoss, pointVariance, slantWeight;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_DRIVE_CALIBRATION_FRAME_HPP

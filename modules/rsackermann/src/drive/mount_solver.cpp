@@ -1,0 +1,331 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "mount_solver.hpp"
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+
+namespace cv {
+namespace rsackermann {
+
+static const int ITERATIONS = 8;           // at each scale
+static const double SAME_TURN = 0.02 * CV_PI / 180; // by which the change of a tilt differs from the turn between two frames
+static const double SAME_DELAY = 0.03;     // relative; what a scene that isn't plane makes of the line delay
+static const double HEADING_SIGMA = 0.01 * CV_PI / 180; // tilts turn the direction from which it counts, and cars slip
+static const double SLOW = 0.3;            // Hz; what frames err together is slower, or faster and without effect on the mean
+static const int LEAST_WAVES = 4;
+static const double ASSUMED_FRAMES = 3;    // as many count as the weights say
+static const double LEAST_SIGMA = 0.15;    // of residuals, over the usual ones
+
+namespace {
+
+typedef Eigen::Matrix<double, Eigen::Dynamic, 1> Vector;
+typedef Eigen::Matrix<double, Eigen::Dynamic, MOUNT_VALUES> ByMount;
+typedef Eigen::SparseMatrix<double> Sparse;
+
+// A residual in sigmas that is linear in a few unknowns: linked values of frames, and the mount.
+struct LinearTerm
+{
+    double value;
+    int count, unknown[4]; // those below 0 are ~MountValue
+    double slope[4];
+
+    explicit LinearTerm(double v) : value(v), count(0) {}
+    void by(int which, double s)
+    {
+        unknown[count] = which;
+        slope[count++] = s;
+    }
+};
+
+class MountProblem
+{
+public:
+    MountProblem(const RollingShutterCamera& camera_, std::vector<CalibrationFrame>& frames_, const MountVector& sigma_, const Suspension& suspension_)
+        : camera(camera_), frames(frames_), sigma(sigma_), suspension(suspension_), mount(MountVector::Zero()), pointSigma(1), slantSigma(1)
+    {
+    }
+
+    void refine(double scale)
+    {
+        double least = cost(scale);
+        for (int i = 0; i < ITERATIONS && step(scale, least); i++)
+            ;
+    }
+
+    // How much points and verticals of this drive really err.
+    void learnSigmas()
+    {
+        const FrameProblem problem(camera, mount, 1, 1, 1);
+        std::vector<double> points, slants;
+        for (size_t k = 0; k < frames.size(); k++)
+            problem.addResiduals(frames[k], points, slants);
+        // A Rayleigh distribution's median is 1.18 sigma, that of a normal distribution's absolute value 0.67.
+        pointSigma = relativeSigma(points, 1.18 * 1.5);
+        slantSigma = relativeSigma(slants, 0.67);
+    }
+
+    MountFit result()
+    {
+        linearize(1);
+        MountFit fit;
+        fit.value = mount;
+        const MountMatrix inverse = reduced.inverse();
+        fit.covariance = inverse * (scatter() + prior()) * inverse;
+        fit.covariance(MOUNT_HEADING, MOUNT_HEADING) += HEADING_SIGMA * HEADING_SIGMA;
+        fit.turningSigma = std::sqrt(MountMatrix((reduced - sameDelay()).inverse())(MOUNT_DELAY, MOUNT_DELAY));
+        return fit;
+    }
+
+private:
+    static double relativeSigma(std::vector<double>& residuals, double medianOfUsual)
+    {
+        if (residuals.empty())
+            return 1;
+        std::nth_element(residuals.begin(), residuals.begin() + residuals.size() / 2, residuals.end());
+        return std::min(std::max(residuals[residuals.size() / 2] / medianOfUsual, LEAST_SIGMA), 1.);
+    }
+
+    MountMatrix prior() const
+    {
+        MountMatrix information = sigma.cwiseProduct(sigma).cwiseInverse().asDiagonal();
+        return information + sameDelay();
+    }
+
+    // It is one line delay that turning and passing show.
+    static MountMatrix sameDelay()
+    {
+        MountVector difference = MountVector::Zero();
+        difference[MOUNT_DELAY] = 1 / SAME_DELAY;
+        difference[MOUNT_PASSING] = -1 / SAME_DELAY;
+        return difference * difference.transpose();
+    }
+
+    static int unknownOf(size_t frame, int linked) { return int(frame) * LINKED_VALUES + linked; }
+
+    // What connects a frame with the one before and with the mount.
+    void termsOf(size_t k, std::vector<LinearTerm>& terms) const
+    {
+        static const int tilts[] = {FrameEquations::ROLL, FrameEquations::PITCH}, turns[] = {FrameEquations::ROLL_TURN, FrameEquations::PITCH_TURN};
+        static const int mounts[] = {MOUNT_ROLL, MOUNT_PITCH};
+        terms.clear();
+        const FrameVector& now = frames[k].value;
+        const double passed = k > 0 ? frames[k].time - frames[k - 1].time : DBL_MAX;
+        const double kept = passed < 0 ? 0 : std::exp(-passed / suspension.memory);
+        const bool follows = std::abs(passed - frames[k].interval) < 1e-6;
+        for (int i = 0; i < 2; i++)
+        {
+            const double m = mount[mounts[i]], a = now[SCENE_VALUES + tilts[i]], b = k > 0 ? frames[k - 1].value[SCENE_VALUES + tilts[i]] : m;
+            const double inverse = 1 / (suspension.sigma * std::sqrt(1 - kept * kept));
+            LinearTerm tilt(inverse * (a - m - kept * (b - m)));
+            tilt.by(unknownOf(k, tilts[i]), inverse);
+            if (k > 0)
+                tilt.by(unknownOf(k - 1, tilts[i]), -kept * inverse);
+            tilt.by(~mounts[i], (kept - 1) * inverse);
+            terms.push_back(tilt);
+            if (!follows)
+                continue;
+            LinearTerm turn((a - b - now[SCENE_VALUES + turns[i]]) / SAME_TURN);
+            turn.by(unknownOf(k, tilts[i]), 1 / SAME_TURN);
+            turn.by(unknownOf(k - 1, tilts[i]), -1 / SAME_TURN);
+            turn.by(unknownOf(k, turns[i]), -1 / SAME_TURN);
+            terms.push_back(turn);
+        }
+    }
+
+    double cost(double scale) const
+    {
+        const FrameProblem problem(camera, mount, scale, pointSigma, slantSigma);
+        double sum = mount.dot(prior() * mount);
+        std::vector<LinearTerm> terms;
+        for (size_t k = 0; k < frames.size(); k++)
+        {
+            sum += problem.cost(frames[k]);
+            termsOf(k, terms);
+            for (size_t i = 0; i < terms.size(); i++)
+                sum += terms[i].value * terms[i].value;
+        }
+        return sum;
+    }
+
+    // Normal equations, with the values of the frames eliminated.
+    void linearize(double scale)
+    {
+        const int unknowns = unknownOf(frames.size(), 0);
+        const FrameProblem problem(camera, mount, scale, pointSigma, slantSigma);
+        std::vector<Eigen::Triplet<double> > entries;
+        Vector gradient = Vector::Zero(unknowns);
+        ByMount mixed = ByMount::Zero(unknowns, int(MOUNT_VALUES));
+        MountMatrix information = prior();
+        mountGradient = prior() * mount;
+        equations.resize(frames.size());
+        std::vector<LinearTerm> terms;
+        for (size_t k = 0; k < frames.size(); k++)
+        {
+            FrameEquations& e = equations[k];
+            e = problem.equations(frames[k]);
+            const int at = unknownOf(k, 0);
+            for (int i = 0; i < LINKED_VALUES; i++)
+                for (int j = 0; j < LINKED_VALUES; j++)
+                    entries.push_back(Eigen::Triplet<double>(at + i, at + j, e.information(i, j)));
+            gradient.segment<LINKED_VALUES>(at) += e.gradient.head<LINKED_VALUES>();
+            mixed.block<LINKED_VALUES, SHARED_VALUES>(at, MOUNT_HEADING) += e.information.topRightCorner<LINKED_VALUES, SHARED_VALUES>();
+            information.bottomRightCorner<SHARED_VALUES, SHARED_VALUES>() += e.information.bottomRightCorner<SHARED_VALUES, SHARED_VALUES>();
+            mountGradient.tail<SHARED_VALUES>() += e.gradient.tail<SHARED_VALUES>();
+            termsOf(k, terms);
+            for (size_t t = 0; t < terms.size(); t++)
+                add(terms[t], entries, gradient, mixed, information);
+        }
+        Sparse locals(unknowns, unknowns);
+        locals.setFromTriplets(entries.begin(), entries.end());
+        const Eigen::SimplicialLDLT<Sparse> solver(locals);
+        localByMount = solver.solve(mixed);
+        local = solver.solve(gradient);
+        reduced = information - mixed.transpose() * localByMount;
+        mountGradient -= mixed.transpose() * local;
+    }
+
+    void add(const LinearTerm& term, std::vector<Eigen::Triplet<double> >& entries, Vector& gradient, ByMount& mixed, MountMatrix& information)
+    {
+        for (int i = 0; i < term.count; i++)
+        {
+            const int a = term.unknown[i];
+            if (a < 0)
+                mountGradient[~a] += term.slope[i] * term.value;
+            else
+                gradient[a] += term.slope[i] * term.value;
+            for (int j = 0; j < term.count; j++)
+            {
+                const int b = term.unknown[j];
+                const double product = term.slope[i] * term.slope[j];
+                if (a >= 0 && b >= 0)
+                    entries.push_back(Eigen::Triplet<double>(a, b, product));
+                else if (a >= 0)
+                    mixed(a, ~b) += product;
+                else if (b < 0)
+                    information(~a, ~b) += product;
+            }
+        }
+    }
+
+    // Returns whether there is more to be gained.
+    bool step(double scale, double& least)
+    {
+        const double enough = 1e-4 * double(frames.size());
+        const int halvings = 5;
+        linearize(scale);
+        const MountVector change = -reduced.ldlt().solve(mountGradient), before = mount;
+        const Vector localChange = -local - localByMount * change;
+        std::vector<FrameVector> values, changes;
+        for (size_t k = 0; k < frames.size(); k++)
+        {
+            FrameEquations::Vector others;
+            others << localChange.segment<LINKED_VALUES>(unknownOf(k, 0)), change.tail<SHARED_VALUES>();
+            FrameVector v;
+            v << equations[k].sceneChange(others), others.head<LINKED_VALUES>();
+            changes.push_back(v);
+            values.push_back(frames[k].value);
+        }
+        double size = 1;
+        for (int half = 0; half < halvings; half++, size *= 0.5)
+        {
+            mount = before + size * change;
+            for (size_t k = 0; k < frames.size(); k++)
+            {
+                frames[k].value = values[k] + size * changes[k];
+                for (int i = DRIVE_LEFT; i <= DRIVE_ROAD; i++)
+                    frames[k].value[i] = std::max(frames[k].value[i], 0.);
+            }
+            const double after = cost(scale);
+            if (!(after < least))
+                continue;
+            const bool isMore = least - after > enough;
+            least = after;
+            return isMore;
+        }
+        mount = before;
+        for (size_t k = 0; k < frames.size(); k++)
+            frames[k].value = values[k];
+        return false;
+    }
+
+    // What each frame adds to the gradient of the mount, if the values of the frames follow.
+    std::vector<MountVector> pulls() const
+    {
+        std::vector<MountVector> result;
+        std::vector<LinearTerm> terms;
+        for (size_t k = 0; k < frames.size(); k++)
+        {
+            const FrameEquations& e = equations[k];
+            MountVector pull = -localByMount.middleRows<LINKED_VALUES>(unknownOf(k, 0)).transpose() * e.gradient.head<LINKED_VALUES>();
+            pull.tail<SHARED_VALUES>() += e.gradient.tail<SHARED_VALUES>();
+            termsOf(k, terms);
+            for (size_t t = 0; t < terms.size(); t++)
+                for (int i = 0; i < terms[t].count; i++)
+                {
+                    const int a = terms[t].unknown[i];
+                    const double along = terms[t].slope[i] * terms[t].value;
+                    if (a < 0)
+                        pull[~a] += along;
+                    else
+                        pull -= along * localByMount.row(a).transpose();
+                }
+            result.push_back(pull);
+        }
+        return result;
+    }
+
+    /* Covariance of the sum of all pulls as they really scatter, whatever connects them: that of their slowest oscillations, the cosines of half a period
+    and more over the drive. What the weights say joins it as some more frames would. */
+    MountMatrix scatter() const
+    {
+        const std::vector<MountVector> pull = pulls();
+        const size_t n = pull.size();
+        double seconds = 0;
+        for (size_t k = 0; k < n; k++)
+            seconds += frames[k].interval;
+        const int waves = std::max(LEAST_WAVES, int(seconds * 2 * SLOW));
+        MountMatrix sum = MountMatrix::Zero();
+        for (int j = 1; j <= waves; j++)
+        {
+            MountVector wave = MountVector::Zero();
+            for (size_t k = 0; k < n; k++)
+                wave += std::cos(CV_PI * j * (double(k) + 0.5) / double(n)) * pull[k];
+            sum += 2 * wave * wave.transpose();
+        }
+        // So few of them leave the variance itself uncertain: that of Student's t distribution.
+        sum /= waves - 2;
+        const double more = ASSUMED_FRAMES / (double(n) + ASSUMED_FRAMES);
+        return (1 - more) * sum + more * (reduced - prior());
+    }
+
+    const RollingShutterCamera& camera;
+    std::vector<CalibrationFrame>& frames;
+    const MountVector sigma;
+    const Suspension suspension;
+    MountVector mount;
+    double pointSigma, slantSigma;
+
+    // of the last linearization
+    std::vector<FrameEquations> equations;
+    MountMatrix reduced;
+    MountVector mountGradient;
+    ByMount localByMount;
+    Vector local;
+};
+
+} // namespace
+
+MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma, const Suspension& suspension)
+{
+    MountProblem problem(camera, frames, sigma, suspension);
+    problem.refine(3);
+    problem.refine(1);
+    problem.learnSigmas();
+    problem.refine(2);
+    return problem.result();
+}
+
+}} // namespace cv::rsackermann

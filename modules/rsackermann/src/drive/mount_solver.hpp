@@ -1,0 +1,35 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_DRIVE_MOUNT_SOLVER_HPP
+#define OPENCV_RSACKERMANN_SRC_DRIVE_MOUNT_SOLVER_HPP
+
+#include "calibration_frame.hpp"
+
+namespace cv {
+namespace rsackermann {
+
+//! How suspension and road tilt a car.
+struct Suspension
+{
+    double sigma;  //!< radians
+    double memory; //!< seconds
+};
+
+//! What the frames say of the mount.
+struct MountFit
+{
+    MountVector value;
+    MountMatrix covariance;
+    double turningSigma; //!< standard deviation of MOUNT_DELAY without what the passing of the scene says of it
+};
+
+/** Explains all frames of a drive by one mount and one line delay (doc/theory.md, "Self-calibration").
+@param frames in the order of their times; the result of each is left in its value.
+@param sigma of the mount's values before; they are 0 within it. */
+MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma, const Suspension& suspension);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_DRIVE_MOUNT_SOLVER_HPP

@@ -1,0 +1,271 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_drive_simulator.hpp"
+
+namespace opencv_test { namespace {
+
+using simulation::StreetDrive;
+
+const double ROLL = 1.2 * degree, PITCH = -0.8 * degree, HEADING = 1.5 * degree; // of the true mount
+
+//! What is known before: an upright camera that looks ahead, and a line delay.
+RollingShutterCamera guess(int scan = SCAN_TOP_TO_BOTTOM)
+{
+    RollingShutterCamera camera(Size(960, 540), Matx33d(700, 0, 470, 0, 720, 280, 0, 0, 1));
+    camera.scanDirection = scan;
+    camera.lineDelay = 0.025 / 540;
+    camera.height = 1.4;
+    return camera;
+}
+
+RollingShutterCamera mounted(double delayRatio, int scan = SCAN_TOP_TO_BOTTOM)
+{
+    RollingShutterCamera camera = guess(scan);
+    camera.heading = HEADING;
+    camera.lineDelay *= delayRatio;
+    return camera;
+}
+
+MotionPrior logOf(const StreetDrive::Frame& frame, RNG& rng)
+{
+    MotionPrior prior;
+    prior.yawRateSigma = 0.5 * degree;
+    prior.yawRate = frame.yawRate + rng.gaussian(prior.yawRateSigma);
+    prior.speedSigma = 0.3;
+    prior.speed = frame.speed + rng.gaussian(prior.speedSigma);
+    return prior;
+}
+
+//! Adds frames of a drive; @return how many are used.
+int drive(MountCalibrator& calibrator, StreetDrive street, int frames, bool isLogged, int seed = 0)
+{
+    RNG rng(seed);
+    int used = 0;
+    for (int i = 0; i < frames; i++)
+    {
+        const StreetDrive::Frame f = street.frame(i / 30., 1 / 30.);
+        used += calibrator.addPoints(f.points, f.segments, f.seconds, isLogged ? logOf(f, rng) : MotionPrior());
+    }
+    return used;
+}
+
+typedef testing::TestWithParam<int> CalibrationScans;
+
+TEST_P(CalibrationScans, mount_and_line_delay_are_found)
+{
+    const bool logged[] = {true, false};
+    const double rollGoals[] = {0.05, 0.15}, pitchGoal = 0.1, headingGoals[] = {0.2, 0.3}, delayGoal = 0.03;
+    for (int l = 0; l < 2; l++)
+    {
+        std::vector<double> roll, pitch, heading, delay;
+        for (int i = 0; i < 3; i++)
+        {
+            const RollingShutterCamera truth = mounted(i % 2 ? 1.3 : 0.7, GetParam());
+            const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess(GetParam()));
+            EXPECT_GT(drive(*calibrator, StreetDrive(truth, ROLL, PITCH, StreetDrive::Options(), i), 300, logged[l]), 250);
+            const MountCalibration c = calibrator->calibrate();
+            EXPECT_TRUE(c.rollObserved && c.pitchObserved && c.headingObserved && c.lineDelayObserved) << i;
+            roll.push_back(std::abs(c.roll - ROLL) / degree);
+            pitch.push_back(std::abs(c.pitch - PITCH) / degree);
+            heading.push_back(std::abs(c.heading - HEADING) / degree);
+            delay.push_back(std::abs(c.lineDelay / truth.lineDelay - 1));
+        }
+        EXPECT_LT(median(roll), rollGoals[l]) << (logged[l] ? "log" : "no log");
+        EXPECT_LT(median(pitch), pitchGoal) << (logged[l] ? "log" : "no log");
+        EXPECT_LT(median(heading), headingGoals[l]) << (logged[l] ? "log" : "no log");
+        EXPECT_LT(median(delay), delayGoal) << (logged[l] ? "log" : "no log");
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann_Calibration, CalibrationScans, testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
+
+TEST(RSAckermann_Calibration, sigmas_cover_the_errors)
+{
+    int within = 0, count = 0;
+    for (int i = 0; i < 20; i++)
+    {
+        const RollingShutterCamera truth = mounted(i % 2 ? 1.2 : 0.8);
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+        StreetDrive::Options options;
+        options.points = 100;
+        options.segments = 25;
+        drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, 100 + i), 90, true, i);
+        const MountCalibration c = calibrator->calibrate();
+        const double errors[] = {c.roll - ROLL, c.pitch - PITCH, c.heading - HEADING, c.lineDelay - truth.lineDelay};
+        const double sigmas[] = {c.rollSigma, c.pitchSigma, c.headingSigma, c.lineDelaySigma};
+        for (int k = 0; k < 4; k++, count++)
+            within += std::abs(errors[k]) <= 2 * sigmas[k];
+    }
+    EXPECT_GE(within, 0.9 * count);
+}
+
+TEST(RSAckermann_Calibration, straight_drive_does_not_tell_the_line_delay)
+{
+    StreetDrive::Options options;
+    options.yawRate = 0;
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+    drive(*calibrator, StreetDrive(mounted(0.7), ROLL, PITCH, options, 1), 150, true);
+    const MountCalibration c = calibrator->calibrate();
+    EXPECT_FALSE(c.lineDelayObserved);
+    EXPECT_EQ(guess().lineDelay, c.lineDelay);
+    EXPECT_NEAR(0.3 * c.lineDelay, c.lineDelaySigma, 1e-9);
+    EXPECT_TRUE(c.rollObserved && c.pitchObserved && c.headingObserved);
+    EXPECT_NEAR(ROLL, c.roll, 0.15 * degree);
+    EXPECT_NEAR(HEADING, c.heading, 0.2 * degree);
+}
+
+TEST(RSAckermann_Calibration, unknown_line_delay)
+{
+    RollingShutterCamera camera = guess();
+    camera.lineDelay = 0;
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+    EXPECT_EQ(0, calibrator->calibrate().lineDelay);
+    const RollingShutterCamera truth = mounted(0.9);
+    drive(*calibrator, StreetDrive(truth, ROLL, PITCH, StreetDrive::Options(), 2), 200, true);
+    const MountCalibration c = calibrator->calibrate();
+    EXPECT_TRUE(c.lineDelayObserved);
+    EXPECT_NEAR(truth.lineDelay, c.lineDelay, 0.05 * truth.lineDelay);
+    EXPECT_EQ(c.lineDelay, c.camera.lineDelay);
+}
+
+TEST(RSAckermann_Calibration, frames_are_kept_evenly)
+{
+    MountCalibrator::Params params;
+    params.maxFrames = 100;
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess(), params);
+    StreetDrive::Options options;
+    options.points = 80;
+    options.segments = 25;
+    EXPECT_GT(drive(*calibrator, StreetDrive(mounted(1), ROLL, PITCH, options, 3), 300, true), 250);
+    const MountCalibration c = calibrator->calibrate();
+    EXPECT_LE(c.frames, 100);
+    EXPECT_GE(c.frames, 60);
+    EXPECT_NEAR(ROLL, c.roll, 0.2 * degree);
+    EXPECT_NEAR(HEADING, c.heading, 0.2 * degree);
+}
+
+TEST(RSAckermann_Calibration, nothing_moves)
+{
+    const RollingShutterCamera camera = exampleCamera();
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+    RNG rng(4);
+    for (int i = 0; i < 5; i++)
+    {
+        Mat points(200, 4, CV_64F);
+        for (int k = 0; k < points.rows; k++)
+        {
+            const Vec4d p(rng.uniform(0., 640.), rng.uniform(0., 382.), 0, 0);
+            *points.ptr<Vec4d>(k) = Vec4d(p[0], p[1], p[0] + rng.gaussian(0.2), p[1] + rng.gaussian(0.2));
+        }
+        EXPECT_FALSE(calibrator->addPoints(points, noArray(), i / 30.));
+    }
+    const MountCalibration c = calibrator->calibrate();
+    EXPECT_EQ(0, c.frames);
+    EXPECT_FALSE(c.rollObserved || c.pitchObserved || c.headingObserved || c.lineDelayObserved);
+    EXPECT_LT(cv::norm(camera.uprightRotation - c.camera.uprightRotation), 1e-9);
+    EXPECT_NEAR(0.1, c.roll, 1e-9);
+    EXPECT_NEAR(-0.2, c.pitch, 1e-9);
+    EXPECT_NEAR(camera.heading, c.heading, 1e-12);
+    EXPECT_EQ(camera.lineDelay, c.lineDelay);
+}
+
+TEST(RSAckermann_Calibration, only_frames_that_follow_are_used)
+{
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+    StreetDrive street(mounted(1), ROLL, PITCH, StreetDrive::Options(), 5);
+    const StreetDrive::Frame f = street.frame(0, 1 / 30.);
+    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 10));             // the first one
+    EXPECT_TRUE(calibrator->addPoints(f.points, f.segments, 10 + 1 / 30.));
+    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 20));             // after a gap
+    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 19));             // of another drive
+    EXPECT_FALSE(calibrator->addPoints(noArray(), f.segments, 19 + 1 / 30.)); // nothing tracked
+    EXPECT_EQ(1, calibrator->calibrate().frames);
+    calibrator->clear();
+    EXPECT_EQ(0, calibrator->calibrate().frames);
+    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 10 + 2 / 30.));
+}
+
+TEST(RSAckermann_Calibration, horizon_is_at_infinity)
+{
+    MountCalibration c;
+    c.camera = guess();
+    c.camera.setRollPitch(ROLL, PITCH);
+    const Vec3d horizon = c.horizon();
+    const simulation::Simulator simulator(c.camera, simulation::Drive(), simulation::Street());
+    for (double azimuth = -0.5; azimuth < 0.6; azimuth += 0.25)
+    {
+        Point2d pixel;
+        ASSERT_TRUE(simulator.pixelOf(Vec3d(std::sin(azimuth), 0, std::cos(azimuth)), pixel));
+        EXPECT_NEAR(0, horizon.dot(Vec3d(pixel.x, pixel.y, 1)), 1e-9);
+        ASSERT_TRUE(simulator.pixelOf(Vec3d(std::sin(azimuth), 0.1, std::cos(azimuth)), pixel));
+        EXPECT_GT(horizon.dot(Vec3d(pixel.x, pixel.y, 1)), 10);
+    }
+}
+
+TEST(RSAckermann_Calibration, bad_arguments)
+{
+    RollingShutterCamera columns = guess();
+    columns.scanDirection = SCAN_LEFT_TO_RIGHT;
+    EXPECT_THROW(MountCalibrator::create(columns), cv::Exception);
+    EXPECT_THROW(MountCalibrator::create(RollingShutterCamera()), cv::Exception);
+    double MountCalibrator::Params::*const fields[] = {&MountCalibrator::Params::tiltSigma, &MountCalibrator::Params::headingSigma,
+                                                       &MountCalibrator::Params::lineDelaySigma, &MountCalibrator::Params::suspensionSigma,
+                                                       &MountCalibrator::Params::suspensionTime};
+    const double bad[] = {0, -1, NaN, infinity};
+    for (size_t f = 0; f < 5; f++)
+        for (size_t v = 0; v < 4; v++)
+        {
+            MountCalibrator::Params params;
+            params.*fields[f] = bad[v];
+            EXPECT_THROW(MountCalibrator::create(guess(), params), cv::Exception) << f << " " << bad[v];
+        }
+    MountCalibrator::Params params;
+    params.maxFrames = 99;
+    EXPECT_THROW(MountCalibrator::create(guess(), params), cv::Exception);
+    params = MountCalibrator::Params();
+    params.estimator.minLength = -1;
+    EXPECT_THROW(MountCalibrator::create(guess(), params), cv::Exception);
+
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+    const Mat points(5, 4, CV_64F, Scalar(10)), image(540, 960, CV_8U, Scalar(0));
+    EXPECT_THROW(calibrator->addPoints(Mat(5, 3, CV_64F), noArray(), 0), cv::Exception);
+    EXPECT_THROW(calibrator->addPoints(points, Mat(5, 4, CV_8U), 0), cv::Exception);
+    EXPECT_THROW(calibrator->addPoints(points, noArray(), NaN), cv::Exception);
+    EXPECT_THROW(calibrator->addFrame(image, infinity), cv::Exception);
+    EXPECT_THROW(calibrator->addFrame(Mat(540, 959, CV_8U), 0), cv::Exception);
+    MotionPrior prior;
+    prior.speedSigma = -1;
+    EXPECT_THROW(calibrator->addPoints(points, noArray(), 0, prior), cv::Exception);
+    EXPECT_FALSE(calibrator->addFrame(image, 0));
+}
+
+TEST(RSAckermann_Calibration, is_stored_and_loaded)
+{
+    MountCalibrator::Params params;
+    params.estimator.minLength = 40;
+    params.maxFrames = 333;
+    params.tiltSigma = 0.01;
+    params.headingSigma = 0.02;
+    params.lineDelaySigma = 0.1;
+    params.suspensionSigma = 0.003;
+    params.suspensionTime = 2;
+    const std::string path = cv::tempfile(".yml");
+    MountCalibrator::create(exampleCamera(), params)->save(path);
+    const Ptr<MountCalibrator> loaded = MountCalibrator::load(path);
+    remove(path.c_str());
+    expectSame(exampleCamera(), loaded->getCamera());
+    const MountCalibrator::Params got = loaded->getParams();
+    EXPECT_EQ(params.getEstimatorParams().minLength, got.getEstimatorParams().minLength);
+    EXPECT_EQ(params.maxFrames, got.maxFrames);
+    EXPECT_EQ(params.tiltSigma, got.tiltSigma);
+    EXPECT_EQ(params.headingSigma, got.headingSigma);
+    EXPECT_EQ(params.lineDelaySigma, got.lineDelaySigma);
+    EXPECT_EQ(params.suspensionSigma, got.suspensionSigma);
+    EXPECT_EQ(params.suspensionTime, got.suspensionTime);
+}
+
+}} // namespace

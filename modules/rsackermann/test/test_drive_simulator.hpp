@@ -1,0 +1,134 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_TEST_RSACKERMANN_DRIVE_SIMULATOR_HPP
+#define OPENCV_TEST_RSACKERMANN_DRIVE_SIMULATOR_HPP
+
+#include "test_simulator.hpp"
+
+namespace opencv_test {
+namespace simulation {
+
+//! A sum of oscillations with random phases.
+class Oscillation
+{
+public:
+    //! @param size standard deviation. @param shortest, longest period in seconds.
+    Oscillation(double size, double shortest, double longest, RNG& rng)
+    {
+        for (int i = 0; i < COUNT; i++)
+        {
+            amplitude[i] = size * std::sqrt(2. / COUNT);
+            // One of each part of the range of frequencies.
+            frequency[i] = 2 * CV_PI * (1 / longest + (1 / shortest - 1 / longest) * (i + rng.uniform(0., 1.)) / COUNT);
+            phase[i] = rng.uniform(0., 2 * CV_PI);
+        }
+    }
+
+    double at(double seconds) const
+    {
+        double sum = 0;
+        for (int i = 0; i < COUNT; i++)
+            sum += amplitude[i] * std::sin(frequency[i] * seconds + phase[i]);
+        return sum;
+    }
+
+private:
+    enum { COUNT = 4 };
+    double amplitude[COUNT], frequency[COUNT], phase[COUNT];
+};
+
+//! A drive through streets: bends, other speeds, walls that change, a suspension that tilts the car.
+class StreetDrive
+{
+public:
+    struct Options
+    {
+        Options() : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), points(150), segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1) {}
+        double yawRate;        // rad/s, standard deviation
+        double tilt;           // radians, the same of roll and pitch of the suspension
+        int points, segments;  // of each frame
+        double noise;          // pixels, of a tracked point
+        double endNoise;       // pixels, of the ends of a segment
+        double outliers, clutter; // shares of points and of segments
+    };
+
+    //! What a camera of the car sees and the car measures at a time.
+    struct Frame
+    {
+        double seconds;
+        Mat points, segments;  // N x 4
+        double yawRate, speed; // true ones
+    };
+
+    StreetDrive(const cv::rsackermann::RollingShutterCamera& camera_, double roll_, double pitch_, const Options& options_, int seed)
+        : camera(camera_), roll(roll_), pitch(pitch_), options(options_), rng(seed), yawRate(options.yawRate, 3, 10, rng), speed(2, 4, 20, rng),
+          swayRoll(options.tilt, 0.8, 4, rng), swayPitch(options.tilt, 0.8, 4, rng), left(2, 4, 20, rng), right(2, 4, 20, rng), direction(0.05, 4, 20, rng)
+    {
+    }
+
+    Frame frame(double seconds, double interval)
+    {
+        Frame f;
+        f.seconds = seconds;
+        f.yawRate = yawRate.at(seconds);
+        f.speed = 11 + speed.at(seconds);
+        const Simulator now = simulator(tilted(seconds), f, seconds), before = simulator(tilted(seconds - interval), f, seconds);
+        std::vector<Vec4d> pairs;
+        for (int i = 0; i < options.points; i++)
+        {
+            Vec4d pair;
+            if (randomPoint(now, before, interval, pair))
+                pairs.push_back(pair);
+        }
+        f.points = Mat(int(pairs.size()), 4, CV_64F, pairs.data()).clone();
+        SegmentOptions s;
+        s.count = options.segments;
+        s.noise = options.endNoise;
+        s.inlierRatio = 1 - options.clutter;
+        f.segments = randomSegments(now, s, rng).ends;
+        return f;
+    }
+
+private:
+    cv::rsackermann::RollingShutterCamera tilted(double seconds) const
+    {
+        cv::rsackermann::RollingShutterCamera c = camera;
+        c.setRollPitch(roll + swayRoll.at(seconds), pitch + swayPitch.at(seconds));
+        return c;
+    }
+
+    Simulator simulator(const cv::rsackermann::RollingShutterCamera& c, const Frame& f, double seconds) const
+    {
+        return Simulator::fromMetric(c, f.yawRate, f.speed, 8 + left.at(seconds), 8 + right.at(seconds), camera.heading + direction.at(seconds));
+    }
+
+    bool randomPoint(const Simulator& now, const Simulator& before, double interval, Vec4d& pair)
+    {
+        const double T = interval / now.camera.secondsPerUnitTime();
+        const Point2d pixel(rng.uniform(0., camera.imageSize.width - 1.), rng.uniform(0., camera.imageSize.height - 1.));
+        const double t = now.time(pixel);
+        const Vec3d place = now.drive.position(t), ray = now.drive.turn(now.bearing(pixel), t);
+        const Surface surface = now.street.first(place, ray);
+        Point2d past;
+        if (surface == NOTHING || !before.project(now.drive.toCamera(place + now.street.distance(surface, place, ray) * ray, -T), past))
+            return false;
+        past += Point2d(rng.gaussian(options.noise), rng.gaussian(options.noise));
+        if (rng.uniform(0., 1.) < options.outliers)
+            past += Point2d(rng.uniform(-40., 40.), rng.uniform(-20., 20.));
+        pair = Vec4d(past.x, past.y, pixel.x, pixel.y);
+        return true;
+    }
+
+    const cv::rsackermann::RollingShutterCamera camera;
+    const double roll, pitch;
+    const Options options;
+    RNG rng;
+    const Oscillation yawRate, speed, swayRoll, swayPitch, left, right, direction;
+};
+
+} // namespace simulation
+} // namespace opencv_test
+
+#endif // OPENCV_TEST_RSACKERMANN_DRIVE_SIMULATOR_HPP
