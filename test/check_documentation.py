@@ -3,10 +3,10 @@
 
 - Relative links in the Markdown files lead to files and sections that exist.
 - A code block after <!-- snippet: FILE NAME --> is the part of that file between the lines with [NAME].
-- The README's table of options has the options of rsackermann_correct, in any order.
+- The README's tables of options have the options of the programs, in any order.
 - Sections of doc/theory.md that the code cites exist.
 
-usage: check_documentation.py ROOT RSACKERMANN_CORRECT
+usage: check_documentation.py ROOT PROGRAM...
 """
 
 import os
@@ -67,12 +67,12 @@ def check_snippets(root, path, problems):
 def check_options(readme, program, problems):
     help_text = subprocess.run([program, '--help'], stdout=subprocess.PIPE, universal_newlines=True, check=True).stdout
     known = set(re.findall(r'^\s+--(\w+)', help_text, re.M)) - {'help'}
-    table = re.search(r'<!-- options of rsackermann_correct -->(.*?)\n\n', read(readme), re.S)
+    table = re.search(r'<!-- options of %s -->(.*?)\n\n' % os.path.basename(program), read(readme), re.S)
     described = set(re.findall(r'`--(\w+)', ''.join(row.split('|')[1] for row in re.findall(r'^\|.*$', table.group(1), re.M))))
     for option in sorted(known - described):
-        problems.append('%s: the option --%s isn\'t described' % (readme, option))
+        problems.append('%s: the option --%s of %s isn\'t described' % (readme, option, os.path.basename(program)))
     for option in sorted(described - known):
-        problems.append('%s: there is no option --%s' % (readme, option))
+        problems.append('%s: %s has no option --%s' % (readme, os.path.basename(program), option))
 
 
 def check_citations(root, problems):
@@ -83,7 +83,7 @@ def check_citations(root, problems):
                 problems.append('%s: doc/theory.md has no section "%s"' % (path, section))
 
 
-def main(root, program):
+def main(root, *programs):
     readme = os.path.join(root, 'README.md')
     problems = []
     snippets = 0
@@ -92,7 +92,8 @@ def main(root, program):
         snippets += check_snippets(root, path, problems)
     if snippets == 0:
         problems.append('there are no snippets')
-    check_options(readme, program, problems)
+    for program in programs:
+        check_options(readme, program, problems)
     check_citations(root, problems)
     for problem in problems:
         print(problem)

@@ -42,6 +42,11 @@ void readShutterAndMounting(const NumberSource& number, const TextSource& text, 
     number("camera_height", s.height);
     require(std::abs(s.pitch) < 90, "pitch must be between -90 and 90 degrees");
     require(s.height >= 0, "camera_height must not be negative");
+    number("roll_sigma", s.rollSigma);
+    number("pitch_sigma", s.pitchSigma);
+    number("heading_sigma", s.headingSigma);
+    number("line_delay_sigma", s.lineDelaySigma);
+    require(s.rollSigma >= 0 && s.pitchSigma >= 0 && s.headingSigma >= 0 && s.lineDelaySigma >= 0, "standard deviations must not be negative");
     std::string word;
     if (text("scan", word))
         s.scan = parseWord(word, "scan", SCAN_WORDS);
@@ -288,6 +293,11 @@ std::string cameraText(const CameraSettings& s)
     fs << (s.readOut > 0 ? "readout" : "line_delay") << (s.readOut > 0 ? s.readOut : s.lineDelay);
     fs << "scan" << SCAN_WORDS[s.scan] << "reference" << s.reference;
     fs << "roll" << s.roll << "pitch" << s.pitch << "heading" << s.heading << "camera_height" << s.height;
+    const std::pair<const char*, double> sigmas[] = {{"roll_sigma", s.rollSigma}, {"pitch_sigma", s.pitchSigma}, {"heading_sigma", s.headingSigma},
+                                                     {"line_delay_sigma", s.lineDelaySigma}};
+    for (const std::pair<const char*, double>& sigma : sigmas)
+        if (sigma.second > 0)
+            fs << sigma.first << sigma.second;
     return fs.releaseAndGetString();
 }
 

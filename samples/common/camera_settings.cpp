@@ -27,7 +27,8 @@ const char* const CAMERA_KEYS =
 
 CameraSettings::CameraSettings()
     : calibrated(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0), readOut(0), scan(SCAN_TOP_TO_BOTTOM),
-      reference("middle"), roll(0), pitch(0), heading(0), height(0)
+      reference("middle"), roll(0), pitch(0), heading(0), height(0),
+      rollSigma(0), pitchSigma(0), headingSigma(0), lineDelaySigma(0)
 {
 }
 
@@ -73,6 +74,7 @@ CameraSettings readCameraOptions(const Options& options)
     {
         s.lineDelay = options.given("line_delay") ? options.number("line_delay", 0, 1, false) : 0;
         s.readOut = options.given("readout") ? options.number("readout", 0, 100, false) : 0;
+        s.lineDelaySigma = 0;
     }
     if (options.given("scan"))
         s.scan = options.choice("scan", SCAN_WORDS);
@@ -81,11 +83,20 @@ CameraSettings readCameraOptions(const Options& options)
     if (s.reference != "first" && s.reference != "middle" && s.reference != "last")
         parseNumber(s.reference, "option --reference (first, middle, last or a line's number)");
     if (options.given("roll"))
+    {
         s.roll = options.number("roll", -89, 89);
+        s.rollSigma = 0;
+    }
     if (options.given("pitch"))
+    {
         s.pitch = options.number("pitch", -89, 89);
+        s.pitchSigma = 0;
+    }
     if (options.given("heading"))
+    {
         s.heading = options.number("heading", -180, 180);
+        s.headingSigma = 0;
+    }
     if (options.given("height"))
         s.height = options.number("height", 0, 1000, false);
     return s;

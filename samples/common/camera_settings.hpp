@@ -24,6 +24,7 @@ struct CameraSettings
     std::string reference;     //!< first, middle or last line to be read, or a line's number
     double roll, pitch, heading; //!< degrees
     double height;             //!< metres; 0: unknown
+    double rollSigma, pitchSigma, headingSigma, lineDelaySigma; //!< standard deviations in the same units; 0: not known
 
     CameraSettings();
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "frame_corrector.hpp"
+#include "log_use.hpp"
 #include "map_distance.hpp"
 #include "units.hpp"
 
@@ -65,18 +66,7 @@ void FrameCorrector::tell(const FrameFacts& facts)
         setGravitySigma(facts.gravitySigma, params.estimator);
     corrector_->setParams(params);
 
-    MotionPrior prior = job_.prior;
-    if (!std::isnan(facts.speed))
-    {
-        prior.speed = facts.speed * KMH;
-        prior.speedSigma = orElse(facts.speedSigma, SPEED_SIGMA) * KMH;
-    }
-    if (!std::isnan(facts.yawRate))
-    {
-        prior.yawRate = facts.yawRate * DEGREE;
-        prior.yawRateSigma = orElse(facts.yawRateSigma, YAW_RATE_SIGMA) * DEGREE;
-    }
-    corrector_->setPrior(prior);
+    corrector_->setPrior(priorOf(facts, job_.prior));
 }
 
 void FrameCorrector::reset()

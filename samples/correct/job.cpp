@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "job.hpp"
+#include "log_use.hpp"
 #include "files.hpp"
 #include "targets.hpp"
 #include "units.hpp"
@@ -55,6 +56,13 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
     if (options.given("wall"))
         params.wallDistance = options.number("wall", 0, 1e5, false);
     params.scaleFromRoad = options.flag("scale_from_road");
+}
+
+// What isn't known of the mount adds to what the vehicle does.
+void addMountSigma(const CameraSettings& camera, AckermannEstimator::Params& params)
+{
+    params.gravitySigma = std::hypot(params.gravitySigma, camera.rollSigma * DEGREE);
+    params.vehiclePitchSigma = std::hypot(params.vehiclePitchSigma, camera.pitchSigma * DEGREE);
 }
 
 void warnUseless(const std::string& what, const std::string& missing)
@@ -149,22 +157,6 @@ void checkVideos(const Job& job)
         }
 }
 
-// Only videos know the time of their frames: a log has to name the images of which it tells.
-void checkLog(const Job& job)
-{
-    size_t images = 0, unknown = 0;
-    for (size_t i = 0; i < job.inputs.files.size(); i++)
-        if (!isVideo(job.inputs.files[i]))
-        {
-            images++;
-            unknown += !job.log.names(job.inputs.files[i], job.inputs.numbers[i]);
-        }
-    if (images > 0 && unknown == images)
-        throw UsageError("the log names none of the images (columns file or frame)");
-    if (unknown > 0)
-        std::cerr << "rsackermann_correct: the log doesn't name " << unknown << " of the " << images << " images" << std::endl;
-}
-
 void readShard(const Options& options, Job& job)
 {
     job.shardCount = 1;
@@ -194,6 +186,8 @@ Job readJob(const Options& options)
         throw UsageError("there is no input");
     job.camera = readCameraOptions(options);
     readEstimator(options, job.params.estimator);
+    if (!options.given("gravity_sigma"))
+        addMountSigma(job.camera, job.params.estimator);
     checkScale(job);
     if (options.given("log"))
         job.log = DriveLog(options.text("log"));
@@ -227,7 +221,7 @@ Job readJob(const Options& options)
     job.overlayIsFolder = isFolder(job.inputs, job.overlay);
     job.mapsIsFolder = isFolder(job.inputs, job.maps) || (!job.maps.empty() && hasVideo(job.inputs));
     if (options.given("log"))
-        checkLog(job);
+        checkLog(job.log, job.inputs, "rsackermann_correct");
     checkTargets(job);
     readShard(options, job);
     return job;

@@ -31,9 +31,6 @@ struct Job
 
 extern const char* const JOB_KEYS;
 
-//! Standard deviations of a speed (km/h) and a yaw rate (deg/s) that are told without one.
-const double SPEED_SIGMA = 2, YAW_RATE_SIGMA = 1;
-
 //! Sets the standard deviation of roll and pitch, 0: exact.
 void setGravitySigma(double degrees, cv::rsackermann::AckermannEstimator::Params& params);
 

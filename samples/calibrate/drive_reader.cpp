@@ -1,0 +1,109 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "drive_reader.hpp"
+#include "files.hpp"
+#include "options.hpp"
+#include "output/interrupt.hpp"
+#ifdef RSACKERMANN_WITH_VIDEOIO
+#include "video_timing.hpp"
+#endif
+
+#include <cmath>
+#include <limits>
+
+namespace rsackermann_samples {
+
+namespace {
+
+const double INTERVAL = 1. / 30;                // seconds from image to image unless the log tells
+const double BETWEEN_DRIVES = 3600;             // seconds, so that nobody takes one video for the continuation of another
+const double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
+
+class DriveReader
+{
+public:
+    DriveReader(const InputList& inputs, const DriveLog& log, const std::function<void(const DriveFrame&, double)>& use)
+        : inputs_(inputs), log_(log), use_(use), last_(-BETWEEN_DRIVES), offset_(0)
+    {
+    }
+
+    void readImageFile(size_t index)
+    {
+        const std::string& input = inputs_.files[index];
+        DriveFrame frame;
+        frame.image = readImage(input);
+        frame.facts = log_.of(input, inputs_.numbers[index], UNKNOWN);
+        if (std::isnan(frame.facts.time))
+            frame.facts.time = last_ + INTERVAL;
+        hand(frame, double(index + 1) / double(inputs_.files.size()));
+    }
+
+#ifdef RSACKERMANN_WITH_VIDEOIO
+    void readVideoFile(size_t index)
+    {
+        const std::string& input = inputs_.files[index];
+        cv::VideoCapture capture = openVideo(input);
+        FrameClock clock(capture);
+        const double announced = capture.get(cv::CAP_PROP_FRAME_COUNT);
+        offset_ = last_ + BETWEEN_DRIVES;
+        int number = 0;
+        DriveFrame frame;
+        for (; capture.read(frame.image); number++)
+        {
+            frame.facts = log_.of(input, number, clock.timeOfFrame(capture));
+            frame.facts.time += offset_;
+            hand(frame, (double(index) + (announced > 0 ? std::min((number + 1) / announced, 1.) : 0)) / double(inputs_.files.size()));
+        }
+        if (number == 0)
+            throw InputError("no frame of the video can be read");
+    }
+#endif
+
+private:
+    void hand(const DriveFrame& frame, double done)
+    {
+        if (interruptSignal())
+            throw Interrupted();
+        use_(frame, done);
+        last_ = frame.facts.time;
+    }
+
+    const InputList& inputs_;
+    const DriveLog& log_;
+    const std::function<void(const DriveFrame&, double)>& use_;
+    double last_, offset_; // of time: of the last frame, and of the present video
+};
+
+} // namespace
+
+void readDrive(const InputList& inputs, const DriveLog& log, const std::function<void(const DriveFrame&, double)>& use,
+               const std::function<void(const std::string&, const std::string&)>& fail)
+{
+    DriveReader reader(inputs, log, use);
+    for (size_t i = 0; i < inputs.files.size(); i++)
+        try
+        {
+            if (!isVideo(inputs.files[i]))
+                reader.readImageFile(i);
+#ifdef RSACKERMANN_WITH_VIDEOIO
+            else
+                reader.readVideoFile(i);
+#endif
+        }
+        catch (const Interrupted&)
+        {
+            throw;
+        }
+        catch (const cv::Exception& e)
+        {
+            fail(inputs.files[i], e.err);
+        }
+        catch (const std::exception& e)
+        {
+            fail(inputs.files[i], e.what());
+        }
+}
+
+} // namespace rsackermann_samples

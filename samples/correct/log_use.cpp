@@ -1,0 +1,45 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "log_use.hpp"
+#include "options.hpp"
+#include "units.hpp"
+
+#include <cmath>
+#include <iostream>
+
+namespace rsackermann_samples {
+
+cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts, const cv::rsackermann::MotionPrior& other)
+{
+    cv::rsackermann::MotionPrior prior = other;
+    if (!std::isnan(facts.speed))
+    {
+        prior.speed = facts.speed * KMH;
+        prior.speedSigma = (std::isnan(facts.speedSigma) ? SPEED_SIGMA : facts.speedSigma) * KMH;
+    }
+    if (!std::isnan(facts.yawRate))
+    {
+        prior.yawRate = facts.yawRate * DEGREE;
+        prior.yawRateSigma = (std::isnan(facts.yawRateSigma) ? YAW_RATE_SIGMA : facts.yawRateSigma) * DEGREE;
+    }
+    return prior;
+}
+
+void checkLog(const DriveLog& log, const InputList& inputs, const std::string& program)
+{
+    size_t images = 0, unknown = 0;
+    for (size_t i = 0; i < inputs.files.size(); i++)
+        if (!isVideo(inputs.files[i]))
+        {
+            images++;
+            unknown += !log.names(inputs.files[i], inputs.numbers[i]);
+        }
+    if (images > 0 && unknown == images)
+        throw UsageError("the log names none of the images (columns file or frame)");
+    if (unknown > 0)
+        std::cerr << program << ": the log doesn't name " << unknown << " of the " << images << " images" << std::endl;
+}
+
+} // namespace rsackermann_samples

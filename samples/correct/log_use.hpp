@@ -1,0 +1,26 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_LOG_USE_HPP
+#define RSACKERMANN_SAMPLES_LOG_USE_HPP
+
+#include "drive_log.hpp"
+#include "inputs.hpp"
+#include "opencv2/rsackermann/motion.hpp"
+
+namespace rsackermann_samples {
+
+//! Standard deviations of what is told without one, km/h and deg/s.
+const double SPEED_SIGMA = 2, YAW_RATE_SIGMA = 1;
+
+//! What a log tells of the motion during a frame; what it leaves open is taken from the other prior.
+cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts, const cv::rsackermann::MotionPrior& other = cv::rsackermann::MotionPrior());
+
+/** Only videos know the time of their frames: a log has to name the images of which it tells.
+Throws UsageError if it names none of them, and warns if some are missing. */
+void checkLog(const DriveLog& log, const InputList& inputs, const std::string& program);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_LOG_USE_HPP

@@ -1,0 +1,183 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Finds how a camera is mounted, and its line delay, from the frames of a drive.
+
+#include "calibrate/drive_reader.hpp"
+#include "camera_file.hpp"
+#include "log_use.hpp"
+#include "output/interrupt.hpp"
+#include "output/output_plan.hpp"
+#include "progress.hpp"
+#include "units.hpp"
+
+#include "opencv2/core/utils/filesystem.hpp"
+#include "opencv2/rsackermann.hpp"
+#include <cstdio>
+#include <iostream>
+
+namespace {
+
+using namespace rsackermann_samples;
+using cv::rsackermann::MountCalibration;
+using cv::rsackermann::MountCalibrator;
+
+const char* const ABOUT =
+    "Finds how a car's camera is mounted, and its line delay, from the frames of a drive.\n"
+    "usage: rsackermann_calibrate [--option=value]... [--] INPUT...\n"
+    "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line, in the order of the drive.\n"
+    "Writes a camera file for rsackermann_correct --camera, with roll, pitch, heading and line_delay and a standard deviation of each.\n"
+    "Exit code: 0 done, 1 inputs failed or no car moves in them, 2 the command line isn't understood, 130 or 143 interrupted.\n";
+
+const char* const KEYS =
+    "{help       |        | print this message}"
+    "{output     |        | camera file to be written}"
+    "{overwrite  |        | replace an existing file}"
+    "{log        |        | CSV file with what is known of each frame, as for rsackermann_correct; its times, speeds and yaw rates are used}"
+    "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
+    "{threads    |        | largest number of threads}";
+
+struct Task
+{
+    InputList inputs;
+    CameraSettings camera;
+    MountCalibrator::Params params;
+    DriveLog log;
+    std::string output;
+};
+
+Task readTask(const Options& options)
+{
+    Task task;
+    if (options.arguments().empty())
+        throw UsageError("there is no input");
+    for (const char* name : {"camera", "output"})
+        if (!options.given(name))
+            throw UsageError(std::string("--") + name + " is missing");
+    task.camera = readCameraOptions(options);
+    if (task.camera.scan == cv::rsackermann::SCAN_LEFT_TO_RIGHT || task.camera.scan == cv::rsackermann::SCAN_RIGHT_TO_LEFT)
+        throw UsageError("the lines of the sensor are columns of the image (scan): no vertical shows what they do");
+    task.output = options.text("output");
+    task.params.estimator.detector = options.choice("detector", {"lsd", "fld", "edlines"});
+    task.inputs = listInputs(options.arguments());
+    OutputPlan plan;
+    plan.addInput(options.text("camera"));
+    if (options.given("log"))
+    {
+        task.log = DriveLog(options.text("log"));
+        checkLog(task.log, task.inputs, "rsackermann_calibrate");
+        plan.addInput(options.text("log"));
+    }
+    for (const std::string& input : task.inputs.files)
+    {
+        plan.addInput(input);
+#ifndef RSACKERMANN_WITH_VIDEOIO
+        if (isVideo(input))
+            throw UsageError("videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
+#endif
+    }
+    plan.addOutput(task.output, "the calibration");
+    if (options.given("threads"))
+        cv::setNumThreads(options.integer("threads", 1, 4096));
+    if (!options.flag("overwrite") && cv::utils::fs::exists(task.output))
+        throw InputError(task.output + " exists (--overwrite replaces it)");
+    plan.removeLeftovers();
+    return task;
+}
+
+// What the drive told goes into the settings, what it didn't tell stays.
+CameraSettings settingsOf(const MountCalibration& c, CameraSettings s)
+{
+    s.size = c.camera.imageSize;
+    s.K = c.camera.cameraMatrix;
+    if (c.rollObserved)
+        s.roll = c.roll / DEGREE;
+    if (c.pitchObserved)
+        s.pitch = c.pitch / DEGREE;
+    if (c.headingObserved)
+        s.heading = c.heading / DEGREE;
+    s.rollSigma = c.rollSigma / DEGREE;
+    s.pitchSigma = c.pitchSigma / DEGREE;
+    s.headingSigma = c.headingSigma / DEGREE;
+    if (c.lineDelay > 0)
+    {
+        s.readOut = 0;
+        s.lineDelay = c.lineDelay;
+        s.lineDelaySigma = c.lineDelaySigma;
+    }
+    return s;
+}
+
+void print(const char* name, bool isObserved, double value, double sigma, const char* unit, const char* missing)
+{
+    if (isObserved)
+        std::printf("%-11s %11.4g +- %.2g %s\n", name, value, sigma, unit);
+    else
+        std::printf("%-11s not told: %s\n", name, missing);
+}
+
+void print(const MountCalibration& c, int frames)
+{
+    std::printf("frames      %d of %d\n", c.frames, frames);
+    const char* few = "too few points and verticals, or too little motion";
+    print("roll", c.rollObserved, c.roll / DEGREE, c.rollSigma / DEGREE, "deg", few);
+    print("pitch", c.pitchObserved, c.pitch / DEGREE, c.pitchSigma / DEGREE, "deg", few);
+    print("heading", c.headingObserved, c.heading / DEGREE, c.headingSigma / DEGREE, "deg", few);
+    print("line delay", c.lineDelayObserved, c.lineDelay * 1e6, c.lineDelaySigma * 1e6, "us", "the drive has too few bends with verticals in sight");
+    const cv::Vec3d h = c.horizon();
+    std::printf("horizon     %.5f x %+.5f y %+.2f = 0 in pixels without lens distortion\n", h[0], h[1], h[2]);
+}
+
+int run(int argc, const char* const* argv)
+{
+    Options options(argc, argv, std::string(KEYS) + CAMERA_KEYS);
+    if (options.given("help"))
+    {
+        options.printHelp(ABOUT);
+        return 0;
+    }
+    listenForInterrupts();
+    const Task task = readTask(options);
+    cv::Ptr<MountCalibrator> calibrator;
+    Progress progress;
+    int frames = 0, failures = 0;
+    const auto fail = [&](const std::string& input, const std::string& message) {
+        failures++;
+        progress.clear();
+        std::cerr << "rsackermann_calibrate: " << input << ": " << message << std::endl;
+    };
+    for (const std::pair<std::string, std::string>& failure : task.inputs.failures)
+        fail(failure.first, failure.second);
+    const auto use = [&](const DriveFrame& frame, double done) {
+        if (!calibrator)
+            calibrator = MountCalibrator::create(task.camera.makeCamera(frame.image.size()), task.params);
+        calibrator->addFrame(frame.image, frame.facts.time, priorOf(frame.facts));
+        frames++;
+        progress.update(done, 1, task.output);
+    };
+    try
+    {
+        readDrive(task.inputs, task.log, use, fail);
+    }
+    catch (const Interrupted&)
+    {
+        return 128 + interruptSignal();
+    }
+    if (!calibrator)
+        throw InputError("no frame can be read");
+    const MountCalibration calibration = calibrator->calibrate();
+    progress.clear();
+    if (calibration.frames == 0)
+        throw InputError("no frame shows a car that moves: consecutive frames are needed, at their times");
+    print(calibration, frames);
+    writeCameraFile(task.output, settingsOf(calibration, task.camera));
+    return failures ? 1 : 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return rsackermann_samples::runProgram(run, argc, argv);
+}

@@ -1,0 +1,193 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "camera_file.hpp"
+#include "program.hpp"
+#include "street_renderer.hpp"
+
+#include <fstream>
+
+namespace opencv_test { namespace {
+
+using rsackermann_samples::CameraSettings;
+
+const double DEGREE = CV_PI / 180;
+const cv::Size SIZE(480, 300);
+const double FOCAL = 400, LINE_DELAY = 0.025 / 300, INTERVAL = 1 / 30.;
+
+Outcome calibrate(const Arguments& arguments) { return runProgram(CALIBRATE_PROGRAM, arguments); }
+
+CameraSettings readCamera(const std::string& path)
+{
+    CameraSettings settings;
+    rsackermann_samples::readCameraFile(path, settings);
+    return settings;
+}
+
+//! Rendered drives of a camera with roll 1.2, pitch -0.8 and heading 1.5 degrees, and a log with times and yaw rates.
+class Calibrate : public testing::Test
+{
+protected:
+    Calibrate() : output_(folder_ / "calibrated.yml")
+    {
+        writeCamera("camera.yml", 0.8 * LINE_DELAY);
+        log_ = "file,time_s,yaw_rate_deg_s,yaw_rate_sigma_deg_s\n";
+    }
+
+    //! What is known before. @param lineDelay 0: unknown.
+    void writeCamera(const std::string& name, double lineDelay) const
+    {
+        CameraSettings camera;
+        camera.size = SIZE;
+        camera.calibrated = true;
+        camera.K = cv::Matx33d(FOCAL, 0, (SIZE.width - 1) / 2., 0, FOCAL, (SIZE.height - 1) / 2., 0, 0, 1);
+        camera.lineDelay = lineDelay;
+        camera.height = 1.4;
+        rsackermann_samples::writeCameraFile(folder_ / name, camera);
+    }
+
+    //! Adds the frames of a bend; the car is in the middle of the street in the middle of the drive.
+    void addBend(double yawRate, double begin, int frames)
+    {
+        street::StreetCamera camera(SIZE, FOCAL, LINE_DELAY, 1.4);
+        camera.roll = 1.2 * DEGREE;
+        camera.pitch = -0.8 * DEGREE;
+        camera.heading = 1.5 * DEGREE;
+        street::StreetScene scene;
+        scene.yawRate = yawRate * DEGREE;
+        scene.speed = 10;
+        scene.left = 6;
+        scene.right = 7;
+        scene.wallDirection = camera.heading;
+        scene.seed = unsigned(begin);
+        scene.noise = 0; // it would be the same in all frames
+        for (int i = 0; i < frames; i++)
+        {
+            // A line far before the image is the one at whose instant the car was where the renderer has its origin.
+            const double seconds = (i - frames / 2) * INTERVAL;
+            camera.reference = (SIZE.height - 1) / 2. - seconds / LINE_DELAY;
+            const std::string path = folder_ / cv::format("%03d.png", int(inputs_.size()));
+            cv::imwrite(path, street::StreetRenderer(camera, scene).rollingShutter(1));
+            inputs_.push_back(path);
+            log_ += path + cv::format(",%.6f,%g,0.3\n", begin + i * INTERVAL, yawRate);
+        }
+    }
+
+    Outcome run(const Arguments& options = {}) const
+    {
+        writeContent(folder_ / "log.csv", log_);
+        Arguments arguments = inputs_;
+        for (const std::string& option : {"--camera=" + (folder_ / "camera.yml"), "--output=" + output_, "--log=" + (folder_ / "log.csv")})
+            arguments.push_back(option);
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return calibrate(arguments);
+    }
+
+    const TemporaryFolder folder_;
+    const std::string output_;
+    Arguments inputs_;
+    std::string log_;
+};
+
+TEST_F(Calibrate, bends_tell_mount_and_line_delay)
+{
+    writeCamera("camera.yml", 0);
+    const double bends[] = {40, -40, 25, -25};
+    for (int i = 0; i < 4; i++)
+        addBend(bends[i], 10 * i, 12);
+    const Outcome outcome = run();
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_EQ(std::string::npos, outcome.output.find("not told")) << outcome.output;
+    const CameraSettings c = readCamera(output_);
+    EXPECT_NEAR(1.2, c.roll, 0.3) << outcome.output;
+    EXPECT_NEAR(-0.8, c.pitch, 0.3) << outcome.output;
+    EXPECT_NEAR(1.5, c.heading, 0.5) << outcome.output;
+    EXPECT_NEAR(LINE_DELAY, c.lineDelay, 0.15 * LINE_DELAY) << outcome.output;
+    EXPECT_NEAR(1.2, c.roll, 3 * c.rollSigma);
+    EXPECT_NEAR(-0.8, c.pitch, 3 * c.pitchSigma);
+    EXPECT_NEAR(1.5, c.heading, 3 * c.headingSigma);
+    EXPECT_NEAR(LINE_DELAY, c.lineDelay, 3 * c.lineDelaySigma);
+    EXPECT_EQ(1.4, c.height);
+    EXPECT_EQ(SIZE, c.size);
+
+    // rsackermann_correct reads it, and its options go before.
+    const Outcome byFile = correct({inputs_[0], "--camera=" + output_, "--report=-", "--gravity_sigma=1"});
+    const Arguments options = {inputs_[0], "--camera=" + (folder_ / "camera.yml"), "--report=-", "--gravity_sigma=1", cv::format("--roll=%.17g", c.roll),
+                               cv::format("--pitch=%.17g", c.pitch), cv::format("--heading=%.17g", c.heading), cv::format("--line_delay=%.17g", c.lineDelay)};
+    const Outcome byOptions = correct(options);
+    ASSERT_EQ(0, byFile.exitCode) << byFile.messages;
+    ASSERT_EQ(0, byOptions.exitCode) << byOptions.messages;
+    EXPECT_EQ(nlohmann::json::parse(byFile.output)["alpha"], nlohmann::json::parse(byOptions.output)["alpha"]);
+}
+
+TEST_F(Calibrate, straight_drive_leaves_the_line_delay)
+{
+    addBend(0, 0, 15);
+    const Outcome outcome = run();
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.output.find("line delay  not told")) << outcome.output;
+    const CameraSettings c = readCamera(output_);
+    EXPECT_NEAR(0.8 * LINE_DELAY, c.lineDelay, 1e-12);
+    EXPECT_GT(c.lineDelaySigma, 0.2 * c.lineDelay);
+    EXPECT_NEAR(1.5, c.heading, 0.5);
+}
+
+TEST_F(Calibrate, mount_sigma_adds_to_the_vehicles)
+{
+    addBend(25, 0, 1);
+    const std::string camera = contentOf(folder_ / "camera.yml");
+    const auto alpha = [&](const std::string& file, const Arguments& options) {
+        Arguments arguments = {inputs_[0], "--report=-", "--camera=" + (folder_ / file)};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = correct(arguments);
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        return nlohmann::json::parse(outcome.output)["alpha"].get<double>();
+    };
+    // With the vehicle's 1 and 0.3 degrees both are 3 degrees.
+    writeContent(folder_ / "vague.yml", camera + cv::format("roll_sigma: %.17g\npitch_sigma: %.17g\n", std::sqrt(9 - 1.), std::sqrt(9 - 0.09)));
+    const double sharp = alpha("camera.yml", {}), vague = alpha("vague.yml", {});
+    EXPECT_NEAR(alpha("camera.yml", {"--gravity_sigma=3"}), vague, 1e-6 * std::abs(vague));
+    EXPECT_GT(std::abs(vague - sharp), 1e-3 * std::abs(vague));
+    EXPECT_EQ(sharp, alpha("vague.yml", {"--roll=0", "--pitch=0"}));
+    EXPECT_EQ(alpha("camera.yml", {"--gravity_sigma=0.5"}), alpha("vague.yml", {"--gravity_sigma=0.5"}));
+    writeContent(folder_ / "bad.yml", camera + "roll_sigma: -1.\n");
+    const Outcome bad = correct({inputs_[0], "--report=-", "--camera=" + (folder_ / "bad.yml")});
+    EXPECT_EQ(2, bad.exitCode);
+    EXPECT_NE(std::string::npos, bad.messages.find("negative")) << bad.messages;
+}
+
+TEST_F(Calibrate, bad_arguments)
+{
+    addBend(10, 0, 2);
+    const std::string camera = "--camera=" + (folder_ / "camera.yml"), output = "--output=" + output_;
+    const std::pair<Arguments, const char*> usages[] = {{{camera, output}, "no input"},
+                                                        {{inputs_[0], output}, "--camera is missing"},
+                                                        {{inputs_[0], camera}, "--output is missing"},
+                                                        {{inputs_[0], camera, output, "--carry"}, "carry"},
+                                                        {{inputs_[0], camera, output, "--detector=canny"}, "canny"},
+                                                        {{inputs_[0], camera, output, "--scan=left_to_right"}, "columns"},
+                                                        {{inputs_[0], camera, output, "--log=" + (folder_ / "none.csv")}, "none.csv"},
+                                                        {{inputs_[0], camera, "--output=" + (folder_ / "camera.yml"), "--overwrite"}, "camera.yml"},
+                                                        {{inputs_[0], camera, "--output=" + inputs_[0], "--overwrite"}, "000.png"}};
+    for (const std::pair<Arguments, const char*>& usage : usages)
+    {
+        const Outcome outcome = calibrate(usage.first);
+        EXPECT_EQ(2, outcome.exitCode) << usage.second << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.messages.find(usage.second)) << usage.second << ": " << outcome.messages;
+    }
+    const std::pair<Arguments, const char*> failures[] = {{{inputs_[0], camera, output}, "no frame shows a car that moves"},
+                                                          {{folder_ / "none.png", camera, output}, "no frame can be read"}};
+    for (const std::pair<Arguments, const char*>& failure : failures)
+    {
+        const Outcome outcome = calibrate(failure.first);
+        EXPECT_EQ(1, outcome.exitCode) << failure.second;
+        EXPECT_NE(std::string::npos, outcome.messages.find(failure.second)) << failure.second << ": " << outcome.messages;
+        EXPECT_FALSE(std::ifstream(output_).good());
+    }
+    writeContent(output_, "mine");
+    EXPECT_EQ(1, calibrate({inputs_[0], camera, output}).exitCode);
+    EXPECT_EQ("mine", contentOf(output_));
+}
+
+}} // namespace
