@@ -116,4 +116,25 @@ TEST(RSAckermann_Candidates, sorts_segments)
     EXPECT_NEAR(100 / 816., verticals[0].timeV - verticals[0].timeU, 1e-9);
 }
 
+// Where speed and wall say that nothing leans much, what leans more is no candidate, but nearly vertical all the same.
+TEST(RSAckermann_Candidates, what_is_nearly_vertical_is_neither)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    AckermannEstimator::Params params = paramsWithWall(50);
+    params.maxYawRate = 0.1;
+    params.slantTolerance = 0.02;
+    const double x = camera.cameraMatrix(0, 2), steepest = MotionLimits(camera, params).maxSlant(0, 0) + params.slantTolerance;
+    ASSERT_LT(steepest, 0.1);
+    const double slants[] = {0.9 * steepest, 1.1 * steepest, 0.9 * params.maxSlant, 1.1 * params.maxSlant};
+    Mat segments(4, 4, CV_64F);
+    for (int i = 0; i < 4; i++)
+        Mat(Vec4d(x - 50 * slants[i], 140, x + 50 * slants[i], 240)).reshape(1, 1).copyTo(segments.row(i));
+    std::vector<UprightSegment> verticals, others;
+    selectCandidates(segments, camera, params, verticals, others);
+    ASSERT_EQ(1u, verticals.size());
+    EXPECT_EQ(0, verticals[0].index);
+    ASSERT_EQ(1u, others.size());
+    EXPECT_EQ(3, others[0].index);
+}
+
 }} // namespace

@@ -271,6 +271,22 @@ TEST(RSAckermann_Warp, walls_that_are_passed_show_nothing)
     }
 }
 
+TEST(RSAckermann_Warp, rows_beyond_a_wall_beside_show_nothing)
+{
+    const double passedRow = 300;
+    for (int right = 0; right < 2; right++)
+    {
+        RollingShutterCamera camera = simulation::paperCamera();
+        const AckermannMotion motion = motionSideways(camera, passedRow, right != 0);
+        Mat map1, map2, mask;
+        WarpMapGenerator::create(camera)->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
+        double last;
+        cv::minMaxLoc(map2, 0, &last, 0, 0, map2 != FAR_OUTSIDE);
+        EXPECT_LE(last, passedRow + 0.01) << "right " << right;
+        EXPECT_GE(last, passedRow - 10) << "right " << right;
+    }
+}
+
 TEST(RSAckermann_Warp, nearest_plane_is_seen)
 {
     // Where two planes meet their depths agree: the distort map is continuous there and follows the nearer one elsewhere.

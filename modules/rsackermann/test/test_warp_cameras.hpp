@@ -42,6 +42,15 @@ inline cv::rsackermann::AckermannMotion motionThroughWall(const cv::rsackermann:
     return motion;
 }
 
+//! A motion sideways through the wall on one side, at that row, while the other wall and the road stay in sight.
+inline cv::rsackermann::AckermannMotion motionSideways(cv::rsackermann::RollingShutterCamera& camera, double row, bool toTheRight)
+{
+    const double speed = 20, near = speed * row * camera.lineDelay, far = 3;
+    camera.referenceRow = 0;
+    camera.heading = toTheRight ? CV_PI / 2 : -CV_PI / 2;
+    return cv::rsackermann::AckermannMotion::fromMetric(camera, 0, speed, toTheRight ? far : near, toTheRight ? near : far, 0);
+}
+
 //! A motion within the paper's limits, 10-140 km/h and up to 70 deg/s to either side, in a street of random width.
 inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::RollingShutterCamera& camera, RNG& rng)
 {

@@ -193,6 +193,24 @@ TEST(RSAckermann_WarpOpenCL, walls_that_are_passed_show_nothing)
     }
 }
 
+TEST(RSAckermann_WarpOpenCL, rows_beyond_a_wall_beside_show_nothing)
+{
+    skipWithoutDevice();
+    const double passedRow = 300;
+    for (int right = 0; right < 2; right++)
+    {
+        RollingShutterCamera camera = simulation::paperCamera();
+        const AckermannMotion motion = motionSideways(camera, passedRow, right != 0);
+        UMat map1, map2;
+        initMap(WarpMapGenerator::create(camera), false, motion, map1, map2);
+        const Mat rows = map2.getMat(ACCESS_READ);
+        double last;
+        cv::minMaxLoc(rows, 0, &last, 0, 0, rows != -16384);
+        EXPECT_LE(last, passedRow + 0.1) << "right " << right;
+        EXPECT_GE(last, passedRow - 10) << "right " << right;
+    }
+}
+
 // Rays up to the border of strongly distorted images, and pixels beyond the lens model.
 TEST(RSAckermann_WarpOpenCL, strong_lenses)
 {
