@@ -303,7 +303,7 @@ TEST(RSAckermann_Estimator, same_result_for_all_numbers_of_threads)
         Mat labels, others;
         setNumThreads(1);
         const AckermannMotion m = estimate(truth, segments.ends, labels);
-        for (int threads = 2; threads <= 4; threads += 2)
+        for (int threads = 2; threads <= 8; threads *= 4)
         {
             setNumThreads(threads);
             expectSame(m, estimate(truth, segments.ends, others));

@@ -37,7 +37,8 @@ struct ResidualSums
     ResidualSums() : cost(0), weights(0), influence2(0), slopes(0)
     {
         std::fill(gradient, gradient + PARAMETERS, 0.);
-        std::fill(hessian[0], hessian[0] + PARAMETERS * PARAMETERS, 0.);
+        for (int i = 0; i < PARAMETERS; i++)
+            std::fill(hessian[i], hessian[i] + PARAMETERS, 0.);
     }
 };
 
