@@ -84,6 +84,8 @@ std::vector<double> matrixOf(const cv::FileNode& node)
     require(node.isMap() && node["data"].isSeq() && node["rows"].isInt() && node["cols"].isInt(), node.name() + " is not a matrix");
     for (const cv::FileNode& element : node["data"])
         require(element.isInt() || element.isReal(), node.name() + " has an element that is not a number");
+    // cv::FileNode makes a matrix of the size that is told before it looks for the elements.
+    require(double(int(node["rows"])) * int(node["cols"]) <= double(node["data"].size()), node.name() + " has too few elements");
     cv::Mat matrix;
     node >> matrix;
     require(matrix.channels() == 1, node.name() + " is not a matrix of numbers");
@@ -281,6 +283,10 @@ void readCameraFile(const std::string& path, CameraSettings& settings)
     catch (const cv::Exception& e)
     {
         throw UsageError("camera file " + path + ": " + e.err);
+    }
+    catch (const std::exception& e) // out of OpenCV's parser
+    {
+        throw UsageError("camera file " + path + ": " + e.what());
     }
 }
 

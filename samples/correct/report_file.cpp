@@ -6,6 +6,7 @@
 #include "report.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,17 @@ nlohmann::json parsed(const std::string& line)
 std::string inputOf(const nlohmann::json& line)
 {
     return line.is_object() && line.contains("input") && line["input"].is_string() ? line["input"].get<std::string>() : "";
+}
+
+bool isFailure(const nlohmann::json& line)
+{
+    return line.contains("status") && line["status"] == "failed";
+}
+
+// How many frames the video of a line has; 0 if it doesn't say so, which no number of lines makes complete.
+int framesOf(const nlohmann::json& line)
+{
+    return line["frames"].is_number_integer() ? std::max(0, line["frames"].get<int>()) : 0;
 }
 
 } // namespace
@@ -70,10 +82,10 @@ void ReportFile::findComplete()
         const std::string input = inputOf(line);
         if (!own_.count(input))
             return true;
-        if (line.value("status", "") == "failed")
+        if (isFailure(line))
             failed.insert(input);
         else if (line.contains("frames"))
-            missing.insert(std::make_pair(input, line.value("frames", 0))).first->second--;
+            missing.insert(std::make_pair(input, framesOf(line))).first->second--;
         else
             complete_.insert(input);
         return true;

@@ -85,13 +85,14 @@ std::vector<MotionFrame> readReport(const std::string& path)
 }
 
 std::vector<MotionFrame> readMotionFile(const std::string& path)
+try
 {
     cv::FileStorage fs;
     try
     {
         fs.open(path, cv::FileStorage::READ);
     }
-    catch (const cv::Exception&)
+    catch (const std::exception&) // those of the standard library come out of OpenCV's parser, too
     {
     }
     if (!fs.isOpened())
@@ -104,6 +105,10 @@ std::vector<MotionFrame> readMotionFile(const std::string& path)
     frame.frame = -1;
     frame.motion.read(node);
     return {frame};
+}
+catch (const cv::Exception& e)
+{
+    throw InputError(path + " holds no motion: " + e.err);
 }
 
 } // namespace rsackermann_samples

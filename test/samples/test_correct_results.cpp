@@ -186,6 +186,20 @@ TEST_F(CorrectResults, going_on)
     EXPECT_EQ("precious", contentOf(out_ / "o/02.png"));
 }
 
+// Somebody else has written lines with this job's inputs, but values of other types.
+TEST_F(CorrectResults, going_on_with_lines_of_another_kind)
+{
+    putImages(2);
+    const std::string report = out_ / "report.jsonl";
+    for (const std::string& line : {"{\"input\":\"" + (in_ / "00.png") + "\",\"status\":1}", "{\"input\":\"" + (in_ / "01.png") + "\",\"frames\":\"many\"}"})
+    {
+        writeContent(report, line + "\n");
+        const Outcome outcome = correct(arguments({"--skip_existing"}));
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(2u, linesOf(report).size());
+    }
+}
+
 TEST_F(CorrectResults, going_on_with_a_carried_motion)
 {
     putImages(4);

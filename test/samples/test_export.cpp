@@ -405,6 +405,10 @@ TEST_F(Export, usage)
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "missing.yml"), camera}).exitCode);
     writeContent(folder / "empty.yml", "%YAML:1.0\n---\nx: 1\n");
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "empty.yml"), camera}).exitCode);
+    writeContent(folder / "damaged.yml", "%YAML:1.0\n---\nstatus: 0\ncovariance: [ 1, 2 ]\n");
+    const Outcome damaged = exportMotion({"--motion=" + (folder / "damaged.yml"), camera});
+    EXPECT_EQ(1, damaged.exitCode);
+    EXPECT_NE(std::string::npos, damaged.messages.find("damaged.yml holds no motion")) << damaged.messages;
     EXPECT_EQ(0, exportMotion({motion, "--size=640x380", "--focal=500"}).exitCode);
 }
 
