@@ -82,7 +82,13 @@ public:
         CV_WRAP void check() const;
 
         //! Writes all fields into the present node, a map.
-        CV_WRAP void write(FileStorage& fs) const;
+        void write(FileStorage& fs) const;
+        //! The same for wrapped languages, in which a FileStorage is a pointer.
+        CV_WRAP void write(const Ptr<FileStorage>& fs) const
+        {
+            CV_Assert(fs);
+            write(*fs);
+        }
         //! Reads what write() has written. Fields that are missing keep their values.
         CV_WRAP void read(const FileNode& fn);
     };
