@@ -46,4 +46,6 @@ cv::rsackermann::RollingShutterCorrector, which keeps buffers and what it knows 
 results.
 */
 
+//! @namespace cv::rsackermann All of the module @ref rsackermann.
+
 #endif // OPENCV_RSACKERMANN_HPP

@@ -16,7 +16,7 @@ namespace rsackermann {
 //! Detectors of line segments.
 enum SegmentDetector
 {
-    DETECTOR_LSD = 0,    //!< cv::LineSegmentDetector of imgproc @cite Rafael12
+    DETECTOR_LSD = 0,    //!< cv::LineSegmentDetector of imgproc
     DETECTOR_FLD = 1,    //!< cv::ximgproc::FastLineDetector, needs the module ximgproc
     DETECTOR_EDLINES = 2 //!< cv::ximgproc::EdgeDrawing, needs the module ximgproc
 };
