@@ -15,7 +15,8 @@ step "Installing the cross compiler, qemu and OpenCV for arm64"
 logged "$logs/architecture.log" in_chroot "$system" dpkg --add-architecture arm64
 logged "$logs/update.log" in_chroot "$system" apt-get update
 logged "$logs/install.log" in_chroot "$system" apt-get install -y crossbuild-essential-arm64 qemu-user-static cmake ninja-build \
-    ccache pkg-config dpkg-dev patch python3 libopencv-dev:arm64 libeigen3-dev nlohmann-json3-dev libyaml-cpp-dev:arm64
+    ccache pkg-config dpkg-dev patch python3 libopencv-dev:arm64 libeigen3-dev nlohmann-json3-dev \
+    libyaml-cpp-dev:arm64 zlib1g-dev:arm64
 source=$(in_chroot "$system" /src/scripts/get_opencv_source.sh)
 
 step "Building for arm64"
@@ -34,7 +35,7 @@ step "Testing with $(in_chroot "$system" qemu-aarch64-static --version | head -n
 # The tests of the programs start them by name.
 logged "$logs/wrappers.log" in_chroot "$system" sh -ec '
     cd /build/samples
-    for program in rsackermann_correct rsackermann_evaluate rsackermann_export rsackermann_simulate example_rsackermann_correct_frame; do
+    for program in $(find . -maxdepth 1 -type f -executable -not -name "*.arm64"); do
         if [ "$(head -c 2 $program)" != "#!" ]; then mv $program $program.arm64; fi
         printf "#!/bin/sh\nexec qemu-aarch64-static /build/samples/%s.arm64 \"\$@\"\n" $program >$program
         chmod +x $program
