@@ -30,9 +30,12 @@ RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowled
     street::StreetCamera told = truth;
     told.roll += rng.gaussian(knowledge.gravityNoise);
     told.pitch += rng.gaussian(knowledge.gravityNoise);
-    told.fx *= 1 + knowledge.focalError;
-    told.fy *= 1 + knowledge.focalError;
-    return libraryCamera(told);
+    const double focalError = knowledge.focalError + (knowledge.focalNoise > 0 ? rng.gaussian(knowledge.focalNoise) : 0);
+    told.fx *= 1 + focalError;
+    told.fy *= 1 + focalError;
+    RollingShutterCamera camera = libraryCamera(told);
+    camera.focalSigma = knowledge.focalNoise * told.fx;
+    return camera;
 }
 
 // The motion as the estimator is told of it.

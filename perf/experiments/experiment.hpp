@@ -14,12 +14,13 @@ struct Knowledge
 {
     double gravityNoise;  //!< standard deviation in radians of the errors of roll and pitch
     double focalError;    //!< of the focal length: 0.1 for 10 % too long
+    double focalNoise;    //!< standard deviation of further errors of it, of which the estimator is told
     double speedSigma;    //!< metres per second, of the error of a known speed; 0: it isn't known
     double yawRateSigma;  //!< radians per second, of the error of a known yaw rate; 0: it isn't known
     double wallDirectionSigma; //!< radians, of the error of a known line at infinity; 0: it isn't known
     bool exactPriors;     //!< what is known has no error, whatever its standard deviation
 
-    Knowledge() : gravityNoise(0), focalError(0), speedSigma(0), yawRateSigma(0), wallDirectionSigma(0), exactPriors(false) {}
+    Knowledge() : gravityNoise(0), focalError(0), focalNoise(0), speedSigma(0), yawRateSigma(0), wallDirectionSigma(0), exactPriors(false) {}
 };
 
 //! Which segments the estimator gets.

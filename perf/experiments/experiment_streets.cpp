@@ -26,6 +26,7 @@ const char* const KEYS =
     "{wall_direction_sigma | 0 | degrees; the same for the line at infinity of the walls}"
     "{exact_priors |      | these values are told without errors, but with their standard deviations}"
     "{focal_error | 0     | of the focal length that the estimator is told, percent}"
+    "{focal_noise | 0    | standard deviation of further errors of it, of which the estimator is told, percent}"
     "{model      | auto   | auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | lsd, fld or edlines}"
     "{only_verticals |    | the estimator gets no segments but those that may be vertical}"
@@ -47,6 +48,7 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
     knowledge.wallDirectionSigma = options.number("wall_direction_sigma", 0, 90) * DEGREE;
     knowledge.exactPriors = options.flag("exact_priors");
     knowledge.focalError = options.number("focal_error", -90, 1000) / 100;
+    knowledge.focalNoise = options.number("focal_noise", 0, 50) / 100;
     AckermannEstimator::Params& params = experiment.params;
     static const int models[] = {MODEL_AUTO, MODEL_4LA, MODEL_3LA, MODEL_1LA, MODEL_NONE};
     params.model = models[options.choice("model", {"auto", "4la", "3la", "1la", "none"})];

@@ -23,16 +23,18 @@ void printCase(const Case& c, const Result& r)
 void printCoverage(const char* name, const std::vector<double>& ratios)
 {
     int within2 = 0, within3 = 0, known = 0;
+    double squares = 0;
     for (double ratio : ratios)
         if (!std::isnan(ratio))
         {
             known++;
             within2 += ratio <= 2;
             within3 += ratio <= 3;
+            squares += ratio * ratio;
         }
     if (known)
-        std::printf("%-28s truth within 2 sigma in %.1f %%, within 3 sigma in %.1f %% of %d cases\n", name, 100. * within2 / known,
-                    100. * within3 / known, known);
+        std::printf("%-28s truth within 2 sigma in %.1f %%, within 3 sigma in %.1f %% of %d cases, mean of squares %.2f\n", name,
+                    100. * within2 / known, 100. * within3 / known, known, squares / known);
 }
 
 } // namespace

@@ -46,7 +46,8 @@ void readShutterAndMounting(const NumberSource& number, const TextSource& text, 
     number("pitch_sigma", s.pitchSigma);
     number("heading_sigma", s.headingSigma);
     number("line_delay_sigma", s.lineDelaySigma);
-    require(s.rollSigma >= 0 && s.pitchSigma >= 0 && s.headingSigma >= 0 && s.lineDelaySigma >= 0, "standard deviations must not be negative");
+    number("focal_sigma", s.focalSigma);
+    require(s.rollSigma >= 0 && s.pitchSigma >= 0 && s.headingSigma >= 0 && s.lineDelaySigma >= 0 && s.focalSigma >= 0, "standard deviations must not be negative");
     std::string word;
     if (text("scan", word))
         s.scan = parseWord(word, "scan", SCAN_WORDS);
@@ -300,7 +301,7 @@ std::string cameraText(const CameraSettings& s)
     fs << "scan" << SCAN_WORDS[s.scan] << "reference" << s.reference;
     fs << "roll" << s.roll << "pitch" << s.pitch << "heading" << s.heading << "camera_height" << s.height;
     const std::pair<const char*, double> sigmas[] = {{"roll_sigma", s.rollSigma}, {"pitch_sigma", s.pitchSigma}, {"heading_sigma", s.headingSigma},
-                                                     {"line_delay_sigma", s.lineDelaySigma}};
+                                                     {"line_delay_sigma", s.lineDelaySigma}, {"focal_sigma", s.focalSigma}};
     for (const std::pair<const char*, double>& sigma : sigmas)
         if (sigma.second > 0)
             fs << sigma.first << sigma.second;

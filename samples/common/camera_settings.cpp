@@ -14,7 +14,8 @@ const std::vector<std::string> SCAN_WORDS = {"top_to_bottom", "bottom_to_top", "
 
 const char* const CAMERA_KEYS =
     "{camera     |        | file with the camera's calibration: of OpenCV, ROS (camera_info) or Kalibr (camchain)}"
-    "{focal      |        | focal length in pixels, where there is no calibration (default 0.9 times the longer side)}"
+    "{focal      |        | focal length in pixels, where there is no calibration (default 0.9 times the longer side, +- 20 %)}"
+    "{focal_sigma |       | standard deviation of the focal length in pixels}"
     "{line_delay |        | seconds between two lines; without it there are no metric results}"
     "{readout    |        | seconds between the first and the last line's end, instead of --line_delay}"
     "{scan       |        | order of the lines: top_to_bottom (default), bottom_to_top, left_to_right or right_to_left}"
@@ -28,7 +29,7 @@ const char* const CAMERA_KEYS =
 CameraSettings::CameraSettings()
     : calibrated(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0), readOut(0), scan(SCAN_TOP_TO_BOTTOM),
       reference("middle"), roll(0), pitch(0), heading(0), height(0),
-      rollSigma(0), pitchSigma(0), headingSigma(0), lineDelaySigma(0)
+      rollSigma(0), pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0)
 {
 }
 
@@ -54,6 +55,9 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     camera.setRollPitch(roll * DEGREE, pitch * DEGREE);
     camera.heading = heading * DEGREE;
     camera.height = height;
+    camera.lineDelaySigma = lineDelaySigma;
+    if (focalSigma > 0)
+        camera.focalSigma = focalSigma;
     return camera;
 }
 
@@ -68,6 +72,8 @@ CameraSettings readCameraOptions(const Options& options)
     }
     if (options.given("focal"))
         s.focal = options.number("focal", 0, 1e7, false);
+    if (options.given("focal_sigma"))
+        s.focalSigma = options.number("focal_sigma", 0, 1e7, false);
     if (options.given("line_delay") && options.given("readout"))
         throw UsageError("--line_delay and --readout exclude each other");
     if (options.given("line_delay") || options.given("readout"))

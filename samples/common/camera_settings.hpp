@@ -25,6 +25,7 @@ struct CameraSettings
     double roll, pitch, heading; //!< degrees
     double height;             //!< metres; 0: unknown
     double rollSigma, pitchSigma, headingSigma, lineDelaySigma; //!< standard deviations in the same units; 0: not known
+    double focalSigma;         //!< pixels; 0: not known
 
     CameraSettings();
 

@@ -58,7 +58,7 @@ TEST(CameraFiles, shutter_and_mounting)
     for (const char* content : {OPENCV_YAML, ROS})
     {
         const rsackermann_samples::CameraSettings s = read(std::string(content) + "line_delay: 3.5e-5\nscan: bottom_to_top\nreference: 17\nroll: 1.5\npitch: -2\n"
-                                                                      "heading: 90\ncamera_height: 1.25\n");
+                                                                      "heading: 90\ncamera_height: 1.25\nfocal_sigma: 8\nline_delay_sigma: 1e-6\n");
         EXPECT_EQ(3.5e-5, s.lineDelay);
         EXPECT_EQ(cv::rsackermann::SCAN_BOTTOM_TO_TOP, s.scan);
         const cv::rsackermann::RollingShutterCamera camera = s.makeCamera(s.size);
@@ -66,6 +66,8 @@ TEST(CameraFiles, shutter_and_mounting)
         EXPECT_EQ(3.5e-5, camera.lineDelay);
         EXPECT_DOUBLE_EQ(CV_PI / 2, camera.heading);
         EXPECT_EQ(1.25, camera.height);
+        EXPECT_EQ(8, camera.focalSigma);
+        EXPECT_EQ(1e-6, camera.lineDelaySigma);
         EXPECT_EQ(1.5, s.roll);
         EXPECT_EQ(-2, s.pitch);
     }

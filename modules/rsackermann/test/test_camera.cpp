@@ -30,7 +30,9 @@ TEST(RSAckermann_Camera, fromFocal)
     EXPECT_TRUE(wide.distCoeffs.empty());
     EXPECT_EQ(Matx33d::eye(), wide.uprightRotation);
     EXPECT_EQ("", complaint(wide));
+    EXPECT_DOUBLE_EQ(0.2 * 576, wide.focalSigma);
 
+    EXPECT_EQ(0, RollingShutterCamera::fromFocal(Size(640, 380), 816).focalSigma);
     EXPECT_EQ(900, RollingShutterCamera::fromFocal(Size(600, 1000)).cameraMatrix(0, 0));
     EXPECT_EQ(816, RollingShutterCamera::fromFocal(Size(640, 380), 816).cameraMatrix(1, 1));
 }
@@ -214,6 +216,10 @@ const BadField badFields[] = {
     BadField("height", [](RollingShutterCamera& c) { c.height = -1; }),
     BadField("height", [](RollingShutterCamera& c) { c.height = NaN; }),
     BadField("height", [](RollingShutterCamera& c) { c.height = infinity; }),
+    BadField("focalSigma", [](RollingShutterCamera& c) { c.focalSigma = -1; }),
+    BadField("focalSigma", [](RollingShutterCamera& c) { c.focalSigma = NaN; }),
+    BadField("lineDelaySigma", [](RollingShutterCamera& c) { c.lineDelaySigma = -1e-6; }),
+    BadField("lineDelaySigma", [](RollingShutterCamera& c) { c.lineDelaySigma = infinity; }),
 };
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_CameraCheck, testing::ValuesIn(badFields));
 

@@ -30,6 +30,8 @@ inline RollingShutterCamera exampleCamera()
     camera.setRollPitch(0.1, -0.2);
     camera.heading = 0.3;
     camera.height = 1.25;
+    camera.focalSigma = 30;
+    camera.lineDelaySigma = 1e-6;
     return camera;
 }
 
@@ -45,6 +47,8 @@ inline void expectSame(const RollingShutterCamera& a, const RollingShutterCamera
     EXPECT_EQ(a.uprightRotation, b.uprightRotation);
     EXPECT_EQ(a.heading, b.heading);
     EXPECT_EQ(a.height, b.height);
+    EXPECT_EQ(a.focalSigma, b.focalSigma);
+    EXPECT_EQ(a.lineDelaySigma, b.lineDelaySigma);
 }
 
 //! A motion, and a prior below, none of whose fields has its default.

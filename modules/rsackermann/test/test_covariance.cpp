@@ -16,6 +16,8 @@ struct Knowledge
     int streetLines;     // segments along the street, beside 60 of which four in five are vertical lines
     double gravityNoise; // degrees, standard deviation of the errors of roll and pitch, which the estimator knows of
     double speedSigma;   // m/s, of the error of a known speed; 0: it isn't known
+    double focalNoise;   // standard deviation of the relative error of the focal length, which the estimator knows of
+    double delayNoise;   // the same of the line delay
     double within2[4], within3[4]; // least shares within two and three sigma: yaw rate, speed, line at infinity, ratio of the walls
 };
 
@@ -88,7 +90,7 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
     const Knowledge& knowledge = GetParam();
     const int frames = 1000;
     const double degree = CV_PI / 180;
-    RNG rng(2018), usually(2019);
+    RNG rng(2018), usually(2019), cameraErrors(2020);
     Coverage coverage[4];
     for (int i = 0; i < frames; i++)
     {
@@ -102,6 +104,12 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
 
         const double tilt = knowledge.gravityNoise * degree;
         camera.setRollPitch(rng.gaussian(tilt), rng.gaussian(tilt));
+        const double focalScale = 1 + cameraErrors.gaussian(knowledge.focalNoise), delayScale = 1 + cameraErrors.gaussian(knowledge.delayNoise);
+        camera.cameraMatrix(0, 0) *= focalScale;
+        camera.cameraMatrix(1, 1) *= focalScale;
+        camera.focalSigma = knowledge.focalNoise * camera.cameraMatrix(0, 0);
+        camera.lineDelay *= delayScale;
+        camera.lineDelaySigma = knowledge.delayNoise * camera.lineDelay;
         AckermannEstimator::Params params;
         params.wallDistance = left;
         params.gravitySigma = tilt;
@@ -134,10 +142,12 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
 }
 
 // The posterior of uncertain gravity is described by one covariance only, which its tails of speed and walls exceed.
-const Knowledge knowledges[] = {{"verticals", 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-                                {"street_lines", 40, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-                                {"speed", 40, 0, 0.5, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-                                {"gravity_off_by_1_degree", 40, 1, 0, {0.9, 0.85, 0.8, 0.85}, {0.97, 0.93, 0.87, 0.95}}};
+const Knowledge knowledges[] = {{"verticals", 0, 0, 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+                                {"street_lines", 40, 0, 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+                                {"speed", 40, 0, 0.5, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+                                {"focal_length_off_by_10_percent", 40, 0, 0, 0.1, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+                                {"line_delay_off_by_10_percent", 40, 0, 0, 0, 0.1, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+                                {"gravity_off_by_1_degree", 40, 1, 0, 0, 0, {0.9, 0.85, 0.8, 0.85}, {0.97, 0.93, 0.87, 0.95}}};
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, RSAckermann_Covariance, testing::ValuesIn(knowledges));
 

@@ -159,6 +159,22 @@ TEST(RSAckermann_Motion, metric_covariance)
     }
 }
 
+TEST(RSAckermann_Motion, metric_covariance_of_an_uncertain_line_delay)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.lineDelaySigma = 0.1 * camera.lineDelay;
+    AckermannMotion m = AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0);
+    Matx44d covariance = m.metricCovariance(camera);
+    EXPECT_NEAR(0.05, std::sqrt(covariance(0, 0)), 1e-9);
+    EXPECT_NEAR(1, std::sqrt(covariance(1, 1)), 1e-9);
+    EXPECT_NEAR(0.05, covariance(0, 1), 1e-9);
+    EXPECT_EQ(0, covariance(2, 2));
+    m.scale = SCALE_SPEED;
+    covariance = m.metricCovariance(camera);
+    EXPECT_NEAR(0.05, std::sqrt(covariance(0, 0)), 1e-9);
+    EXPECT_EQ(0, covariance(1, 1));
+}
+
 TEST(RSAckermann_Motion, metric_values_are_unknown_without_scale)
 {
     RollingShutterCamera camera = simulation::paperCamera();

@@ -51,6 +51,24 @@ TEST(RSAckermann_PriorTerms, reverse_has_its_probability)
     EXPECT_NEAR(-2 * std::log(0.003), costOf(terms, back, hypothesis) - costOf(terms, forward, hypothesis), 1e-9);
 }
 
+TEST(RSAckermann_PriorTerms, line_delay_is_uncertain)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.lineDelaySigma = 0.1 * camera.lineDelay;
+    Params params;
+    params.wallDistance = 2.5;
+    MotionPrior prior;
+    prior.yawRate = 0.3;
+    prior.yawRateSigma = 0.04;
+    prior.speed = -20;
+    prior.speedSigma = 1.5;
+    const PriorTerms terms(prior, camera, params, MotionLimits(camera, params));
+    const double unit = camera.secondsPerUnitTime();
+    // 3-4-5 triangles
+    EXPECT_NEAR(0.05 * unit / 2, terms.alphaSigma, 1e-12);
+    EXPECT_NEAR(2.5 * unit / 2.5, terms.scaledSpeedSigma, 1e-12);
+}
+
 TEST(RSAckermann_PriorTerms, each_piece_in_units_of_its_sigma)
 {
     const double unit = simulation::paperCamera().secondsPerUnitTime();

@@ -63,6 +63,9 @@ TEST(RSAckermann_UsualDrive, density_of_the_yaw_rate)
     EXPECT_TRUE(told.yawRateIsTold());
     EXPECT_NEAR(0.2 * camera.secondsPerUnitTime() / 2, told.toldAlpha(), 1e-12);
     EXPECT_NEAR(0.01 * camera.secondsPerUnitTime() / 2, told.alphaScale(), 1e-12);
+    RollingShutterCamera uncertain = camera;
+    uncertain.lineDelaySigma = 0.1 * camera.lineDelay;
+    EXPECT_NEAR(std::hypot(0.01, 0.1 * 0.2) * camera.secondsPerUnitTime() / 2, makeDrive(uncertain, gyro).alphaScale(), 1e-12);
     EXPECT_NEAR(-std::log(told.alphaScale() * std::sqrt(2 * CV_PI)), told.logYawDensity(0.3), 1e-12);
 }
 

@@ -10,13 +10,14 @@ namespace rsackermann {
 
 RollingShutterCamera::RollingShutterCamera()
     : cameraMatrix(Matx33d::eye()), lensModel(LENS_PINHOLE), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0), referenceRow(0),
-      uprightRotation(Matx33d::eye()), heading(0), height(0)
+      uprightRotation(Matx33d::eye()), heading(0), height(0), focalSigma(0), lineDelaySigma(0)
 {
 }
 
 RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, const std::vector<double>& dist, int lens)
     : imageSize(size), cameraMatrix(K), distCoeffs(dist), lensModel(lens), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0),
-      referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), heading(0), height(0)
+      referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), heading(0), height(0), focalSigma(0),
+      lineDelaySigma(0)
 {
     check();
 }
@@ -25,8 +26,11 @@ RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double fo
 {
     if (!(focal >= 0) || cvIsInf(focal))
         CV_Error(Error::StsBadArg, format("focal is %g; a positive number of pixels, or 0 for the default, is expected", focal));
-    const double f = focal > 0 ? focal : 0.9 * std::max(size.width, size.height);
-    return RollingShutterCamera(size, Matx33d(f, 0, (size.width - 1) / 2., 0, f, (size.height - 1) / 2., 0, 0, 1));
+    const double usual = 0.9, usualSigma = 0.2; // of cameras in cars
+    const double f = focal > 0 ? focal : usual * std::max(size.width, size.height);
+    RollingShutterCamera camera(size, Matx33d(f, 0, (size.width - 1) / 2., 0, f, (size.height - 1) / 2., 0, 0, 1));
+    camera.focalSigma = focal > 0 ? 0 : usualSigma * f;
+    return camera;
 }
 
 void RollingShutterCamera::setRollPitch(double roll, double pitch)
@@ -119,6 +123,8 @@ void RollingShutterCamera::check() const
     checkRotation(uprightRotation);
     checkFinite(heading, "camera.heading");
     checkNotNegative(height, "camera.height", "unknown");
+    checkNotNegative(focalSigma, "camera.focalSigma", "exact");
+    checkNotNegative(lineDelaySigma, "camera.lineDelaySigma", "exact");
 }
 
 void RollingShutterCamera::write(FileStorage& fs) const
@@ -129,7 +135,7 @@ void RollingShutterCamera::write(FileStorage& fs) const
     fs << "lens_model" << lensModel << "scan_direction" << scanDirection;
     fs << "line_delay" << lineDelay << "reference_row" << referenceRow;
     fs << "upright_rotation" << uprightRotation;
-    fs << "heading" << heading << "height" << height;
+    fs << "heading" << heading << "height" << height << "focal_sigma" << focalSigma << "line_delay_sigma" << lineDelaySigma;
 }
 
 void RollingShutterCamera::read(const FileNode& fn)
@@ -146,6 +152,8 @@ void RollingShutterCamera::read(const FileNode& fn)
     cv::read(fn["upright_rotation"], uprightRotation, uprightRotation);
     cv::read(fn["heading"], heading, heading);
     cv::read(fn["height"], height, height);
+    cv::read(fn["focal_sigma"], focalSigma, focalSigma);
+    cv::read(fn["line_delay_sigma"], lineDelaySigma, lineDelaySigma);
 }
 
 }} // namespace cv::rsackermann

@@ -149,6 +149,9 @@ void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegmen
     }
     motion.status = MOTION_OK;
     fit.state.toMotion(camera.secondsPerUnitTime(), motion);
+    // A longer lens sees less of a turn.
+    const double change = motion.alpha * camera.focalSigma / camera.cameraMatrix(0, 0);
+    motion.covariance(0, 0) += change * change;
     motion.model = DisplacementField(camera).mainMotion(model, motion.roadSlope);
     const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, LEAN};
     labelInliers(verticals, model, camera.heading, agreement, motion, labels);

@@ -6,6 +6,7 @@
 #include "../segments.hpp"
 #include "../storage.hpp"
 #include "account.hpp"
+#include "focal_uncertainty.hpp"
 #include "posterior.hpp"
 #include "road_contact.hpp"
 #include "selection.hpp"
@@ -118,6 +119,10 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
         Posterior found;
         motion.status = motion.candidates < params.minCandidates ? MOTION_TOO_FEW_SEGMENTS
                                                                  : findMotion(problem, usual, found, motion, labels);
+        if (motion.status == MOTION_OK)
+            addFocalUncertainty(problem, camera, params, prior, segments, found);
+        if (motion.status == MOTION_OK && !(found.expectedLeft < found.expectedRaw))
+            motion.status = MOTION_NOT_SIGNIFICANT;
         motion.expectedRaw = found.expectedRaw;
         motion.expectedLeft = found.expectedLeft;
         if (motion.status == MOTION_OK)
@@ -149,7 +154,7 @@ int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDr
         if (logFalseAlarms(motion.candidates, motion.inliers, found.hypothesis.sampleSize(), chance) > 0)
             return MOTION_NO_CONSENSUS;
     }
-    return found.hypothesis.motion != MODEL_NONE && found.expectedLeft < found.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+    return found.hypothesis.motion != MODEL_NONE ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
 }
 
 Posterior AckermannEstimatorImpl::withExpectation(const UsualDrive& usual, const Fit& fit) const

@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../camera/axis_rotations.hpp"
+#include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "../compensation.hpp"
 
@@ -91,7 +92,12 @@ Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) co
         J(2, 2) = 1 / B;
     }
     J(3, 3) = 1;
-    return J * covariance * J.t();
+    Vec4d perSecond;
+    yawRate(camera, perSecond[0]);
+    if (scale != SCALE_SPEED) // which gives the speed, whatever the line delay
+        speed(camera, perSecond[1]);
+    const Vec4d change = relativeLineDelaySigma(camera) * perSecond;
+    return J * covariance * J.t() + change * change.t();
 }
 
 Matx33d AckermannMotion::uprightRotation(const RollingShutterCamera& camera) const

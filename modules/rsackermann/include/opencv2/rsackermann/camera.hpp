@@ -53,7 +53,7 @@ public:
 
     /** @brief An uncalibrated camera: principal point at the image centre, square pixels, no distortion.
     @param size size of the image in pixels.
-    @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal .
+    @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal , ± 20 % (focalSigma).
     @return the camera, upright and looking forward.
      */
     CV_WRAP static RollingShutterCamera fromFocal(const Size& size, double focal = 0);
@@ -110,6 +110,8 @@ public:
     CV_PROP_RW Matx33d uprightRotation;        //!< turns the camera frame into the upright frame
     CV_PROP_RW double heading;                 //!< radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a camera that looks to the right
     CV_PROP_RW double height;                  //!< metres of the camera above the road; 0: unknown
+    CV_PROP_RW double focalSigma;              //!< standard deviation of the focal length fx in pixels, which fy shares; 0: exact
+    CV_PROP_RW double lineDelaySigma;          //!< standard deviation of lineDelay in seconds; 0: exact
 };
 
 //! @}

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "../../camera/line_delay_sigma.hpp"
 #include "prior_residuals.hpp"
 
 namespace cv {
@@ -17,12 +18,12 @@ PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& cam
     if (unit > 0 && prior.yawRateSigma > 0)
     {
         alpha = prior.yawRate * unit / 2;
-        alphaSigma = prior.yawRateSigma * unit / 2;
+        alphaSigma = rateSigma(camera, prior.yawRate, prior.yawRateSigma) * unit / 2;
     }
     if (unit > 0 && prior.speedSigma > 0 && params.wallDistance > 0)
     {
         scaledSpeed = prior.speed * unit / params.wallDistance;
-        scaledSpeedSigma = prior.speedSigma * unit / params.wallDistance;
+        scaledSpeedSigma = rateSigma(camera, prior.speed, prior.speedSigma) * unit / params.wallDistance;
     }
 }
 

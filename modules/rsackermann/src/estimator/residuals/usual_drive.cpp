@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "../../camera/line_delay_sigma.hpp"
 #include "prior_residuals.hpp"
 #include "usual_drive.hpp"
 
@@ -34,13 +35,13 @@ UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& cam
     if (unit > 0 && prior.yawRateSigma > 0)
     {
         alpha = prior.yawRate * unit / 2;
-        toldAlphaSigma = prior.yawRateSigma * unit / 2;
+        toldAlphaSigma = rateSigma(camera, prior.yawRate, prior.yawRateSigma) * unit / 2;
     }
     double speed = USUAL_SPEED, speedSigma = LOG_SPEED_SIGMA;
     if (unit > 0 && prior.speedSigma > 0)
     {
         toldSpeed = prior.speed * unit;
-        toldSpeedSigma = prior.speedSigma * unit;
+        toldSpeedSigma = rateSigma(camera, prior.speed, prior.speedSigma) * unit;
         // Near rest a logarithm would say more than is known.
         speed = std::max(std::abs(prior.speed), prior.speedSigma);
         speedSigma = std::min(speedSigma, prior.speedSigma / speed);
