@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Mount and line delay from simulated drives, with and without a log: doc/results.md, "Self-calibration".
+// Mount and line delay from simulated or rendered drives, with and without a log: doc/results.md, "Self-calibration".
 
 #include "opencv2/core.hpp"
 
@@ -12,6 +12,7 @@ using namespace cv; // as opencv_ts has it
 
 #include "options.hpp"
 #include "progress.hpp"
+#include "rendered_drive.hpp"
 #include "test_drive_simulator.hpp"
 #include "units.hpp"
 
@@ -29,6 +30,7 @@ const char* const KEYS =
     "{frames   | 300  | of each drive, 30 in a second}"
     "{yaw_rate | 12   | standard deviation of the yaw rate, deg/s}"
     "{tilt     | 0.25 | standard deviation of roll and pitch of the suspension, degrees}"
+    "{rendered |      | rendered images (640 x 380) of a car that weaves through a street instead of simulated points and segments}"
     "{seed     | 0    | of the first drive}";
 
 const char* const NAMES[] = {"roll, deg", "pitch, deg", "heading, deg", "line delay, %"};
@@ -68,37 +70,96 @@ void print(const char* title, const Errors errors[4])
     }
 }
 
-// Simulates a drive and adds the errors of its calibrations, with a log and without.
-void calibrate(int seed, int frames, const StreetDrive::Options& options, Errors errors[2][4])
+// Calibrates with a log and without.
+class Contest
 {
-    RollingShutterCamera guess(cv::Size(960, 540), cv::Matx33d(700, 0, 479.5, 0, 700, 269.5, 0, 0, 1));
-    guess.height = 1.4;
-    guess.lineDelay = 0.02 / 540;
-    RollingShutterCamera truth = guess;
+public:
+    //! @param delay seconds for a line. @param scale_ by which the true one is larger.
+    Contest(const cv::Size& size, double focal, double delay, double height, double scale_, int seed) : guess(RollingShutterCamera::fromFocal(size, focal)),
+                                                                                                     scale(scale_), rng(seed)
+    {
+        guess.height = height;
+        guess.lineDelay = delay;
+        for (cv::Ptr<MountCalibrator>& c : calibrators)
+            c = MountCalibrator::create(guess);
+    }
+
+    //! @param addFrame of a calibrator and what it is told.
+    template <class AddFrame> void add(double yawRate, double speed, const AddFrame& addFrame)
+    {
+        MotionPrior log;
+        log.yawRateSigma = 0.5 * DEGREE;
+        log.yawRate = yawRate + rng.gaussian(log.yawRateSigma);
+        log.speedSigma = 1 * KMH;
+        log.speed = speed + rng.gaussian(log.speedSigma);
+        addFrame(*calibrators[0], log);
+        addFrame(*calibrators[1], MotionPrior());
+    }
+
+    void addErrors(Errors errors[2][4]) const
+    {
+        for (int l = 0; l < 2; l++)
+        {
+            const MountCalibration c = calibrators[l]->calibrate();
+            const double delay = scale * guess.lineDelay;
+            errors[l][0].add((c.roll - ROLL) / DEGREE, c.rollSigma / DEGREE, c.rollObserved);
+            errors[l][1].add((c.pitch - PITCH) / DEGREE, c.pitchSigma / DEGREE, c.pitchObserved);
+            errors[l][2].add((c.heading - HEADING) / DEGREE, c.headingSigma / DEGREE, c.headingObserved);
+            errors[l][3].add(100 * (c.lineDelay / delay - 1), 100 * c.lineDelaySigma / delay, c.lineDelayObserved);
+        }
+    }
+
+    const RollingShutterCamera& camera() const { return guess; }
+
+private:
+    RollingShutterCamera guess;
+    double scale;
+    cv::RNG rng;
+    cv::Ptr<MountCalibrator> calibrators[2];
+};
+
+double delayScale(int seed)
+{
+    return seed % 2 ? 1 + DELAY_ERROR : 1 - DELAY_ERROR;
+}
+
+void simulate(int seed, int frames, const StreetDrive::Options& options, Errors errors[2][4])
+{
+    Contest contest(cv::Size(960, 540), 700, 0.02 / 540, 1.4, delayScale(seed), seed);
+    RollingShutterCamera truth = contest.camera();
     truth.heading = HEADING;
-    truth.lineDelay *= seed % 2 ? 1 + DELAY_ERROR : 1 - DELAY_ERROR;
+    truth.lineDelay *= delayScale(seed);
     StreetDrive drive(truth, ROLL, PITCH, options, seed);
-    cv::RNG rng(seed);
-    const cv::Ptr<MountCalibrator> calibrators[] = {MountCalibrator::create(guess), MountCalibrator::create(guess)};
     for (int i = 0; i < frames; i++)
     {
         const StreetDrive::Frame f = drive.frame(i / 30., 1 / 30.);
-        MotionPrior log;
-        log.yawRateSigma = 0.5 * DEGREE;
-        log.yawRate = f.yawRate + rng.gaussian(log.yawRateSigma);
-        log.speedSigma = 1 * KMH;
-        log.speed = f.speed + rng.gaussian(log.speedSigma);
-        calibrators[0]->addPoints(f.points, f.segments, f.seconds, log);
-        calibrators[1]->addPoints(f.points, f.segments, f.seconds);
+        contest.add(f.yawRate, f.speed, [&](MountCalibrator& calibrator, const MotionPrior& log) { calibrator.addPoints(f.points, f.segments, f.seconds, log); });
     }
-    for (int l = 0; l < 2; l++)
+    contest.addErrors(errors);
+}
+
+void render(int seed, int frames, double tilt, Errors errors[2][4])
+{
+    Contest contest(cv::Size(640, 380), 620, 0.025 / 380, 1.3, delayScale(seed), seed);
+    street::StreetCamera camera(contest.camera().imageSize, 620, delayScale(seed) * contest.camera().lineDelay, 1.3);
+    camera.roll = ROLL;
+    camera.pitch = PITCH;
+    camera.heading = HEADING;
+    street::StreetScene scene;
+    scene.seed = unsigned(seed);
+    scene.stagger = 1.5;
+    scene.clutter = 0.2;
+    experiments::RenderedDrive drive(camera, scene);
+    drive.course = experiments::RenderedDrive::WEAVING;
+    drive.phase = seed;
+    drive.sway[0] = drive.sway[1] = 2 * tilt; // amplitudes of products of two oscillations
+    for (int i = 0; i < frames; i++)
     {
-        const MountCalibration c = calibrators[l]->calibrate();
-        errors[l][0].add((c.roll - ROLL) / DEGREE, c.rollSigma / DEGREE, c.rollObserved);
-        errors[l][1].add((c.pitch - PITCH) / DEGREE, c.pitchSigma / DEGREE, c.pitchObserved);
-        errors[l][2].add((c.heading - HEADING) / DEGREE, c.headingSigma / DEGREE, c.headingObserved);
-        errors[l][3].add(100 * (c.lineDelay / truth.lineDelay - 1), 100 * c.lineDelaySigma / truth.lineDelay, c.lineDelayObserved);
+        const cv::Mat image = drive.next().rollingShutter(2);
+        contest.add(drive.yawRate(), drive.speed(),
+                    [&](MountCalibrator& calibrator, const MotionPrior& log) { calibrator.addFrame(image, drive.seconds(), log); });
     }
+    contest.addErrors(errors);
 }
 
 int run(int argc, const char* const* argv)
@@ -106,18 +167,22 @@ int run(int argc, const char* const* argv)
     Options arguments(argc, argv, KEYS);
     if (arguments.given("help"))
     {
-        arguments.printHelp("Finds mount and line delay from simulated drives and compares them with the truth.\n");
+        arguments.printHelp("Finds mount and line delay from simulated or rendered drives and compares them with the truth.\n");
         return 0;
     }
     StreetDrive::Options options;
     options.yawRate = arguments.number("yaw_rate", 0, 90) * DEGREE;
     options.tilt = arguments.number("tilt", 0, 5) * DEGREE;
     const int drives = arguments.integer("drives", 1, 10000), frames = arguments.integer("frames", 2, 100000), seed = arguments.integer("seed", 0, 1 << 30);
+    const bool rendered = arguments.flag("rendered");
     Errors errors[2][4];
     Progress progress;
     for (int i = 0; i < drives; i++)
     {
-        calibrate(seed + i, frames, options, errors);
+        if (rendered)
+            render(seed + i, frames, options.tilt, errors);
+        else
+            simulate(seed + i, frames, options, errors);
         progress.update(i + 1, drives, "drives");
     }
     progress.clear();

@@ -4,7 +4,7 @@
 
 #include "experiment.hpp"
 #include "options.hpp"
-#include "street_renderer.hpp"
+#include "rendered_drive.hpp"
 
 #include "opencv2/imgcodecs.hpp"
 #include <cstdio>
@@ -30,31 +30,7 @@ const char* const KEYS =
     "{quiet      |        | print the summary only}"
     "{threads    |        | number of threads}";
 
-const double DEGREE = CV_PI / 180, FRAMES_PER_SECOND = 30;
-
-// The car in a straight street.
-struct Car
-{
-    double travelled, sideways, yaw; // metres along and to the right, radians to the right
-    double speed, yawRate;
-
-    Car() : travelled(0), sideways(0), yaw(0), speed(0), yawRate(0) {}
-
-    void drive(double seconds, double duration)
-    {
-        const int steps = 20;
-        for (int i = 0; i < steps; i++)
-        {
-            travelled += speed * std::cos(yaw) * duration / steps;
-            sideways += speed * std::sin(yaw) * duration / steps;
-            yaw += yawRate * duration / steps;
-        }
-        // 12 m/s, a stop at 7.2 s, and on.
-        speed = seconds < 6 ? 12 : seconds < 7.2 ? 10 * (7.2 - seconds) : seconds < 8.2 ? 0 : 4 * (seconds - 8.2);
-        // To the right and back.
-        yawRate = seconds > 2.5 && seconds < 6.5 ? 10 * DEGREE * std::sin((seconds - 2.5) * CV_PI / 2) : 0;
-    }
-};
+const double DEGREE = CV_PI / 180;
 
 struct Series
 {
@@ -115,7 +91,8 @@ int run(int argc, const char* const* argv)
     scene.seed = unsigned(options.integer("seed", 0, INT_MAX));
     scene.stagger = options.number("stagger", 0, 10);
     scene.clutter = 0.2;
-    const double roll = options.number("roll", 0, 10) * DEGREE;
+    RenderedDrive drive(eye, scene);
+    drive.sway[0] = options.number("roll", 0, 10) * DEGREE;
     const int frames = options.integer("frames", 2, 300);
     const bool quiet = options.flag("quiet");
 
@@ -127,24 +104,14 @@ int run(int argc, const char* const* argv)
     params.carryMotion = true;
     const cv::Ptr<RollingShutterCorrector> carried = RollingShutterCorrector::create(camera, params);
     Series series[2];
-    Car car;
     for (int i = 0; i < frames; i++)
     {
-        const double seconds = i / FRAMES_PER_SECOND;
-        car.drive(seconds, 1 / FRAMES_PER_SECOND);
-        eye.roll = roll * std::sin(2 * seconds) * std::cos(0.7 * seconds);
-        scene.speed = car.speed;
-        scene.yawRate = car.yawRate;
-        scene.travelled = car.travelled;
-        scene.wallDirection = -car.yaw;
-        scene.left = seconds > 1 && seconds < 2 ? 0 : 6 + car.sideways;
-        scene.right = 11 - car.sideways;
-        const street::StreetRenderer renderer(eye, scene);
+        const street::StreetRenderer renderer = drive.next();
         const cv::Mat image = renderer.rollingShutter(2);
         if (options.given("save"))
             cv::imwrite(options.text("save") + cv::format("/%03d.jpg", i), image);
         cv::Mat corrected, maps[2][2];
-        carried->setTimestamp(seconds);
+        carried->setTimestamp(drive.seconds());
         for (int k = 0; k < 2; k++)
         {
             const AckermannMotion motion = (k == 0 ? alone : carried)->correct(image, corrected);
@@ -154,7 +121,7 @@ int run(int argc, const char* const* argv)
             motion.yawRate(camera, yawRate);
             if (!quiet)
                 std::printf("%3d %s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n", i, k == 0 ? "alone  " : "carried",
-                            car.speed, car.yawRate / DEGREE, yawRate / DEGREE, motion.status, series[k].raw.back(), series[k].left.back(), motion.expectedRaw,
+                            drive.speed(), drive.yawRate() / DEGREE, yawRate / DEGREE, motion.status, series[k].raw.back(), series[k].left.back(), motion.expectedRaw,
                             motion.expectedLeft);
         }
     }

@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "rendered_drive.hpp"
+
+namespace experiments {
+
+static const double FRAMES_PER_SECOND = 30, STREET = 17, TO_THE_LEFT = 6; // metres: width of the street, and from the car to the left wall at the start
+
+RenderedDrive::RenderedDrive(const street::StreetCamera& camera, const street::StreetScene& street)
+    : course(BEND_AND_STOP), phase(0), mounted(camera), scene(street), frames(0), seconds_(0), sideways(0), yaw(0)
+{
+    sway[0] = sway[1] = 0;
+    scene.speed = scene.yawRate = scene.travelled = 0;
+}
+
+street::StreetRenderer RenderedDrive::next()
+{
+    seconds_ = frames++ / FRAMES_PER_SECOND;
+    drive();
+    street::StreetCamera camera = mounted;
+    camera.roll += sway[0] * std::sin(2 * seconds_ + phase) * std::cos(0.7 * seconds_ + phase);
+    camera.pitch += sway[1] * std::sin(2.9 * seconds_ + 2 * phase) * std::cos(0.9 * seconds_ + phase);
+    scene.wallDirection = mounted.heading - yaw;
+    scene.left = course == BEND_AND_STOP && seconds_ > 1 && seconds_ < 2 ? 0 : TO_THE_LEFT + sideways;
+    scene.right = STREET - TO_THE_LEFT - sideways;
+    return street::StreetRenderer(camera, scene);
+}
+
+void RenderedDrive::drive()
+{
+    const int steps = 20;
+    const double duration = 1 / FRAMES_PER_SECOND / steps, top = 10 * CV_PI / 180;
+    for (int i = 0; i < steps; i++)
+    {
+        scene.travelled += scene.speed * std::cos(yaw) * duration;
+        sideways += scene.speed * std::sin(yaw) * duration;
+        yaw += scene.yawRate * duration;
+    }
+    if (course == WEAVING)
+    {
+        // The angle is an oscillation without an offset from the first frame on.
+        const double frequency = CV_PI / 2;
+        scene.speed = 12;
+        scene.yawRate = top * std::sin(seconds_ * frequency + phase);
+        if (frames == 1)
+            yaw = -top / frequency * std::cos(phase);
+        return;
+    }
+    scene.speed = seconds_ < 6 ? 12 : seconds_ < 7.2 ? 10 * (7.2 - seconds_) : seconds_ < 8.2 ? 0 : 4 * (seconds_ - 8.2);
+    scene.yawRate = seconds_ > 2.5 && seconds_ < 6.5 ? top * std::sin((seconds_ - 2.5) * CV_PI / 2) : 0;
+}
+
+} // namespace experiments
