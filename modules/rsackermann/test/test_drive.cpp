@@ -47,7 +47,9 @@ bool randomPair(const Simulator& s, double seconds, RNG& rng, PointPair& pair)
         return false;
     const Vec3d P = place + s.street.distance(surface, place, ray) * ray;
     // The same motion brought the car here: its frame before is at the reference row of that time.
-    return s.project(s.drive.toCamera(P, -T), pair.other) && pair.other.x > 0 && pair.other.x < s.camera.imageSize.width;
+    Simulator other = s;
+    other.drive.yaw -= T * s.drive.yawChange;
+    return other.project(s.drive.toCamera(P, -T), pair.other) && pair.other.x > 0 && pair.other.x < s.camera.imageSize.width;
 }
 
 std::vector<PointPair> randomPairs(const Simulator& s, double seconds, int count, double noise, double outliers, RNG& rng)
@@ -113,6 +115,36 @@ TEST_P(Scans, points_move_as_the_simulated_motion_moves_them)
             ASSERT_LT(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)), 1e-6) << "motion " << i << ", point " << k;
     }
     EXPECT_GT(count, 8000);
+}
+
+TEST_P(Scans, other_frames_may_have_another_yaw_rate)
+{
+    RNG rng(11);
+    const RollingShutterCamera camera = driveCamera(GetParam());
+    const double unit = camera.secondsPerUnitTime();
+    std::vector<double> known, ignored;
+    for (int i = 0; i < 200; i++)
+    {
+        Truth truth = randomTruth(rng);
+        truth.speed *= 0.1;
+        const double seconds = rng.uniform(0., 1.) < 0.5 ? 0.1 : -0.1, change = rng.uniform(-0.5, 0.5);
+        Simulator simulator = simulate(camera, truth);
+        simulator.drive.yawChange = change * unit * unit;
+        double values[FLOW_VALUES] = {0};
+        const DriveVector value = stateOf(camera, truth).value;
+        std::copy(value.val, value.val + DRIVE_VALUES, values);
+        const std::vector<Sight> sights = sightsOf(camera, randomPairs(simulator, seconds, 20, 0, 0, rng), seconds);
+        for (size_t k = 0; k < sights.size(); k++)
+        {
+            values[FLOW_YAW_CHANGE] = 0;
+            ignored.push_back(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)));
+            values[FLOW_YAW_CHANGE] = change;
+            known.push_back(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)));
+        }
+    }
+    // What is left is the change of the car's way, which is no part of it and grows with the speed.
+    EXPECT_LT(median(known), 0.02 * median(ignored));
+    EXPECT_GT(median(ignored), 0.3);
 }
 
 TEST_P(Scans, derivatives_are_those_of_slow_motions)

@@ -73,8 +73,8 @@ public:
         Frame f;
         f.seconds = seconds;
         f.yawRate = yawRate.at(seconds);
-        f.speed = 11 + speed.at(seconds);
-        const Simulator now = simulator(tilted(seconds), f, seconds), before = simulator(tilted(seconds - interval), f, seconds);
+        f.speed = speedAt(seconds);
+        const Simulator now = simulator(seconds), before = simulator(seconds - interval);
         std::vector<Vec4d> pairs;
         for (int i = 0; i < options.points; i++)
         {
@@ -99,9 +99,16 @@ private:
         return c;
     }
 
-    Simulator simulator(const cv::rsackermann::RollingShutterCamera& c, const Frame& f, double seconds) const
+    double speedAt(double seconds) const { return 11 + speed.at(seconds); }
+
+    Simulator simulator(double seconds) const
     {
-        return Simulator::fromMetric(c, f.yawRate, f.speed, 8 + left.at(seconds), 8 + right.at(seconds), camera.heading + direction.at(seconds));
+        const cv::rsackermann::RollingShutterCamera c = tilted(seconds);
+        Simulator s = Simulator::fromMetric(c, yawRate.at(seconds), speedAt(seconds), 8 + left.at(seconds), 8 + right.at(seconds),
+                                            camera.heading + direction.at(seconds));
+        const double unit = c.secondsPerUnitTime(), h = 1e-3;
+        s.drive.yawChange = (yawRate.at(seconds + h) - yawRate.at(seconds - h)) / (2 * h) * unit * unit;
+        return s;
     }
 
     bool randomPoint(const Simulator& now, const Simulator& before, double interval, Vec4d& pair)

@@ -19,15 +19,19 @@ finding on the row, depths come from intersections of rays and planes. All point
 */
 namespace simulation {
 
-//! The car's circular motion; time is row time, 0 at the reference row.
+//! The car's motion, circular but for a change of the yaw rate; time is row time, 0 at the reference row.
 struct Drive
 {
     double yaw;     // radians per unit of time, positive to the right
     double speed;   // length per unit of time, negative in reverse
     double heading; // radians from the optical axis to the forward direction at time 0
+    double yawChange; // of yaw per unit of time
 
-    Drive() : yaw(0), speed(0), heading(0) {}
-    Drive(double yaw_, double speed_, double heading_) : yaw(yaw_), speed(speed_), heading(heading_) {}
+    Drive() : yaw(0), speed(0), heading(0), yawChange(0) {}
+    Drive(double yaw_, double speed_, double heading_) : yaw(yaw_), speed(speed_), heading(heading_), yawChange(0) {}
+
+    //! Radians to the right from time 0.
+    double turned(double t) const { return t * (yaw + 0.5 * yawChange * t); }
 
     //! Position at a time: five-point Gauss-Legendre quadrature of the velocity, of order 10.
     Vec3d position(double t) const
@@ -38,7 +42,7 @@ struct Drive
         for (int i = -2; i <= 2; i++)
         {
             const double at = 0.5 * t * (1 + (i < 0 ? -1 : 1) * node[std::abs(i)]);
-            const double angle = heading + yaw * at;
+            const double angle = heading + turned(at);
             sum += weight[std::abs(i)] * Vec3d(std::sin(angle), 0, std::cos(angle));
         }
         return 0.5 * t * speed * sum;
@@ -47,14 +51,20 @@ struct Drive
     //! A direction in the camera at time t as one in the camera at time 0.
     Vec3d turn(const Vec3d& d, double t) const
     {
-        const double c = std::cos(yaw * t), s = std::sin(yaw * t);
-        return Vec3d(c * d[0] + s * d[2], d[1], c * d[2] - s * d[0]);
+        return rotated(d, turned(t));
     }
 
     //! A point at rest as the camera at time t has it.
     Vec3d toCamera(const Vec3d& P, double t) const
     {
-        return Drive(-yaw, 0, 0).turn(P - position(t), t);
+        return rotated(P - position(t), -turned(t));
+    }
+
+private:
+    static Vec3d rotated(const Vec3d& d, double angle)
+    {
+        const double c = std::cos(angle), s = std::sin(angle);
+        return Vec3d(c * d[0] + s * d[2], d[1], c * d[2] - s * d[0]);
     }
 };
 

@@ -91,8 +91,8 @@ double FrameProblem::cost(const CalibrationFrame& frame) const
         const double r = (frame.value[i] - frame.expected[i]) / frame.sigma[i];
         known += r * r;
     }
-    const double turns = frame.value.tail<2>().squaredNorm() / (TURN_SIGMA * TURN_SIGMA);
-    return points / POINT_DEPENDENCE + slants / SLANT_DEPENDENCE + known + turns;
+    known += frame.value.tail<2>().squaredNorm() / (TURN_SIGMA * TURN_SIGMA);
+    return points / POINT_DEPENDENCE + slants / SLANT_DEPENDENCE + known;
 }
 
 void FrameProblem::addResiduals(const CalibrationFrame& frame, std::vector<double>& points, std::vector<double>& slants) const

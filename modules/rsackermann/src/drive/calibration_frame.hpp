@@ -25,8 +25,8 @@ enum MountValue
 
 typedef Eigen::Matrix<double, MOUNT_VALUES, 1> MountVector;
 typedef Eigen::Matrix<double, MOUNT_VALUES, MOUNT_VALUES> MountMatrix;
-// The first of FlowResidual's values, without the turns to a frame after. Those that other frames have to do with are the last ones: roll, pitch and the
-// turns about both axes since the frame before.
+// The first of FlowResidual's values, without the turns to a frame after. Those that other frames have to do with are the last ones: roll, pitch, the change of
+// the yaw rate and the turns about both axes since the frame before.
 enum { FRAME_VALUES = FLOW_ROLL_BEFORE + 1, SCENE_VALUES = DRIVE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
 typedef Eigen::Matrix<double, FRAME_VALUES, 1> FrameVector;
 
@@ -47,7 +47,7 @@ enum { SHARED_VALUES = MOUNT_VALUES - MOUNT_HEADING };
 from information * change = -gradient. */
 struct FrameEquations
 {
-    enum { ROLL, PITCH, PITCH_TURN, ROLL_TURN, VALUES = LINKED_VALUES + SHARED_VALUES };
+    enum { ROLL, PITCH, YAW_CHANGE, PITCH_TURN, ROLL_TURN, VALUES = LINKED_VALUES + SHARED_VALUES };
     typedef Eigen::Matrix<double, VALUES, 1> Vector;
 
     Eigen::Matrix<double, VALUES, VALUES> information;

@@ -27,6 +27,7 @@ public:
           focal(camera.cameraMatrix(0, 0))
     {
         Matx<double, FLOW_VALUES, FLOW_VALUES> covariance = Matx<double, FLOW_VALUES, FLOW_VALUES>::eye() * (TURN_SIGMA * TURN_SIGMA);
+        covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
         expected.setZero();
         for (int i = 0; i < DRIVE_VALUES; i++)
         {

@@ -58,7 +58,10 @@ Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobia
     const double w = length * std::max(0., planes[plane]);
 
     const double x = ray[0] + w * (placeX - other.tau * other.s2), z = ray[2] + w * (placeZ - other.tau * other.c2);
-    const double turnedX = other.c * x - other.s * z, turnedZ = other.s * x + other.c * z, behind = 1e3;
+    // By how much the other row has turned further from this one.
+    const double halfSquare = 0.5 * (s.timeOther * s.timeOther - s.timeNow * s.timeNow) * unit * unit, further = halfSquare * u[FLOW_YAW_CHANGE];
+    const double c = other.c - further * other.s, sn = other.s + further * other.c;
+    const double turnedX = c * x - sn * z, turnedZ = sn * x + c * z, behind = 1e3;
     if (!(turnedZ > least))
         return Point2d(behind, behind);
     const double px = turnedX / turnedZ, py = ray[1] / turnedZ;
@@ -90,6 +93,8 @@ Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobia
         }
         jx[DRIVE_YAW_RATE] = f * unit * (1 + mx * mx);
         jy[DRIVE_YAW_RATE] = f * unit * mx * my;
+        jx[FLOW_YAW_CHANGE] = -focal * halfSquare * (1 + mx * mx);
+        jy[FLOW_YAW_CHANGE] = -focal * halfSquare * mx * my;
         jx[s.pitch] = focal * mx * my;
         jy[s.pitch] = focal * (1 + my * my);
         jx[s.roll] = -focal * my;

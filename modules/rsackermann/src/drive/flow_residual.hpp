@@ -12,11 +12,12 @@
 namespace cv {
 namespace rsackermann {
 
-/** What a drive is described by, and turns about the other axes from the frame before and to the frame after, which are no part of the
-present image's motion. */
+/** What a drive is described by, and what makes other frames differ from the present one: the change of the yaw rate, and turns about the other axes from the
+frame before and to the frame after. */
 enum
 {
-    FLOW_PITCH_BEFORE = DRIVE_VALUES,
+    FLOW_YAW_CHANGE = DRIVE_VALUES, //!< rad/s^2
+    FLOW_PITCH_BEFORE,
     FLOW_ROLL_BEFORE,
     FLOW_PITCH_AFTER,
     FLOW_ROLL_AFTER,

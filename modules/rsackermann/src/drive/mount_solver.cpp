@@ -12,8 +12,10 @@ namespace rsackermann {
 
 static const int ITERATIONS = 8;           // at each scale
 static const double SAME_TURN = 0.02 * CV_PI / 180; // by which the change of a tilt differs from the turn between two frames
+static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180; // rad/s^2: a drive that tells the line delay weaves, and many frames tell the change
+static const double YAW_CHANGE_MEMORY = 0.5; // seconds
 static const double SAME_DELAY = 0.03;     // relative; what a scene that isn't plane makes of the line delay
-static const double HEADING_SIGMA = 0.01 * CV_PI / 180; // tilts turn the direction from which it counts, and cars slip
+static const double HEADING_SIGMA = 0.1 * CV_PI / 180; // cars slip on a crowned road, tilts turn the direction from which it counts, streets aren't plane
 static const double SLOW = 0.3;            // Hz; what frames err together is slower, or faster and without effect on the mean
 static const int LEAST_WAVES = 4;
 static const double ASSUMED_FRAMES = 3;    // as many count as the weights say
@@ -115,6 +117,7 @@ private:
         const double passed = k > 0 ? frames[k].time - frames[k - 1].time : DBL_MAX;
         const double kept = passed < 0 ? 0 : std::exp(-passed / suspension.memory);
         const bool follows = std::abs(passed - frames[k].interval) < 1e-6;
+        terms.push_back(yawChangeTerm(k, passed));
         for (int i = 0; i < 2; i++)
         {
             const double m = mount[mounts[i]], a = now[SCENE_VALUES + tilts[i]], b = k > 0 ? frames[k - 1].value[SCENE_VALUES + tilts[i]] : m;
@@ -133,6 +136,19 @@ private:
             turn.by(unknownOf(k, turns[i]), -1 / SAME_TURN);
             terms.push_back(turn);
         }
+    }
+
+    // The change of the yaw rate doesn't jump.
+    LinearTerm yawChangeTerm(size_t k, double passed) const
+    {
+        const int which = FrameEquations::YAW_CHANGE;
+        const double kept = passed < 0 ? 0 : std::exp(-passed / YAW_CHANGE_MEMORY), inverse = 1 / (LARGE_YAW_CHANGE_SIGMA * std::sqrt(1 - kept * kept));
+        const double before = k > 0 ? frames[k - 1].value[SCENE_VALUES + which] : 0;
+        LinearTerm term(inverse * (frames[k].value[SCENE_VALUES + which] - kept * before));
+        term.by(unknownOf(k, which), inverse);
+        if (k > 0)
+            term.by(unknownOf(k - 1, which), -kept * inverse);
+        return term;
     }
 
     double cost(double scale) const
