@@ -20,6 +20,7 @@ import tempfile
 NOT_RUN = {
     'test/run_all.sh': 'is what runs this test',
     'cmake ': 'builds the project or OpenCV: test/run_all.sh, scripts/test_package.sh and the test of Doxygen do it',
+    'build/samples/rsackermann_live ': 'shows a window; test_live.cpp has it make a file',
     'colmap ': 'a program of others; what it reads is tested by test_export.cpp',
     'perf/experiments/reproduce_paper.sh ': 'minutes; test_reproduction.py runs it with --quick',
     'perf/experiments/run_experiments.sh ': 'an hour; the experiment that it calls is run',

@@ -49,9 +49,14 @@ FrameReport::FrameReport() : frame(-1), frames(-1), time(std::numeric_limits<dou
 {
 }
 
+const char* statusWord(int status)
+{
+    static const char* const words[] = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
+    return words[status];
+}
+
 std::string reportLine(const FrameReport& frame)
 {
-    static const char* const statuses[] = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
     static const char* const scales[] = {"unknown", "wall", "road", "speed"};
     const AckermannMotion& m = frame.motion;
     const bool ok = m.status == MOTION_OK;
@@ -67,7 +72,7 @@ std::string reportLine(const FrameReport& frame)
     }
     if (!std::isnan(frame.time))
         line["time_s"] = frame.time;
-    line["status"] = statuses[m.status];
+    line["status"] = statusWord(m.status);
     line["model"] = modelWord(m.model);
     line["alpha"] = orNull(ok, m.alpha);
     line["beta"] = orNull(ok, m.wallSlope);

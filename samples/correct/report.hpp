@@ -25,6 +25,9 @@ struct FrameReport
     cv::Vec4d timings; //!< milliseconds of detection, estimation, maps and remapping
 };
 
+//! The word for one of cv::rsackermann::MotionStatus.
+const char* statusWord(int status);
+
 //! A line of JSON; what isn't known is null.
 std::string reportLine(const FrameReport& frame);
 

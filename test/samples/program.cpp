@@ -83,6 +83,13 @@ TemporaryFolder::~TemporaryFolder()
     cv::utils::fs::remove_all(path_);
 }
 
+double differenceInside(const cv::Mat& a, const cv::Mat& b)
+{
+    const int border = 20;
+    const cv::Rect inside(border, border, a.cols - 2 * border, a.rows - 2 * border);
+    return cv::norm(a(inside), b(inside), cv::NORM_L1) / double(inside.area() * a.channels());
+}
+
 std::vector<std::string> namesIn(const std::string& folder)
 {
     std::vector<std::string> names;

@@ -68,6 +68,9 @@ private:
     std::string path_;
 };
 
+//! Mean absolute difference of two pictures away from their borders, which the other one may not show.
+double differenceInside(const cv::Mat& a, const cv::Mat& b);
+
 //! The names in a folder, hidden ones too, sorted.
 std::vector<std::string> namesIn(const std::string& folder);
 std::string contentOf(const std::string& path);

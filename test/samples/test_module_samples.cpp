@@ -6,14 +6,6 @@
 
 namespace opencv_test { namespace {
 
-// Mean absolute difference of two pictures away from their borders, which the other one may not show.
-double differenceInside(const cv::Mat& a, const cv::Mat& b)
-{
-    const int border = 20;
-    const cv::Rect inside(border, border, a.cols - 2 * border, a.rows - 2 * border);
-    return cv::norm(a(inside), b(inside), cv::NORM_L1) / double(inside.area() * a.channels());
-}
-
 TEST(ModuleSamples, correct_frame)
 {
     const TemporaryFolder folder;

@@ -1,0 +1,167 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by side, with the numbers.
+
+#include "camera_settings.hpp"
+#include "correct/report.hpp"
+#include "correct/video_timing.hpp"
+#include "units.hpp"
+
+#include "opencv2/highgui.hpp"
+#include "opencv2/imgcodecs.hpp"
+#include "opencv2/imgproc.hpp"
+
+namespace {
+
+using namespace rsackermann_samples;
+using namespace cv::rsackermann;
+
+const char* const ABOUT =
+    "Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by side, with the numbers.\n"
+    "usage: rsackermann_live [--option=value]... INPUT\n"
+    "INPUT is a video or the number of a camera. Every key ends the program.\n"
+    "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
+
+const char* const KEYS =
+    "{help    |   | print this message}"
+    "{wall    |   | metres to the left (or only) wall; makes the speed metric}"
+    "{frames  | 0 | end after that many frames; 0: go on}"
+    "{picture |   | image file for what is seen last, instead of a window}";
+
+// Frames with their times: of a camera those at which they arrive, of a video those that it tells.
+class Source
+{
+public:
+    explicit Source(const std::string& name) : isCamera_(name.find_first_not_of("0123456789") == std::string::npos)
+    {
+        if (!isCamera_)
+            capture_ = openVideo(name);
+        else if (!capture_.open(parseInteger(name, "number of the camera", 0, 99)))
+            throw InputError("there is no camera " + name);
+        clock_.reset(new FrameClock(capture_));
+    }
+
+    bool read(cv::Mat& image, double& seconds)
+    {
+        if (!capture_.grab())
+            return false;
+        seconds = isCamera_ ? double(cv::getTickCount()) / cv::getTickFrequency() : clock_->timeOfFrame(capture_);
+        return capture_.retrieve(image);
+    }
+
+private:
+    bool isCamera_;
+    cv::VideoCapture capture_;
+    std::unique_ptr<FrameClock> clock_;
+};
+
+// Shows pictures in a window, or keeps the last one for a file.
+class Screen
+{
+public:
+    explicit Screen(const std::string& path) : path_(path)
+    {
+        if (path_.empty())
+            cv::namedWindow(NAME, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO);
+    }
+
+    // false: it was closed.
+    bool show(const cv::Mat& picture)
+    {
+        const bool isFirst = last_.empty();
+        last_ = picture;
+        if (!path_.empty())
+            return true;
+        if (isFirst)
+            cv::resizeWindow(NAME, picture.size());
+        cv::imshow(NAME, picture);
+        return cv::waitKey(1) < 0 && cv::getWindowProperty(NAME, cv::WND_PROP_VISIBLE) > 0;
+    }
+
+    void close() const
+    {
+        if (!path_.empty() && !cv::imwrite(path_, last_))
+            throw InputError(path_ + " can't be written");
+    }
+
+private:
+    static const char* const NAME;
+    std::string path_;
+    cv::Mat last_;
+};
+
+const char* const Screen::NAME = "rsackermann: raw, corrected (a key ends)";
+
+void write(cv::Mat& picture, int line, const std::string& text)
+{
+    const double size = picture.rows / 600.;
+    const cv::Point place(int(10 * size), int((line + 1) * 24 * size));
+    for (const bool isOutline : {true, false})
+        cv::putText(picture, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.7 * size, cv::Scalar::all(isOutline ? 0 : 255),
+                    cvRound(isOutline ? 4 * size : size) + 1, cv::LINE_AA);
+}
+
+void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Vec4d& milliseconds)
+{
+    double yawRate = 0, speed = 0;
+    std::string numbers = statusWord(motion.status);
+    if (motion.yawRate(camera, yawRate))
+        numbers += cv::format(", %.1f deg/s", yawRate / DEGREE);
+    if (motion.speed(camera, speed))
+        numbers += cv::format(", %.0f km/h", speed / KMH);
+    write(picture, 0, numbers);
+    if (motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT)
+        write(picture, 1, cv::format("expected displacement %.2f px, %.2f px left", motion.expectedRaw, motion.expectedLeft));
+    write(picture, 2, cv::format("%d of %d verticals, %.0f ms", motion.inliers, motion.candidates, cv::sum(milliseconds)[0]));
+}
+
+int run(int argc, const char* const* argv)
+{
+    Options options(argc, argv, std::string(KEYS) + CAMERA_KEYS);
+    if (options.given("help"))
+    {
+        options.printHelp(ABOUT);
+        return 0;
+    }
+    if (options.arguments().size() != 1)
+        throw UsageError("one input is needed");
+    const CameraSettings settings = readCameraOptions(options);
+    const int frames = options.integer("frames", 0, INT_MAX);
+    RollingShutterCorrector::Params params;
+    if (options.given("wall"))
+        params.estimator.wallDistance = options.number("wall", 0, 1e5, false);
+
+    Source source(options.arguments()[0]);
+    Screen screen(options.text("picture"));
+    cv::Ptr<RollingShutterCorrector> corrector;
+    cv::Mat image, corrected, picture;
+    double seconds;
+    int count = 0;
+    for (bool goOn = true; goOn && source.read(image, seconds); goOn = screen.show(picture) && count != frames)
+    {
+        if (!corrector)
+        {
+            const RollingShutterCamera camera = settings.makeCamera(image.size());
+            params.carryMotion = camera.lineDelay > 0;
+            corrector = RollingShutterCorrector::create(camera, params);
+        }
+        corrector->setTimestamp(seconds);
+        const AckermannMotion motion = corrector->correct(image, corrected);
+        cv::hconcat(image, corrected, picture);
+        writeNumbers(picture, corrector->getCamera(), motion, corrector->getTimings());
+        count++;
+    }
+    if (count == 0)
+        throw InputError("no frame can be read");
+    screen.close();
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return rsackermann_samples::runProgram(run, argc, argv);
+}

@@ -1,0 +1,73 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+
+#include "opencv2/videoio.hpp"
+
+namespace opencv_test { namespace {
+
+Outcome live(const Arguments& arguments) { return runProgram(LIVE_PROGRAM, arguments); }
+
+const cv::Size SIZE(480, 300);
+const double LINE_DELAY = 25e-3 / SIZE.height;
+
+// A video of a bend, four frames at 30 frames a second, and a grey picture.
+class Live : public testing::Test
+{
+protected:
+    Live() : video_(folder_ / "drive.avi"), picture_(folder_ / "picture.png")
+    {
+        cv::VideoWriter writer(video_, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30, SIZE);
+        for (int before = 3; before >= 0; before--)
+        {
+            // A line far behind the image is the one at whose instant the car is where it is in the last frame.
+            const double reference = (SIZE.height - 1) / 2. + before / 30. / LINE_DELAY;
+            simulate({"--output=" + street_.path(), "--overwrite", "--size=480x300", "--focal=400", cv::format("--line_delay=%.9g", LINE_DELAY),
+                      "--left=6", "--right=7", "--speed=54", "--yaw_rate=30", "--noise=0", cv::format("--reference=%.9g", reference)});
+            writer.write(cv::imread(street_ / "rolling.png"));
+        }
+        writer.write(cv::Mat(SIZE, CV_8UC3, cv::Scalar::all(90)));
+        camera_ = "--camera=" + (street_ / "camera.yml");
+    }
+
+    TemporaryFolder folder_, street_;
+    std::string camera_, video_, picture_;
+};
+
+TEST_F(Live, raw_and_corrected_image_are_side_by_side)
+{
+    const Outcome outcome = live({video_, camera_, "--frames=4", "--picture=" + picture_});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const cv::Mat picture = cv::imread(picture_), raw = cv::imread(street_ / "rolling.png"), truth = cv::imread(street_ / "global.png");
+    ASSERT_EQ(cv::Size(2 * SIZE.width, SIZE.height), picture.size());
+    const int numbers = SIZE.height / 6; // lines of numbers at the top
+    const cv::Rect left(0, numbers, SIZE.width, SIZE.height - numbers), right(left + cv::Point(SIZE.width, 0));
+    EXPECT_LT(differenceInside(raw(left), picture(left)), 0.5 * differenceInside(truth(left), picture(left)));
+    EXPECT_LT(differenceInside(truth(left), picture(right)), 0.7 * differenceInside(truth(left), picture(left)));
+    EXPECT_GT(cv::norm(raw.rowRange(0, numbers), picture(cv::Rect(0, 0, SIZE.width, numbers)), cv::NORM_INF), 150);
+}
+
+TEST_F(Live, goes_on_to_the_end)
+{
+    ASSERT_EQ(0, live({video_, camera_, "--picture=" + picture_}).exitCode);
+    EXPECT_LT(differenceInside(cv::Mat(SIZE, CV_8UC3, cv::Scalar::all(90)), cv::imread(picture_).colRange(SIZE.width, 2 * SIZE.width)), 1);
+}
+
+TEST_F(Live, usage)
+{
+    const Outcome help = live({"--help"});
+    EXPECT_EQ(0, help.exitCode);
+    for (const char* name : {"--camera", "--wall", "--frames", "--picture"})
+        EXPECT_NE(std::string::npos, help.output.find(name)) << name;
+    EXPECT_EQ(2, live({}).exitCode);
+    EXPECT_EQ(2, live({video_, video_}).exitCode);
+    EXPECT_EQ(2, live({video_, "--frames=-1", "--picture=" + picture_}).exitCode);
+    EXPECT_EQ(2, live({video_, "--frame=1", "--picture=" + picture_}).exitCode);
+    EXPECT_EQ(1, live({"/no/such/video.avi", "--picture=" + picture_}).exitCode);
+    EXPECT_EQ(1, live({video_, "--frames=1", "--picture=/no/such/folder/x.png"}).exitCode);
+    EXPECT_EQ((std::vector<std::string>{"drive.avi"}), namesIn(folder_.path()));
+}
+
+}} // namespace
