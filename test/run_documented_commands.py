@@ -44,13 +44,16 @@ REPLACED = {
     'rsackermann_experiment_calibration': 'rsackermann_experiment_calibration --drives=1 --frames=60',
 }
 
+# What the documents take for granted, unless the same block makes it by this program.
+MADE_BY = {'report.jsonl': 'rsackermann_correct', 'calibrated.yml': 'rsackermann_calibrate'}
+
 FRAMES = 12
 SIZE = (480, 300)
 LINE_DELAY = 0.025 / SIZE[1]
 
 
 def make_inputs(folder):
-    """frames/ with images, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml and report.jsonl."""
+    """frames/ with images, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml, and what is in MADE_BY."""
     def render(name, *options):
         subprocess.run(['rsackermann_simulate', '--output=one', '--overwrite', '--size=%dx%d' % SIZE, '--focal=400', '--line_delay=%r' % LINE_DELAY,
                         '--left=6', '--right=7', '--speed=36', '--yaw_rate=12', '--samples=1', *options], check=True, cwd=folder)
@@ -69,6 +72,7 @@ def make_inputs(folder):
     with open(os.path.join(folder, 'drive.csv'), 'w', encoding='utf-8') as file:
         file.write('frame,time_s,speed_kmh,yaw_rate_deg_s\n')
         file.writelines('%d,%r,36,12\n' % (i, i / 30) for i in range(FRAMES))
+    shutil.copy(os.path.join(folder, 'camera.yml'), os.path.join(folder, 'calibrated.yml'))
     subprocess.run(['rsackermann_correct', 'frames', '--camera=camera.yml', '--report=report.jsonl'], check=True, cwd=folder)
 
 
@@ -99,8 +103,9 @@ def run(command, folder):
 def run_block(commands, prepared, folder, root, build):
     """The first problem, or ''."""
     shutil.copytree(prepared, folder)
-    if any('rsackermann_correct' in command for command in commands):
-        os.remove(os.path.join(folder, 'report.jsonl'))  # the block makes its own one
+    for name, program in MADE_BY.items():
+        if any(program in command for command in commands):
+            os.remove(os.path.join(folder, name))
     os.symlink(build, os.path.join(folder, 'build'))
     os.symlink(os.path.join(root, 'samples'), os.path.join(folder, 'samples'))
     for command in commands:
