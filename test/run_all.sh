@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs what is needed on Debian 12, builds everything in both ways and runs all tests:
-# - the library against the installed OpenCV, with samples, tests and performance tests (one sample each),
+# - the library against the installed OpenCV, with samples, the Python package, tests and performance tests (one sample each),
 # - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests.
 # Prints the number of test cases as its last line and fails if one of them failed.
 # usage: run_all.sh [--ts-source=DIRECTORY] [BUILD_DIRECTORY]
@@ -85,7 +85,9 @@ rm -rf "$results"
 mkdir -p "$results"
 install_packages "$logs/apt-install.log" "${packages_build[@]}" "${packages_test[@]}"
 opencv_source=$ts_source
+python=OFF # the package is made from OpenCV's source, too, of exactly the version that is installed
 if [ -z "$ts_source" ]; then
+    python=ON
     step "Getting the source of OpenCV"
     opencv_source=$("$root/scripts/get_opencv_source.sh")
 fi
@@ -93,7 +95,8 @@ fi
 step "Building against the installed OpenCV in $build"
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 logged "$logs/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DENABLE_WERROR=ON \
-    -DBUILD_SAMPLES=ON -DBUILD_TESTING=ON -DBUILD_PERF_TESTS=ON "-DOPENCV_TS_SOURCE_DIR=$opencv_source"
+    -DBUILD_SAMPLES=ON -DBUILD_TESTING=ON -DBUILD_PERF_TESTS=ON "-DOPENCV_TS_SOURCE_DIR=$opencv_source" \
+    -DBUILD_PYTHON=$python -DPython3_EXECUTABLE=/usr/bin/python3
 logged "$logs/build.log" cmake --build "$build"
 
 step "Testing"
