@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the recipes of doc/many_images.md with two shards in two processes, and compares with a run without shards.
+"""Runs the recipes of doc/many_images.md with two shards in two processes, and the inputs in the opposite order, and compares with a run
+of one process in the usual order.
 
 The Slurm recipe runs as its array would: with the variables that Slurm sets, once for each task.
 
@@ -59,17 +60,19 @@ def main(root, correct, simulate):
         render(simulate, folder)
         whole = run(folder, os.path.join(folder, 'whole'),
                     'rsackermann_correct frames --camera=camera.yml --output=corrected --report=report.jsonl', [{}])
+        backwards = run(folder, os.path.join(folder, 'backwards'),
+                        'rsackermann_correct $(ls -r frames/*) --camera=camera.yml --output=corrected --report=report.jsonl', [{}])
         parallel = run(folder, os.path.join(folder, 'parallel'), recipe(root, 'parallel'), [{}])
         tasks = [{'SLURM_ARRAY_TASK_ID': str(i + 1), 'SLURM_ARRAY_TASK_COUNT': '2'} for i in range(2)]
         slurm = run(folder, os.path.join(folder, 'slurm'), recipe(root, 'slurm'), tasks)
     problems = []
     if len(whole[0]) != IMAGES or len(whole[1]) != IMAGES:
         problems.append('%d images, %d lines; %d are expected' % (len(whole[0]), len(whole[1]), IMAGES))
-    for name, result in (('parallel', parallel), ('slurm', slurm)):
+    for name, result in (('backwards', backwards), ('parallel', parallel), ('slurm', slurm)):
         if result[0] != whole[0]:
-            problems.append('%s: the images differ from those without shards' % name)
+            problems.append('%s: the images differ from those without shards in the usual order' % name)
         if result[1] != whole[1]:
-            problems.append('%s: the reports differ from that without shards' % name)
+            problems.append('%s: the reports differ from that without shards in the usual order' % name)
     for problem in problems:
         print(problem, file=sys.stderr)
     return 1 if problems else 0

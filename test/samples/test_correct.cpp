@@ -7,6 +7,7 @@
 #include "truth_file.hpp"
 
 #include "test_lens_models.hpp"
+#include "opencv2/rsackermann.hpp"
 
 namespace opencv_test { namespace {
 
@@ -132,6 +133,47 @@ TEST(Correct, same_result_whatever_the_number_of_threads)
             first = results;
         for (size_t i = 0; i < results.size(); i++)
             EXPECT_TRUE(first[i] == results[i]) << threads << " threads, result " << i;
+    }
+}
+
+// The lines are given, since the detectors of OpenCV depend on the processor, too.
+TEST(Correct, nearly_same_result_whatever_the_vectors)
+{
+    const TemporaryFolder folder;
+    cv::Mat segments;
+    cv::rsackermann::detectSegments(streetImage(), segments);
+    std::ostringstream lines;
+    for (int i = 0; i < segments.rows; i++)
+        lines << segments.at<float>(i, 0) << " " << segments.at<float>(i, 1) << " " << segments.at<float>(i, 2) << " " << segments.at<float>(i, 3) << "\n";
+    writeContent(folder / "lines.txt", lines.str());
+
+    Json widest;
+    cv::Mat widestMaps[2];
+    for (const char* disabled : {"", "AVX512-SKX", "AVX512-SKX,AVX2"})
+    {
+        const Json report = resultOf(runProgram("env", Arguments{std::string("OPENCV_CPU_DISABLE=") + disabled, CORRECT_PROGRAM} + streetArguments() +
+                                                           Arguments{"--report=-", "--lines=" + (folder / "lines.txt"), "--overwrite",
+                                                                     "--maps=" + (folder / "maps.yml")}));
+        cv::Mat maps[2];
+        const cv::FileStorage file(folder / "maps.yml", cv::FileStorage::READ);
+        file["map1"] >> maps[0];
+        file["map2"] >> maps[1];
+        if (widest.empty())
+        {
+            widest = report.flatten();
+            std::copy(maps, maps + 2, widestMaps);
+        }
+        EXPECT_EQ("ok", report["status"]);
+        const Json values = report.flatten();
+        for (const auto& expected : widest.items())
+            if (expected.value().is_number_float())
+                EXPECT_NEAR(expected.value().get<double>(), values[expected.key()].get<double>(),
+                            1e-6 * (1e-6 + std::abs(expected.value().get<double>())))
+                    << expected.key() << " without " << disabled;
+            else
+                EXPECT_EQ(expected.value(), values[expected.key()]) << expected.key() << " without " << disabled;
+        for (int i = 0; i < 2; i++)
+            EXPECT_LT(cv::norm(widestMaps[i], maps[i], cv::NORM_INF), 1e-3) << "map without " << disabled;
     }
 }
 
