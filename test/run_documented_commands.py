@@ -31,6 +31,7 @@ NOT_RUN = {
     'build/opencv_perf_rsackermann ': 'minutes; a test of its own runs it with one sample',
     'python3 "$(scripts/get_opencv_source.sh)"/modules/ts/misc/summary.py ': 'fetches the source of OpenCV to compare two long runs',
     'test/trust/faults.py ': 'a test of its own',
+    'test/check_shards.py ': 'a test of its own',
     'test/fuzz/run.sh ': 'builds everything with clang; minutes',
     'test/analyse.sh': 'installs tools; a command of its own',
 }
