@@ -28,8 +28,8 @@ bool isAtRest(const street::StreetScene& scene)
 RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowledge& knowledge, cv::RNG& rng)
 {
     street::StreetCamera told = truth;
-    told.roll += rng.gaussian(knowledge.gravityNoise);
-    told.pitch += rng.gaussian(knowledge.gravityNoise);
+    told.roll += rng.gaussian(knowledge.rollNoise);
+    told.pitch += rng.gaussian(knowledge.pitchNoise);
     const double focalError = knowledge.focalError + (knowledge.focalNoise > 0 ? rng.gaussian(knowledge.focalNoise) : 0);
     told.fx *= 1 + focalError;
     told.fy *= 1 + focalError;
@@ -154,6 +154,8 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     result.inliers = motion.inliers;
     result.raw = meanDistance(identity[0], identity[1], truth[0], truth[1], mask);
     result.left = meanDistance(estimated[0], estimated[1], truth[0], truth[1], mask);
+
+    result.expectedLeft = motion.expectedLeft;
 
     double yawRate = 0, speed = 0;
     const bool ok = motion.status == MOTION_OK;

@@ -12,7 +12,7 @@ namespace experiments {
 //! What the estimator is told besides the image, and how wrong that is.
 struct Knowledge
 {
-    double gravityNoise;  //!< standard deviation in radians of the errors of roll and pitch
+    double rollNoise, pitchNoise; //!< standard deviations in radians of the errors of roll and pitch
     double focalError;    //!< of the focal length: 0.1 for 10 % too long
     double focalNoise;    //!< standard deviation of further errors of it, of which the estimator is told
     double speedSigma;    //!< metres per second, of the error of a known speed; 0: it isn't known
@@ -20,7 +20,7 @@ struct Knowledge
     double wallDirectionSigma; //!< radians, of the error of a known line at infinity; 0: it isn't known
     bool exactPriors;     //!< what is known has no error, whatever its standard deviation
 
-    Knowledge() : gravityNoise(0), focalError(0), focalNoise(0), speedSigma(0), yawRateSigma(0), wallDirectionSigma(0), exactPriors(false) {}
+    Knowledge() : rollNoise(0), pitchNoise(0), focalError(0), focalNoise(0), speedSigma(0), yawRateSigma(0), wallDirectionSigma(0), exactPriors(false) {}
 };
 
 //! Which segments the estimator gets.
@@ -47,6 +47,7 @@ struct Result
 {
     int status, model, candidates, inliers;
     double raw, left;           //!< mean displacement in pixels before and after
+    double expectedLeft;        //!< what the estimator expects to be left
     double yawRateError;        //!< degrees per second
     double yawRateSigma;        //!< its standard deviation as the estimator sees it; NaN where there is none
     double speedError;          //!< km/h; NaN where the speed isn't known

@@ -42,7 +42,7 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
 {
     Experiment experiment;
     Knowledge& knowledge = experiment.knowledge;
-    knowledge.gravityNoise = options.number("gravity_noise", 0, 45) * DEGREE;
+    knowledge.rollNoise = knowledge.pitchNoise = options.number("gravity_noise", 0, 45) * DEGREE;
     knowledge.speedSigma = options.number("speed_sigma", 0, 1000) * KMH;
     knowledge.yawRateSigma = options.number("yaw_rate_sigma", 0, 1000) * DEGREE;
     knowledge.wallDirectionSigma = options.number("wall_direction_sigma", 0, 90) * DEGREE;
@@ -57,8 +57,8 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
         params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
-    else if (knowledge.gravityNoise > 0)
-        setGravitySigma(knowledge.gravityNoise, params);
+    else if (knowledge.rollNoise > 0)
+        setGravitySigma(knowledge.rollNoise, params);
     experiment.segments.verticalsOnly = options.flag("only_verticals");
     experiment.segments.exact = options.flag("exact_segments");
     experiment.floorSamples = options.integer("floor", 0, 1000);

@@ -158,27 +158,61 @@ TEST(RSAckermann_UsualDrive, volume)
     EXPECT_NEAR(street + 0.5 * std::log(0.8 * 0.8 + 0.6 * 0.6 / 2) + std::log(0.8), makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 2)), 1e-9);
 }
 
+// Speeds and walls as they are usual, of which only those count that a camera would see pass in this way.
+TEST(RSAckermann_UsualDrive, road_of_walls_that_pass)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const double unit = camera.secondsPerUnitTime(), width = 0.03;
+    RNG rng(12);
+    for (int walls = 1; walls <= 2; walls++)
+        for (double B = 0.02; B < 0.4; B *= 2.5)
+        {
+            Model model = movingModel(B, 0);
+            model[P_LAMBDA] = walls == 2 ? 0.4 : 0;
+            double sum = 0, squares = 0;
+            int count = 0;
+            for (int i = 0; i < 2000000; i++)
+            {
+                // A right wall 2.5 times as far away: the mean of the logarithms varies less than that of a single wall.
+                const double wall = USUAL_WALL * std::exp(rng.gaussian(walls == 2 ? 0.6 / std::sqrt(2.) : 0.6)) * (walls == 2 ? std::sqrt(0.4) : 1);
+                const double speed = 12 * std::exp(rng.gaussian(0.8));
+                if (std::abs(std::log(speed * unit / wall / B)) > width)
+                    continue;
+                const double logG = std::log(speed * unit / camera.height);
+                sum += logG;
+                squares += logG * logG;
+                count++;
+            }
+            ASSERT_GT(count, 1000);
+            const double mean = sum / count, sigma = std::sqrt(squares / count - mean * mean), error = 4 * sigma / std::sqrt(double(count));
+            double G, variance;
+            makeDrive(camera).road(model, G, variance);
+            EXPECT_NEAR(mean, std::log(G), error);
+            EXPECT_NEAR(sigma, std::sqrt(variance) / G, error);
+            model[P_B] = -B;
+            model.direction = 1;
+            double other;
+            makeDrive(camera).road(model, other, variance);
+            EXPECT_EQ(G, other) << "a right wall";
+        }
+}
+
 TEST(RSAckermann_UsualDrive, road)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime(), height = camera.height;
     double G, variance;
-    // Unless more is told, the wall is as far away as walls are.
-    makeDrive(camera).road(movingModel(0.05, 0.2), G, variance);
-    EXPECT_NEAR(0.05 * USUAL_WALL / height, G, 1e-12);
-    EXPECT_NEAR(0.6 * G, std::sqrt(variance), 1e-12);
-    makeDrive(camera).road(movingModel(-0.05, 0.2), G, variance);
-    EXPECT_NEAR(-0.05 * USUAL_WALL / height, G, 1e-12);
     makeDrive(camera).road(Model(), G, variance);
     EXPECT_EQ(0, G);
     EXPECT_EQ(0, variance);
-    // Speed and height are the road's slope.
+    // Speed and height are the road's slope; the walls add next to nothing.
     makeDrive(camera, toldSpeed(15, 0.5)).road(movingModel(0.05, 0.2), G, variance);
-    EXPECT_NEAR(15 * unit / height, G, 1e-12);
+    EXPECT_NEAR(15 * unit / height, G, 0.1 * 0.5 * unit / height);
+    EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 0.01 * 0.5 * unit / height);
+    // At rest, too.
+    makeDrive(camera, toldSpeed(0, 0.5)).road(movingModel(0.05, 0.2), G, variance);
+    EXPECT_EQ(0, G);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 1e-12);
-    // A vague speed says less than the walls.
-    makeDrive(camera, toldSpeed(15, 100)).road(movingModel(0.05, 0.2), G, variance);
-    EXPECT_NEAR(0.05 * USUAL_WALL / height, G, 1e-12);
     // With wall and height nothing is left open.
     Params params;
     params.wallDistance = 2.5;
@@ -190,8 +224,12 @@ TEST(RSAckermann_UsualDrive, road)
     EXPECT_NEAR(0.05 * 3, G, 1e-12);
     // A camera of unknown height is where cameras are; one that looks to the side may not see the road.
     camera.height = 0;
+    double known;
+    makeDrive(simulation::paperCamera()).road(movingModel(0.05, 0.2), known, variance);
+    const double share = variance / (known * known);
     makeDrive(camera).road(movingModel(0.05, 0.2), G, variance);
-    EXPECT_NEAR(0.05 * USUAL_WALL / 1.3, G, 1e-12);
+    EXPECT_NEAR(known * height / 1.3, G, 1e-12);
+    EXPECT_NEAR(share + 0.35 * 0.35, variance / (G * G), 1e-12);
     camera.heading = CV_PI / 2;
     makeDrive(camera).road(movingModel(0.05, 0.2), G, variance);
     EXPECT_EQ(0, G);

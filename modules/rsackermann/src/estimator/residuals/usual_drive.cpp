@@ -19,6 +19,7 @@ static const double LOG_SPEED_SIGMA = 0.8;
 static const double USUAL_WALL = 8;                  // metres
 static const double LOG_WALL_SIGMA = 0.6;            // 3 to 30 m within two of them
 static const double USUAL_HEIGHT = 1.3;              // metres, of the camera
+static const double LOG_HEIGHT_SIGMA = 0.35;
 static const double USUAL_SECONDS_PER_UNIT = 0.06;   // of the row time, if the line delay is unknown
 static const double LOG_SECONDS_SIGMA = 1;
 static const double REST = 0.5;                      // probability before anything is seen, which includes global shutters
@@ -27,7 +28,7 @@ static const double REST_IF_TOLD = 0.1;              // who is told of a motion 
 UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                        const MotionLimits& limits)
     : alpha(0), toldAlphaSigma(0), toldSpeed(0), toldSpeedSigma(0), heading(camera.heading), headingSigma(params.wallDeviationSigma),
-      height(camera.height), logRatioSigma(0)
+      height(camera.height)
 {
     const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
@@ -54,8 +55,8 @@ UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& cam
         ratio = params.roadRatio;
     else
         ratio = (knowsWall ? params.wallDistance : USUAL_WALL) / (height > 0 ? height : USUAL_HEIGHT);
-    if (!(knowsWall && height > 0))
-        logRatioSigma = LOG_WALL_SIGMA;
+    roadRatioIsTold = params.roadRatio > 0;
+    logHeightSigma = height > 0 || roadRatioIsTold ? 0 : LOG_HEIGHT_SIGMA;
     // A camera of unknown height that looks to the side may not see the road at all.
     roadIsSeen = height > 0 || std::abs(std::cos(camera.heading)) > 0.5;
 }
@@ -136,8 +137,13 @@ void UsualDrive::road(const Model& model, double& G, double& variance) const
     const double speed = std::hypot(model[P_B], model[P_D]);
     if (speed == 0 || !roadIsSeen)
         return;
-    G = (model.direction < 0 ? -1 : 1) * speed * ratio;
-    variance = std::pow(logRatioSigma * G, 2);
+    // Walls that pass faster than usual are near, and the car is fast: each as far as its prior allows.
+    const bool hasBoth = model[P_LAMBDA] > 0 && logWallSigma > 0 && !roadRatioIsTold;
+    const double mean = hasBoth ? speed * std::sqrt(model[P_LAMBDA]) : speed;
+    const double speedVariance = logSpeedSigma * logSpeedSigma, wallVariance = logWallSigma * logWallSigma / (hasBoth ? 2 : 1);
+    const double share = roadRatioIsTold ? 0 : wallVariance / (wallVariance + speedVariance);
+    G = (model.direction < 0 ? -1 : 1) * mean * ratio * std::pow(mean / usualScaledSpeed(model.direction), -share);
+    variance = G * G * (logHeightSigma * logHeightSigma + (1 - share) * wallVariance);
     const double toldSigma = toldSpeedSigma / height;
     if (toldSpeedSigma > 0 && height > 0 && toldSigma * toldSigma < variance)
     {

@@ -53,7 +53,8 @@ private:
     double logSpeed, logSpeedSigma;   // of the scaled speed, less what isn't known of the wall
     double logWallSigma;           // of the logarithm of a wall's distance; 0: told
     double heading, headingSigma;
-    double height, ratio, logRatioSigma;
+    double height, ratio, logHeightSigma;
+    bool roadRatioIsTold;
     bool speedIsKnown;             // with the wall's distance: the refinement has it as a measurement
     bool roadIsSeen;
 };
