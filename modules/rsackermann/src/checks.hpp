@@ -10,25 +10,29 @@
 namespace cv {
 namespace rsackermann {
 
-//! Throws unless the value is finite.
+//! Of what a caller tells: its powers, and quotients of two of them, are finite.
+const double LARGEST_VALUE = 1e30;
+
+//! Throws unless the value is finite, and not absurd.
 inline void checkFinite(double value, const char* name)
 {
-    if (cvIsNaN(value) || cvIsInf(value))
-        CV_Error(Error::StsBadArg, format("%s is %g; a finite number is expected", name, value));
+    if (!(std::abs(value) <= LARGEST_VALUE))
+        CV_Error(Error::StsBadArg, format("%s is %g; a finite number up to %g is expected", name, value, LARGEST_VALUE));
 }
 
 //! Throws unless the value is finite and greater than 0.
 inline void checkPositive(double value, const char* name)
 {
-    if (!(value > 0) || cvIsInf(value))
-        CV_Error(Error::StsBadArg, format("%s is %g; a positive number is expected", name, value));
+    if (!(value >= 1 / LARGEST_VALUE && value <= LARGEST_VALUE))
+        CV_Error(Error::StsBadArg, format("%s is %g; a positive number up to %g is expected", name, value, LARGEST_VALUE));
 }
 
 //! Throws unless the value is finite and 0 or greater; 0 has the given meaning.
 inline void checkNotNegative(double value, const char* name, const char* meaningOfZero)
 {
-    if (!(value >= 0) || cvIsInf(value))
-        CV_Error(Error::StsBadArg, format("%s is %g; a positive number, or 0 for %s, is expected", name, value, meaningOfZero));
+    if (value != 0 && !(value >= 1 / LARGEST_VALUE && value <= LARGEST_VALUE))
+        CV_Error(Error::StsBadArg,
+                 format("%s is %g; a positive number up to %g, or 0 for %s, is expected", name, value, LARGEST_VALUE, meaningOfZero));
 }
 
 //! Throws unless the value is finite and within the limits, which belong to the range.

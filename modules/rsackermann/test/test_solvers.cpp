@@ -530,6 +530,10 @@ TEST(RSAckermann_Solvers, special_values)
         }
         if (rng.uniform(0, 10) == 0)
             problem.options.heading = values[rng.uniform(0, count)];
+        if (rng.uniform(0, 10) == 0)
+            problem.options.maxAlpha = values[rng.uniform(0, count)];
+        if (rng.uniform(0, 10) == 0)
+            problem.options.maxSpeed = values[rng.uniform(0, count)];
         for (int j = 0; j < solverCount; j++)
         {
             MinimalSolution solutions[9];

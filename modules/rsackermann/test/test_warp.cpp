@@ -156,7 +156,7 @@ TEST_P(WarpLens, motion_without_status_OK_is_ignored)
 TEST_P(WarpLens, absurd_motion_gives_no_NaN)
 {
     RNG rng(5);
-    const double magnitudes[] = {1, 10, 1e3, 1e9, 1e200};
+    const double magnitudes[] = {1, 10, 1e3, 1e9, 1e150};
     for (int round = 0; round < 60; round++)
     {
         RollingShutterCamera camera = lensCamera(GetParam());

@@ -147,7 +147,7 @@ TEST(RSAckermann_WarpOpenCL, absurd_motion_gives_no_NaN)
 {
     skipWithoutDevice();
     RNG rng(52);
-    const double magnitudes[] = {1, 10, 1e3, 1e9, 1e200};
+    const double magnitudes[] = {1, 10, 1e3, 1e9, 1e150};
     const int lenses[] = {ALL_LENSES};
     for (int round = 0; round < 70; round++)
     {

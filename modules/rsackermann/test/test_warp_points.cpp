@@ -419,6 +419,9 @@ TEST(RSAckermann_WarpPoints, bad_arguments)
     EXPECT_THROW(generator->distortPoints(motion, points, got, Mat(5, 1, CV_64F, Scalar(1))), cv::Exception);
     motion.alpha = NaN;
     EXPECT_THROW(generator->distortPoints(motion, points, got), cv::Exception);
+    motion.alpha = 0;
+    motion.wallRatio = -3.5e306;
+    EXPECT_THROW(generator->correctPoints(motion, points, got), cv::Exception);
 }
 
 }} // namespace opencv_test::

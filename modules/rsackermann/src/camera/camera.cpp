@@ -80,9 +80,11 @@ bool RollingShutterCamera::isRowShutter() const
 
 static void checkIntrinsics(const Matx33d& K)
 {
+    const double largest = 1e9; // whose powers, and quotients with what is in an image, are finite
     for (int i = 0; i < 9; i++)
-        checkFinite(K.val[i], "camera.cameraMatrix");
-    if (!(K(0, 0) > 0) || !(K(1, 1) > 0))
+        if (!(std::abs(K.val[i]) <= largest))
+            CV_Error(Error::StsBadArg, format("camera.cameraMatrix has the entry %g; pixels up to %g are expected", K.val[i], largest));
+    if (!(K(0, 0) >= 1 / largest) || !(K(1, 1) >= 1 / largest))
         CV_Error(Error::StsBadArg, format("camera.cameraMatrix has focal lengths %g, %g; positive ones are expected", K(0, 0), K(1, 1)));
     if (K(0, 1) != 0 || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1)
         CV_Error(Error::StsBadArg, "camera.cameraMatrix has other entries than fx, fy, cx, cy and 1; a matrix (fx 0 cx; 0 fy cy; 0 0 1) is expected");

@@ -74,7 +74,7 @@ bool solveWallsFromThree(const Constraint constraints[3], const Constraint* righ
 //! Whether the solution is within the limits.
 inline bool isWithinLimits(const MinimalSolution& s, const SolverOptions& options)
 {
-    return std::abs(s.alpha) <= options.maxAlpha && s.B * s.B + s.D * s.D <= options.maxSpeed * options.maxSpeed;
+    return std::abs(s.alpha) <= options.maxAlpha && std::hypot(s.B, s.D) <= options.maxSpeed;
 }
 
 /** Whether all segments are seen on walls in front of the camera and on the same side of the line at infinity: those on the

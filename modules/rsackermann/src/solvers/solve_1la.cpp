@@ -21,7 +21,7 @@ int solve1LA(const VerticalSegment& segment, const SolverOptions& options, Minim
     MinimalSolution& s = solutions[0];
     s.alpha = turn / (2 * (segment.timeU - segment.timeV));
     s.B = s.D = s.lambda = 0;
-    return std::abs(s.alpha) <= options.maxAlpha ? 1 : 0;
+    return isWithinLimits(s, options) ? 1 : 0;
 }
 
 }} // namespace cv::rsackermann

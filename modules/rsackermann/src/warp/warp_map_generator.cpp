@@ -80,9 +80,10 @@ static void checkMotion(const AckermannMotion& motion)
     const double values[] = {motion.alpha, motion.wallSlope, motion.wallOffset, motion.wallRatio, motion.roadSlope, motion.rollCorrection, motion.pitchCorrection,
                              motion.wallDistance};
     const char* const names[] = {"alpha", "wallSlope", "wallOffset", "wallRatio", "roadSlope", "rollCorrection", "pitchCorrection", "wallDistance"};
+    const double largest = 1e150; // the walls' inverse depths, products of two of them, are finite
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
-        if (!isFinite(values[i]))
-            CV_Error(Error::StsBadArg, format("motion.%s is %g; a finite number is expected", names[i], values[i]));
+        if (!(std::abs(values[i]) <= largest))
+            CV_Error(Error::StsBadArg, format("motion.%s is %g; a number from %g to %g is expected", names[i], values[i], -largest, largest));
 }
 
 static int countPoints(const Mat& points)
