@@ -389,7 +389,9 @@ TEST_F(Export, frames_without_a_motion_stay_as_they_are)
     EXPECT_EQ(false, frame["moves"]);
     EXPECT_EQ(0, cv::norm(poseOf(frame["viewmat_start"]) - Pose::eye()));
     EXPECT_EQ(0, cv::norm(poseOf(frame["viewmat_end"]) - Pose::eye()));
-    for (const json& node : json::parse(contentOf(folder / "mesh.json"))["frames"][0]["nodes"])
+    const json nodes = json::parse(contentOf(folder / "mesh.json"))["frames"][0]["nodes"];
+    EXPECT_FALSE(nodes.empty());
+    for (const json& node : nodes)
         EXPECT_LT(cv::norm(cv::Point2d(node[0], node[1]) - cv::Point2d(node[2], node[3])), 1e-9);
 }
 
