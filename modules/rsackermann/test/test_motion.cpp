@@ -281,4 +281,12 @@ TEST(RSAckermann_Motion, corrections_add_to_roll_and_pitch)
     EXPECT_LT(cv::norm(m.uprightRotation(camera) * corrected.gravity() - Vec3d(0, 1, 0)), 0.1 * 2e-4);
 }
 
+TEST(RSAckermann_Motion, covariance_of_the_slowest_motion)
+{
+    AckermannMotion motion = exampleMotion();
+    motion.wallSlope = motion.wallOffset = 8e-214;
+    motion.covariance = Matx44d::diag(Vec4d(1e-4, 1e-209, 1e-209, 1));
+    EXPECT_TRUE(cv::checkRange(Mat(motion.metricCovariance(exampleCamera()))));
+}
+
 }} // namespace

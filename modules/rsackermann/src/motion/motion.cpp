@@ -88,7 +88,7 @@ Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) co
     }
     if (std::abs(B) > 1e-9 * std::abs(D))
     {
-        J(2, 1) = -D / (B * B);
+        J(2, 1) = -D / B / B; // the square of the slowest motion is 0
         J(2, 2) = 1 / B;
     }
     J(3, 3) = 1;
