@@ -43,6 +43,7 @@ REPLACED = {
     'build/python python3 ': 'build/python /usr/bin/python3 ',  # that of Debian's numpy
     'rsackermann_benchmark --filter=solver': 'rsackermann_benchmark --filter=solver --rounds=1',
     'rsackermann_experiment_streets --': 'rsackermann_experiment_streets --scenes=1 --speeds=60 --yaw_rates=30 --',
+    'rsackermann_experiment_harm': 'rsackermann_experiment_harm --frames=10',
     'rsackermann_experiment_calibration': 'rsackermann_experiment_calibration --drives=1 --frames=60',
 }
 
