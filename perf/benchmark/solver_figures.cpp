@@ -25,8 +25,8 @@ std::vector<VerticalSegment> makeSamples(int count)
             continue;
         const cv::Vec4f e = ends.at<cv::Vec4f>(i);
         VerticalSegment s;
-        s.u = cv::Point2d((e[0] - K(0, 2)) / K(0, 0), 1);
-        s.v = cv::Point2d((e[2] - K(0, 2)) / K(0, 0), 1);
+        s.u = HorizontalBearing((e[0] - K(0, 2)) / K(0, 0), 1);
+        s.v = HorizontalBearing((e[2] - K(0, 2)) / K(0, 0), 1);
         s.timeU = drive.camera.rowTime(cv::Point2d(e[0], e[1]));
         s.timeV = drive.camera.rowTime(cv::Point2d(e[2], e[3]));
         samples.push_back(s);

@@ -85,7 +85,15 @@ RollingShutterCamera Values::camera(int largest)
 AckermannMotion Values::motion(const RollingShutterCamera& camera)
 {
     if (flag())
-        return AckermannMotion::fromMetric(camera, number(-2, 2), number(-60, 60), number(0, 20), number(0, 20), around(0, -3.2, 3.2));
+    {
+        MetricMotion metric;
+        metric.yawRate = number(-2, 2);
+        metric.speed = number(-60, 60);
+        metric.leftDistance = number(0, 20);
+        metric.rightDistance = number(0, 20);
+        metric.wallDirection = around(0, -3.2, 3.2);
+        return AckermannMotion::fromMetric(camera, metric);
+    }
     AckermannMotion motion;
     motion.status = integer(0, 7) ? int(MOTION_OK) : integer(-1, 5);
     motion.model = integer(0, 7) ? int(MODEL_4LA) : integer(-2, 5);

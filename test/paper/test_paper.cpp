@@ -65,7 +65,7 @@ TEST(Paper, method_finds_a_turn)
     ASSERT_EQ(MOTION_OK, result.motion.status);
     // Any sample in the consensus may win: half a pixel over the shortest line.
     const double tolerance = 0.5 / 36 / s.camera.secondsPerUnitTime() / DEGREE;
-    EXPECT_NEAR(40, MetricMotion(result.motion, s.camera).yawRate, tolerance);
+    EXPECT_NEAR(40, MetricEstimate(result.motion, s.camera).yawRate, tolerance);
     EXPECT_GT(result.motion.inliers, 0.6 * result.motion.candidates);
 }
 
@@ -152,7 +152,7 @@ TEST(Paper, errors_of_an_estimate_are_near_the_bound)
         cv::Mat errors(lines.size(), CV_64F);
         rng.fill(errors, cv::RNG::NORMAL, 0, noise);
         const Problem problem = {s.camera, singlePrecision(lines + errors), s.scene.left, MotionPrior(), 0};
-        const MetricMotion metric(contestant.estimate(problem).motion, s.camera);
+        const MetricEstimate metric(contestant.estimate(problem).motion, s.camera);
         yawRate += (metric.yawRate - 40) * (metric.yawRate - 40) / draws;
         speed += (metric.speed - 80) * (metric.speed - 80) / draws;
     }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "perf_precomp.hpp"
+#include "../test/test_metric_motion.hpp"
 #include "opencv2/imgproc.hpp"
 #include "opencv2/opencv_modules.hpp"
 
@@ -46,7 +47,7 @@ PERF_TEST_P(Corrector, correct, testing::Combine(testing::Values(szVGA, sz720p, 
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(get<0>(GetParam()));
     camera.lineDelay = 0.4 / 30 / camera.imageSize.height;
     camera.height = 1.2;
-    const Mat src = streetImage(camera, AckermannMotion::fromMetric(camera, 0.6, 15, 2.75, 2.75, 0));
+    const Mat src = streetImage(camera, motionFromMetric(camera, 0.6, 15, 2.75, 2.75, 0));
     RollingShutterCorrector::Params params;
     params.estimator.detector = get<1>(GetParam());
     const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
@@ -65,7 +66,7 @@ PERF_TEST_P(Drive, carried, testing::Values(szVGA, sz720p, sz1080p))
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(GetParam());
     camera.lineDelay = 0.4 * seconds / camera.imageSize.height;
     camera.height = 1.2;
-    const AckermannMotion motion = AckermannMotion::fromMetric(camera, 0, speed, 2.75, 2.75, 0);
+    const AckermannMotion motion = motionFromMetric(camera, 0, speed, 2.75, 2.75, 0);
     const Mat frames[] = {streetImage(camera, motion), streetImage(camera, motion, speed * seconds)};
     RollingShutterCorrector::Params params;
     params.carryMotion = true;

@@ -4,6 +4,7 @@
 
 #include "perf_precomp.hpp"
 #include "../test/test_lens_models.hpp"
+#include "../test/test_metric_motion.hpp"
 
 namespace opencv_test { namespace {
 
@@ -29,7 +30,7 @@ RollingShutterCamera makeCamera(const Size& size, int lens)
 
 AckermannMotion makeMotion(const RollingShutterCamera& camera)
 {
-    return AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, 0);
+    return motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
 }
 
 typedef TestBaseWithParam<tuple<Size, LensType, MapType> > Maps;
@@ -74,29 +75,20 @@ PERF_TEST_P(Distort, initDistortMap, testing::Combine(testing::Values(szVGA, sz1
     SANITY_CHECK_NOTHING();
 }
 
-typedef TestBaseWithParam<tuple<int, LensType> > Points;
+typedef TestBaseWithParam<tuple<int, LensType, bool> > Points; // number, lens, whether they are corrected or distorted
 
-PERF_TEST_P(Points, correctPoints, testing::Combine(testing::Values(100, 2000), LensType::all()))
+typedef void (WarpMapGenerator::*MovePoints)(const AckermannMotion&, InputArray, OutputArray, InputArray, OutputArray) const;
+
+PERF_TEST_P(Points, move, testing::Combine(testing::Values(100, 2000), LensType::all(), testing::Bool()))
 {
     const RollingShutterCamera camera = makeCamera(sz1080p, get<1>(GetParam()));
     const AckermannMotion motion = makeMotion(camera);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    const MovePoints move = get<2>(GetParam()) ? &WarpMapGenerator::correctPoints : &WarpMapGenerator::distortPoints;
     Mat points(get<0>(GetParam()), 2, CV_32F), moved;
     randu(points, 100, 900);
     declare.in(points);
-    TEST_CYCLE() generator->correctPoints(motion, points, moved);
-    SANITY_CHECK_NOTHING();
-}
-
-PERF_TEST_P(Points, distortPoints, testing::Combine(testing::Values(100, 2000), LensType::all()))
-{
-    const RollingShutterCamera camera = makeCamera(sz1080p, get<1>(GetParam()));
-    const AckermannMotion motion = makeMotion(camera);
-    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
-    Mat points(get<0>(GetParam()), 2, CV_32F), moved;
-    randu(points, 100, 900);
-    declare.in(points);
-    TEST_CYCLE() generator->distortPoints(motion, points, moved);
+    TEST_CYCLE() (*generator.*move)(motion, points, moved, noArray(), noArray());
     SANITY_CHECK_NOTHING();
 }
 

@@ -30,8 +30,8 @@ static VerticalSegment verticalSegment(const RollingShutterCamera& camera, const
     const Matx33d& K = camera.cameraMatrix;
     const Point2d u(ends[0], ends[1]), v(ends[2], ends[3]);
     VerticalSegment segment;
-    segment.u = Point2d((u.x - K(0, 2)) / K(0, 0), 1);
-    segment.v = Point2d((v.x - K(0, 2)) / K(0, 0), 1);
+    segment.u = HorizontalBearing((u.x - K(0, 2)) / K(0, 0), 1);
+    segment.v = HorizontalBearing((v.x - K(0, 2)) / K(0, 0), 1);
     segment.timeU = camera.rowTime(u);
     segment.timeV = camera.rowTime(v);
     return segment;
@@ -45,9 +45,9 @@ static AckermannMotion motionOf(const MinimalSolution& solution)
     motion.status = MOTION_OK;
     motion.model = MODEL_4LA;
     motion.alpha = solution.alpha;
-    motion.wallSlope = solution.B;
-    motion.wallOffset = solution.D;
-    motion.wallRatio = solution.lambda;
+    motion.wallSlope = solution.wallSlope;
+    motion.wallOffset = solution.wallOffset;
+    motion.wallRatio = solution.wallRatio;
     return motion;
 }
 //! [motion]

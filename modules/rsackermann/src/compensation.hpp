@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_COMPENSATION_HPP
 #define OPENCV_RSACKERMANN_SRC_COMPENSATION_HPP
 
-#include "opencv2/core.hpp"
+#include "opencv2/rsackermann/solvers.hpp"
 #include <cmath>
 
 namespace cv {
@@ -47,6 +47,9 @@ struct Heading
     double angle, c, s;
 
     Heading(double a) : angle(a), c(std::cos(a)), s(std::sin(a)) {}
+
+    //! Whether the camera looks along the vehicle's course, forward or backward, rather than across it.
+    bool looksAlong() const { return std::abs(c) > 0.5; }
 };
 
 /** The exact motion at one row time (doc/theory.md, "Motion").
@@ -87,11 +90,10 @@ struct RotatedBearing
     double N, M, gamma;
 
     RotatedBearing() : N(0), M(0), gamma(0) {}
-    //! @param bearing horizontal part (x, z) of the upright bearing.
-    RotatedBearing(const Point2d& bearing, const RowMotion& row)
+    RotatedBearing(const HorizontalBearing& bearing, const RowMotion& row)
     {
-        N = row.c * bearing.x + row.s * bearing.y;
-        M = row.c * bearing.y - row.s * bearing.x;
+        N = row.c * bearing.x + row.s * bearing.z;
+        M = row.c * bearing.z - row.s * bearing.x;
         gamma = row.tau * (M * row.s2 - N * row.c2);
     }
 

@@ -335,7 +335,7 @@ private:
     Mat map1, map2;
     UMat deviceMap1, deviceMap2;
     bool onDevice;   // which of the two pairs of maps it was
-    Size copiedSize; // where the image was copied: the maps are the identity and haven't been made
+    Size copiedSize; // if the image was copied: the maps are the identity and haven't been made
     Vec4d timings;
 };
 

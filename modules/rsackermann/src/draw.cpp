@@ -47,7 +47,7 @@ static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels,
         const double B = side * motion.wallSlope, D = side * motion.wallOffset;
         const Vec3d b = up * Vec3d(rays[i].x, rays[i].y, 1);
         const RowMotion row(motion.alpha, camera.heading, camera.rowTime(middles[i]));
-        const double depth = std::abs(D - B * RotatedBearing(Point2d(b[0], b[2]), row).column(B, D));
+        const double depth = std::abs(D - B * RotatedBearing(HorizontalBearing(b[0], b[2]), row).column(B, D));
         w[i] = depth < DBL_MAX ? depth : 0;
     }
     return w;
@@ -57,7 +57,7 @@ static void drawSegments(Mat& image, const Mat& segments, const Mat& labels, con
 {
     const Scalar grey(160, 160, 160), black(0, 0, 0);
     const double nearest = w.empty() ? 0 : *std::max_element(w.begin(), w.end());
-    // What counts most is drawn last.
+    // The most important is drawn last.
     for (int pass = SEGMENT_REJECTED; pass <= SEGMENT_LEFT_WALL; pass++)
         for (int i = 0; i < segments.rows; i++)
         {

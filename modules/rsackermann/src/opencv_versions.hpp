@@ -14,7 +14,7 @@
 #include "opencv2/ximgproc.hpp"
 #endif
 
-// OpenCV doesn't install its private headers: a build against an installed OpenCV uses what is public.
+// OpenCV doesn't install its private headers: a build against an installed OpenCV uses the public ones.
 #ifdef __OPENCV_BUILD
 #include "opencv2/core/private.hpp"
 #else
@@ -50,7 +50,7 @@ CV_CPU_OPTIMIZATION_HAL_NAMESPACE_END
 
 #endif
 
-// For an OpenCV without LSD: where neither cv nor cv::ximgproc has these names, lookup ends here.
+// For an OpenCV without LSD: if neither cv nor cv::ximgproc has these names, lookup ends here.
 struct NoLineSegmentDetector
 {
     void detect(const cv::Mat&, std::vector<cv::Vec4f>&) const

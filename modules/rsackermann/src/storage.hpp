@@ -10,7 +10,7 @@
 namespace cv {
 namespace rsackermann {
 
-/** What the algorithms, each made from a camera and parameters, write and read: the keys of the parameters and a map with the camera.
+/** Storage of the algorithms, each made from a camera and parameters: the keys of the parameters and a map with the camera.
 @tparam Algorithm AckermannEstimator, WarpMapGenerator or RollingShutterCorrector.
 */
 template <class Algorithm>
@@ -24,7 +24,7 @@ struct AlgorithmStorage
         algorithm.getParams().write(fs);
     }
 
-    //! Sets both or, if one of them is bad, neither. What is missing keeps its value.
+    //! Sets both or, if one of them is bad, neither. Missing fields keep their values.
     static void read(const FileNode& fn, Algorithm& algorithm)
     {
         RollingShutterCamera camera = algorithm.getCamera();

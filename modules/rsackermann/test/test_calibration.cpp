@@ -12,7 +12,7 @@ using simulation::StreetDrive;
 
 const double ROLL = 1.2 * degree, PITCH = -0.8 * degree, HEADING = 1.5 * degree; // of the true mount
 
-//! What is known before: an upright camera that looks ahead, and a line delay.
+//! The camera as known before: upright and looking ahead, and a line delay.
 RollingShutterCamera guess(int scan = SCAN_TOP_TO_BOTTOM)
 {
     RollingShutterCamera camera(Size(960, 540), Matx33d(700, 0, 470, 0, 720, 280, 0, 0, 1));

@@ -40,7 +40,7 @@ TEST(RSAckermann_Candidates, largest_slant)
         {
             const double x = 0.25 * column;
             double largest = 0;
-            // A wall seen at the azimuth of x is nearest where it is square to the line of sight.
+            // A wall seen at the azimuth of x is nearest if it is square to the line of sight.
             for (int sign = 0; sign < 4; sign++)
                 largest = std::max(largest, std::abs(slantOf(Simulator::fromMetric(camera, (sign % 2 ? 1 : -1) * params.maxYawRate,
                                                                                    (sign / 2 ? 1 : -1) * params.maxSpeed, 2.5, 0, 0), x, 2.5)));
@@ -116,7 +116,7 @@ TEST(RSAckermann_Candidates, sorts_segments)
     EXPECT_NEAR(100 / 816., verticals[0].timeV - verticals[0].timeU, 1e-9);
 }
 
-// Where speed and wall say that nothing leans much, what leans more is no candidate, but nearly vertical all the same.
+// If speed and wall say that nothing leans much, what leans more is no candidate, but nearly vertical all the same.
 TEST(RSAckermann_Candidates, what_is_nearly_vertical_is_neither)
 {
     const RollingShutterCamera camera = simulation::paperCamera();

@@ -19,6 +19,14 @@ inline double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
+template <class T, class Value>
+void expectSameFields(const T& a, const T& b, std::initializer_list<Value T::*> fields)
+{
+    int number = 0;
+    for (Value T::* const field : fields)
+        EXPECT_EQ(a.*field, b.*field) << "field " << number++;
+}
+
 //! A camera none of whose fields has its default.
 inline RollingShutterCamera exampleCamera()
 {
@@ -37,18 +45,13 @@ inline RollingShutterCamera exampleCamera()
 
 inline void expectSame(const RollingShutterCamera& a, const RollingShutterCamera& b)
 {
+    typedef RollingShutterCamera T;
+    expectSameFields(a, b, {&T::lineDelay, &T::referenceRow, &T::heading, &T::height, &T::focalSigma, &T::lineDelaySigma});
+    expectSameFields(a, b, {&T::lensModel, &T::scanDirection});
     EXPECT_EQ(a.imageSize, b.imageSize);
     EXPECT_EQ(a.cameraMatrix, b.cameraMatrix);
     EXPECT_EQ(a.distCoeffs, b.distCoeffs);
-    EXPECT_EQ(a.lensModel, b.lensModel);
-    EXPECT_EQ(a.scanDirection, b.scanDirection);
-    EXPECT_EQ(a.lineDelay, b.lineDelay);
-    EXPECT_EQ(a.referenceRow, b.referenceRow);
     EXPECT_EQ(a.uprightRotation, b.uprightRotation);
-    EXPECT_EQ(a.heading, b.heading);
-    EXPECT_EQ(a.height, b.height);
-    EXPECT_EQ(a.focalSigma, b.focalSigma);
-    EXPECT_EQ(a.lineDelaySigma, b.lineDelaySigma);
 }
 
 //! A motion, and a prior below, none of whose fields has its default.
@@ -80,24 +83,11 @@ inline AckermannMotion exampleMotion()
 
 inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
 {
-    EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(a.model, b.model);
-    EXPECT_EQ(a.alpha, b.alpha);
-    EXPECT_EQ(a.wallSlope, b.wallSlope);
-    EXPECT_EQ(a.wallOffset, b.wallOffset);
-    EXPECT_EQ(a.wallRatio, b.wallRatio);
-    EXPECT_EQ(a.roadSlope, b.roadSlope);
-    EXPECT_EQ(a.direction, b.direction);
-    EXPECT_EQ(a.rollCorrection, b.rollCorrection);
-    EXPECT_EQ(a.pitchCorrection, b.pitchCorrection);
-    EXPECT_EQ(a.wallDistance, b.wallDistance);
-    EXPECT_EQ(a.candidates, b.candidates);
-    EXPECT_EQ(a.inliers, b.inliers);
-    EXPECT_EQ(a.rms, b.rms);
-    EXPECT_EQ(a.scale, b.scale);
+    typedef AckermannMotion T;
+    expectSameFields(a, b, {&T::alpha, &T::wallSlope, &T::wallOffset, &T::wallRatio, &T::roadSlope, &T::rollCorrection,
+                            &T::pitchCorrection, &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedLeft});
+    expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
-    EXPECT_EQ(a.expectedRaw, b.expectedRaw);
-    EXPECT_EQ(a.expectedLeft, b.expectedLeft);
     EXPECT_EQ(a.covariance, b.covariance);
 }
 
@@ -115,12 +105,8 @@ inline MotionPrior examplePrior()
 
 inline void expectSame(const MotionPrior& a, const MotionPrior& b)
 {
-    EXPECT_EQ(a.speed, b.speed);
-    EXPECT_EQ(a.speedSigma, b.speedSigma);
-    EXPECT_EQ(a.yawRate, b.yawRate);
-    EXPECT_EQ(a.yawRateSigma, b.yawRateSigma);
-    EXPECT_EQ(a.wallDirection, b.wallDirection);
-    EXPECT_EQ(a.wallDirectionSigma, b.wallDirectionSigma);
+    typedef MotionPrior T;
+    expectSameFields(a, b, {&T::speed, &T::speedSigma, &T::yawRate, &T::yawRateSigma, &T::wallDirection, &T::wallDirectionSigma});
 }
 
 //! Parameters none of which has its default; the same holds for the other ones below.
@@ -151,25 +137,12 @@ inline AckermannEstimator::Params exampleEstimatorParams()
 
 inline void expectSame(const AckermannEstimator::Params& a, const AckermannEstimator::Params& b)
 {
-    EXPECT_EQ(a.model, b.model);
-    EXPECT_EQ(a.detector, b.detector);
-    EXPECT_EQ(a.minLength, b.minLength);
-    EXPECT_EQ(a.maxSlant, b.maxSlant);
-    EXPECT_EQ(a.slantTolerance, b.slantTolerance);
-    EXPECT_EQ(a.minCandidates, b.minCandidates);
-    EXPECT_EQ(a.threshold, b.threshold);
-    EXPECT_EQ(a.confidence, b.confidence);
-    EXPECT_EQ(a.maxIterations, b.maxIterations);
-    EXPECT_EQ(a.seed, b.seed);
-    EXPECT_EQ(a.maxYawRate, b.maxYawRate);
-    EXPECT_EQ(a.maxSpeed, b.maxSpeed);
-    EXPECT_EQ(a.wallDistance, b.wallDistance);
-    EXPECT_EQ(a.roadRatio, b.roadRatio);
+    typedef AckermannEstimator::Params T;
+    expectSameFields(a, b, {&T::minLength, &T::maxSlant, &T::slantTolerance, &T::threshold, &T::confidence, &T::maxYawRate, &T::maxSpeed,
+                            &T::wallDistance, &T::roadRatio, &T::gravitySigma, &T::vehiclePitchSigma, &T::wallDeviationSigma,
+                            &T::reverseProbability});
+    expectSameFields(a, b, {&T::model, &T::detector, &T::minCandidates, &T::maxIterations, &T::seed});
     EXPECT_EQ(a.scaleFromRoad, b.scaleFromRoad);
-    EXPECT_EQ(a.gravitySigma, b.gravitySigma);
-    EXPECT_EQ(a.vehiclePitchSigma, b.vehiclePitchSigma);
-    EXPECT_EQ(a.wallDeviationSigma, b.wallDeviationSigma);
-    EXPECT_EQ(a.reverseProbability, b.reverseProbability);
 }
 
 inline WarpMapGenerator::Params exampleWarpParams()

@@ -134,9 +134,9 @@ TEST(RSAckermann_Compensation, column_agrees_with_ray_casting)
                 continue;
             const double scale = plane == simulation::LEFT ? 1 : -scene.model[P_LAMBDA];
             const double length = rng.uniform(0.5, 2.);
-            const RotatedBearing turned(Point2d(bearing[0], bearing[2]) * length, RowMotion(scene.model[P_ALPHA], scene.heading, t));
+            const RotatedBearing rotated(HorizontalBearing(length * bearing[0], length * bearing[2]), RowMotion(scene.model[P_ALPHA], scene.heading, t));
             const double B = scale * scene.model[P_B], D = scale * scene.model[P_D];
-            ASSERT_NEAR(expected, turned.column(B, D), 1e-12 * (1 + expected * expected));
+            ASSERT_NEAR(expected, rotated.column(B, D), 1e-12 * (1 + expected * expected));
             compared++;
         }
     }
@@ -224,7 +224,7 @@ TEST(RSAckermann_Compensation, jacobian_agrees_with_differences)
     }
 }
 
-// Where no wall is, the residual is that of a pure rotation and says nothing about walls.
+// Without walls the residual is that of a pure rotation and says nothing about walls.
 TEST(RSAckermann_Compensation, residual_at_infinity)
 {
     RNG& rng = theRNG();

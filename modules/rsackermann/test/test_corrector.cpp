@@ -160,7 +160,7 @@ TEST(RSAckermann_Corrector, lens_of_a_camera_at_rest)
     const AckermannMotion motion = corrector->correctWithSegments(src, none, dst);
     EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, motion.status);
     cv::undistort(src, expected, camera.cameraMatrix, camera.distCoeffs);
-    // remap rounds coordinates to 1/32 pixel, in either direction where they lie between
+    // remap rounds coordinates to 1/32 pixel, in either direction if they lie between
     EXPECT_LE(cvtest::norm(dst, expected, NORM_L1) / src.total() / 3, 0.05);
 
     // coefficients that are all 0 are no lens

@@ -9,7 +9,7 @@ namespace opencv_test { namespace {
 
 using simulation::Simulator;
 
-//! What the frames show and what the estimator is told.
+//! Frames and the estimator's knowledge of them.
 struct Knowledge
 {
     const char* name;

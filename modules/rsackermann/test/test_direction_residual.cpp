@@ -56,7 +56,7 @@ struct RoadScene
         return inCamera[2] > 0.1 && tilted[2] > 0.1 ? street.first(drive.position(t), drive.turn(inCamera, t)) : simulation::NOTHING;
     }
 
-    /** The image of a line along (or, on the road, across) the street. Returns false where it isn't seen, or near the border of
+    /** The image of a line along (or, on the road, across) the street. Returns false if it isn't seen, or near the border of
     two planes. */
     bool randomLine(RNG& rng, bool across, UprightSegment& c, Surface& plane) const
     {

@@ -28,7 +28,7 @@ const int CAMERAS = 6;
 //! A motion so small that squares don't count.
 AckermannMotion smallMotion(const RollingShutterCamera& camera, int k)
 {
-    AckermannMotion m = AckermannMotion::fromMetric(camera, k % 3 == 1 ? 0 : -0.002, k % 3 == 2 ? 0 : k % 2 ? -0.05 : 0.05, 2.5, 3, camera.heading + 0.1);
+    AckermannMotion m = motionFromMetric(camera, k % 3 == 1 ? 0 : -0.002, k % 3 == 2 ? 0 : k % 2 ? -0.05 : 0.05, 2.5, 3, camera.heading + 0.1);
     m.status = MOTION_OK;
     return m;
 }
@@ -79,7 +79,7 @@ TEST(RSAckermann_DisplacementField, variance_is_that_of_small_changes)
     {
         const RollingShutterCamera camera = makeCamera(c);
         const DisplacementField field(camera);
-        const AckermannMotion motion = AckermannMotion::fromMetric(camera, -0.3, 20, 2.5, 3, camera.heading + 0.1);
+        const AckermannMotion motion = motionFromMetric(camera, -0.3, 20, 2.5, 3, camera.heading + 0.1);
         const Model model = modelOf(motion);
         Matx<double, PARAMETERS, PARAMETERS> root, covariance;
         for (int i = 0; i < 4; i++)
@@ -133,7 +133,7 @@ TEST(RSAckermann_DisplacementField, main_motion)
     const int expected[] = {MODEL_NONE, MODEL_1LA, MODEL_3LA, MODEL_4LA, MODEL_1LA, MODEL_3LA};
     for (int k = 0; k < 6; k++)
     {
-        const AckermannMotion motion = AckermannMotion::fromMetric(camera, yawRates[k], speeds[k], 2.5, 3, 0);
+        const AckermannMotion motion = motionFromMetric(camera, yawRates[k], speeds[k], 2.5, 3, 0);
         EXPECT_EQ(expected[k], field.mainMotion(modelOf(motion), motion.roadSlope)) << k;
     }
 }

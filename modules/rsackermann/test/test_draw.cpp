@@ -17,7 +17,7 @@ RollingShutterCamera makeCamera()
 
 AckermannMotion makeMotion(const RollingShutterCamera& camera)
 {
-    return AckermannMotion::fromMetric(camera, 40 * CV_PI / 180, 80 / 3.6, 2.5, 3, camera.heading);
+    return motionFromMetric(camera, 40 * CV_PI / 180, 80 / 3.6, 2.5, 3, camera.heading);
 }
 
 Vec3b colourAt(const Mat& image, const Vec4f& segment)

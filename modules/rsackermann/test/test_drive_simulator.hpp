@@ -54,7 +54,7 @@ public:
         double outliers, clutter; // shares of points and of segments
     };
 
-    //! What a camera of the car sees and the car measures at a time.
+    //! The views of a camera of the car and the measurements of the car at a time.
     struct Frame
     {
         double seconds;

@@ -211,11 +211,11 @@ TEST_P(RSAckermann_EstimatorPassage, noisy_segments)
     RecordProperty("displacement_left_by_oracle", format("%.3f", median(best)));
     RecordProperty("displacement_raw", format("%.3f", truth.meanDisplacement()));
     EXPECT_LT(median(left), 1.5 * median(best));
-    // a simpler model is chosen where the difference is within the threshold
+    // a simpler model is chosen if the difference is within the threshold
     EXPECT_LT(median(leftByChoice), 0.25 * Params().threshold + median(best));
 }
 
-// The residual of a segment is a distance of columns, where these are wider or narrower than rows as well.
+// The residual of a segment is a distance of columns, if these are wider or narrower than rows as well.
 TEST(RSAckermann_Estimator, rms_is_in_columns)
 {
     const double ratios[] = {0.8, 1, 1.25};

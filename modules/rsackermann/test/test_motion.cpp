@@ -36,7 +36,7 @@ TEST(RSAckermann_Motion, fromMetric_forward_camera)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double unit = 816 * 0.4 / 30 / 380;
-    const AckermannMotion m = AckermannMotion::fromMetric(camera, 40 * degree, 20, 2.5, 3, 0.05);
+    const AckermannMotion m = motionFromMetric(camera, 40 * degree, 20, 2.5, 3, 0.05);
     EXPECT_EQ(MOTION_OK, m.status);
     EXPECT_EQ(MODEL_4LA, m.model);
     EXPECT_NEAR(20 * degree * unit, m.alpha, 1e-15);
@@ -48,7 +48,7 @@ TEST(RSAckermann_Motion, fromMetric_forward_camera)
     EXPECT_EQ(1, m.direction);
     EXPECT_EQ(2.5, m.wallDistance);
 
-    const AckermannMotion reverse = AckermannMotion::fromMetric(camera, 40 * degree, -20, 2.5, 3, 0.05);
+    const AckermannMotion reverse = motionFromMetric(camera, 40 * degree, -20, 2.5, 3, 0.05);
     EXPECT_NEAR(m.alpha, reverse.alpha, 1e-15);
     EXPECT_NEAR(-m.wallSlope, reverse.wallSlope, 1e-15);
     EXPECT_NEAR(-m.wallOffset, reverse.wallOffset, 1e-15);
@@ -64,7 +64,7 @@ TEST(RSAckermann_Motion, fromMetric_side_cameras)
     const double w = 10 * camera.secondsPerUnitTime() / 4;
 
     camera.heading = -CV_PI / 2;
-    AckermannMotion m = AckermannMotion::fromMetric(camera, 0, 10, 0, 4, camera.heading);
+    AckermannMotion m = motionFromMetric(camera, 0, 10, 0, 4, camera.heading);
     EXPECT_NEAR(0, m.wallSlope, 1e-15);
     EXPECT_NEAR(w, m.wallOffset, 1e-15);
     EXPECT_EQ(0, m.wallRatio);
@@ -73,7 +73,7 @@ TEST(RSAckermann_Motion, fromMetric_side_cameras)
     EXPECT_EQ(0, m.delta());
 
     camera.heading = CV_PI / 2;
-    m = AckermannMotion::fromMetric(camera, 0, 10, 4, 0, camera.heading);
+    m = motionFromMetric(camera, 0, 10, 4, 0, camera.heading);
     EXPECT_NEAR(0, m.wallSlope, 1e-15);
     EXPECT_NEAR(w, m.wallOffset, 1e-15);
     EXPECT_EQ(0, m.wallRatio);
@@ -82,26 +82,26 @@ TEST(RSAckermann_Motion, fromMetric_side_cameras)
 TEST(RSAckermann_Motion, fromMetric_models)
 {
     RollingShutterCamera camera = simulation::paperCamera();
-    EXPECT_EQ(MODEL_1LA, AckermannMotion::fromMetric(camera, 0.5, 0, 2, 2, 0).model);
-    EXPECT_EQ(MODEL_3LA, AckermannMotion::fromMetric(camera, 0, 10, 2, 2, 0).model);
-    EXPECT_EQ(MODEL_4LA, AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0).model);
-    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, AckermannMotion::fromMetric(camera, 0, 0, 2, 2, 0).status);
+    EXPECT_EQ(MODEL_1LA, motionFromMetric(camera, 0.5, 0, 2, 2, 0).model);
+    EXPECT_EQ(MODEL_3LA, motionFromMetric(camera, 0, 10, 2, 2, 0).model);
+    EXPECT_EQ(MODEL_4LA, motionFromMetric(camera, 0.5, 10, 2, 2, 0).model);
+    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, motionFromMetric(camera, 0, 0, 2, 2, 0).status);
     camera.height = 0;
-    EXPECT_EQ(0, AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0).roadSlope);
+    EXPECT_EQ(0, motionFromMetric(camera, 0.5, 10, 2, 2, 0).roadSlope);
 }
 
 TEST(RSAckermann_Motion, fromMetric_bad_arguments)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
-    EXPECT_THROW(AckermannMotion::fromMetric(camera, NaN, 10, 2, 2, 0), cv::Exception);
-    EXPECT_THROW(AckermannMotion::fromMetric(camera, 0.5, infinity, 2, 2, 0), cv::Exception);
-    EXPECT_THROW(AckermannMotion::fromMetric(camera, 0.5, 10, -2, 2, 0), cv::Exception);
-    EXPECT_THROW(AckermannMotion::fromMetric(camera, 0.5, 10, 2, NaN, 0), cv::Exception);
-    EXPECT_THROW(AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, infinity), cv::Exception);
+    EXPECT_THROW(motionFromMetric(camera, NaN, 10, 2, 2, 0), cv::Exception);
+    EXPECT_THROW(motionFromMetric(camera, 0.5, infinity, 2, 2, 0), cv::Exception);
+    EXPECT_THROW(motionFromMetric(camera, 0.5, 10, -2, 2, 0), cv::Exception);
+    EXPECT_THROW(motionFromMetric(camera, 0.5, 10, 2, NaN, 0), cv::Exception);
+    EXPECT_THROW(motionFromMetric(camera, 0.5, 10, 2, 2, infinity), cv::Exception);
     RollingShutterCamera untimed = camera;
     untimed.lineDelay = 0;
-    EXPECT_THROW(AckermannMotion::fromMetric(untimed, 0.5, 10, 2, 2, 0), cv::Exception);
-    EXPECT_THROW(AckermannMotion::fromMetric(RollingShutterCamera(), 0.5, 10, 2, 2, 0), cv::Exception);
+    EXPECT_THROW(motionFromMetric(untimed, 0.5, 10, 2, 2, 0), cv::Exception);
+    EXPECT_THROW(motionFromMetric(RollingShutterCamera(), 0.5, 10, 2, 2, 0), cv::Exception);
 }
 
 TEST(RSAckermann_Motion, metric_round_trip)
@@ -113,7 +113,7 @@ TEST(RSAckermann_Motion, metric_round_trip)
         const double yawRate = rng.uniform(-1.5, 1.5), speed = rng.uniform(-40., 40.);
         const int walls = rng.uniform(1, 4);
         const double left = walls & 1 ? rng.uniform(1., 10.) : 0, right = walls & 2 ? rng.uniform(1., 10.) : 0;
-        const AckermannMotion m = AckermannMotion::fromMetric(camera, yawRate, speed, left, right, rng.uniform(-CV_PI, CV_PI));
+        const AckermannMotion m = motionFromMetric(camera, yawRate, speed, left, right, rng.uniform(-CV_PI, CV_PI));
         double w = 0, v = 0;
         ASSERT_TRUE(m.yawRate(camera, w));
         ASSERT_NEAR(yawRate, w, 1e-12);
@@ -129,7 +129,7 @@ TEST(RSAckermann_Motion, metric_covariance)
     const RollingShutterCamera camera = simulation::paperCamera();
     for (int round = 0; round < 20; round++)
     {
-        AckermannMotion m = AckermannMotion::fromMetric(camera, rng.uniform(-1., 1.), rng.uniform(5., 30.) * (round % 2 ? 1 : -1), 2.5, 3,
+        AckermannMotion m = motionFromMetric(camera, rng.uniform(-1., 1.), rng.uniform(5., 30.) * (round % 2 ? 1 : -1), 2.5, 3,
                                                         rng.uniform(-1., 1.));
         Matx44d root, J;
         for (int i = 0; i < 16; i++)
@@ -163,7 +163,7 @@ TEST(RSAckermann_Motion, metric_covariance_of_an_uncertain_line_delay)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.lineDelaySigma = 0.1 * camera.lineDelay;
-    AckermannMotion m = AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0);
+    AckermannMotion m = motionFromMetric(camera, 0.5, 10, 2, 2, 0);
     Matx44d covariance = m.metricCovariance(camera);
     EXPECT_NEAR(0.05, std::sqrt(covariance(0, 0)), 1e-9);
     EXPECT_NEAR(1, std::sqrt(covariance(1, 1)), 1e-9);
@@ -178,7 +178,7 @@ TEST(RSAckermann_Motion, metric_covariance_of_an_uncertain_line_delay)
 TEST(RSAckermann_Motion, metric_values_are_unknown_without_scale)
 {
     RollingShutterCamera camera = simulation::paperCamera();
-    AckermannMotion m = AckermannMotion::fromMetric(camera, 0.5, 10, 2, 2, 0);
+    AckermannMotion m = motionFromMetric(camera, 0.5, 10, 2, 2, 0);
     camera.lineDelay = 0;
     double value = NaN;
     EXPECT_FALSE(m.yawRate(camera, value));
@@ -198,7 +198,7 @@ TEST(RSAckermann_Motion, depth_agrees_with_ray_casting)
         const RollingShutterCamera camera = randomCamera(rng);
         const double speed = rng.uniform(1., 40.) * (rng.uniform(0, 2) ? 1 : -1);
         const double left = rng.uniform(1., 10.), right = rng.uniform(1., 10.);
-        const AckermannMotion m = AckermannMotion::fromMetric(camera, 0.5, speed, left, right, camera.heading);
+        const AckermannMotion m = motionFromMetric(camera, 0.5, speed, left, right, camera.heading);
         const simulation::Simulator truth = simulation::Simulator::fromMetric(camera, 0.5, speed, left, right, camera.heading);
         const double x = rng.uniform(-0.6, 0.6), y = rng.uniform(-0.4, 0.4);
         const Vec3d ray(x, y, 1);
@@ -223,7 +223,7 @@ TEST(RSAckermann_Motion, pose_agrees_with_simulation)
     {
         const RollingShutterCamera camera = randomCamera(rng);
         const double yawRate = rng.uniform(-1.5, 1.5), speed = rng.uniform(1., 40.) * (rng.uniform(0, 2) ? 1 : -1);
-        const AckermannMotion m = AckermannMotion::fromMetric(camera, yawRate, speed, 2.5, 3, 0.1);
+        const AckermannMotion m = motionFromMetric(camera, yawRate, speed, 2.5, 3, 0.1);
         const simulation::Drive drive = simulation::Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, 0.1).drive;
         const double beta = std::abs(drive.speed), t = rng.uniform(-0.3, 0.3);
 
@@ -259,7 +259,7 @@ TEST(RSAckermann_Motion, heading_sign)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.heading = CV_PI / 2;
-    const AckermannMotion m = AckermannMotion::fromMetric(camera, 0, 10, 4, 0, camera.heading);
+    const AckermannMotion m = motionFromMetric(camera, 0, 10, 4, 0, camera.heading);
     Matx33d R;
     Vec3d T;
     m.pose(camera, 0.1, R, T);

@@ -190,7 +190,7 @@ TEST(RSAckermann_Posterior, improves_what_it_expects_to_improve)
         }
         ok++;
         EXPECT_LT(motion.expectedLeft, motion.expectedRaw);
-        const AckermannMotion truth = AckermannMotion::fromMetric(carCamera(), yawRate, speed, walls[0], walls[1], direction);
+        const AckermannMotion truth = motionFromMetric(carCamera(), yawRate, speed, walls[0], walls[1], direction);
         const double before = mapDistance(carCamera(), AckermannMotion(), carCamera(), truth);
         const double after = mapDistance(told, motion, carCamera(), truth);
         raw += before;

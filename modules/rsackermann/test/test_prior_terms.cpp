@@ -11,9 +11,10 @@ namespace opencv_test { namespace {
 
 typedef AckermannEstimator::Params Params;
 
-PriorTerms makeTerms(const MotionPrior& prior, const Params& params = Params())
+PriorTerms makeTerms(const MotionPrior& prior, const Params& params = Params(), double heading = 0)
 {
-    const RollingShutterCamera camera = simulation::paperCamera();
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.heading = heading;
     return PriorTerms(prior, camera, params, MotionLimits(camera, params));
 }
 
@@ -95,7 +96,8 @@ TEST(RSAckermann_PriorTerms, each_piece_in_units_of_its_sigma)
     params.wallDeviationSigma = 0;
     const double free = costOf(makeTerms(MotionPrior(), params), m, hypothesis);
     params.wallDeviationSigma = 0.1;
-    EXPECT_NEAR(std::pow(std::sin(azimuth) / 0.1, 2), costOf(makeTerms(MotionPrior(), params), m, hypothesis) - free, 1e-9);
+    for (double heading = -1.5; heading < 2; heading++)
+        EXPECT_NEAR(std::pow(std::sin(azimuth - heading) / 0.1, 2), costOf(makeTerms(MotionPrior(), params, heading), m, hypothesis) - free, 1e-9);
 }
 
 }} // namespace

@@ -12,7 +12,7 @@ using simulation::Simulator;
 
 const double trueYawRate = 40 * degree, trueSpeed = 20, trueDirection = 0.03;
 
-//! What remains wrong in many frames of the same street.
+//! The errors in many frames of the same street.
 struct Errors
 {
     std::vector<double> yawRate, speed, direction, displacement;
@@ -56,15 +56,21 @@ Errors errors(const MotionPrior& prior)
     return result;
 }
 
+//! A told value is as exact as it was told, and it helps.
+void expectHelps(const MotionPrior& prior, std::vector<double> Errors::*told, double sigma)
+{
+    const Errors with = errors(prior), without = errors(MotionPrior());
+    EXPECT_LT(largest(with.*told), 3 * sigma);
+    EXPECT_LT(median(with.*told), median(without.*told));
+    EXPECT_LT(median(with.displacement), median(without.displacement));
+}
+
 TEST(RSAckermann_Prior, speed)
 {
     MotionPrior prior;
     prior.speed = trueSpeed;
     prior.speedSigma = 0.5;
-    const Errors with = errors(prior), without = errors(MotionPrior());
-    EXPECT_LT(largest(with.speed), 3 * prior.speedSigma);
-    EXPECT_LT(median(with.speed), median(without.speed));
-    EXPECT_LT(median(with.displacement), median(without.displacement));
+    expectHelps(prior, &Errors::speed, prior.speedSigma);
 }
 
 TEST(RSAckermann_Prior, yaw_rate)
@@ -72,10 +78,7 @@ TEST(RSAckermann_Prior, yaw_rate)
     MotionPrior prior;
     prior.yawRate = trueYawRate;
     prior.yawRateSigma = 0.5 * degree;
-    const Errors with = errors(prior), without = errors(MotionPrior());
-    EXPECT_LT(largest(with.yawRate), 3 * prior.yawRateSigma);
-    EXPECT_LT(median(with.yawRate), median(without.yawRate));
-    EXPECT_LT(median(with.displacement), median(without.displacement));
+    expectHelps(prior, &Errors::yawRate, prior.yawRateSigma);
 }
 
 TEST(RSAckermann_Prior, wall_direction)
@@ -83,10 +86,7 @@ TEST(RSAckermann_Prior, wall_direction)
     MotionPrior prior;
     prior.wallDirection = trueDirection;
     prior.wallDirectionSigma = 0.2 * degree;
-    const Errors with = errors(prior), without = errors(MotionPrior());
-    EXPECT_LT(largest(with.direction), 3 * prior.wallDirectionSigma);
-    EXPECT_LT(median(with.direction), median(without.direction));
-    EXPECT_LT(median(with.displacement), median(without.displacement));
+    expectHelps(prior, &Errors::direction, prior.wallDirectionSigma);
 }
 
 TEST(RSAckermann_Prior, all_together)

@@ -50,7 +50,7 @@ TEST(RSAckermann_Refinement, covariance_of_gravity_alone)
     }
 }
 
-// Where the loss is quadratic: the least-squares estimate of the noise, with the unknowns taken off, and the covariance of dense
+// If the loss is quadratic: the least-squares estimate of the noise, with the unknowns taken off, and the covariance of dense
 // normal equations with derivatives by differences.
 TEST(RSAckermann_Refinement, covariance_of_least_squares)
 {

@@ -12,7 +12,7 @@
 #define CV_CPU_OPTIMIZATION_NAMESPACE_END }
 #include "../src/estimator/residuals/residual_kernels.simd.hpp"
 
-// And what they are where there are no vectors.
+// And what they are if there are no vectors.
 #undef CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 #define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace tested_without_vectors {
 #undef CV_SIMD_64F
@@ -23,7 +23,7 @@
 #include "../src/estimator/residuals/segment_arrays.cpp"
 #include "../src/estimator/residuals/vertical_residual.hpp"
 
-// The kernels of the estimator that test_private_sources.cpp has, without dispatch.
+// The kernels of the estimator that test_private_evidence.cpp has, without dispatch.
 namespace cv {
 namespace rsackermann {
 

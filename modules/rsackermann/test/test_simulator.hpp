@@ -6,6 +6,7 @@
 #define OPENCV_TEST_RSACKERMANN_SIMULATOR_HPP
 
 #include <limits>
+#include "test_metric_motion.hpp"
 #include "test_lens_models.hpp"
 #include "opencv2/rsackermann.hpp"
 
@@ -90,7 +91,7 @@ struct Street
             normal[ROAD] = Vec3d(0, 1 / height, 0);
     }
 
-    //! Distance along the ray to a plane in lengths of the direction; infinity where the ray doesn't hit it.
+    //! Distance along the ray to a plane in lengths of the direction; infinity if the ray doesn't hit it.
     double distance(Surface plane, const Vec3d& origin, const Vec3d& direction) const
     {
         const double rate = normal[plane].dot(direction), rest = 1 - normal[plane].dot(origin);
@@ -130,7 +131,7 @@ public:
         return Simulator(camera, Drive(yawRate * unit, speed * unit, camera.heading), Street(left, right, camera.height, wallDirection));
     }
 
-    //! What a motion says about the camera and the scene; at rest where the motion isn't OK.
+    //! What a motion says about the camera and the scene; at rest if the motion isn't OK.
     static Simulator fromMotion(const cv::rsackermann::RollingShutterCamera& camera, const cv::rsackermann::AckermannMotion& m)
     {
         if (m.status != cv::rsackermann::MOTION_OK)
@@ -305,7 +306,7 @@ private:
     }
 };
 
-//! What segments to make.
+//! Which segments to make.
 struct SegmentOptions
 {
     SegmentOptions() : count(60), inlierRatio(1), noise(0), minLength(40), maxLength(150), maxSlant(0.3) {}
@@ -390,9 +391,9 @@ inline cv::rsackermann::VerticalSegment toVerticalSegment(const Simulator& simul
     const Point2d u(segment[0], segment[1]), v(segment[2], segment[3]);
     const Vec3d a = simulator.bearing(u), b = simulator.bearing(v);
     cv::rsackermann::VerticalSegment result;
-    result.u = Point2d(a[0], a[2]);
+    result.u = cv::rsackermann::HorizontalBearing(a[0], a[2]);
     result.timeU = simulator.time(u);
-    result.v = Point2d(b[0], b[2]);
+    result.v = cv::rsackermann::HorizontalBearing(b[0], b[2]);
     result.timeV = simulator.time(v);
     return result;
 }

@@ -85,7 +85,7 @@ TEST(RSAckermann_Threads, one_generator)
     std::vector<Point2f> there[THREADS], back[THREADS];
     Rect roi[THREADS];
     const std::vector<Point2f> points(1, Point2f(201, 77));
-    const auto motionOf = [&](int i) { return AckermannMotion::fromMetric(camera, 0.2 * i, 15, 2.5, 3, 0); };
+    const auto motionOf = [&](int i) { return motionFromMetric(camera, 0.2 * i, 15, 2.5, 3, 0); };
     for (int i = 0; i < THREADS; i++)
         generator->initRectifyMap(motionOf(i), expected1[i], expected2[i], types[i]);
     inThreads([&](int i) {
@@ -125,7 +125,7 @@ TEST(RSAckermann_Threads, one_corrector_each)
 TEST(RSAckermann_Threads, one_value)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
-    const AckermannMotion motion = AckermannMotion::fromMetric(camera, 0.6, 20, 2.5, 3, 0);
+    const AckermannMotion motion = motionFromMetric(camera, 0.6, 20, 2.5, 3, 0);
     double yawRate[THREADS];
     std::string text[THREADS];
     inThreads([&](int i) {

@@ -135,7 +135,7 @@ TEST(RSAckermann_UsualDrive, speed)
     m[P_LAMBDA] = 1. / 16;
     ASSERT_EQ(2, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
     EXPECT_NEAR(0, r[1].value, 1e-6);
-    // Where speed and wall are told the refinement measures it.
+    // If speed and wall are told the refinement measures it.
     EXPECT_EQ(1, makeDrive(camera, toldSpeed(15, 1), params).evaluate(m, MotionHypothesis(MODEL_4LA, 1), r));
 }
 

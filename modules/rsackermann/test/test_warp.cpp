@@ -12,7 +12,7 @@ const float FAR_OUTSIDE = -16384;
 
 AckermannMotion exampleMotion(const RollingShutterCamera& camera)
 {
-    return AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, camera.heading);
+    return motionFromMetric(camera, 0.6, 15, 2.5, 3, camera.heading);
 }
 
 //! Largest difference of two maps over pixels whose mask isn't 0.

@@ -48,15 +48,15 @@ inline cv::rsackermann::AckermannMotion motionSideways(cv::rsackermann::RollingS
     const double speed = 20, near = speed * row * camera.lineDelay, far = 3;
     camera.referenceRow = 0;
     camera.heading = toTheRight ? CV_PI / 2 : -CV_PI / 2;
-    return cv::rsackermann::AckermannMotion::fromMetric(camera, 0, speed, toTheRight ? far : near, toTheRight ? near : far, 0);
+    return motionFromMetric(camera, 0, speed, toTheRight ? far : near, toTheRight ? near : far, 0);
 }
 
 //! A motion within the paper's limits, 10-140 km/h and up to 70 deg/s to either side, in a street of random width.
 inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::RollingShutterCamera& camera, RNG& rng)
 {
     const double sign = rng.uniform(0, 8) == 0 ? -1 : 1;
-    return cv::rsackermann::AckermannMotion::fromMetric(camera, rng.uniform(-70., 70.) * CV_PI / 180, sign * rng.uniform(10., 140.) / 3.6,
-                                                        rng.uniform(2., 4.), rng.uniform(2., 4.), camera.heading + rng.uniform(-0.05, 0.05));
+    return motionFromMetric(camera, rng.uniform(-70., 70.) * CV_PI / 180, sign * rng.uniform(10., 140.) / 3.6, rng.uniform(2., 4.),
+                            rng.uniform(2., 4.), camera.heading + rng.uniform(-0.05, 0.05));
 }
 
 //! Mounts the camera at random: any heading, or exactly forward, sideways or backward, and a tilt of a few degrees.

@@ -25,7 +25,7 @@ public:
             camera.referenceRow = 4;
         }
         generator = WarpMapGenerator::create(camera);
-        motion = AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, camera.heading);
+        motion = motionFromMetric(camera, 0.6, 15, 2.5, 3, camera.heading);
     }
 
     void make(OutputArray map1, OutputArray map2, int m1type = CV_32FC1, OutputArray mask = noArray()) const

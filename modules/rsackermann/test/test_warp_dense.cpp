@@ -12,14 +12,14 @@ namespace opencv_test { namespace {
 
 typedef testing::TestWithParam<std::tuple<int, bool> > WarpDense; // TestLens, whether to distort
 
-//! Motions up to the largest of a car, at any distance of walls and road at which the image is slower than the shutter; where it
+//! Motions up to the largest of a car, at any distance of walls and road at which the image is slower than the shutter; if it
 //! is faster a point may be seen several times or never.
 AckermannMotion anyMotion(const RollingShutterCamera& camera, RNG& rng)
 {
     for (;;)
     {
         const double sign = rng.uniform(0, 4) == 0 ? -1 : 1;
-        const AckermannMotion motion = AckermannMotion::fromMetric(camera, rng.uniform(-90., 90.) * CV_PI / 180,
+        const AckermannMotion motion = motionFromMetric(camera, rng.uniform(-90., 90.) * CV_PI / 180,
                                                                    sign * rng.uniform(0., 200.) / 3.6, rng.uniform(1., 10.),
                                                                    rng.uniform(1., 10.), camera.heading + rng.uniform(-0.3, 0.3));
         if (std::max(0.5 * std::abs(motion.roadSlope), std::hypot(motion.wallSlope, motion.wallOffset) * std::max(1., motion.wallRatio)) < 0.7)

@@ -6,7 +6,7 @@
 #include "opencv2/core/ocl.hpp"
 #include "test_warp_cameras.hpp"
 
-// Maps of an OpenCL device against those of the CPU. OpenCV takes a CPU as a device only where the environment variable
+// Maps of an OpenCL device against those of the CPU. OpenCV takes a CPU as a device only if the environment variable
 // OPENCV_OPENCL_DEVICE says so, for instance ":CPU:" with PoCL.
 
 namespace opencv_test { namespace {
@@ -91,7 +91,7 @@ TEST_P(WarpOpenCL, map_types)
     skipWithoutDevice();
     const bool distort = std::get<2>(GetParam());
     const RollingShutterCamera camera = scannedCamera(GetParam());
-    const AckermannMotion motion = AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, 0);
+    const AckermannMotion motion = motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     UMat columns, rows, mask, xy, none(3, 3, CV_8U), whole, fraction;
     Mat hostMask;
@@ -122,7 +122,7 @@ TEST_P(WarpOpenCL, preallocated_outputs_are_reused)
     skipWithoutDevice();
     const bool distort = std::get<2>(GetParam());
     const RollingShutterCamera camera = scannedCamera(GetParam());
-    const AckermannMotion motion = AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, 0);
+    const AckermannMotion motion = motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     Mat expected1, expected2, expectedMask;
     UMat large(camera.imageSize.height + 2, camera.imageSize.width + 3, CV_32FC1, Scalar(5));
@@ -228,7 +228,7 @@ TEST(RSAckermann_WarpOpenCL, strong_lenses)
     const RollingShutterCamera cameras[] = {barrel, pincushion, fisheye, ended};
     for (int i = 0; i < 4; i++)
     {
-        const AckermannMotion motion = AckermannMotion::fromMetric(cameras[i], 0.6, 15, 2.5, 3, 0);
+        const AckermannMotion motion = motionFromMetric(cameras[i], 0.6, 15, 2.5, 3, 0);
         const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(cameras[i]);
         UMat map1, map2, mask;
         Mat expected1, expected2, expectedMask;
@@ -247,7 +247,7 @@ TEST(RSAckermann_WarpOpenCL, without_a_device)
     const KeepOpenCL keep;
     cv::ocl::setUseOpenCL(false);
     const RollingShutterCamera camera = lensCamera(BROWN_5);
-    const AckermannMotion motion = AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, 0);
+    const AckermannMotion motion = motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     UMat map1, map2, mask;
     Mat expected1, expected2, expectedMask;

@@ -90,7 +90,7 @@ TEST_P(WarpPoints, depths)
         RollingShutterCamera camera = lensCamera(GetParam());
         mountAtRandom(camera, rng);
         const double yawRate = rng.uniform(-1., 1.), speed = rng.uniform(-30., 30.);
-        AckermannMotion motion = AckermannMotion::fromMetric(camera, yawRate, speed, 2.5, 3, camera.heading);
+        AckermannMotion motion = motionFromMetric(camera, yawRate, speed, 2.5, 3, camera.heading);
         if (round % 2) // the speed from the road
             motion.wallDistance = 0;
         const Simulator simulator = Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, camera.heading);
@@ -205,7 +205,7 @@ TEST(RSAckermann_WarpPoints, strong_lenses)
 
 AckermannMotion exampleMotion(const RollingShutterCamera& camera)
 {
-    return AckermannMotion::fromMetric(camera, 0.6, 15, 2.5, 3, 0);
+    return motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
 }
 
 TEST(RSAckermann_WarpPoints, shapes_and_types)
@@ -365,7 +365,7 @@ TEST(RSAckermann_WarpPoints, poses_of_rows)
         RollingShutterCamera camera = lensCamera(BROWN_5);
         mountAtRandom(camera, rng);
         const double speed = rng.uniform(-30., 30.), metresPerUnit = std::abs(speed) * camera.secondsPerUnitTime();
-        const AckermannMotion motion = AckermannMotion::fromMetric(camera, rng.uniform(-1., 1.), speed, 2.5, 3, camera.heading);
+        const AckermannMotion motion = motionFromMetric(camera, rng.uniform(-1., 1.), speed, 2.5, 3, camera.heading);
         const Mat pixels = randomPixels(camera.imageSize, 20, rng);
         Mat depths(20, 1, CV_64F), raw, mask;
         rng.fill(depths, RNG::UNIFORM, 2, 30);

@@ -63,7 +63,7 @@ TEST_P(WarpSplat, forward_mapping_agrees)
         RollingShutterCamera camera = lensCamera(GetParam());
         camera.setRollPitch(rng.uniform(-0.05, 0.05), rng.uniform(-0.05, 0.05));
         camera.heading = round == 3 ? 1.5 : 0;
-        const AckermannMotion motion = AckermannMotion::fromMetric(camera, round % 2 ? -1 : 0.9, round < 2 ? 25 : 15, 2.5, 3, 0);
+        const AckermannMotion motion = motionFromMetric(camera, round % 2 ? -1 : 0.9, round < 2 ? 25 : 15, 2.5, 3, 0);
         const Simulator simulator = Simulator::fromMetric(camera, 0, 1, 2.5, 3, 0);
         const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
 

@@ -10,12 +10,12 @@ namespace paper {
 
 using namespace cv::rsackermann;
 
-Contestant paperContestant(const std::string& name, int model, bool rollingShutterDepth)
+Contestant paperContestant(const std::string& name, int model, int depthModel)
 {
-    return {name, [model, rollingShutterDepth](const Problem& problem) {
+    return {name, [model, depthModel](const Problem& problem) {
         MethodParams params;
         params.model = model;
-        params.rollingShutterDepth = rollingShutterDepth;
+        params.depthModel = depthModel;
         params.wallDistance = problem.wallDistance;
         params.seed = problem.seed;
         const MethodResult result = estimateAsPaper(problem.camera, problem.segments, params);
@@ -46,14 +46,14 @@ std::vector<Contestant> allContestants()
     std::vector<Contestant> all = mainContestants();
     all.push_back(paperContestant("paper_1la", MODEL_1LA));
     all.push_back(paperContestant("paper_3la", MODEL_3LA));
-    all.push_back(paperContestant("paper_global", MODEL_4LA, false));
+    all.push_back(paperContestant("paper_global", MODEL_4LA, DEPTH_GLOBAL_SHUTTER));
     all.push_back(libraryContestant("ours_1la", MODEL_1LA, true));
     all.push_back(libraryContestant("ours_3la", MODEL_3LA, true));
     all.push_back(libraryContestant("ours_4la", MODEL_4LA, true));
     return all;
 }
 
-MetricMotion::MetricMotion(const AckermannMotion& motion, const RollingShutterCamera& camera) : yawRate(0), speed(0)
+MetricEstimate::MetricEstimate(const AckermannMotion& motion, const RollingShutterCamera& camera) : yawRate(0), speed(0)
 {
     if (motion.status != MOTION_OK)
         return;

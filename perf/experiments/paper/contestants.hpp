@@ -12,7 +12,7 @@
 
 namespace paper {
 
-//! What a contestant gets.
+//! The input of a contestant.
 struct Problem
 {
     cv::rsackermann::RollingShutterCamera camera; //!< as it is said to be
@@ -35,7 +35,7 @@ struct Contestant
 };
 
 //! The paper's method with a model and a form of the cubic; see estimateAsPaper().
-Contestant paperContestant(const std::string& name, int model, bool rollingShutterDepth = true);
+Contestant paperContestant(const std::string& name, int model, int depthModel = cv::rsackermann::DEPTH_ROLLING_SHUTTER);
 //! The library at its defaults but for the model and, if it is exact, gravity.
 Contestant libraryContestant(const std::string& name, int model, bool exactGravity);
 
@@ -44,11 +44,11 @@ std::vector<Contestant> mainContestants();
 //! These, the paper's method with its smaller models and with the better cubic, and the library with exact gravity and each model.
 std::vector<Contestant> allContestants();
 
-//! Yaw rate in deg/s and speed in km/h, 0 where the status says that nothing is corrected.
-struct MetricMotion
+//! Yaw rate in deg/s and speed in km/h, 0 if the status says that nothing is corrected.
+struct MetricEstimate
 {
     double yawRate, speed;
-    MetricMotion(const cv::rsackermann::AckermannMotion& motion, const cv::rsackermann::RollingShutterCamera& camera);
+    MetricEstimate(const cv::rsackermann::AckermannMotion& motion, const cv::rsackermann::RollingShutterCamera& camera);
 };
 
 } // namespace paper

@@ -28,7 +28,7 @@ private:
 /** Displacement as it can be measured without knowing the motion: square patches at corners of the global-shutter image are searched in the
 other image.
 @param mask of the pixels of the other image that have a source; may be empty.
-@return mean distance of the patches that are found, in pixels; NaN where there are none. */
+@return mean distance of the patches that are found, in pixels; NaN if there are none. */
 double patchDisplacement(const cv::Mat& global, const cv::Mat& image, const cv::Mat& mask);
 
 } // namespace paper

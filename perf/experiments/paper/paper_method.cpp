@@ -18,7 +18,7 @@ const double LARGEST_DISTANCE = 0.5; // between the columns of the ends of a can
 
 bool isLeftOf(const VerticalSegment& a, const VerticalSegment& b)
 {
-    return a.u.x / a.u.y + a.v.x / a.v.y < b.u.x / b.u.y + b.v.x / b.v.y;
+    return a.u.x / a.u.z + a.v.x / a.v.z < b.u.x / b.u.z + b.v.x / b.v.z;
 }
 
 std::vector<VerticalSegment> candidatesOf(const RollingShutterCamera& camera, const cv::Mat& segments)
@@ -27,7 +27,7 @@ std::vector<VerticalSegment> candidatesOf(const RollingShutterCamera& camera, co
     for (int i = 0; i < segments.rows; i++)
     {
         const VerticalSegment s = verticalSegment(camera, cv::Vec4d(segments.at<cv::Vec4f>(i)));
-        if (s.u.y > 0 && s.v.y > 0 && std::abs(s.u.x / s.u.y - s.v.x / s.v.y) <= LARGEST_DISTANCE)
+        if (s.u.z > 0 && s.v.z > 0 && std::abs(s.u.x / s.u.z - s.v.x / s.v.z) <= LARGEST_DISTANCE)
             candidates.push_back(s);
     }
     return candidates;
@@ -68,7 +68,7 @@ int samplesNeeded(double inlierRatio, int size, const MethodParams& params)
 } // namespace
 
 MethodParams::MethodParams()
-    : model(MODEL_4LA), wallDistance(2.5), threshold(0.5), confidence(0.99), maxIterations(5000), rollingShutterDepth(true),
+    : model(MODEL_4LA), wallDistance(2.5), threshold(0.5), confidence(0.99), maxIterations(5000), depthModel(DEPTH_ROLLING_SHUTTER),
       maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), seed(0)
 {
 }
@@ -90,7 +90,7 @@ MethodResult estimateAsPaper(const RollingShutterCamera& camera, const cv::Mat& 
     options.heading = camera.heading;
     if (camera.lineDelay > 0)
         options = solverLimits(camera, params.maxYawRate, params.maxSpeed, params.wallDistance);
-    options.rollingShutterDepth = params.rollingShutterDepth;
+    options.depthModel = params.depthModel;
     const double threshold = params.threshold / camera.cameraMatrix(0, 0);
     cv::RNG rng(uint64(params.seed) + 1);
     MinimalSolution best = MinimalSolution();
@@ -100,7 +100,7 @@ MethodResult estimateAsPaper(const RollingShutterCamera& camera, const cv::Mat& 
         const int count = solve(params.model, &drawSample(candidates, size, rng)[0], options, solutions);
         for (int k = 0; k < count; k++)
         {
-            if (solutions[k].B < 0) // the paper's cars drive forward
+            if (solutions[k].wallSlope < 0) // the paper's cars drive forward
                 continue;
             int inliers = 0;
             for (const VerticalSegment& s : candidates)
@@ -116,15 +116,15 @@ MethodResult estimateAsPaper(const RollingShutterCamera& camera, const cv::Mat& 
     if (motion.status != MOTION_OK)
         return result;
     motion.alpha = best.alpha;
-    motion.wallSlope = best.B;
-    motion.wallOffset = best.D;
-    motion.wallRatio = best.lambda;
+    motion.wallSlope = best.wallSlope;
+    motion.wallOffset = best.wallOffset;
+    motion.wallRatio = best.wallRatio;
     if (params.model != MODEL_1LA)
     {
         motion.wallDistance = params.wallDistance;
         motion.scale = SCALE_WALL;
         if (camera.height > 0)
-            motion.roadSlope = std::hypot(best.B, best.D) * params.wallDistance / camera.height;
+            motion.roadSlope = std::hypot(best.wallSlope, best.wallOffset) * params.wallDistance / camera.height;
     }
     return result;
 }

@@ -9,7 +9,7 @@
 
 namespace paper {
 
-//! What the method of the paper is told and how it searches.
+//! Input and limits of the method of the paper.
 struct MethodParams
 {
     int model;           //!< cv::rsackermann::MODEL_1LA, MODEL_3LA or MODEL_4LA
@@ -17,7 +17,7 @@ struct MethodParams
     double threshold;    //!< pixels between the compensated columns of the two ends of an inlier
     double confidence;   //!< probability of having drawn a sample without outliers
     int maxIterations;   //!< largest number of samples
-    bool rollingShutterDepth; //!< the form of the cubic, see cv::rsackermann::SolverOptions
+    int depthModel;      //!< the form of the cubic, see cv::rsackermann::SolverOptions
     double maxYawRate;   //!< radians per second
     double maxSpeed;     //!< metres per second
     int seed;

@@ -56,14 +56,8 @@ const Study& findStudy(const std::string& name)
     throw UsageError("unknown study " + name + "; there are" + names);
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
     if (options.arguments().empty() || !options.given("output"))
         throw UsageError("STUDY and --output=FOLDER are expected");
     if (options.given("threads"))
@@ -88,5 +82,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }

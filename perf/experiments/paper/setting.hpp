@@ -19,7 +19,7 @@ street::StreetCamera paperCamera(double readOut = READ_OUT, int width = 520);
 street::StreetScene paperScene(double speed, double yawRate, unsigned seed);
 
 /** Images of vertical lines on the walls, above the horizon.
-@param count number of segments; fewer where the camera doesn't see them.
+@param count number of segments; fewer if the camera doesn't see them.
 @param noise standard deviation of each coordinate of the ends in pixels.
 @param outliers share of segments that lean by up to 14 degrees instead.
 @param walls receives -1 (left) or 1 (right) for each segment.

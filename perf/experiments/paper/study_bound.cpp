@@ -36,7 +36,7 @@ void studyBound(const StudyOptions& options)
             problem.seed = options.seed + draw;
             for (const Contestant& contestant : contestants)
             {
-                const MetricMotion metric(contestant.estimate(problem).motion, problem.camera);
+                const MetricEstimate metric(contestant.estimate(problem).motion, problem.camera);
                 tables[0].push_back({contestant.name, number(speed, 0), number(yawRate, 0), std::to_string(draw), number(metric.yawRate - yawRate),
                                      number(metric.speed - speed), number(bound.yawRate / DEGREE), number(bound.speed / KMH)});
             }

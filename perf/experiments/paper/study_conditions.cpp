@@ -87,7 +87,7 @@ void studyConditions(const StudyOptions& options)
         for (const Contestant& contestant : contestants)
         {
             const AckermannMotion motion = contestant.estimate(problem).motion;
-            const MetricMotion metric(motion, problem.camera);
+            const MetricEstimate metric(motion, problem.camera);
             tables[0].push_back({contestant.name, c.factor, number(c.value, 1), std::to_string(item % cases), number(speed), number(yawRate),
                                  number(metric.yawRate - yawRate), number(metric.speed - speed), number(truth.raw()),
                                  number(truth.left(problem.camera, motion)), std::to_string(motion.status)});

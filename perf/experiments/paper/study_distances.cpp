@@ -43,7 +43,7 @@ void studyDistances(const StudyOptions& options)
             for (const Contestant& contestant : contestants)
             {
                 const AckermannMotion motion = contestant.estimate(problem).motion;
-                const MetricMotion metric(motion, problem.camera);
+                const MetricEstimate metric(motion, problem.camera);
                 tables[0].push_back({contestant.name, mistake.of, number((mistake.wall + mistake.height) * 100, 0), number(cases[i][0], 0),
                                      number(cases[i][1], 0), number(cases[i][2], 0), number(metric.yawRate - cases[i][2]),
                                      number(metric.speed - cases[i][1]), number(truth.raw()), number(truth.left(problem.camera, motion))});

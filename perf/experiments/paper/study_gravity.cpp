@@ -63,7 +63,7 @@ void studyGravity(const StudyOptions& options)
             for (const Contestant& contestant : contestants)
             {
                 const AckermannMotion motion = contestant.estimate(problem).motion;
-                const MetricMotion metric(motion, problem.camera);
+                const MetricEstimate metric(motion, problem.camera);
                 tables[0].push_back({contestant.name, number(readOut * 1e3, 2), tilts[k].kind, number(tilts[k].roll), number(tilts[k].pitch),
                                      number(metric.yawRate - scene.yawRate / DEGREE), number(metric.speed - scene.speed / KMH), number(truth.raw()),
                                      number(truth.left(problem.camera, motion)), std::to_string(motion.status)});

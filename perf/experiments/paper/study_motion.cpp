@@ -82,7 +82,7 @@ void studyMotion(const StudyOptions& options)
         const std::string image = cv::format("street_%d_%s_%.0f_%.0f", m.street, m.part, m.speed, m.yawRate);
         const auto add = [&](const Contestant& contestant) {
             const Answer answer = contestant.estimate(problem);
-            const MetricMotion metric(answer.motion, problem.camera);
+            const MetricEstimate metric(answer.motion, problem.camera);
             const double delta = answer.motion.wallSlope != 0 ? answer.motion.delta() * view.fx : 0;
             const std::string left = number(truth.left(problem.camera, answer.motion)), raw = number(truth.raw());
             tables[0].push_back({contestant.name, image, m.part, number(m.speed, 0), number(m.yawRate, 0), number(m.noisySpeed),

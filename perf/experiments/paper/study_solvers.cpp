@@ -29,11 +29,11 @@ struct Solver
 
 int solve1(const VerticalSegment* s, SolverOptions o, MinimalSolution* r) { return solve1LA(s[0], o, r); }
 int solve3(const VerticalSegment* s, SolverOptions o, MinimalSolution* r) { return solve3LA(s, true, o, r); }
-int solve4Rolling(const VerticalSegment* s, SolverOptions o, MinimalSolution* r) { return solve4LA(s, true, o, r); }
+int solve4Global(const VerticalSegment* s, SolverOptions o, MinimalSolution* r) { return solve4LA(s, true, o, r); }
 
-int solve4Global(const VerticalSegment* s, SolverOptions o, MinimalSolution* r)
+int solve4Rolling(const VerticalSegment* s, SolverOptions o, MinimalSolution* r)
 {
-    o.rollingShutterDepth = false;
+    o.depthModel = DEPTH_ROLLING_SHUTTER;
     return solve4LA(s, true, o, r);
 }
 
@@ -45,7 +45,7 @@ const Solver SOLVERS[] = {{"1la", TURN, 1, solve1},
                           {"4la_global", BOTH, 4, solve4Global},
                           {"4la_exact", BOTH, 4, solve4Exact}};
 
-double wallSpeed(const MinimalSolution& s) { return std::hypot(s.B, s.D); }
+double wallSpeed(const MinimalSolution& s) { return std::hypot(s.wallSlope, s.wallOffset); }
 
 struct Errors
 {

@@ -92,8 +92,8 @@ void studySolverTime(const StudyOptions& options)
         all.insert(all.end(), left.begin() + 3 * i, left.begin() + 3 * i + 3);
         all.push_back(right[i]);
     }
-    SolverOptions rolling = solverLimits(camera, 90 * DEGREE, 200 * KMH, scene.left), global = rolling;
-    global.rollingShutterDepth = false;
+    SolverOptions global = solverLimits(camera, 90 * DEGREE, 200 * KMH, scene.left), rolling = global;
+    rolling.depthModel = DEPTH_ROLLING_SHUTTER;
     MinimalSolution solutions[8];
     std::vector<Row> rows;
     const auto measure = [&](const std::string& name, const std::function<void(const VerticalSegment*)>& solve) {
@@ -104,11 +104,11 @@ void studySolverTime(const StudyOptions& options)
         });
         rows.push_back({name, number(seconds * 1e9 / double(repeats * (all.size() / 4)), 1)});
     };
-    measure("1la", [&](const VerticalSegment* s) { solve1LA(s[0], rolling, solutions); });
-    measure("3la", [&](const VerticalSegment* s) { solve3LA(s + 1, true, rolling, solutions); });
+    measure("1la", [&](const VerticalSegment* s) { solve1LA(s[0], global, solutions); });
+    measure("3la", [&](const VerticalSegment* s) { solve3LA(s + 1, true, global, solutions); });
     measure("4la_rolling", [&](const VerticalSegment* s) { solve4LA(s, true, rolling, solutions); });
     measure("4la_global", [&](const VerticalSegment* s) { solve4LA(s, true, global, solutions); });
-    measure("4la_exact", [&](const VerticalSegment* s) { solve4LAExact(s, true, rolling, solutions); });
+    measure("4la_exact", [&](const VerticalSegment* s) { solve4LAExact(s, true, global, solutions); });
     writeTable(options.folder + "/solver_time.csv", "solver,nanoseconds", rows);
 }
 

@@ -12,19 +12,19 @@ using namespace cv::rsackermann;
 
 namespace {
 
-cv::Point2d horizontalBearing(const RollingShutterCamera& camera, const cv::Point2d& pixel)
+HorizontalBearing horizontalBearing(const RollingShutterCamera& camera, const cv::Point2d& pixel)
 {
     const cv::Matx33d& K = camera.cameraMatrix;
     const cv::Vec3d ray((pixel.x - K(0, 2)) / K(0, 0), (pixel.y - K(1, 2)) / K(1, 1), 1);
     const cv::Vec3d upright = camera.uprightRotation * ray;
-    return cv::Point2d(upright[0], upright[2]);
+    return HorizontalBearing(upright[0], upright[2]);
 }
 
 // On a wall of the scaled inverse depth D - B x.
-double compensatedColumn(const cv::Point2d& bearing, double time, double alpha, double B, double D, double heading)
+double compensatedColumn(const HorizontalBearing& bearing, double time, double alpha, double B, double D, double heading)
 {
     const double yaw = 2 * alpha * time, c = std::cos(yaw), s = std::sin(yaw);
-    const double N = c * bearing.x + s * bearing.y, M = c * bearing.y - s * bearing.x;
+    const double N = c * bearing.x + s * bearing.z, M = c * bearing.z - s * bearing.x;
     const double chord = alpha != 0 ? std::sin(alpha * time) / alpha : time;
     const double gamma = chord * (M * std::sin(yaw / 2 + heading) - N * std::cos(yaw / 2 + heading));
     return (N + gamma * D) / (M + gamma * B);
@@ -45,11 +45,12 @@ VerticalSegment verticalSegment(const RollingShutterCamera& camera, const cv::Ve
 
 double columnDifference(const VerticalSegment& segment, const MinimalSolution& motion, double heading)
 {
-    const double middle = (segment.u.x / segment.u.y + segment.v.x / segment.v.y) / 2;
-    const bool right = motion.lambda > 0 && motion.B != 0 && middle > motion.D / motion.B;
-    const double scale = right ? -motion.lambda : 1;
-    return compensatedColumn(segment.u, segment.timeU, motion.alpha, scale * motion.B, scale * motion.D, heading) -
-           compensatedColumn(segment.v, segment.timeV, motion.alpha, scale * motion.B, scale * motion.D, heading);
+    const double middle = (segment.u.x / segment.u.z + segment.v.x / segment.v.z) / 2;
+    const bool right = motion.wallRatio > 0 && motion.wallSlope != 0 && middle > motion.wallOffset / motion.wallSlope;
+    const double scale = right ? -motion.wallRatio : 1;
+    const double B = scale * motion.wallSlope, D = scale * motion.wallOffset;
+    return compensatedColumn(segment.u, segment.timeU, motion.alpha, B, D, heading) -
+           compensatedColumn(segment.v, segment.timeV, motion.alpha, B, D, heading);
 }
 
 SolverOptions solverLimits(const RollingShutterCamera& camera, double maxYawRate, double maxSpeed, double wallDistance)
@@ -57,7 +58,7 @@ SolverOptions solverLimits(const RollingShutterCamera& camera, double maxYawRate
     SolverOptions options;
     options.heading = camera.heading;
     options.maxAlpha = maxYawRate * camera.secondsPerUnitTime() / 2;
-    options.maxSpeed = maxSpeed * camera.secondsPerUnitTime() / wallDistance;
+    options.maxScaledSpeed = maxSpeed * camera.secondsPerUnitTime() / wallDistance;
     return options;
 }
 

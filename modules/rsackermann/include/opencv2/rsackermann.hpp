@@ -41,8 +41,8 @@ Conventions of the whole module:
 
 Threads: functions and const methods may run at the same time in several threads, also on the same object. Everything else needs an
 object that no other thread uses meanwhile; different objects share no state. A cv::rsackermann::AckermannEstimator or
-cv::rsackermann::WarpMapGenerator serves all threads, as what they do with images is const, but each thread needs its own
-cv::rsackermann::RollingShutterCorrector, which keeps buffers and what it knows of the image before. cv::setNumThreads and cv::setRNGSeed don't change
+cv::rsackermann::WarpMapGenerator serves all threads, as their work on images is const, but each thread needs its own
+cv::rsackermann::RollingShutterCorrector, which keeps buffers and the state of the image before. cv::setNumThreads and cv::setRNGSeed don't change
 results.
 */
 

@@ -11,14 +11,14 @@
 namespace cv {
 namespace rsackermann {
 
-//! Camera frame to upright frame of a camera with that roll, positive where it is turned clockwise seen from behind.
+//! Camera frame to upright frame of a camera with that roll, positive if it is turned clockwise seen from behind.
 inline Matx33d rollRotation(double roll)
 {
     const double c = std::cos(roll), s = std::sin(roll);
     return Matx33d(c, -s, 0, s, c, 0, 0, 0, 1);
 }
 
-//! Camera frame to upright frame of a camera with that pitch, positive where it looks down.
+//! Camera frame to upright frame of a camera with that pitch, positive if it looks down.
 inline Matx33d pitchRotation(double pitch)
 {
     const double c = std::cos(pitch), s = std::sin(pitch);

@@ -8,20 +8,6 @@
 namespace cv {
 namespace rsackermann {
 
-// Radial factor of the distorted radius; the denominator is wanted for the pole of the rational model.
-static double brownRadius(const double* k, double r, double& denominator)
-{
-    const double r2 = r * r;
-    denominator = 1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7]));
-    return r * (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) / denominator;
-}
-
-static double fisheyeRadius(const double* k, double theta)
-{
-    const double t2 = theta * theta;
-    return theta * (1 + t2 * (k[0] + t2 * (k[1] + t2 * (k[2] + t2 * k[3]))));
-}
-
 // The radial models are looked at in steps of this many radians from the optical axis.
 static const double ANGLE_STEP = 1e-3;
 
@@ -33,7 +19,7 @@ static double radiusLimit(const double* k, bool fisheye)
     {
         const double theta = i * ANGLE_STEP;
         double denominator = 1;
-        const double radius = fisheye ? fisheyeRadius(k, theta) : brownRadius(k, std::tan(theta), denominator);
+        const double r = std::tan(theta), radius = fisheye ? theta * fisheyeFactor(k, theta * theta) : r * brownFactor(k, r * r, denominator);
         if (!(radius > last) || !(denominator > 0))
         {
             const double limit = std::tan((i - 1) * ANGLE_STEP);
@@ -86,7 +72,7 @@ static bool unprojectFisheye(const Lens<double>& lens, const Point2d& distorted,
     for (int i = 0; i < 30; i++)
     {
         const double t2 = theta * theta;
-        error = fisheyeRadius(k, theta) - radius;
+        error = theta * fisheyeFactor(k, t2) - radius;
         const double slope = 1 + t2 * (3 * k[0] + t2 * (5 * k[1] + t2 * (7 * k[2] + t2 * 9 * k[3])));
         if (std::abs(error) < 1e-15 || !(slope > 0))
             break;

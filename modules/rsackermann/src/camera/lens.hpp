@@ -11,6 +11,19 @@
 namespace cv {
 namespace rsackermann {
 
+//! Brown's radial factor, for a squared radius; its denominator becomes 0 at the pole of the rational model.
+template <typename T> T brownFactor(const T* k, T r2, T& denominator)
+{
+    denominator = 1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7]));
+    return (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) / denominator;
+}
+
+//! The fisheye's factor of the angle to the optical axis, for its square.
+template <typename T> T fisheyeFactor(const T* k, T theta2)
+{
+    return 1 + theta2 * (k[0] + theta2 * (k[1] + theta2 * (k[2] + theta2 * k[3])));
+}
+
 /** The lens from undistorted points (x, y) on the plane z = 1 to raw pixels, as cv::projectPoints and
 cv::fisheye::projectPoints define it.
 
@@ -31,7 +44,7 @@ struct Lens
 
     explicit Lens(const RollingShutterCamera& camera);
 
-    //! False where the point has no image; then the pixel is undefined.
+    //! False if the point has no image; then the pixel is undefined.
     bool project(T x, T y, T& u, T& v) const
     {
         if (kind == NONE)
@@ -61,15 +74,14 @@ private:
     T fisheyeScale(T r2) const
     {
         const T r = std::sqrt(r2);
-        const T theta = std::atan(r), theta2 = theta * theta;
-        const T radial = 1 + theta2 * (k[0] + theta2 * (k[1] + theta2 * (k[2] + theta2 * k[3])));
+        const T theta = std::atan(r), radial = fisheyeFactor(k, theta * theta);
         return r > 0 ? theta * radial / r : radial;
     }
 
     bool brown(T x, T y, T r2, T& xd, T& yd) const
     {
-        const T radial = (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) / (1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])));
-        const T xy2 = 2 * x * y;
+        T denominator;
+        const T radial = brownFactor(k, r2, denominator), xy2 = 2 * x * y;
         xd = x * radial + k[2] * xy2 + k[3] * (r2 + 2 * x * x) + r2 * (k[8] + r2 * k[9]);
         yd = y * radial + k[2] * (r2 + 2 * y * y) + k[3] * xy2 + r2 * (k[10] + r2 * k[11]);
         if (!tilted)
@@ -85,7 +97,7 @@ private:
 };
 
 /** The inverse of Lens::project.
-@return false where the lens model shows no ray at that pixel; then the ray is only near.
+@return false if the lens model shows no ray at that pixel; then the ray is only near.
 */
 bool unproject(const Lens<double>& lens, const Point2d& raw, Point2d& ray);
 

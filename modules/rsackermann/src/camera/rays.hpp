@@ -10,7 +10,7 @@
 namespace cv {
 namespace rsackermann {
 
-//! Raw pixels to undistorted rays (x, y, 1) of the camera frame; finite, but meaningless where the lens model has none.
+//! Raw pixels to undistorted rays (x, y, 1) of the camera frame; finite, but meaningless if the lens model has none.
 void undistortedRays(const RollingShutterCamera& camera, const std::vector<Point2d>& raw, std::vector<Point2d>& rays);
 
 }} // namespace cv::rsackermann

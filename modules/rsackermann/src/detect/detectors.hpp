@@ -10,6 +10,9 @@
 namespace cv {
 namespace rsackermann {
 
+//! Throws cv::Exception with the name of the argument unless it is one of SegmentDetector.
+void checkDetector(int detector, const char* name);
+
 // Each takes a continuous CV_8UC1 image of its own with at least MIN_DETECTOR_SIZE rows and columns.
 
 //! The detectors' neighbourhoods don't fit into smaller images, which they don't all check.

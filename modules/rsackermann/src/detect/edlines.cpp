@@ -24,7 +24,7 @@ void detectEDLines(const Mat& gray, double minLength, std::vector<Vec4f>& segmen
     params.MinLineLength = std::max(1, cvFloor(minLength));
     detector->setParams(params);
 
-    // EdgeDrawing::detectLines writes past the end of its buffers where a chain of edge pixels is longer than that; a wider
+    // EdgeDrawing::detectLines writes past the end of its buffers if a chain of edge pixels is longer than that; a wider
     // image has longer buffers.
     const size_t buffersPerSide = 8;
     Mat image = gray;

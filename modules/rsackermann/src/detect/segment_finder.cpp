@@ -13,11 +13,17 @@
 namespace cv {
 namespace rsackermann {
 
-// The scale of LSD: its own one. Where the ends are refined afterwards, an image of that many pixels suffices.
+// The scale of LSD: its own one. If the ends are refined afterwards, an image of that many pixels suffices.
 static double lsdScale(const Mat& image, bool isRefined)
 {
     const double own = 0.8, enoughPixels = 200000;
     return isRefined ? std::min(own, std::sqrt(enoughPixels / image.total())) : own;
+}
+
+void checkDetector(int detector, const char* name)
+{
+    if (detector < DETECTOR_LSD || detector > DETECTOR_EDLINES)
+        CV_Error(Error::StsBadArg, format("%s is %d; DETECTOR_LSD (0), DETECTOR_FLD (1) or DETECTOR_EDLINES (2) is expected", name, detector));
 }
 
 static void checkArguments(const Mat& image, int detector, double minLength)
@@ -28,8 +34,7 @@ static void checkArguments(const Mat& image, int detector, double minLength)
     if ((image.depth() != CV_8U && image.depth() != CV_16U) || (channels != 1 && channels != 3 && channels != 4))
         CV_Error(Error::StsBadArg, format("image is of type %s; CV_8U or CV_16U with 1, 3 or 4 channels is expected",
                                           typeToString(image.type()).c_str()));
-    if (detector < DETECTOR_LSD || detector > DETECTOR_EDLINES)
-        CV_Error(Error::StsBadArg, format("detector is %d; DETECTOR_LSD (0), DETECTOR_FLD (1) or DETECTOR_EDLINES (2) is expected", detector));
+    checkDetector(detector, "detector");
     if (!(minLength >= 0) || cvIsInf(minLength))
         CV_Error(Error::StsBadArg, format("minLength is %g; a number of pixels that isn't negative is expected", minLength));
 }
@@ -177,7 +182,7 @@ void SegmentFinder::findInStrips(const Mat& image, int count, int detector, doub
         }
 }
 
-// Drops what is shorter.
+// Drops shorter ones.
 void SegmentFinder::keepLong(double minLength)
 {
     size_t kept = 0;

@@ -13,7 +13,7 @@ namespace rsackermann {
 /** Finds line segments as detectSegments() does, with buffers that serve the next image, too.
 
 Time counts here: nearly all that a correction takes is detection.
--# Large images are halved until they have MAX_PIXELS or less. What they show of straight lines can still be seen then.
+-# Large images are halved until they have MAX_PIXELS or less. Straight lines can still be seen then.
 -# Unless that is the image itself and LSD searches it, it is cut into strips, of which threads work off one each. Lines that are
    nearly vertical, which the estimation is about, are seldom cut. The strips depend on the size of the image, not on the number of
    threads.

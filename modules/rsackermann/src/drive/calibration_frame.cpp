@@ -31,7 +31,7 @@ static Sight changed(const Sight& s, const Matx33d& R, double laterBefore)
     return result;
 }
 
-// The row time between frames for another unit, in addition to what it was.
+// By how much the row time between frames is larger in another unit.
 static double later(double interval, double givenUnit, double unit)
 {
     return interval / givenUnit - interval / unit;

@@ -12,7 +12,7 @@
 namespace cv {
 namespace rsackermann {
 
-//! What all frames of a drive share: corrections of the camera.
+//! The unknowns that all frames of a drive share: corrections of the camera.
 enum MountValue
 {
     MOUNT_ROLL,    //!< radians
@@ -30,14 +30,14 @@ typedef Eigen::Matrix<double, MOUNT_VALUES, MOUNT_VALUES> MountMatrix;
 enum { FRAME_VALUES = FLOW_ROLL_BEFORE + 1, SCENE_VALUES = DRIVE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
 typedef Eigen::Matrix<double, FRAME_VALUES, 1> FrameVector;
 
-//! How a frame is seen and what it says.
+//! How a frame is seen, and its evidence.
 struct CalibrationFrame
 {
     double time, interval; //!< seconds; since the frame before
     std::vector<Sight> sights;
     std::vector<UprightSegment> verticals;
     FrameVector value; //!< unknowns of the frame, with the whole corrections of roll and pitch
-    double expected[SCENE_VALUES], sigma[SCENE_VALUES]; //!< what was known of the first of them
+    double expected[SCENE_VALUES], sigma[SCENE_VALUES]; //!< of the first of them, as known before
 };
 
 //! Values of the mount on which the residuals of a frame depend: the last ones. Roll and pitch are in the frame's own tilt.
@@ -58,7 +58,7 @@ struct FrameEquations
     Eigen::Matrix<double, SCENE_VALUES, 1> sceneChange(const Vector& change) const { return -(scene + sceneByOthers * change); }
 };
 
-/** What a frame says of its own values and of the camera (doc/theory.md, "Self-calibration"). */
+/** The evidence of a frame on its own values and on the camera (doc/theory.md, "Self-calibration"). */
 class FrameProblem
 {
 public:

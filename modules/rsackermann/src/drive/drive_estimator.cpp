@@ -10,11 +10,8 @@
 namespace cv {
 namespace rsackermann {
 
-static const double LONGEST = 1;      // seconds between two frames of which one follows from the other
-static const size_t LEAST_POINTS = 20;
 static const size_t MANY_POINTS = 80;   // if next to none of them was there before, it is another scene
 static const double LEAST_TRACKED = 0.3; // of the points that a frame has
-static const double LEAST_AGREEING = 0.3; // of the points; with fewer of them it is another scene
 
 DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
     : camera(camera_), params(params_), state(camera_, params_), time(0), hasFrame(false), isVague(true)
@@ -23,7 +20,7 @@ DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const Ackerm
 
 void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
 {
-    // What is known of gravity is known of this one.
+    // Its uncertainty is that of gravity.
     const bool isSameGravity = camera_.uprightRotation == camera.uprightRotation && params_.gravitySigma == params.gravitySigma &&
                                params_.vehiclePitchSigma == params.vehiclePitchSigma;
     const int kept = isSameGravity ? DRIVE_VALUES : DRIVE_ROLL;
@@ -62,7 +59,7 @@ void DriveEstimator::look(const GrayFrame& frame, const GrayFrame& next, double 
     tracker.track(frame.gray, frame.scale, pairs);
     addPairs(passed);
     const double ahead = next.seconds - frame.seconds;
-    if (next.gray.empty() || ahead == 0 || !(std::abs(ahead) < LONGEST))
+    if (next.gray.empty() || ahead == 0 || !(std::abs(ahead) < LONGEST_INTERVAL))
         return;
     tracker.trackNext(next.gray, pairs);
     addPairs(-ahead);
@@ -79,7 +76,7 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
                               Mat& labels)
 {
     const double passed = frame.seconds - time;
-    const bool follows = hasFrame && passed != 0 && std::abs(passed) < LONGEST;
+    const bool follows = hasFrame && passed != 0 && std::abs(passed) < LONGEST_INTERVAL;
     if (!follows)
         reset();
     else
@@ -115,7 +112,7 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
     return true;
 }
 
-// Points aren't spread as pixels are: what they say is the share of the displacement that is left.
+// Points aren't spread as pixels are: they show the share of the displacement that is left.
 Model DriveEstimator::expect(const DriveFit& fit, AckermannMotion& motion) const
 {
     const double unit = camera.secondsPerUnitTime();
@@ -153,7 +150,7 @@ void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegmen
     const double change = motion.alpha * camera.focalSigma / camera.cameraMatrix(0, 0);
     motion.covariance(0, 0) += change * change;
     motion.model = DisplacementField(camera).mainMotion(model, motion.roadSlope);
-    const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, LEAN};
+    const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, USUAL_LEAN};
     labelInliers(verticals, model, camera.heading, agreement, motion, labels);
     if (!setToldScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
     {

@@ -21,7 +21,7 @@ struct GrayFrame
     GrayFrame(const Mat& gray_, int scale_, double seconds_) : gray(gray_), scale(scale_), seconds(seconds_) {}
 };
 
-//! What consecutive frames say together (doc/theory.md, "Drive").
+//! The estimate from consecutive frames (doc/theory.md, "Drive").
 class DriveEstimator
 {
 public:
@@ -38,10 +38,10 @@ public:
     @return false if there is nothing to go by: for a frame that has nothing to do with the one before and the one after. */
     bool estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
 
-    //! What is known and what the frames before say of the yaw rate, for an estimate from the image alone.
+    //! The prior of an estimate from the image alone: the told one and the yaw rate of the frames before.
     MotionPrior priorOfFrame(const MotionPrior& prior) const;
 
-    //! What an image alone has said.
+    //! Takes over the estimate from an image alone.
     void learn(const AckermannMotion& motion);
 
     //! The next frame belongs to another sequence.

@@ -153,7 +153,7 @@ private:
     Information prior;
 };
 
-// What the points say of the correction: those that don't move with the scene say nothing.
+// The share of the displacement that is left, as the points show it; those that don't move with the scene don't count.
 void expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveFit& fit)
 {
     const double agrees = 4 * POINT_SIGMA;

@@ -11,9 +11,11 @@
 namespace cv {
 namespace rsackermann {
 
-const double LEAN = 0.3 * CV_PI / 180; //!< of verticals in the scene
+const double LONGEST_INTERVAL = 1; //!< seconds between two frames of one scene
+const size_t LEAST_POINTS = 20;
+const double LEAST_AGREEING = 0.3; //!< share of the points; with fewer of them it is another scene
 
-//! What a frame says of a drive.
+//! The evidence of a frame of a drive.
 struct DriveFit
 {
     DriveState state;   //!< prediction and frame together
@@ -25,9 +27,9 @@ struct DriveFit
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to the verticals of the present one, together
-with what the frames before have told (doc/theory.md, "Drive").
+with the state of the frames before (doc/theory.md, "Drive").
 @param prediction of the state at the present frame.
-@param isVague whether the prediction is hardly more than what is usual: motions that differ from it are tried, too.
+@param isVague whether the prediction is hardly more than the usual values: motions that differ from it are tried, too.
 */
 DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<UprightSegment>& verticals,
                   const DriveState& prediction, bool isVague);

@@ -4,12 +4,13 @@
 
 #include "../precomp.hpp"
 #include "../estimator/account.hpp"
+#include "../estimator/residuals/usual_drive.hpp"
 #include "drive_state.hpp"
 
 namespace cv {
 namespace rsackermann {
 
-// Seconds after which a value is forgotten, for each DriveValue: each wanders about what is usual (an Ornstein-Uhlenbeck process).
+// Seconds after which a value is forgotten, for each DriveValue: each wanders about its usual value (an Ornstein-Uhlenbeck process).
 static const double MEMORY[DRIVE_VALUES] = {2, 10, 1, 1, 1, 1, 10, 10};
 static const double KNOWN = 1e-6; // radians, for the standard deviation of a gravity that is exact
 
@@ -51,7 +52,7 @@ Model toModel(const DriveVector& value, double unit, Matx<double, PARAMETERS, DR
 
 DriveState::DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
-    const double height = camera.height > 0 ? camera.height : 1.3, heightSigma = camera.height > 0 ? 0.15 : 0.35; // of the height
+    const double height = camera.height > 0 ? camera.height : USUAL_HEIGHT, heightSigma = camera.height > 0 ? 0.15 : 0.35; // of the height
     const bool isExact = !(params.gravitySigma > 0);
     const double pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? KNOWN : params.vehiclePitchSigma;
     usual = DriveVector(0, 8, camera.heading, 0.1, 0.1, 1 / height, 0, 0);

@@ -11,7 +11,7 @@
 namespace cv {
 namespace rsackermann {
 
-//! What a drive is described by, from one frame to the next. Lengths are metres if the camera's height is told, and near to that if not.
+//! The state of a drive, from one frame to the next. Lengths are metres if the camera's height is told, and near to that if not.
 enum DriveValue
 {
     DRIVE_YAW_RATE,  //!< rad/s
@@ -42,16 +42,16 @@ struct DriveState
     DriveVector value;
     DriveMatrix covariance;
 
-    //! What is usual before anything is seen.
+    //! The usual state, before anything is seen.
     DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 
-    //! What becomes of it after some seconds.
+    //! The state some seconds later.
     void predict(double seconds);
 
     //! A measurement of one value; ignored unless sigma is positive.
     void measure(DriveValue which, double measured, double sigma);
 
-    //! As a motion during one image, with its covariance; status and what is said of the segments are left as they are.
+    //! As a motion during one image, with its covariance; the status and the counts of segments are left as they are.
     void toMotion(double unit, AckermannMotion& motion) const;
 
 private:

@@ -28,7 +28,7 @@ inline double cauchyWeight(double squared, double scale) { return 1 / (1 + squar
 inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model, double focal, double* jacobian)
 {
     int wall;
-    const double length = norm(c.u - c.v), sigma = std::hypot(LEAN * length, END_SIGMA / focal);
+    const double length = norm(c.u - c.v), sigma = std::hypot(USUAL_LEAN * length, END_SIGMA / focal);
     const double r = verticalResidual(c, model, wall, jacobian);
     for (int i = 0; i < PARAMETERS && jacobian; i++)
         jacobian[i] /= sigma;

@@ -12,7 +12,7 @@
 namespace cv {
 namespace rsackermann {
 
-/** What a drive is described by, and what makes other frames differ from the present one: the change of the yaw rate, and turns about the other axes from the
+/** The state of a drive, and the differences of other frames from the present one: the change of the yaw rate, and turns about the other axes from the
 frame before and to the frame after. */
 enum
 {

@@ -15,9 +15,6 @@ namespace cv {
 namespace rsackermann {
 
 static const double DEGREE = CV_PI / 180;
-static const double LONGEST = 1;          // seconds between two frames of a drive
-static const size_t LEAST_POINTS = 20;
-static const double LEAST_AGREEING = 0.3; // of the points
 static const int RUN = 30;                // frames that are kept or left out together, since what connects neighbours tells the suspension
 static const double USUAL_READOUT = 0.5;  // of the time between two frames, if no line delay is given
 static const double OBSERVED = 0.5;           // of the standard deviation before, at most, for a value that the drive tells
@@ -205,7 +202,7 @@ private:
         return p.x >= -0.5 && p.y >= -0.5 && p.x <= given.imageSize.width - 0.5 && p.y <= given.imageSize.height - 0.5;
     }
 
-    bool follows(double seconds) const { return hasFrame && seconds > time && seconds - time < LONGEST; }
+    bool follows(double seconds) const { return hasFrame && seconds > time && seconds - time < LONGEST_INTERVAL; }
 
     MountVector sigmaBefore() const
     {

@@ -14,7 +14,7 @@ static const int ITERATIONS = 8;           // at each scale
 static const double SAME_TURN = 0.02 * CV_PI / 180; // by which the change of a tilt differs from the turn between two frames
 static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180; // rad/s^2: a drive that tells the line delay weaves, and many frames tell the change
 static const double YAW_CHANGE_MEMORY = 0.5; // seconds
-static const double SAME_DELAY = 0.03;     // relative; what a scene that isn't plane makes of the line delay
+static const double SAME_DELAY = 0.03;     // relative; error of the line delay if the scene isn't plane
 static const double HEADING_SIGMA = 0.1 * CV_PI / 180; // cars slip on a crowned road, tilts turn the direction from which it counts, streets aren't plane
 static const double SLOW = 0.3;            // Hz; what frames err together is slower, or faster and without effect on the mean
 static const int LEAST_WAVES = 4;
@@ -107,7 +107,7 @@ private:
 
     static int unknownOf(size_t frame, int linked) { return int(frame) * LINKED_VALUES + linked; }
 
-    // What connects a frame with the one before and with the mount.
+    // The connections of a frame with the one before and with the mount.
     void termsOf(size_t k, std::vector<LinearTerm>& terms) const
     {
         static const int tilts[] = {FrameEquations::ROLL, FrameEquations::PITCH}, turns[] = {FrameEquations::ROLL_TURN, FrameEquations::PITCH_TURN};
@@ -267,7 +267,7 @@ private:
         return false;
     }
 
-    // What each frame adds to the gradient of the mount, if the values of the frames follow.
+    // The contribution of each frame to the gradient of the mount, if the values of the frames follow.
     std::vector<MountVector> pulls() const
     {
         std::vector<MountVector> result;
@@ -294,7 +294,7 @@ private:
     }
 
     /* Covariance of the sum of all pulls as they really scatter, whatever connects them: that of their slowest oscillations, the cosines of half a period
-    and more over the drive. What the weights say joins it as some more frames would. */
+    and more over the drive. The information of the weights joins it as some more frames would. */
     MountMatrix scatter() const
     {
         const std::vector<MountVector> pull = pulls();

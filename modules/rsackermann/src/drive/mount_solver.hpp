@@ -17,12 +17,12 @@ struct Suspension
     double memory; //!< seconds
 };
 
-//! What the frames say of the mount.
+//! The mount as the frames show it.
 struct MountFit
 {
     MountVector value;
     MountMatrix covariance;
-    double turningSigma; //!< standard deviation of MOUNT_DELAY without what the passing of the scene says of it
+    double turningSigma; //!< standard deviation of MOUNT_DELAY without the evidence of the passing scene
 };
 
 /** Explains all frames of a drive by one mount and one line delay (doc/theory.md, "Self-calibration").

@@ -10,6 +10,9 @@
 namespace cv {
 namespace rsackermann {
 
+static const double AMBIGUOUS = 0.9;  // correlation
+static const double USUAL_LEANS = 2;  // sigmas of the lean within which a vertical agrees
+
 double labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading, const Agreement& agreement,
                     AckermannMotion& motion, Mat& labels)
 {
@@ -19,8 +22,8 @@ double labelInliers(const std::vector<UprightSegment>& verticals, const Model& m
     for (size_t i = 0; i < verticals.size(); i++)
     {
         const UprightSegment& c = verticals[i];
-        // Real verticals lean: what they do usually is no disagreement.
-        const double leaning = 2 * agreement.focal * agreement.lean * norm(c.u - c.v), threshold = std::max(agreement.threshold, leaning);
+        // Real verticals lean; their usual lean is no disagreement.
+        const double leaning = USUAL_LEANS * agreement.focal * agreement.lean * norm(c.u - c.v), threshold = std::max(agreement.threshold, leaning);
         chance += std::min(1., threshold / (agreement.focal * c.gate)) / verticals.size();
         int wall;
         const double r = agreement.focal * verticalResidual(c, model, heading, wall, 0);
@@ -37,7 +40,7 @@ double labelInliers(const std::vector<UprightSegment>& verticals, const Model& m
 bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance)
 {
     const double variances = covariance(P_ALPHA, P_ALPHA) * covariance(P_ROLL, P_ROLL);
-    return variances > 0 && std::abs(covariance(P_ALPHA, P_ROLL)) > 0.9 * std::sqrt(variances);
+    return variances > 0 && std::abs(covariance(P_ALPHA, P_ROLL)) > AMBIGUOUS * std::sqrt(variances);
 }
 
 bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& prior, AckermannMotion& motion)

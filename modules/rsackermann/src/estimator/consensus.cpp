@@ -10,14 +10,18 @@
 namespace cv {
 namespace rsackermann {
 
-CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const MotionHypothesis& structure_, double threshold_)
-    : problem(problem_), hypothesis(structure_), threshold(threshold_), verticals(problem_.verticals.size())
+// Standard deviations below which a prior takes the place of a segment in a sample.
+static const double PRECISE = 0.1;            // of the largest alpha, or of the scaled speed
+static const double PRECISE_DIRECTION = 0.02; // radians
+
+CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const MotionHypothesis& hypothesis_, double threshold_)
+    : problem(problem_), hypothesis(hypothesis_), threshold(threshold_), verticals(problem_.verticals.size())
 {
     for (size_t i = 0; i < verticals.size(); i++)
     {
         const UprightSegment& c = problem.verticals[i];
-        verticals[i].u = Point2d(c.u[0], c.u[2]);
-        verticals[i].v = Point2d(c.v[0], c.v[2]);
+        verticals[i].u = HorizontalBearing(c.u[0], c.u[2]);
+        verticals[i].v = HorizontalBearing(c.v[0], c.v[2]);
         verticals[i].timeU = c.timeU;
         verticals[i].timeV = c.timeV;
     }
@@ -27,19 +31,18 @@ CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const 
 bool CandidateConsensus::knowsYawRate() const
 {
     const PriorTerms& prior = problem.prior;
-    return hypothesis.motion == MODEL_4LA && prior.alphaSigma > 0 && prior.alphaSigma < 0.1 * problem.limits.maxAlpha;
+    return hypothesis.motion == MODEL_4LA && prior.alphaSigma > 0 && prior.alphaSigma < PRECISE * problem.limits.maxAlpha;
 }
 
 bool CandidateConsensus::knowsSpeed() const
 {
     const PriorTerms& prior = problem.prior;
-    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && prior.scaledSpeedSigma > 0 && prior.scaledSpeedSigma < 0.1 * std::abs(prior.scaledSpeed);
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && prior.scaledSpeedSigma > 0 && prior.scaledSpeedSigma < PRECISE * std::abs(prior.scaledSpeed);
 }
 
 bool CandidateConsensus::knowsWallDirection() const
 {
-    const double vague = 0.02; // radians
-    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 && problem.prior.streetSigma < vague;
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 && problem.prior.streetSigma < PRECISE_DIRECTION;
 }
 
 int CandidateConsensus::sampleSize() const
@@ -52,8 +55,7 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
     SolverOptions options;
     options.heading = problem.heading.angle;
     options.maxAlpha = problem.limits.maxAlpha;
-    options.maxSpeed = problem.limits.maxRightScaledSpeed; // either wall may be the first one
-    options.rollingShutterDepth = false;
+    options.maxScaledSpeed = problem.limits.maxRightScaledSpeed; // either wall may be the first one
     const bool twoWalls = hypothesis.walls == 2;
     if (knowsYawRate())
         return solveKnownYawRate(segments, twoWalls, problem.prior.alpha, options, solutions);
@@ -73,7 +75,7 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
 int CandidateConsensus::directionOf(const MinimalSolution& s, const VerticalSegment& left) const
 {
     const RotatedBearing u(left.u, RowMotion(s.alpha, problem.heading, left.timeU));
-    return s.D - s.B * u.column(s.B, s.D) > 0 ? 1 : -1;
+    return s.wallOffset - s.wallSlope * u.column(s.wallSlope, s.wallOffset) > 0 ? 1 : -1;
 }
 
 // Two walls can be described in two ways; the left one is to the left of the vehicle's forward direction.
@@ -108,9 +110,9 @@ int CandidateConsensus::generate(const int* sample, Model* models)
             m[P_ALPHA] = s.alpha;
             if (hypothesis.translates())
                 m.direction = directionOf(s, segments[0]);
-            m[P_B] = s.B;
-            m[P_D] = s.D;
-            m[P_LAMBDA] = s.lambda;
+            m[P_B] = s.wallSlope;
+            m[P_D] = s.wallOffset;
+            m[P_LAMBDA] = s.wallRatio;
             nameWalls(problem.heading, m);
             if (!problem.limits.allow(m))
                 count--;

@@ -10,6 +10,8 @@
 namespace cv {
 namespace rsackermann {
 
+static const double NEXT_TO_NOTHING = 0.05; // of the displacement
+
 DisplacementField::DisplacementField(const RollingShutterCamera& camera)
     : fx(camera.cameraMatrix(0, 0)), fy(camera.cameraMatrix(1, 1)), headingSine(std::sin(camera.heading)), headingCosine(std::cos(camera.heading))
 {
@@ -109,7 +111,6 @@ double DisplacementField::meanDistance(const Values& a, const Values& b, const V
 
 int DisplacementField::mainMotion(const Model& model, double G) const
 {
-    const double nothing = 0.05; // of the displacement
     Model turning, moving = model;
     turning[P_ALPHA] = model[P_ALPHA];
     moving[P_ALPHA] = 0;
@@ -120,7 +121,7 @@ int DisplacementField::mainMotion(const Model& model, double G) const
     const double turn = meanDistance(byTurning, Values(), exact), move = meanDistance(byMoving, Values(), exact);
     if (turn + move == 0)
         return MODEL_NONE;
-    return move < nothing * turn ? MODEL_1LA : turn < nothing * move ? MODEL_3LA : MODEL_4LA;
+    return move < NEXT_TO_NOTHING * turn ? MODEL_1LA : turn < NEXT_TO_NOTHING * move ? MODEL_3LA : MODEL_4LA;
 }
 
 }} // namespace cv::rsackermann

@@ -34,7 +34,7 @@ public:
     void variance(const Model& model, double G, double varianceG, const Matx<double, PARAMETERS, PARAMETERS>& covariance,
                   Variances& values) const;
 
-    //! The MotionModel of a motion without what contributes next to nothing to the displacement.
+    //! The MotionModel of a motion without the parts that contribute next to nothing to the displacement.
     int mainMotion(const Model& model, double G) const;
 
 private:

@@ -15,6 +15,10 @@
 namespace cv {
 namespace rsackermann {
 
+// First guesses for the segments of a detector; selectMotion() measures the noise of the image.
+static const double FIRST_SIGMA = 0.25, FIRST_OTHERS_SIGMA = 1; // pixels
+static const double FIRST_LOSS_SCALE = 3;                       // sigmas
+
 namespace {
 
 class AckermannEstimatorImpl CV_FINAL : public AckermannEstimator
@@ -90,10 +94,9 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionPrior& prior) 
     problem.prior = PriorTerms(prior, camera, params, limits);
     problem.heading = camera.heading;
     problem.focal = camera.cameraMatrix(0, 0);
-    // First guesses for the segments of a detector; selectMotion() measures the noise of the image.
-    problem.sigma = 0.25;
-    problem.directionSigma = 1;
-    problem.lossScale = 3;
+    problem.sigma = FIRST_SIGMA;
+    problem.directionSigma = FIRST_OTHERS_SIGMA;
+    problem.lossScale = FIRST_LOSS_SCALE;
     problem.gravitySigma = params.gravitySigma;
     problem.vehiclePitchSigma = params.vehiclePitchSigma;
     return problem;
@@ -199,7 +202,7 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
             motion.covariance(i, j) = found.covariance(i, j);
     motion.rollYawAmbiguous = isRollYawAmbiguous(found.covariance);
 
-    // What is measured gives a length; what is usual doesn't.
+    // Measurements give a length; usual values don't.
     const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
     if (!(speed > 0) || setToldScale(camera, params, prior, motion))
         return;

@@ -8,19 +8,23 @@
 namespace cv {
 namespace rsackermann {
 
+// Of the information criterion.
+static const double ERROR_DEPENDENCE = 1.5;
+static const double USUAL_SECOND_WALL = 4;
+static const double UNSEEN_SECOND_WALL = 2;
+
 // With a larger penalty than for independent errors: those of neighbouring segments are alike. The number of walls belongs to
-// the scene rather than to the motion: a camera that looks along a street usually has two, and their ratio costs what is learnt
+// the scene rather than to the motion: a camera that looks along a street usually has two, and their ratio costs the information that is learnt
 // of it, which is the volume of its distribution before over that after; unless no vertical shows the second one.
 static double criterion(const RefinementProblem& problem, const Fit& fit)
 {
-    const double dependence = 1.5;
     const int unknowns = (fit.hypothesis.turns() ? 1 : 0) + (fit.hypothesis.translates() ? 2 : 0);
-    double result = fit.cost + dependence * unknowns * std::log((double)problem.verticals.size());
+    double result = fit.cost + ERROR_DEPENDENCE * unknowns * std::log((double)problem.verticals.size());
     if (fit.hypothesis.walls == 2)
     {
-        const double usualSecondWall = 4, unseenSecondWall = 2, usual = PriorTerms::usualLogRatio() * fit.model[P_LAMBDA];
+        const double usual = USUAL_LOG_RATIO * fit.model[P_LAMBDA];
         const double learnt = std::log(usual * usual / std::max(fit.covariance(P_LAMBDA, P_LAMBDA), DBL_MIN));
-        result += learnt > std::log(2.) ? learnt - usualSecondWall : unseenSecondWall;
+        result += learnt > std::log(2.) ? learnt - USUAL_SECOND_WALL : UNSEEN_SECOND_WALL;
     }
     return result;
 }

@@ -26,12 +26,12 @@ struct Fit
 //! Refines a start on all segments.
 Fit refineFrom(const RefinementProblem& problem, const Model& start, const MotionHypothesis& hypothesis);
 
-//! Refines a fit again, where the noise or its model has changed.
+//! Refines a fit again, after the noise or its model has changed.
 void refineAgain(const RefinementProblem& problem, Fit& fit);
 
 inline bool isCheaper(const Fit& a, const Fit& b) { return a.cost < b.cost; }
 
-//! Azimuth of the walls; only where there is translation.
+//! Azimuth of the walls; only if there is translation.
 inline double azimuthOf(const Model& model) { return std::atan2(model[P_D], model[P_B]); }
 
 //! The model with its walls turned about the vertical axis.

@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_MODEL_HPP
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_MODEL_HPP
 
-#include "opencv2/core.hpp"
+#include "opencv2/rsackermann/motion.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -19,15 +19,15 @@ enum Parameter
     P_LAMBDA,
     P_ROLL,   // corrections of gravity, radians
     P_PITCH,
-    P_STREET, // azimuth of the street where there is no translation to tell it
+    P_STREET, // azimuth of the street if there is no translation to tell it
     PARAMETERS
 };
 
-//! A motion while it is being estimated: AckermannMotion without what verticals can't tell.
+//! A motion while it is being estimated: AckermannMotion without the values that verticals can't tell.
 struct Model
 {
     double value[PARAMETERS];
-    int direction; // sign of the scaled inverse depths; 0 where there is no translation
+    int direction; // sign of the scaled inverse depths; 0 if there is no translation
 
     Model() : direction(0) { std::fill(value, value + PARAMETERS, 0.); }
 
@@ -43,8 +43,8 @@ struct MotionHypothesis
 
     MotionHypothesis(int motion_, int walls_) : motion(motion_), walls(walls_) {}
 
-    bool turns() const { return motion == 1 || motion == 4; }
-    bool translates() const { return motion == 3 || motion == 4; }
+    bool turns() const { return motion == MODEL_1LA || motion == MODEL_4LA; }
+    bool translates() const { return motion == MODEL_3LA || motion == MODEL_4LA; }
     int unknowns() const { return (turns() ? 1 : 0) + (translates() ? 1 + walls : 0); }
     //! Segments of a minimal sample.
     int sampleSize() const { return unknowns(); }

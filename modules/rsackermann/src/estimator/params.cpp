@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../checks.hpp"
+#include "../detect/detectors.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -53,8 +54,7 @@ void AckermannEstimator::Params::check() const
 {
     if (model != MODEL_AUTO && model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA && model != MODEL_4LA)
         CV_Error(Error::StsBadArg, format("params.model is %d; one of the MotionModel values -1, 0, 1, 3, 4 is expected", model));
-    if (detector < DETECTOR_LSD || detector > DETECTOR_EDLINES)
-        CV_Error(Error::StsBadArg, format("params.detector is %d; one of the SegmentDetector values 0 to 2 is expected", detector));
+    checkDetector(detector, "params.detector");
     checkPositive(minLength, "params.minLength");
     checkPositive(maxSlant, "params.maxSlant");
     checkNotNegative(slantTolerance, "params.slantTolerance", "none");

@@ -18,10 +18,15 @@ static const int CONSENSUS_ITERATIONS = 500;  // it is one start of several
 static const double LOSS_SCALE = 2;           // in scales of the slants
 static const double DEPENDENCE_BY_TILT = 6;   // how many more verticals say what one would, if roll and pitch are free
 static const double TILT_OF_DEPENDENCE = CV_PI / 180;
-static const double LEAN_OF_DEPENDENCE = 0.3 * CV_PI / 180;
 static const double CROWDED = 20;             // candidates within a facade's width
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
 static const double LARGEST_DEPENDENCE = 8;
+static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
+static const double WALLS_PRIOR = 0.7;
+static const double SAME_LEAN = 1.3;          // ratio below which the noise counts as unchanged
+static const double FIRST_STEP = 0.7;         // of the sweep over the yaw rate, in sigmas
+static const double STEP_GROWTH = 1.25;
+static const double IMPROBABLE = 7;           // logarithm of a density below the highest one
 
 namespace {
 
@@ -45,8 +50,7 @@ public:
         problem.lossScale = LOSS_SCALE;
         problem.lean = 0;
         problem.weigh();
-        const bool ahead = std::abs(problem.heading.c) > 0.5;
-        const WeighedHypothesis all[] = {{MotionHypothesis(MODEL_1LA, 0), std::log(0.05)}, {MotionHypothesis(MODEL_4LA, ahead ? 2 : 1), std::log(0.7)}};
+        const WeighedHypothesis all[] = {{MotionHypothesis(MODEL_1LA, 0), std::log(ROTATION_PRIOR)}, {MotionHypothesis(MODEL_4LA, problem.heading.looksAlong() ? 2 : 1), std::log(WALLS_PRIOR)}};
         std::vector<Fit> fits;
         for (int i = 0; i < 2; i++)
             fits.push_back(bestFit(all[i].hypothesis));
@@ -63,7 +67,7 @@ public:
     }
 
 private:
-    // What is usual, what verticals agree on, and a pure rotation.
+    // The usual motion, a consensus of the verticals, and a pure rotation.
     std::vector<Model> starts(const MotionHypothesis& hypothesis) const
     {
         std::vector<Model> models;
@@ -84,7 +88,7 @@ private:
         for (int direction = 1; direction >= -1; direction -= 2)
             for (int i = 0; i < 2; i++)
             {
-                // One start is enough for what is rare.
+                // One start is enough for a rare direction.
                 if ((usual.toldDirection() != 0 && direction != usual.toldDirection()) || (direction < 0 && usual.toldDirection() == 0 && i != 1))
                     continue;
                 const double speed = direction * factors[i] * usual.usualScaledSpeed(direction);
@@ -163,20 +167,19 @@ private:
     void measureNoise(std::vector<Fit>& fits, size_t best)
     {
         const int passes = 3;
-        const double same = 1.3;
         for (int pass = 0; pass < passes; pass++)
         {
             const double before = problem.lean;
             setNoise(fits[best]);
             refineAll(fits);
-            if (problem.lean < same * before && before < same * problem.lean)
+            if (problem.lean < SAME_LEAN * before && before < SAME_LEAN * problem.lean)
                 break;
         }
         const Slants slants(problem, fits[best].model, fits[best].hypothesis.translates());
         double neighbours;
         const double measured = dependenceOf(slants, noise, problem.focal, neighbours);
-        // What verticals have in common looks like roll, pitch and motion: free unknowns take it up, and the residuals don't show it.
-        const double leaning = noise.lean / LEAN_OF_DEPENDENCE;
+        // A lean that verticals have in common looks like roll, pitch and motion: free unknowns take it up, and the residuals don't show it.
+        const double leaning = noise.lean / USUAL_LEAN;
         const double hidden = DEPENDENCE_BY_TILT * std::min(1., problem.gravitySigma / TILT_OF_DEPENDENCE) * std::min(1., neighbours / CROWDED) *
                               std::min(1., leaning * leaning);
         dependence = std::min(LARGEST_DEPENDENCE, std::max(measured, 1 + hidden));
@@ -215,7 +218,7 @@ private:
         return fitSlantNoise(slants, problem.focal).logLikelihood + cost / 2;
     }
 
-    // Laplace's approximation of what a fit at one yaw rate contributes.
+    // Laplace's approximation of the contribution of a fit at one yaw rate.
     double logEvidence(const Fit& fit, const MotionHypothesis& hypothesis) const
     {
         double volume = logVolume(fit) - usual.logVolume(hypothesis);
@@ -227,7 +230,7 @@ private:
         return volume - fit.cost / 2;
     }
 
-    // Each hypothesis may have its own noise: a motion that explains what another one takes for noise must not be paid twice.
+    // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.
     double logNoise(const Fit& fit) const { return (ownNoiseOf(fit) - ownNoise) / dependence; }
 
     void addRest()
@@ -242,10 +245,9 @@ private:
     // Adds motions with the yaw rates to both sides of a fit, until they are improbable.
     void sweep(const Fit& fit, double logPrior)
     {
-        const double growth = 1.25, improbable = 7, halfSigmas = 0.7;
         const MotionHypothesis pinned(fit.hypothesis.translates() ? MODEL_3LA : MODEL_NONE, fit.hypothesis.walls);
         const double variance = fit.covariance(P_ALPHA, P_ALPHA), sigma = variance > 0 ? std::sqrt(variance) : usual.alphaScale();
-        const double first = std::min(halfSigmas * sigma, 0.5 * usual.alphaScale());
+        const double first = std::min(FIRST_STEP * sigma, 0.5 * usual.alphaScale());
         const double logWeight = logPrior + logNoise(fit);
         Fit middle(pinned);
         middle.model = fit.model;
@@ -253,7 +255,7 @@ private:
         for (int side = -1; side <= 1; side += 2)
         {
             Fit last = middle;
-            for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha; step *= growth, offset += step)
+            for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha; step *= STEP_GROWTH, offset += step)
             {
                 Model next = last.model;
                 for (int i = 0; i < PARAMETERS && variance > 0; i++)
@@ -264,9 +266,9 @@ private:
                 if (!problem.limits.allow(next))
                     break;
                 last.model = next;
-                const double added = addPinned(fit.hypothesis, (1 + growth) / 2 * step, logWeight, last);
+                const double added = addPinned(fit.hypothesis, (1 + STEP_GROWTH) / 2 * step, logWeight, last);
                 highest = std::max(highest, added);
-                if (added < highest - improbable)
+                if (added < highest - IMPROBABLE)
                     break;
             }
         }

@@ -11,7 +11,7 @@
 namespace cv {
 namespace rsackermann {
 
-//! What the segments and all that is known besides say of the motion.
+//! The motion as the segments and all other knowledge show it.
 struct Posterior
 {
     Model model;         //!< the correction with the smallest expected displacement
@@ -26,7 +26,7 @@ struct Posterior
 /** Averages the correction over the motions that are possible, weighted by their probability (doc/theory.md, "Posterior").
 
 A camera at rest, a pure rotation and a motion between walls are explored over the yaw rate; the other unknowns are refined at each.
-@param problem with a distribution of usual drives; its noise becomes what was found.
+@param problem with a distribution of usual drives; its noise becomes the one that was found.
 @return false if no motion within the limits could be refined.
 */
 bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params, const DisplacementField& field, Posterior& result);

@@ -131,7 +131,7 @@ static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem
     const int n = unknowns.count;
     if (n == 0)
         return covariance;
-    // What the segments say is worth less by the inflation, what the priors say is not.
+    // The inflation takes from the information of the segments, but not from that of the priors.
     ResidualSums prior;
     addPriors(problem, hypothesis, unknowns, model, prior);
     const Hessian priorHessian = hessianOf(prior, n);
@@ -163,7 +163,7 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
         damped.diagonal().array() += 1e-9;
         const Eigen::Map<const Gradient> gradient(sums.gradient, n);
         const Gradient step = damped.ldlt().solve(-gradient);
-        // What a step gains where the cost is quadratic; far from there the damping is larger.
+        // The gain of a step if the cost is quadratic; far from there the damping is larger.
         if (damping <= startDamping && -step.dot(gradient) < tolerance * (sums.cost + tolerance))
             break;
         Model next = model;

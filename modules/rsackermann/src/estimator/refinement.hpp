@@ -48,7 +48,7 @@ struct RefinementProblem
     void weigh();
 };
 
-//! Whether a model has its walls where verticals are: two walls are seen together where the line at infinity lies between them.
+//! Whether a model has its walls where verticals are: two walls are seen together if the line at infinity lies between them.
 bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 
 //! Which residuals count.
@@ -58,9 +58,9 @@ enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
 @param hypothesis which unknowns are free.
 @param model start and result.
 @param covariance receives, unless it is null, the covariance of all parameters; 0 for those that aren't free.
-@param inflation receives, unless it is null, the factor by which the covariance of what the segments say exceeds the inverse of
+@param inflation receives, unless it is null, the factor by which the covariance of the segments' part exceeds the inverse of
 their normal equations.
-@return cost of the result; DBL_MAX where it isn't finite.
+@return cost of the result; DBL_MAX if it isn't finite.
 */
 double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence, int maxIterations, Model& model,
               Matx<double, PARAMETERS, PARAMETERS>* covariance = 0, double* inflation = 0);

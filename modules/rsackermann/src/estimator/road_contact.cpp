@@ -11,6 +11,11 @@
 namespace cv {
 namespace rsackermann {
 
+static const double BELOW_HORIZON = 0.02;  // tangent; nearer to the horizon the ratio of small numbers says little
+static const double SAME_RATIO = 1.06;     // of the largest to the smallest of the contacts that agree
+static const size_t LEAST_CONTACTS = 3;
+static const size_t CONTACTS_OF_ONE = 10;  // one in so many has to agree
+
 double roadRatioFromContacts(const RefinementProblem& problem, const Model& model, double threshold)
 {
     const double size = std::hypot(model[P_B], model[P_D]);
@@ -30,16 +35,14 @@ double roadRatioFromContacts(const RefinementProblem& problem, const Model& mode
         const Point2d& low = u.y > v.y ? u : v;
         const double scale = wall == Scene::LEFT_WALL ? 1 : -model[P_LAMBDA];
         const double w = model.direction * scale * (model[P_D] - model[P_B] * low.x);
-        const double belowHorizon = 0.02; // nearer to the horizon the ratio of small numbers says little
-        if (low.y > belowHorizon && w > 0)
+        if (low.y > BELOW_HORIZON && w > 0)
             ratios.push_back(w / (size * low.y));
     }
     std::sort(ratios.begin(), ratios.end());
-    const double agreement = 1.06;
-    const size_t enough = std::max<size_t>(3, ratios.size() / 10);
+    const size_t enough = std::max<size_t>(LEAST_CONTACTS, ratios.size() / CONTACTS_OF_ONE);
     for (size_t first = 0; first + enough <= ratios.size(); first++)
     {
-        const size_t end = std::upper_bound(ratios.begin() + first, ratios.end(), ratios[first] * agreement) - ratios.begin();
+        const size_t end = std::upper_bound(ratios.begin() + first, ratios.end(), ratios[first] * SAME_RATIO) - ratios.begin();
         if (end - first >= enough)
             return ratios[first + (end - first) / 2];
     }

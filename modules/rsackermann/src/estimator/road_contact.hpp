@@ -13,10 +13,10 @@ namespace rsackermann {
 /** Distance of the left (or only) wall over the height of the camera, from wall segments that stand on the road
 (doc/theory.md, "Estimation").
 
-Where the lower end of such a segment is seen, wall and road are equally near: w = G y. Other segments end above the road
+At the lower end of such a segment wall and road are equally near: w = G y. Other segments end above the road
 and give larger ratios, each its own, so that the smallest ratio on which several segments agree is taken.
 @param threshold pixels below which the residual of a segment makes it an inlier.
-@return 0 where there are too few such segments.
+@return 0 if there are too few such segments.
 */
 double roadRatioFromContacts(const RefinementProblem& problem, const Model& model, double threshold);
 

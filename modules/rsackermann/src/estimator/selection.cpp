@@ -14,16 +14,16 @@
 namespace cv {
 namespace rsackermann {
 
-// Two walls are only seen together by a camera that looks along the street.
-static bool canSeeTwoWalls(const Heading& heading)
-{
-    return std::abs(heading.c) > 0.5;
-}
+static const double GROSS = 4, GROSS_OTHERS = 3; // sigmas above which a residual tells nothing of the noise
+static const double LEAST_NOISE = 0.005, LARGEST_NOISE = 0.6, LARGEST_OTHERS_NOISE = 1; // pixels
+static const double KEPT_LOSS_WIDTH = 0.6;       // of the loss, if the noise turns out to be smaller
+static const double FAR_BEHIND = 100;            // in the criterion
+static const double RELEVANT = 10;
 
 // From simple to rich: the richer ones start from the simpler ones, too.
-static std::vector<MotionHypothesis> allowedStructures(int model, const Heading& heading)
+static std::vector<MotionHypothesis> allowedHypotheses(int model, const Heading& heading)
 {
-    std::vector<MotionHypothesis> structures(1, MotionHypothesis(MODEL_NONE, 0));
+    std::vector<MotionHypothesis> hypotheses(1, MotionHypothesis(MODEL_NONE, 0));
     const int motions[3] = {MODEL_1LA, MODEL_3LA, MODEL_4LA};
     for (int i = 0; i < 3; i++)
     {
@@ -31,17 +31,17 @@ static std::vector<MotionHypothesis> allowedStructures(int model, const Heading&
             continue;
         if (motions[i] == MODEL_1LA)
         {
-            structures.push_back(MotionHypothesis(MODEL_1LA, 0));
+            hypotheses.push_back(MotionHypothesis(MODEL_1LA, 0));
             continue;
         }
-        structures.push_back(MotionHypothesis(motions[i], 1));
-        if (canSeeTwoWalls(heading))
-            structures.push_back(MotionHypothesis(motions[i], 2));
+        hypotheses.push_back(MotionHypothesis(motions[i], 1));
+        if (heading.looksAlong()) // two walls can be seen
+            hypotheses.push_back(MotionHypothesis(motions[i], 2));
     }
-    return structures;
+    return hypotheses;
 }
 
-// The best model of a hypothesis for the verticals alone. Returns false where there is none.
+// The best model of a hypothesis for the verticals alone. Returns false if there is none.
 static bool fitVerticals(const RefinementProblem& problem, const AckermannEstimator::Params& params, const MotionHypothesis& hypothesis, Model& model)
 {
     if (hypothesis.motion == MODEL_NONE)
@@ -105,22 +105,21 @@ static void measureNoise(const Fit& fit, RefinementProblem& problem)
     for (size_t i = 0; i < problem.others.size(); i++)
         others.push_back(problem.focal * std::abs(directionResidual(problem.others[i], prepared, 0)));
     const double lossWidth = problem.lossScale * problem.sigma;
-    const double low = 0.005, high = 0.6;
-    problem.sigma = std::min(std::max(medianSigma(verticals, 4 * problem.sigma, problem.sigma), low), high);
-    problem.directionSigma = std::min(std::max(medianSigma(others, 3 * problem.directionSigma, problem.directionSigma), problem.sigma), 1.);
+    problem.sigma = std::min(std::max(medianSigma(verticals, GROSS * problem.sigma, problem.sigma), LEAST_NOISE), LARGEST_NOISE);
+    problem.directionSigma = std::min(std::max(medianSigma(others, GROSS_OTHERS * problem.directionSigma, problem.directionSigma), problem.sigma), LARGEST_OTHERS_NOISE);
     // Less noise doesn't make the deviations of real walls from planes smaller.
-    problem.lossScale = std::max(problem.lossScale, 0.6 * lossWidth / problem.sigma);
+    problem.lossScale = std::max(problem.lossScale, KEPT_LOSS_WIDTH * lossWidth / problem.sigma);
     problem.weigh();
 }
 
-// What is far behind can't win with another noise, and need not be refined again.
+// Fits far behind can't win with another noise, and need not be refined again.
 static void dropHopeless(std::vector<Fit>& fits)
 {
-    const double far = 100, best = bestOf(fits).criterion;
-    fits.erase(std::remove_if(fits.begin(), fits.end(), [best, far](const Fit& f) { return f.criterion > best + far; }), fits.end());
+    const double best = bestOf(fits).criterion;
+    fits.erase(std::remove_if(fits.begin(), fits.end(), [best](const Fit& f) { return f.criterion > best + FAR_BEHIND; }), fits.end());
 }
 
-// What a hypothesis makes of the model of another one; false where that says nothing of its walls.
+// The model of one hypothesis as a start for another one; false if it says nothing of its walls.
 static bool convert(const Fit& from, const MotionHypothesis& to, Model& model)
 {
     model = from.model;
@@ -139,7 +138,7 @@ static bool convert(const Fit& from, const MotionHypothesis& to, Model& model)
     return from.hypothesis.walls > 0 && from.hypothesis.walls <= to.walls;
 }
 
-// Structures compare fairly where each has the best minimum that it can have: starts from the one of the best fit, too.
+// Hypotheses compare fairly if each has the best minimum that it can have: starts from the one of the best fit, too.
 static void startFromBest(const RefinementProblem& problem, std::vector<Fit>& fits)
 {
     const Fit best = bestOf(fits);
@@ -161,17 +160,17 @@ static void startFromBest(const RefinementProblem& problem, std::vector<Fit>& fi
 
 Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& params)
 {
-    const std::vector<MotionHypothesis> structures = allowedStructures(params.model, problem.heading);
+    const std::vector<MotionHypothesis> hypotheses = allowedHypotheses(params.model, problem.heading);
     std::vector<Fit> fits;
-    for (size_t i = 0; i < structures.size(); i++)
+    for (size_t i = 0; i < hypotheses.size(); i++)
     {
         std::vector<Model> starts(1);
-        if (!fitVerticals(problem, params, structures[i], starts[0]))
+        if (!fitVerticals(problem, params, hypotheses[i], starts[0]))
             continue;
         for (size_t j = 0; j < fits.size(); j++)
-            if (structures[i].motion == MODEL_4LA && fits[j].hypothesis.walls == structures[i].walls)
+            if (hypotheses[i].motion == MODEL_4LA && fits[j].hypothesis.walls == hypotheses[i].walls)
                 starts.push_back(fits[j].model);
-        fits.push_back(fitAllSegments(problem, structures[i], starts));
+        fits.push_back(fitAllSegments(problem, hypotheses[i], starts));
     }
 
     startFromBest(problem, fits);
@@ -188,12 +187,12 @@ Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& p
             break;
     }
 
-    const double relevant = 10, lowest = bestOf(fits).criterion;
+    const double lowest = bestOf(fits).criterion;
     for (size_t i = 0; i < fits.size(); i++)
-        if (fits[i].criterion < lowest + relevant)
+        if (fits[i].criterion < lowest + RELEVANT)
             exploreValley(problem, fits[i]);
     Fit best = bestOf(fits);
-    addOtherStructures(fits, best);
+    addOtherHypotheses(fits, best);
     return best;
 }
 

@@ -9,9 +9,9 @@
 namespace cv {
 namespace rsackermann {
 
-static const double USUAL_LEAN = 0.3 * CV_PI / 180; // of verticals of real streets; counts as much as one segment
 static const double FACADE_WIDTH = 0.07;            // of the columns between verticals that err together: 4 degrees
-static const double FREEDOM = 3;
+static const double FREEDOM = 3;                    // of Student's t
+static const double DETECTOR_ERRORS[] = {0.05, 0.15, 0.4}; // pixels that are tried
 
 Slants::Slants(const RefinementProblem& problem, const Model& model, bool translates)
 {
@@ -78,13 +78,12 @@ double logLikelihood(const Slants& s, double error, const SlantNoise& noise)
 
 SlantNoise fitSlantNoise(const Slants& slants, double focal)
 {
-    const double pixels[] = {0.05, 0.15, 0.4};
     const int steps = 8;
     SlantNoise best = SlantNoise();
     best.logLikelihood = -DBL_MAX;
     for (int k = 0; k < 3; k++)
     {
-        SlantNoise noise = {pixels[k], USUAL_LEAN, 0.3, 0};
+        SlantNoise noise = {DETECTOR_ERRORS[k], USUAL_LEAN, 0.3, 0};
         for (int i = 0; i < steps; i++)
             improve(slants, noise.pixels / focal, noise);
         noise.logLikelihood = logLikelihood(slants, noise.pixels / focal, noise);

@@ -9,6 +9,11 @@
 namespace cv {
 namespace rsackermann {
 
+static const size_t LEAST_SEGMENTS = 5;
+static const double COARSENESS = 4;      // of the loss, in sigmas: the motion, and with it the compensation, is still inexact
+static const double STREET_RANGE = 0.8;  // radians to both sides of the heading
+static const double STREET_STEP = 0.01;  // radians
+
 // The model with walls along an azimuth.
 static Model turnStreet(const Model& model, const MotionHypothesis& hypothesis, double azimuth)
 {
@@ -27,18 +32,15 @@ static Model turnStreet(const Model& model, const MotionHypothesis& hypothesis, 
 
 bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model)
 {
-    const size_t minSegments = 5;
-    if (problem.others.size() < minSegments)
+    if (problem.others.size() < LEAST_SEGMENTS)
         return false;
     const int padded = problem.otherArrays.paddedSize();
     AutoBuffer<double> points(4 * size_t(padded));
     compensateSegments(problem.otherArrays, PreparedModel(model, problem.heading, problem.roadRatio), points.data());
 
-    // Far wider than the noise: the motion, and with it the compensation, is still inexact.
-    const double coarseness = 4, step = 0.01, range = 0.8;
-    const double scale = problem.focal / (coarseness * problem.directionSigma);
+    const double scale = problem.focal / (COARSENESS * problem.directionSigma);
     double bestCost = DBL_MAX, best = 0;
-    for (double offset = -range; offset <= range; offset += step)
+    for (double offset = -STREET_RANGE; offset <= STREET_RANGE; offset += STREET_STEP)
     {
         const double azimuth = problem.heading.angle + offset;
         const double cost = streetCost(points.data(), padded, std::sin(azimuth), std::cos(azimuth), scale);

@@ -11,6 +11,14 @@ namespace rsackermann {
 
 typedef Matx<double, PARAMETERS, PARAMETERS> Covariance;
 
+static const double SAME_MINIMUM = 0.2;  // standard deviations between two minima that are one
+static const double LARGEST_STEP = 0.1;  // radians, the first one along the valley
+static const double VALLEY_GROWTH = 1.5;
+static const double FARTHEST = 0.5;      // radians
+static const double IMPOSSIBLE = 6;      // logarithm of a probability: two of them end the valley
+static const double HOPELESS = 30;       // the same; one is enough
+static const double UNLIKELY = -14;      // logarithm of the weight of another minimum
+
 static double azimuthVariance(const Fit& fit)
 {
     const double B = fit.model[P_B], D = fit.model[P_D], size2 = B * B + D * D;
@@ -79,10 +87,10 @@ static double angleBetween(double from, double to)
     return std::remainder(to - from, 2 * CV_PI);
 }
 
-// Where the two are one minimum, found twice.
+// Whether the two are one minimum, found twice.
 static bool isSame(const Fit& a, const Fit& b)
 {
-    const double near2 = 0.2 * 0.2, alpha = a.model[P_ALPHA] - b.model[P_ALPHA];
+    const double near2 = SAME_MINIMUM * SAME_MINIMUM, alpha = a.model[P_ALPHA] - b.model[P_ALPHA];
     const double azimuth = angleBetween(azimuthOf(a.model), azimuthOf(b.model));
     return alpha * alpha <= near2 * a.covariance(P_ALPHA, P_ALPHA) && azimuth * azimuth <= near2 * azimuthVariance(a);
 }
@@ -132,8 +140,8 @@ static double addPinned(RefinementProblem& pinned, const PriorTerms& prior, cons
 // depends on it, is far from normal. To both sides the steps grow, until the fits are as good as impossible.
 static Covariance integrateOverAzimuth(const RefinementProblem& problem, const Fit& best)
 {
-    const double growth = 1.5, farthest = 0.5, largestStep = 0.1, impossible = 6, hopeless = 30, exactness = 1e-3;
-    const double first = std::min(std::sqrt(azimuthVariance(best)), largestStep), middle = azimuthOf(best.model);
+    const double exactness = 1e-3;
+    const double first = std::min(std::sqrt(azimuthVariance(best)), LARGEST_STEP), middle = azimuthOf(best.model);
     if (!(first > 0))
         return best.covariance;
     RefinementProblem pinned = problem;
@@ -146,10 +154,10 @@ static Covariance integrateOverAzimuth(const RefinementProblem& problem, const F
         Fit fit = central;
         int tooExpensive = 0;
         // There may be a low place behind a high one, as verticals change from one wall to the other.
-        for (double step = first, offset = first; tooExpensive < 2 && offset < farthest; step *= growth, offset += step)
+        for (double step = first, offset = first; tooExpensive < 2 && offset < FARTHEST; step *= VALLEY_GROWTH, offset += step)
         {
-            const double excess = addPinned(pinned, problem.prior, best, middle + side * offset, (1 + growth) / 2 * step, fit, mixture);
-            tooExpensive = excess > hopeless ? 2 : excess > impossible ? tooExpensive + 1 : 0;
+            const double excess = addPinned(pinned, problem.prior, best, middle + side * offset, (1 + VALLEY_GROWTH) / 2 * step, fit, mixture);
+            tooExpensive = excess > HOPELESS ? 2 : excess > IMPOSSIBLE ? tooExpensive + 1 : 0;
         }
     }
     return mixture.mean();
@@ -163,14 +171,14 @@ void exploreValley(const RefinementProblem& problem, Fit& fit)
     fit = minima[0];
     Mixture mixture;
     mixture.add(0, integrateOverAzimuth(problem, fit));
-    const double volume = logVolume(fit), unlikely = -14;
+    const double volume = logVolume(fit);
     for (size_t i = 1; i < minima.size(); i++)
     {
         const double logWeight = logVolume(minima[i]) - volume - worse(minima[i], fit);
         bool isNew = minima[i].model.direction == fit.model.direction;
         for (size_t j = 0; j < i && isNew; j++)
             isNew = !isSame(minima[i], minima[j]);
-        if (isNew && logWeight > unlikely)
+        if (isNew && logWeight > UNLIKELY)
             mixture.add(logWeight, covarianceAround(minima[i], fit.model));
     }
     fit.covariance = mixture.mean();
@@ -193,7 +201,7 @@ static Fit inTermsOf(const Fit& best, const Fit& fit)
     return other;
 }
 
-void addOtherStructures(const std::vector<Fit>& fits, Fit& best)
+void addOtherHypotheses(const std::vector<Fit>& fits, Fit& best)
 {
     if (!best.hypothesis.translates())
         return;

@@ -18,10 +18,10 @@ double logVolume(const Fit& fit);
 */
 void exploreValley(const RefinementProblem& problem, Fit& fit);
 
-/** What isn't known of a fit because another hypothesis explains the image nearly as well: adds to its covariance.
-@param fits of all structures; those of 4-LA have been explored.
+/** Adds to the covariance of the best fit that another hypothesis may explain the image nearly as well.
+@param fits of all hypotheses; those of 4-LA have been explored.
 */
-void addOtherStructures(const std::vector<Fit>& fits, Fit& best);
+void addOtherHypotheses(const std::vector<Fit>& fits, Fit& best);
 
 }} // namespace cv::rsackermann
 

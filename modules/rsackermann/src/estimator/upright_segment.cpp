@@ -9,10 +9,15 @@
 namespace cv {
 namespace rsackermann {
 
+static const double LARGEST_RATIO = 20;   // of the walls' distances
+static const double LARGEST_TILT = 0.3;   // radians, of the corrections of gravity
+static const double SLANTS_OF_SPEED = 4;  // largest slants that the scaled speed may be without metric limits
+static const double BORDER = 2;           // pixels by which a segment may leave the image
+
 MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
     maxAlpha = params.maxSlant / 2;
-    maxScaledSpeed = maxRightScaledSpeed = 4 * params.maxSlant;
+    maxScaledSpeed = maxRightScaledSpeed = SLANTS_OF_SPEED * params.maxSlant;
     const double unit = camera.secondsPerUnitTime();
     areMetric = unit > 0 && params.wallDistance > 0;
     if (unit > 0)
@@ -26,15 +31,14 @@ MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEs
 // One wall, or two whose distances aren't worlds apart.
 static bool isPlausibleRatio(double lambda)
 {
-    const double most = 20;
-    return lambda == 0 || (lambda >= 1 / most && lambda <= most);
+    return lambda == 0 || (lambda >= 1 / LARGEST_RATIO && lambda <= LARGEST_RATIO);
 }
 
 bool MotionLimits::allow(const Model& m) const
 {
-    const double maxTilt = 0.3, speed = std::hypot(m[P_B], m[P_D]);
+    const double speed = std::hypot(m[P_B], m[P_D]);
     return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxScaledSpeed && isPlausibleRatio(m[P_LAMBDA]) && m[P_LAMBDA] * speed <= maxRightScaledSpeed &&
-           std::abs(m[P_ROLL]) < maxTilt && std::abs(m[P_PITCH]) < maxTilt;
+           std::abs(m[P_ROLL]) < LARGEST_TILT && std::abs(m[P_PITCH]) < LARGEST_TILT;
 }
 
 double MotionLimits::maxSlant(double x, double heading) const
@@ -47,10 +51,9 @@ double MotionLimits::maxSlant(double x, double heading) const
 // Whether both ends are in the image or, by the inaccuracy of a detector, just outside; never for NaN.
 static bool isInImage(const double* segment, const Size& size)
 {
-    const double margin = 2;
     for (int i = 0; i < 4; i += 2)
-        if (!(segment[i] >= -margin && segment[i] <= size.width - 1 + margin && segment[i + 1] >= -margin &&
-              segment[i + 1] <= size.height - 1 + margin))
+        if (!(segment[i] >= -BORDER && segment[i] <= size.width - 1 + BORDER && segment[i + 1] >= -BORDER &&
+              segment[i + 1] <= size.height - 1 + BORDER))
             return false;
     return true;
 }
@@ -108,7 +111,7 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
         c.gate = steepest * dt;
         if (dt > 0 && dx <= c.gate)
             verticals.push_back(c);
-        else if (dx > std::max(steepest, params.maxSlant) * dt) // what is only nearly vertical belongs to neither
+        else if (dx > std::max(steepest, params.maxSlant) * dt) // nearly vertical ones belong to neither
             others.push_back(c);
     }
     std::sort(verticals.begin(), verticals.end(), isLeft);

@@ -11,6 +11,8 @@
 namespace cv {
 namespace rsackermann {
 
+const double USUAL_LEAN = 0.3 * CV_PI / 180; //!< radians, of verticals of real streets
+
 //! A segment of the image in the upright frame.
 struct UprightSegment
 {
@@ -24,7 +26,7 @@ struct UprightSegment
 
 /** Limits of the motion in the units of the estimation.
 
-Metric limits count where they can be expressed; the largest slant of a candidate always does.
+Metric limits count if they can be expressed; the largest slant of a candidate always does.
 */
 struct MotionLimits
 {

@@ -18,36 +18,38 @@ AckermannMotion::AckermannMotion()
 {
 }
 
-AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, double yawRate, double speed, double leftDistance,
-                                            double rightDistance, double wallDirection)
+MetricMotion::MetricMotion() : yawRate(0), speed(0), leftDistance(0), rightDistance(0), wallDirection(0) {}
+
+AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, const MetricMotion& metric)
 {
     camera.check();
+    const double left = metric.leftDistance, right = metric.rightDistance;
     if (!(camera.lineDelay > 0))
         CV_Error(Error::StsBadArg, format("camera.lineDelay is %g s; metric values need a positive one", camera.lineDelay));
-    checkFinite(yawRate, "yawRate");
-    checkFinite(speed, "speed");
-    checkNotNegative(leftDistance, "leftDistance", "no left wall");
-    checkNotNegative(rightDistance, "rightDistance", "no right wall");
-    checkFinite(wallDirection, "wallDirection");
+    checkFinite(metric.yawRate, "metric.yawRate");
+    checkFinite(metric.speed, "metric.speed");
+    checkNotNegative(left, "metric.leftDistance", "no left wall");
+    checkNotNegative(right, "metric.rightDistance", "no right wall");
+    checkFinite(metric.wallDirection, "metric.wallDirection");
 
     // doc/theory.md, "Depth": the wall along (sin, cos) of wallDirection has the normal (-cos, sin) on the left.
     AckermannMotion m;
-    m.alpha = yawRate * camera.secondsPerUnitTime() / 2;
-    const double beta = speed * camera.secondsPerUnitTime();
-    m.direction = speed < 0 ? -1 : 1;
-    m.wallDistance = leftDistance > 0 ? leftDistance : rightDistance;
+    m.alpha = metric.yawRate * camera.secondsPerUnitTime() / 2;
+    const double beta = metric.speed * camera.secondsPerUnitTime();
+    m.direction = metric.speed < 0 ? -1 : 1;
+    m.wallDistance = left > 0 ? left : right;
     if (m.wallDistance > 0)
     {
-        const double scale = leftDistance > 0 ? beta / leftDistance : -beta / rightDistance;
-        m.wallSlope = scale * std::cos(wallDirection);
-        m.wallOffset = scale * std::sin(wallDirection);
+        const double scale = left > 0 ? beta / left : -beta / right;
+        m.wallSlope = scale * std::cos(metric.wallDirection);
+        m.wallOffset = scale * std::sin(metric.wallDirection);
     }
     m.scale = m.wallDistance > 0 ? SCALE_WALL : camera.height > 0 ? SCALE_ROAD : SCALE_UNKNOWN;
-    if (leftDistance > 0 && rightDistance > 0)
-        m.wallRatio = leftDistance / rightDistance;
+    if (left > 0 && right > 0)
+        m.wallRatio = left / right;
     if (camera.height > 0)
         m.roadSlope = beta / camera.height;
-    m.model = speed == 0 ? (yawRate == 0 ? MODEL_NONE : MODEL_1LA) : (yawRate == 0 ? MODEL_3LA : MODEL_4LA);
+    m.model = metric.speed == 0 ? (metric.yawRate == 0 ? MODEL_NONE : MODEL_1LA) : (metric.yawRate == 0 ? MODEL_3LA : MODEL_4LA);
     m.status = m.model == MODEL_NONE ? MOTION_NOT_SIGNIFICANT : MOTION_OK;
     return m;
 }

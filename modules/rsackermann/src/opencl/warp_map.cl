@@ -67,7 +67,7 @@ inline float3 bearing(const struct Warp* p, float2 ray)
                     p->up[6] * ray.x + p->up[7] * ray.y + p->up[8]);
 }
 
-// Changes the ray (x, y, 1) by what its bearing changes in x and z. The change is small, and so is its rounding error.
+// Changes the ray (x, y, 1) as its bearing changes in x and z. The change is small, and so is its rounding error.
 inline int changeRay(const struct Warp* p, float bx, float bz, float2* ray)
 {
     const float dx = p->up[0] * bx + p->up[6] * bz, dy = p->up[1] * bx + p->up[7] * bz, dz = p->up[2] * bx + p->up[8] * bz;
@@ -187,7 +187,7 @@ inline float2 placeOf(const struct Warp* p, float2 pixel)
 
 #else // DISTORT
 
-// Where the inverse of the lens model is found to less than this, it is the rounding that is left.
+// If the inverse of the lens model is found to less than this, it is the rounding that is left.
 #define LENS_RESIDUAL 2e-6f
 
 #ifdef LENS_BROWN

@@ -11,8 +11,8 @@ namespace rsackermann {
 VerticalSegment VerticalSegment::fromAzimuths(double azimuthU, double timeU, double azimuthV, double timeV)
 {
     VerticalSegment s;
-    s.u = Point2d(std::sin(azimuthU), std::cos(azimuthU));
-    s.v = Point2d(std::sin(azimuthV), std::cos(azimuthV));
+    s.u = HorizontalBearing(std::sin(azimuthU), std::cos(azimuthU));
+    s.v = HorizontalBearing(std::sin(azimuthV), std::cos(azimuthV));
     s.timeU = timeU;
     s.timeV = timeV;
     return s;
@@ -24,21 +24,22 @@ bool solveWalls(const Constraint& first, const Constraint& second, const Constra
     const Constraint n = first.cross(second); // parallel to (1, D, B)
     if (!(n.e * n.e > degenerate * degenerate * first.length2() * second.length2()))
         return false;
-    solution.D = n.d / n.e;
-    solution.B = n.b / n.e;
-    solution.lambda = 0;
-    if (!(solution.B * solution.B + solution.D * solution.D > degenerate * degenerate))
+    const double B = n.b / n.e, D = n.d / n.e;
+    solution.wallSlope = B;
+    solution.wallOffset = D;
+    solution.wallRatio = 0;
+    if (!(B * B + D * D > degenerate * degenerate))
         return false; // vertical lines that stay where they are tell nothing about walls
     return !right || solveRatio(*right, solution);
 }
 
 bool solveRatio(const Constraint& right, MinimalSolution& solution)
 {
-    const double degenerate = 1e-10, slope = right.d * solution.D + right.b * solution.B;
+    const double degenerate = 1e-10, slope = right.d * solution.wallOffset + right.b * solution.wallSlope;
     if (!(std::abs(slope) > degenerate * std::abs(right.e)))
         return false;
-    solution.lambda = right.e / slope;
-    return solution.lambda > 0;
+    solution.wallRatio = right.e / slope;
+    return solution.wallRatio > 0;
 }
 
 bool solveWallsFromThree(const Constraint c[3], const Constraint* right, MinimalSolution& solution)
@@ -68,13 +69,14 @@ static int wallSide(const RotatedBearing& bearing, double B, double D)
     return D * z - B * (bearing.N + bearing.gamma * D) > 0 ? 1 : -1;
 }
 
-bool areOnWalls(const MinimalSolution& s, const TurnedSegment* segments, int left, bool twoWalls)
+bool areOnWalls(const MinimalSolution& s, const RotatedSegment* segments, int left, bool twoWalls)
 {
     int side = 0;
     for (int i = 0; i < left + (twoWalls ? 1 : 0); i++)
     {
-        const double scale = i < left ? 1 : -s.lambda;
-        const int u = wallSide(segments[i].u, scale * s.B, scale * s.D), v = wallSide(segments[i].v, scale * s.B, scale * s.D);
+        const double scale = i < left ? 1 : -s.wallRatio;
+        const double B = scale * s.wallSlope, D = scale * s.wallOffset;
+        const int u = wallSide(segments[i].u, B, D), v = wallSide(segments[i].v, B, D);
         if (u == 0 || u != v || (side != 0 && u != side))
             return false;
         side = u;

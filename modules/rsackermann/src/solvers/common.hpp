@@ -14,11 +14,11 @@ namespace rsackermann {
 //! Whether both ends are finite, in front of the camera and at different times.
 inline bool isUsable(const VerticalSegment& s)
 {
-    const double sum = s.u.x + s.u.y + s.v.x + s.v.y + s.timeU + s.timeV;
-    return !cvIsNaN(sum) && !cvIsInf(sum) && s.u.y > 0 && s.v.y > 0 && std::abs(s.timeU - s.timeV) > 1e-9;
+    const double sum = s.u.x + s.u.z + s.v.x + s.v.z + s.timeU + s.timeV;
+    return !cvIsNaN(sum) && !cvIsInf(sum) && s.u.z > 0 && s.v.z > 0 && std::abs(s.timeU - s.timeV) > 1e-9;
 }
 
-/** What a segment (u, v) on the left wall says about (B, D): e + d D + b B = 0 (doc/theory.md, "Constraint").
+/** The constraint of a segment (u, v) on the left wall on (B, D): e + d D + b B = 0 (doc/theory.md, "Constraint").
 
 On the right wall (-lambda B, -lambda D) takes the place of (B, D).
 */
@@ -38,19 +38,19 @@ struct Constraint
 };
 
 //! Both ends of a segment in the reference frame.
-struct TurnedSegment
+struct RotatedSegment
 {
     RotatedBearing u, v;
 
-    TurnedSegment() {}
+    RotatedSegment() {}
     //! @param s segment whose ends are passed at two rows.
-    TurnedSegment(const VerticalSegment& s, const RowMotion& rowU, const RowMotion& rowV) : u(s.u, rowU), v(s.v, rowV) {}
-    TurnedSegment(const VerticalSegment& s, double alpha, const Heading& heading)
+    RotatedSegment(const VerticalSegment& s, const RowMotion& rowU, const RowMotion& rowV) : u(s.u, rowU), v(s.v, rowV) {}
+    RotatedSegment(const VerticalSegment& s, double alpha, const Heading& heading)
         : u(s.u, RowMotion(alpha, heading, s.timeU)), v(s.v, RowMotion(alpha, heading, s.timeV))
     {
     }
 
-    //! What the segment says about (B, D), exactly.
+    //! The exact constraint on (B, D).
     Constraint constraint() const
     {
         return Constraint(u.N * v.M - v.N * u.M, u.gamma * v.M - v.gamma * u.M, u.N * v.gamma - v.N * u.gamma);
@@ -62,10 +62,10 @@ inline double determinant(const Constraint& a, const Constraint& b, const Constr
     return a.dot(b.cross(c));
 }
 
-//! (B, D) from two constraints, and lambda from that of a segment on the right wall. Returns false where they are degenerate.
+//! (B, D) from two constraints, and lambda from that of a segment on the right wall. Returns false if they are degenerate.
 bool solveWalls(const Constraint& first, const Constraint& second, const Constraint* right, MinimalSolution& solution);
 
-//! lambda from (B, D) and the constraint of a segment on the right wall. Returns false where it is degenerate or not positive.
+//! lambda from (B, D) and the constraint of a segment on the right wall. Returns false if it is degenerate or not positive.
 bool solveRatio(const Constraint& right, MinimalSolution& solution);
 
 //! solveWalls() with the pair of three constraints that is farthest from being parallel.
@@ -74,17 +74,17 @@ bool solveWallsFromThree(const Constraint constraints[3], const Constraint* righ
 //! Whether the solution is within the limits.
 inline bool isWithinLimits(const MinimalSolution& s, const SolverOptions& options)
 {
-    return std::abs(s.alpha) <= options.maxAlpha && std::hypot(s.B, s.D) <= options.maxSpeed;
+    return std::abs(s.alpha) <= options.maxAlpha && std::hypot(s.wallSlope, s.wallOffset) <= options.maxScaledSpeed;
 }
 
 /** Whether all segments are seen on walls in front of the camera and on the same side of the line at infinity: those on the
-left (or only) wall first, then, where twoWalls, one on the right wall.
+left (or only) wall first, then, if twoWalls, one on the right wall.
 */
-bool areOnWalls(const MinimalSolution& solution, const TurnedSegment* segments, int left, bool twoWalls);
+bool areOnWalls(const MinimalSolution& solution, const RotatedSegment* segments, int left, bool twoWalls);
 
 /** The solutions at some alphas.
-@param segments two on the left (or only) wall and, where twoWalls, a third one on the right wall.
-@param solveAt makes the walls of a solution from the constraints of the segments at its alpha; false where there are none.
+@param segments two on the left (or only) wall and, if twoWalls, a third one on the right wall.
+@param solveAt makes the walls of a solution from the constraints of the segments at its alpha; false if there are none.
 @return number of solutions.
 */
 template <class SolveAt>
@@ -97,14 +97,14 @@ int solutionsAt(const double* alphas, int count, const VerticalSegment* segments
     {
         MinimalSolution& s = solutions[found];
         s.alpha = alphas[k];
-        TurnedSegment turned[3];
+        RotatedSegment rotated[3];
         Constraint constraints[3];
         for (int i = 0; i < (twoWalls ? 3 : 2); i++)
         {
-            turned[i] = TurnedSegment(segments[i], s.alpha, heading);
-            constraints[i] = turned[i].constraint();
+            rotated[i] = RotatedSegment(segments[i], s.alpha, heading);
+            constraints[i] = rotated[i].constraint();
         }
-        if (solveAt(constraints, s) && isWithinLimits(s, options) && areOnWalls(s, turned, 2, twoWalls))
+        if (solveAt(constraints, s) && isWithinLimits(s, options) && areOnWalls(s, rotated, 2, twoWalls))
             found++;
     }
     return found;

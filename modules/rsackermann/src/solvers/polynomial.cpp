@@ -31,7 +31,7 @@ static int quadraticRoots(const double* c, double low, double high, double* root
     if (!(discriminant >= 0))
         return 0;
     const double q = -(c[1] + (c[1] < 0 ? -1 : 1) * std::sqrt(discriminant)) / 2;
-    double first = q / c[2], second = c[0] / q; // not finite where there is no such root
+    double first = q / c[2], second = c[0] / q; // not finite if there is no such root
     if (first > second)
         std::swap(first, second);
     int count = 0;
@@ -42,7 +42,7 @@ static int quadraticRoots(const double* c, double low, double high, double* root
     return count;
 }
 
-// Newton steps from the chord between the ends, replaced by bisection where they leave the bracket.
+// Newton steps from the chord between the ends, replaced by bisection when they leave the bracket.
 static double refineBracket(const double* c, int degree, double low, double high, double valueLow, double valueHigh)
 {
     // Newton steps converge quadratically, so that after one of 1e-8 double precision is reached.

@@ -64,7 +64,7 @@ template <int DEGREE, class Function> int smoothRoots(const Function& f, double 
     for (int i = 0; i < found; i++)
     {
         const double root = polish(f, limit, roots[i] * limit);
-        if (std::abs(root) <= limit) // not where it isn't finite
+        if (std::abs(root) <= limit) // not if it isn't finite
             roots[count++] = root;
     }
     return count;

@@ -13,14 +13,14 @@ int solve1LA(const VerticalSegment& segment, const SolverOptions& options, Minim
 {
     if (!isUsable(segment))
         return 0;
-    const Point2d &u = segment.u, &v = segment.v;
-    const double along = u.x * v.x + u.y * v.y;
+    const HorizontalBearing &u = segment.u, &v = segment.v;
+    const double along = u.x * v.x + u.z * v.z;
     if (!(along > 0))
         return 0;
-    const double turn = std::atan((v.x * u.y - v.y * u.x) / along); // phi_v - phi_u
+    const double turn = std::atan((v.x * u.z - v.z * u.x) / along); // phi_v - phi_u
     MinimalSolution& s = solutions[0];
     s.alpha = turn / (2 * (segment.timeU - segment.timeV));
-    s.B = s.D = s.lambda = 0;
+    s.wallSlope = s.wallOffset = s.wallRatio = 0;
     return isWithinLimits(s, options) ? 1 : 0;
 }
 

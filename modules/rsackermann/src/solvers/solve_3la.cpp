@@ -12,21 +12,21 @@ namespace rsackermann {
 int solve3LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[1])
 {
     const Heading heading(options.heading);
-    TurnedSegment turned[3];
+    RotatedSegment rotated[3];
     Constraint constraints[3];
     for (int i = 0; i < (twoWalls ? 3 : 2); i++)
     {
         const VerticalSegment& segment = segments[i];
         if (!isUsable(segment))
             return 0;
-        turned[i] = TurnedSegment(segment, RowMotion(heading, segment.timeU), RowMotion(heading, segment.timeV));
-        constraints[i] = turned[i].constraint();
+        rotated[i] = RotatedSegment(segment, RowMotion(heading, segment.timeU), RowMotion(heading, segment.timeV));
+        constraints[i] = rotated[i].constraint();
     }
     MinimalSolution& s = solutions[0];
     s.alpha = 0;
     if (!solveWalls(constraints[0], constraints[1], twoWalls ? constraints + 2 : 0, s))
         return 0;
-    return isWithinLimits(s, options) && areOnWalls(s, turned, 2, twoWalls) ? 1 : 0;
+    return isWithinLimits(s, options) && areOnWalls(s, rotated, 2, twoWalls) ? 1 : 0;
 }
 
 }} // namespace cv::rsackermann

@@ -25,9 +25,9 @@ struct LinearBearing
 {
     double x, X1, g0, g1; // X = x + alpha X1, g = g0 + alpha g1
 
-    LinearBearing(const Point2d& bearing, double t, const Heading& heading)
+    LinearBearing(const HorizontalBearing& bearing, double t, const Heading& heading)
     {
-        x = bearing.x / bearing.y;
+        x = bearing.x / bearing.z;
         X1 = 2 * t * (1 + x * x);
         g0 = t * (heading.s - x * heading.c);
         g1 = t * (t * heading.c + x * t * heading.s - X1 * heading.c);
@@ -35,13 +35,13 @@ struct LinearBearing
 };
 
 // p1 = X + g w with w = D - B x at the rolling-shutter point x, or else the exact constraint, to first order in alpha.
-static LinearConstraint linearConstraint(const VerticalSegment& s, const Heading& heading, bool rollingShutterDepth)
+static LinearConstraint linearConstraint(const VerticalSegment& s, const Heading& heading, int depthModel)
 {
     const LinearBearing u(s.u, s.timeU, heading), v(s.v, s.timeV, heading);
     LinearConstraint k;
     k.at0 = Constraint(u.x - v.x, u.g0 - v.g0, 0);
     k.slope = Constraint(u.X1 - v.X1, u.g1 - v.g1, 0);
-    if (rollingShutterDepth)
+    if (depthModel == DEPTH_ROLLING_SHUTTER)
     {
         k.at0.b = v.x * v.g0 - u.x * u.g0;
         k.slope.b = v.x * v.g1 - u.x * u.g1;
@@ -54,7 +54,7 @@ static LinearConstraint linearConstraint(const VerticalSegment& s, const Heading
     return k;
 }
 
-// Coefficients of the determinant as a cubic in alpha / scale. Returns false where it vanishes.
+// Coefficients of the determinant as a cubic in alpha / scale. Returns false if it vanishes.
 static bool determinantCubic(const LinearConstraint k[3], double scale, double coefficients[4])
 {
     Constraint p[3], q[3];
@@ -86,7 +86,7 @@ int solve4LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions
     {
         if (!isUsable(segments[i]))
             return 0;
-        linear[i] = linearConstraint(segments[i], heading, options.rollingShutterDepth);
+        linear[i] = linearConstraint(segments[i], heading, options.depthModel);
     }
     double cubic[4], roots[3];
     if (!determinantCubic(linear, options.maxAlpha, cubic))
@@ -102,10 +102,10 @@ int solve4LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions
             at[j] = linear[j].at(solution.alpha);
         if (!solveWallsFromThree(at, twoWalls ? at + 3 : 0, solution) || !isWithinLimits(solution, options))
             continue;
-        TurnedSegment turned[4];
+        RotatedSegment rotated[4];
         for (int j = 0; j < n; j++)
-            turned[j] = TurnedSegment(segments[j], solution.alpha, heading);
-        if (areOnWalls(solution, turned, 3, twoWalls))
+            rotated[j] = RotatedSegment(segments[j], solution.alpha, heading);
+        if (areOnWalls(solution, rotated, 3, twoWalls))
             count++;
     }
     return count;

@@ -45,17 +45,17 @@ struct BearingSeries
 {
     Series N, M, gamma;
 
-    BearingSeries(const Point2d& p, double t, const Heading& heading, double scale)
+    BearingSeries(const HorizontalBearing& p, double t, const Heading& heading, double scale)
     {
         const double k = 2 * t * scale, h = t * scale;
-        const double across = heading.s * p.y - heading.c * p.x, along = heading.c * p.y + heading.s * p.x;
+        const double across = heading.s * p.z - heading.c * p.x, along = heading.c * p.z + heading.s * p.x;
         N.c[0] = p.x;
-        N.c[1] = k * p.y;
+        N.c[1] = k * p.z;
         N.c[2] = -k * k / 2 * p.x;
-        N.c[3] = -k * k * k / 6 * p.y;
-        M.c[0] = p.y;
+        N.c[3] = -k * k * k / 6 * p.z;
+        M.c[0] = p.z;
         M.c[1] = -k * p.x;
-        M.c[2] = -k * k / 2 * p.y;
+        M.c[2] = -k * k / 2 * p.z;
         M.c[3] = k * k * k / 6 * p.x;
         gamma.c[0] = t * across;
         gamma.c[1] = -t * h * along;
@@ -102,19 +102,19 @@ static void determinantSeries(const ConstraintSeries r[3], double sum[DEGREE + 1
 }
 
 // Three segments on the left wall, and maybe one on the right wall, at one alpha.
-struct TurnedSample
+struct RotatedSample
 {
     int count;
-    TurnedSegment segments[4];
+    RotatedSegment segments[4];
     Constraint constraints[4];
 
-    TurnedSample(const VerticalSegment* s, int count_) : count(count_), source(s) {}
+    RotatedSample(const VerticalSegment* s, int count_) : count(count_), source(s) {}
 
-    void turn(double alpha, const Heading& heading)
+    void rotate(double alpha, const Heading& heading)
     {
         for (int i = 0; i < count; i++)
         {
-            segments[i] = TurnedSegment(source[i], alpha, heading);
+            segments[i] = RotatedSegment(source[i], alpha, heading);
             constraints[i] = segments[i].constraint();
         }
     }
@@ -126,16 +126,16 @@ private:
 };
 
 /* Newton steps on the exact determinant, at first with the slope of the series and then with that of the secant. Leaves the
-sample turned by alpha. Returns false where they run away.
+sample rotated by alpha. Returns false if they run away.
 */
-static bool polish(TurnedSample& sample, const Heading& heading, double maxAlpha, double slope, double& alpha)
+static bool polish(RotatedSample& sample, const Heading& heading, double maxAlpha, double slope, double& alpha)
 {
-    // The steps shrink faster than with their square root: what is left after such a one is below double precision.
+    // The steps shrink faster than with their square root: the error after such a one is below double precision.
     const double lastStep = 1e-12 * maxAlpha;
     double before = 0, valueBefore = 0;
     for (int i = 0; i < 10; i++)
     {
-        sample.turn(alpha, heading);
+        sample.rotate(alpha, heading);
         const double value = sample.determinantOfThree();
         if (i > 0)
             slope = (value - valueBefore) / (alpha - before);
@@ -154,13 +154,13 @@ static bool polish(TurnedSample& sample, const Heading& heading, double maxAlpha
     return true;
 }
 
-// doc/theory.md, "Solvers": the constraints of three segments have a solution (1, D, B) where their determinant vanishes.
+// doc/theory.md, "Solvers": the constraints of three segments have a solution (1, D, B) if their determinant vanishes.
 int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[8])
 {
     const int n = twoWalls ? 4 : 3;
     const Heading heading(options.heading);
     ConstraintSeries series[3];
-    double size = 1;
+    double scale = 1;
     for (int i = 0; i < n; i++)
     {
         if (!isUsable(segments[i]))
@@ -171,19 +171,19 @@ int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOp
         double sum = 0;
         for (int k = 0; k <= ROW_DEGREE; k++)
             sum += std::abs(series[i].e.c[k]) + std::abs(series[i].d.c[k]) + std::abs(series[i].b.c[k]);
-        size *= sum;
+        scale *= sum;
     }
     double polynomial[DEGREE + 1], roots[DEGREE];
     determinantSeries(series, polynomial);
     double largest = 0;
     for (int k = 0; k <= DEGREE; k++)
         largest = std::max(largest, std::abs(polynomial[k]));
-    if (!(largest > 1e-13 * size))
+    if (!(largest > 1e-13 * scale))
         return 0;
 
-    // A root of the series may lie a little outside of the limit where the exact one lies inside.
+    // A root of the series may lie a little outside of the limit if the exact one lies inside.
     const int found = realRoots(polynomial, DEGREE, -1.05, 1.05, roots);
-    TurnedSample sample(segments, n);
+    RotatedSample sample(segments, n);
     int count = 0;
     for (int i = 0; i < found; i++)
     {

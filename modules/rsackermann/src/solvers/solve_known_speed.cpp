@@ -11,27 +11,27 @@ namespace rsackermann {
 
 namespace {
 
-// With n = first x second parallel to (1, D, B): D^2 + B^2 - size^2, times n_e^2. Each component of n is a product of two
+// With n = first x second parallel to (1, D, B): D^2 + B^2 - scaledSpeed^2, times n_e^2. Each component of n is a product of two
 // constraints of degree 2 in alpha, but for terms of higher order in the small angles.
 struct SpeedExcess
 {
     const VerticalSegment* segments;
     Heading heading;
-    double size;
+    double scaledSpeed;
 
     double operator()(double alpha) const
     {
-        const Constraint n = TurnedSegment(segments[0], alpha, heading).constraint().cross(TurnedSegment(segments[1], alpha, heading).constraint());
-        return n.d * n.d + n.b * n.b - size * size * n.e * n.e;
+        const Constraint n = RotatedSegment(segments[0], alpha, heading).constraint().cross(RotatedSegment(segments[1], alpha, heading).constraint());
+        return n.d * n.d + n.b * n.b - scaledSpeed * scaledSpeed * n.e * n.e;
     }
 };
 
 } // namespace
 
 // doc/theory.md, "Solvers": the alphas at which the walls of two segments have the given speed.
-int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double size, const SolverOptions& options, MinimalSolution solutions[8])
+int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scaledSpeed, const SolverOptions& options, MinimalSolution solutions[8])
 {
-    if (!(size > 0) || cvIsInf(size))
+    if (!(scaledSpeed > 0) || cvIsInf(scaledSpeed))
         return 0;
     const int n = twoWalls ? 3 : 2;
     for (int i = 0; i < n; i++)
@@ -39,7 +39,7 @@ int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double size,
             return 0;
     enum { DEGREE = 8 };
     const Heading heading(options.heading);
-    const SpeedExcess excess = {segments, heading, size};
+    const SpeedExcess excess = {segments, heading, scaledSpeed};
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(excess, options.maxAlpha, alphas);
     const auto solveAt = [twoWalls](const Constraint* c, MinimalSolution& s) { return solveWalls(c[0], c[1], twoWalls ? c + 2 : 0, s); };

@@ -11,7 +11,7 @@ namespace rsackermann {
 
 namespace {
 
-// With (B, D) = size * (cos, sin) of the azimuth a constraint is e + size * q = 0. For two of them e1 q2 - e2 q1 vanishes; it is of
+// With (B, D) = scaledSpeed * (cos, sin) of the azimuth a constraint is e + scaledSpeed * q = 0. For two of them e1 q2 - e2 q1 vanishes; it is of
 // degree 4 in alpha, but for terms of higher order in the small angles.
 struct Disagreement
 {
@@ -22,7 +22,7 @@ struct Disagreement
 
     double operator()(double alpha) const
     {
-        const Constraint first = TurnedSegment(segments[0], alpha, heading).constraint(), second = TurnedSegment(segments[1], alpha, heading).constraint();
+        const Constraint first = RotatedSegment(segments[0], alpha, heading).constraint(), second = RotatedSegment(segments[1], alpha, heading).constraint();
         return first.e * q(second) - second.e * q(first);
     }
 
@@ -30,7 +30,7 @@ struct Disagreement
     bool isInformative(double alpha) const
     {
         const double degenerate = 1e-10;
-        const Constraint first = TurnedSegment(segments[0], alpha, heading).constraint(), second = TurnedSegment(segments[1], alpha, heading).constraint();
+        const Constraint first = RotatedSegment(segments[0], alpha, heading).constraint(), second = RotatedSegment(segments[1], alpha, heading).constraint();
         const double scale2 = first.length2() * second.length2(), value = first.e * q(second) - second.e * q(first);
         return value * value > degenerate * degenerate * scale2;
     }
@@ -39,20 +39,20 @@ struct Disagreement
 } // namespace
 
 // The walls of two segments that agree, and the ratio from a third one.
-static bool solveSize(const Disagreement& d, const Constraint* constraints, bool twoWalls, MinimalSolution& solution)
+static bool solveSpeed(const Disagreement& d, const Constraint* constraints, bool twoWalls, MinimalSolution& solution)
 {
     const double standstill = 1e-6, q0 = d.q(constraints[0]), q1 = d.q(constraints[1]);
-    const double size = -(constraints[0].e * q0 + constraints[1].e * q1) / (q0 * q0 + q1 * q1);
-    // Vertical lines that stay where they are tell nothing about walls. Nor does a size that isn't finite.
-    if (!(std::abs(size) > standstill))
+    const double scaledSpeed = -(constraints[0].e * q0 + constraints[1].e * q1) / (q0 * q0 + q1 * q1);
+    // Vertical lines that stay where they are tell nothing about walls. Nor does a scaledSpeed that isn't finite.
+    if (!(std::abs(scaledSpeed) > standstill))
         return false;
-    solution.B = size * d.walls.c;
-    solution.D = size * d.walls.s;
-    solution.lambda = 0;
+    solution.wallSlope = scaledSpeed * d.walls.c;
+    solution.wallOffset = scaledSpeed * d.walls.s;
+    solution.wallRatio = 0;
     return !twoWalls || solveRatio(constraints[2], solution);
 }
 
-// doc/theory.md, "Solvers": the alphas at which two segments agree on the size of (B, D).
+// doc/theory.md, "Solvers": the alphas at which two segments agree on the scaledSpeed of (B, D).
 int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, double azimuth, const SolverOptions& options, MinimalSolution solutions[6])
 {
     if (cvIsNaN(azimuth) || cvIsInf(azimuth))
@@ -68,7 +68,7 @@ int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, doub
         return 0;
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(disagreement, options.maxAlpha, alphas);
-    const auto solveAt = [&](const Constraint* constraints, MinimalSolution& s) { return solveSize(disagreement, constraints, twoWalls, s); };
+    const auto solveAt = [&](const Constraint* constraints, MinimalSolution& s) { return solveSpeed(disagreement, constraints, twoWalls, s); };
     return solutionsAt(alphas, found, segments, twoWalls, options, solveAt, solutions);
 }
 

@@ -21,14 +21,14 @@ class Distorter
 public:
     explicit Distorter(const ShutterGeometry& shutter_) : shutter(shutter_) {}
 
-    //! What a raw pixel sees, whatever its depth.
+    //! The view of a raw pixel, whatever its depth.
     struct View
     {
         Vec3d direction; // bearing in the orientation of the global-shutter camera
         double x, z;     // place of the camera
     };
 
-    //! The view of a raw pixel; false where there is none.
+    //! The view of a raw pixel; false if there is none.
     bool view(const Point2d& raw, View& v) const
     {
         Vec3d ray;
@@ -45,14 +45,14 @@ public:
         return shutter.scene.isInside(v.x, v.z);
     }
 
-    //! Ray of the global-shutter camera to the point of a view that has the scaled inverse depth w; false where it is behind.
+    //! Ray of the global-shutter camera to the point of a view that has the scaled inverse depth w; false if it is behind.
     bool rayTo(const View& v, double w, Vec3d& ray) const
     {
         ray = shutter.down * (v.direction + Vec3d(w * v.x, 0, w * v.z));
         return ray[2] > 0;
     }
 
-    //! Ray of the global-shutter camera to the point of the planes that a raw pixel sees; false where there is none.
+    //! Ray of the global-shutter camera to the point of the planes that a raw pixel sees; false if there is none.
     bool solve(const Point2d& raw, Vec3d& ray) const
     {
         View v;

@@ -21,7 +21,7 @@ struct Place
 /** Raw pixels to pixels of the global-shutter camera.
 @param matrix camera matrix of the global-shutter camera.
 @param raw the pixels.
-@param depths in metres along the optical axis, or empty; where not positive the planes are used.
+@param depths in metres along the optical axis, or empty; if not positive the planes are used.
 @param places receives as many places as there are pixels.
 */
 void correctPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,

@@ -29,13 +29,13 @@ public:
         Point2d rate; // that of the place
     };
 
-    //! @param tolerance pixels; the place is found where a step changes it by less.
+    //! @param tolerance pixels; the place is found when a step changes it by less.
     Rectifier(const ShutterGeometry& shutter_, int maxIterations_, double tolerance_)
         : shutter(shutter_), maxIterations(maxIterations_), tolerance(tolerance_), timeTolerance(tolerance_ * shutter_.timePerPixel())
     {
     }
 
-    /** The raw pixel of a ray of the global-shutter camera; false where there is none.
+    /** The raw pixel of a ray of the global-shutter camera; false if there is none.
     @param ray direction in the camera frame.
     @param b the same in the upright frame.
     @param w scaled inverse depth, to the scale of b.

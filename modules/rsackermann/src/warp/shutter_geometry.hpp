@@ -59,7 +59,7 @@ public:
         return Vec3d(a[0] + shift * m.s2, a[1], a[2] + shift * m.c2);
     }
 
-    //! The raw pixel of a ray; false where there is none.
+    //! The raw pixel of a ray; false if there is none.
     bool project(const Vec3d& ray, Point2d& raw) const
     {
         return ray[2] > 0 && lens.project(ray[0] / ray[2], ray[1] / ray[2], raw.x, raw.y);

@@ -13,7 +13,7 @@ namespace rsackermann {
 //! @addtogroup rsackermann
 //! @{
 
-/** @brief What a drive says of a camera's mount and line delay, from MountCalibrator.
+/** @brief A camera's mount and line delay as a drive shows them, from MountCalibrator.
 
 Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
  */
@@ -89,19 +89,19 @@ public:
             CV_Assert(fs);
             write(*fs);
         }
-        //! Reads what write() has written. Fields that are missing keep their values.
+        //! Reads the fields that write() has written; the others keep their values.
         CV_WRAP void read(const FileNode& fn);
     };
 
     /** @brief Creates a calibrator.
-    @param camera what is known of the camera; its shutter must go along the rows. A line delay of 0 is found as well, from yaw rates in particular.
+    @param camera the camera as far as it is known; its shutter must go along the rows. A line delay of 0 is found as well, from yaw rates in particular.
     @param params see MountCalibrator::Params.
     @return the calibrator; throws cv::Exception if the camera or a parameter is out of range.
      */
     CV_WRAP static Ptr<MountCalibrator> create(const RollingShutterCamera& camera,
                                                const MountCalibrator::Params& params = MountCalibrator::Params());
 
-    /** @brief Loads what Algorithm::save() has written: the camera and the parameters.
+    /** @brief Loads the camera and the parameters that Algorithm::save() has written.
     @param filename the file.
     @param objname name of the object in the file; empty: the first one.
     @return an object without frames; throws cv::Exception if the file has none.

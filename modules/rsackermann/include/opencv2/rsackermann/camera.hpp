@@ -59,8 +59,8 @@ public:
     CV_WRAP static RollingShutterCamera fromFocal(const Size& size, double focal = 0);
 
     /** @brief Sets uprightRotation from roll and pitch.
-    @param roll radians, positive where the camera is turned clockwise seen from behind it.
-    @param pitch radians, positive where the camera looks down.
+    @param roll radians, positive if the camera is turned clockwise seen from behind it.
+    @param pitch radians, positive if the camera looks down.
 
     Gravity in the camera frame is then \f$(\sin roll, \cos roll \cos pitch, \sin pitch)\f$ up to its length.
      */
@@ -80,7 +80,7 @@ public:
      */
     CV_WRAP double rowTime(const Point2d& pixel) const;
 
-    //! Seconds per unit of row time, \f$f_y \cdot lineDelay\f$; 0 where lineDelay is unknown.
+    //! Seconds per unit of row time, \f$f_y \cdot lineDelay\f$; 0 if lineDelay is unknown.
     CV_WRAP double secondsPerUnitTime() const;
 
     //! Whether the shutter goes along the rows, so that vertical lines show the motion.
@@ -97,7 +97,7 @@ public:
         CV_Assert(fs);
         write(*fs);
     }
-    //! Reads what write() has written. Fields that are missing keep their values.
+    //! Reads the fields that write() has written; the others keep their values.
     CV_WRAP void read(const FileNode& fn);
 
     CV_PROP_RW Size imageSize;                 //!< size of the raw image in pixels

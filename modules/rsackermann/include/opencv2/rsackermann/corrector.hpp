@@ -17,7 +17,7 @@ namespace rsackermann {
 /** @brief Undoes the rolling shutter of an image in one call: detects segments, estimates the motion, makes the maps and
 remaps.
 
-Where the motion's status isn't #MOTION_OK only the lens is corrected; without lens coefficients the image is copied.
+If the motion's status isn't #MOTION_OK only the lens is corrected; without lens coefficients the image is copied.
 
 Each thread needs its own object: a correction changes it, as it keeps buffers, segments, maps and the motion that is carried. Objects
 share no state.
@@ -46,7 +46,7 @@ public:
         AckermannEstimator::Params estimator; //!< of the estimation
         WarpMapGenerator::Params warp;        //!< of the maps
         CV_PROP_RW int interpolation;    //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
-        /** whether the images are consecutive frames of a drive, default false: what is known of one helps with the next; needs
+        /** whether the images are consecutive frames of a drive, default false: each helps with the next; needs
         RollingShutterCamera::lineDelay */
         CV_PROP_RW bool carryMotion;
         CV_PROP_RW bool trackPoints;     //!< whether points are tracked from frame to frame if carryMotion is set, default true
@@ -63,26 +63,26 @@ public:
             CV_Assert(fs);
             write(*fs);
         }
-        //! Reads what write() has written. Fields that are missing keep their values.
+        //! Reads the fields that write() has written; the others keep their values.
         CV_WRAP void read(const FileNode& fn);
     };
 
     /** @brief Creates a corrector.
     @param camera the camera; copied.
     @param params see RollingShutterCorrector::Params.
-    @return the corrector; throws cv::Exception where the camera or a parameter is out of range.
+    @return the corrector; throws cv::Exception if the camera or a parameter is out of range.
      */
     CV_WRAP static Ptr<RollingShutterCorrector> create(const RollingShutterCamera& camera,
                                                        const RollingShutterCorrector::Params& params = RollingShutterCorrector::Params());
 
-    /** @brief Loads what Algorithm::save() has written: the camera and the parameters.
+    /** @brief Loads the camera and the parameters that Algorithm::save() has written.
     @param filename the file.
     @param objname name of the object in the file; empty: the first one.
     @return an object in the same state as one that was just created; throws cv::Exception if the file has none.
      */
     CV_WRAP static Ptr<RollingShutterCorrector> load(const String& filename, const String& objname = String());
 
-    //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
+    //! Sets another camera; throws cv::Exception if RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
     //! The present camera.
     CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
@@ -91,11 +91,11 @@ public:
     //! The present parameters.
     CV_WRAP virtual RollingShutterCorrector::Params getParams() const = 0;
 
-    /** @brief Sets what is known of the motion from elsewhere; used for all images until it is set again.
+    /** @brief Sets the knowledge of the motion from elsewhere; used for all images until it is set again.
     @param prior see MotionPrior.
      */
     CV_WRAP virtual void setPrior(const MotionPrior& prior) = 0;
-    //! What setPrior() has set.
+    //! The present prior.
     CV_WRAP virtual MotionPrior getPrior() const = 0;
 
     /** @brief Tells when the next image is taken.
@@ -106,7 +106,7 @@ public:
 
     /** @brief Shows the image after the one that is corrected next: points that are seen in both count, too.
 
-    For recorded drives, of which each frame or at least the first one can be corrected by what comes after it. Used if
+    For recorded drives, of which each frame or at least the first one can be corrected with the help of later ones. Used if
     Params::carryMotion and Params::trackPoints are set.
     @param image raw image of the camera's size, of a type for the detection; copied.
     @param seconds time of its reference row, as in setTimestamp(); not finite: Params::frameInterval after the one before it.
@@ -115,7 +115,7 @@ public:
 
     /** @brief Forgets the motion that is carried to the next frame: for the first frame of another sequence.
 
-    It is also forgotten if a camera is set that differs in more than uprightRotation, and where a frame shows a camera at rest (#MOTION_NOT_SIGNIFICANT). A frame
+    It is also forgotten if a camera is set that differs in more than uprightRotation, and if a frame shows a camera at rest (#MOTION_NOT_SIGNIFICANT). A frame
     without an estimate for another reason leaves it, with a noise that grows with the number of such frames.
      */
     CV_WRAP virtual void reset() = 0;

@@ -21,7 +21,7 @@ enum SegmentDetector
     DETECTOR_EDLINES = 2 //!< cv::ximgproc::EdgeDrawing, needs the module ximgproc
 };
 
-//! What the estimator made of a segment.
+//! The estimator's verdict on a segment.
 enum SegmentLabel
 {
     SEGMENT_REJECTED = 0,   //!< not a candidate: too short or too slanted to be the image of a vertical line
@@ -46,7 +46,7 @@ CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int det
 Vertical lines of the scene (walls, posts, windows) are slanted and bent by the motion. The estimator
 -# keeps the segments that can be images of vertical lines within the limits of motion,
 -# refines the motion with the exact model and a robust loss on all candidates; the other segments say where the street goes
-    and, with the candidates, what is wrong with gravity; the prior counts as further measurements,
+    and, with the candidates, how far gravity is off; the prior counts as further measurements,
 -# averages the correction over all motions that are possible, a camera at rest among them, weighted by their probability, so that the
     displacement that is to be expected is the smallest. If that isn't below that of the raw image, as it is if the camera is at rest with
     a probability above one half, no motion is reported.
@@ -80,13 +80,13 @@ public:
         CV_PROP_RW double confidence;     //!< probability with which RANSAC has found the best consensus, default 0.99
         CV_PROP_RW int maxIterations;     //!< largest number of minimal samples, default 5000
         CV_PROP_RW int seed;              //!< of the random numbers, default 0
-        CV_PROP_RW double maxYawRate;     //!< radians per second, default 90 degrees per second; used where lineDelay is known
-        CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used where lineDelay and the wall's distance are known
+        CV_PROP_RW double maxYawRate;     //!< radians per second, default 90 degrees per second; used if lineDelay is known
+        CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used if lineDelay and the wall's distance are known
         CV_PROP_RW double wallDistance;   //!< metres to the left (or only) wall; 0: unknown (default)
-        CV_PROP_RW double roadRatio;      //!< distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0 (default): what is usual in streets, walls at 8 m and cameras at 1.3 m
-        CV_PROP_RW bool scaleFromRoad;    //!< where wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on the road, default false
+        CV_PROP_RW double roadRatio;      //!< distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0 (default): the usual one of streets, walls at 8 m and cameras at 1.3 m
+        CV_PROP_RW bool scaleFromRoad;    //!< if wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on the road, default false
         /** radians; standard deviation of the vehicle's roll, by which the camera's upright rotation is off against the verticals of the scene and
-        which is then corrected. 0: the upright rotation is exact; default 1 degree: what the crown of a road and the suspension do */
+        which is then corrected. 0: the upright rotation is exact; default 1 degree, as the crown of a road and the suspension make it */
         CV_PROP_RW double gravitySigma;
         CV_PROP_RW double vehiclePitchSigma; //!< radians; the same for the vehicle's pitch, used unless gravitySigma is 0, default 0.3 degrees
         CV_PROP_RW double wallDeviationSigma; //!< standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0: unknown, default 0.4
@@ -103,26 +103,26 @@ public:
             CV_Assert(fs);
             write(*fs);
         }
-        //! Reads what write() has written. Fields that are missing keep their values.
+        //! Reads the fields that write() has written; the others keep their values.
         CV_WRAP void read(const FileNode& fn);
     };
 
     /** @brief Creates an estimator.
     @param camera the camera; copied.
     @param params see AckermannEstimator::Params.
-    @return the estimator; throws cv::Exception where the camera or a parameter is out of range.
+    @return the estimator; throws cv::Exception if the camera or a parameter is out of range.
      */
     CV_WRAP static Ptr<AckermannEstimator> create(const RollingShutterCamera& camera,
                                                   const AckermannEstimator::Params& params = AckermannEstimator::Params());
 
-    /** @brief Loads what Algorithm::save() has written: the camera and the parameters.
+    /** @brief Loads the camera and the parameters that Algorithm::save() has written.
     @param filename the file.
     @param objname name of the object in the file; empty: the first one.
     @return an object in the same state as one that was just created; throws cv::Exception if the file has none.
      */
     CV_WRAP static Ptr<AckermannEstimator> load(const String& filename, const String& objname = String());
 
-    //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
+    //! Sets another camera; throws cv::Exception if RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
     //! The present camera.
     CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
@@ -135,7 +135,7 @@ public:
     @param segments N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x1, y1, x2, y2) in pixels of the raw
     image; vector<Vec4f> for short.
     @param labels receives an N x 1 matrix CV_8U with one of #SegmentLabel for each segment.
-    @param prior what is known from elsewhere.
+    @param prior knowledge from elsewhere.
     @return the motion; see AckermannMotion::status.
      */
     CV_WRAP virtual AckermannMotion estimate(InputArray segments, OutputArray labels = noArray(),

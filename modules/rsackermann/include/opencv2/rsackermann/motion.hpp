@@ -13,7 +13,7 @@ namespace rsackermann {
 //! @addtogroup rsackermann
 //! @{
 
-//! What an estimate is worth. Only with MOTION_OK is the image changed beyond the lens correction.
+//! The outcome of an estimate. Only with MOTION_OK is the image changed beyond the lens correction.
 enum MotionStatus
 {
     MOTION_OK = 0,                //!< a significant motion was found
@@ -26,20 +26,32 @@ enum MotionStatus
 //! The motion models, named by the number of line segments (lines, "L") that determine them.
 enum MotionModel
 {
-    MODEL_AUTO = -1, //!< for AckermannEstimator::Params::model: average over what is possible, or, if gravity is exact, let an information criterion choose
+    MODEL_AUTO = -1, //!< for AckermannEstimator::Params::model: average over all possible motions, or, if gravity is exact, let an information criterion choose
     MODEL_NONE = 0,  //!< camera at rest
     MODEL_1LA = 1,   //!< pure rotation: yaw rate
     MODEL_3LA = 3,   //!< pure translation: speed and walls
     MODEL_4LA = 4    //!< yaw rate, speed and walls
 };
 
-//! What the metres of a motion rest on.
+//! The source of a motion's metres.
 enum MotionScale
 {
     SCALE_UNKNOWN = 0, //!< there are none: the road is assumed where it usually is
     SCALE_WALL = 1,    //!< AckermannEstimator::Params::wallDistance
     SCALE_ROAD = 2,    //!< RollingShutterCamera::height, and walls that are seen to stand on the road
     SCALE_SPEED = 3    //!< MotionPrior::speed
+};
+
+//! Motion and walls in metric values, see AckermannMotion::fromMetric.
+class CV_EXPORTS_W_SIMPLE MetricMotion
+{
+public:
+    CV_WRAP MetricMotion(); //!< a camera at rest, without walls
+    CV_PROP_RW double yawRate;       //!< radians per second, positive if the car turns to the right
+    CV_PROP_RW double speed;         //!< metres per second, negative in reverse
+    CV_PROP_RW double leftDistance;  //!< metres from the camera to the left wall; 0: no left wall
+    CV_PROP_RW double rightDistance; //!< metres from the camera to the right wall; 0: no right wall
+    CV_PROP_RW double wallDirection; //!< radians from the horizontal optical axis to the direction along the walls, positive to the right; a street that the car follows has the heading
 };
 
 /** @brief The motion of the car during one image and the coarse depth of the scene.
@@ -62,33 +74,27 @@ public:
 
     /** @brief A motion made from metric values, for simulation and for callers that know it all.
     @param camera camera with lineDelay and, for the road, height.
-    @param yawRate radians per second, positive where the car turns to the right.
-    @param speed metres per second, negative in reverse.
-    @param leftDistance metres from the camera to the left wall; 0: no left wall.
-    @param rightDistance metres from the camera to the right wall; 0: no right wall.
-    @param wallDirection radians from the horizontal optical axis to the direction along the walls, positive to the right; a
-    street that the car follows has the heading.
-    @return the motion, of status #MOTION_OK where it isn't that of a camera at rest.
+    @param metric motion and walls.
+    @return the motion, of status #MOTION_OK unless it is that of a camera at rest.
      */
-    CV_WRAP static AckermannMotion fromMetric(const RollingShutterCamera& camera, double yawRate, double speed, double leftDistance,
-                                              double rightDistance, double wallDirection);
+    CV_WRAP static AckermannMotion fromMetric(const RollingShutterCamera& camera, const MetricMotion& metric);
 
-    //! Column of the line at infinity of the walls in the upright frame, wallOffset / wallSlope; 0 where the walls are parallel to the image.
+    //! Column of the line at infinity of the walls in the upright frame, wallOffset / wallSlope; 0 if the walls are parallel to the image.
     CV_WRAP double delta() const;
 
     /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second; positive to the right.
     @param camera the camera with which the motion was estimated.
-    @param radiansPerSecond receives the yaw rate; 0 where it is unknown.
-    @return false where lineDelay is unknown, or where nothing is known of the motion, which is at a #status other than #MOTION_OK and
+    @param radiansPerSecond receives the yaw rate; 0 if it is unknown.
+    @return false if lineDelay is unknown, or if nothing is known of the motion, which is at a #status other than #MOTION_OK and
     #MOTION_NOT_SIGNIFICANT. With the latter it is 0: that of a camera at rest.
      */
     CV_WRAP bool yawRate(const RollingShutterCamera& camera, CV_OUT double& radiansPerSecond) const;
 
     /** @brief Speed, \f$\pm\sqrt{B^2+D^2} \cdot wallDistance\f$ / secondsPerUnitTime, in metres per second; negative in reverse.
     @param camera the camera with which the motion was estimated.
-    @param metresPerSecond receives the speed; 0 where it is unknown.
-    @return false where wallDistance or lineDelay is unknown. The estimator knows wallDistance with #MOTION_OK alone and then tells by
-    #scale on what it rests: with #SCALE_SPEED the result is the speed of the prior, no measurement.
+    @param metresPerSecond receives the speed; 0 if it is unknown.
+    @return false if wallDistance or lineDelay is unknown. The estimator knows wallDistance with #MOTION_OK alone and then tells by
+    #scale where it comes from: with #SCALE_SPEED the result is the speed of the prior, no measurement.
      */
     CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
 
@@ -97,14 +103,14 @@ public:
     @param time row time, see RollingShutterCamera::rowTime.
     @param R rotation from the camera frame at that time to the camera frame at the reference row.
     @param T position of the camera at that time in the camera frame at the reference row, in the unit of length in which the
-    horizontal depth of a point with scaled inverse depth w is 1/|w|; 0 where the motion is a pure rotation. In metres, on the same
+    horizontal depth of a point with scaled inverse depth w is 1/|w|; 0 if the motion is a pure rotation. In metres, on the same
     conditions as speed(), with the factor \f$wallDistance \sqrt{wallSlope^2 + wallOffset^2}\f$.
      */
     CV_WRAP void pose(const RollingShutterCamera& camera, double time, CV_OUT Matx33d& R, CV_OUT Vec3d& T) const;
 
     /** @brief Covariance of the metric values yaw rate (rad/s), speed (m/s), delta and wallRatio, in this order.
 
-    It includes what isn't known of gravity. Rows and columns of values that are unknown, see yawRate() and speed(), or not part of the model are 0.
+    It includes the uncertainty of gravity. Rows and columns of values that are unknown, see yawRate() and speed(), or not part of the model are 0.
     @param camera the camera with which the motion was estimated.
     @return the symmetric matrix.
      */
@@ -121,7 +127,7 @@ public:
         CV_Assert(fs);
         write(*fs);
     }
-    //! Reads what write() has written. Fields that are missing keep their values.
+    //! Reads the fields that write() has written; the others keep their values.
     CV_WRAP void read(const FileNode& fn);
 
     CV_PROP_RW int status;   //!< one of #MotionStatus
@@ -139,8 +145,8 @@ public:
     CV_PROP_RW double wallDistance;    //!< metres to the left (or only) wall; 0: unknown
     CV_PROP_RW int scale;              //!< one of #MotionScale
 
-    CV_PROP_RW Matx44d covariance;     //!< of (alpha, wallSlope, wallOffset, wallRatio), including what isn't known of gravity; 0 for what isn't part of the model
-    CV_PROP_RW bool rollYawAmbiguous;  //!< whether roll and yaw rate can't be told apart: what isn't known of the roll decides the yaw rate
+    CV_PROP_RW Matx44d covariance;     //!< of (alpha, wallSlope, wallOffset, wallRatio), including the uncertainty of gravity; 0 for values that aren't part of the model
+    CV_PROP_RW bool rollYawAmbiguous;  //!< whether roll and yaw rate can't be told apart: the uncertainty of the roll decides that of the yaw rate
 
     CV_PROP_RW int candidates; //!< segments that passed the gates
     CV_PROP_RW int inliers;    //!< candidates that agree with the motion
@@ -150,9 +156,9 @@ public:
     CV_PROP_RW double expectedLeft; //!< mean displacement in pixels that is to be expected of the corrected image
 };
 
-/** @brief What is known of the motion from elsewhere: the car's bus, a gyro, calibration, the frame before.
+/** @brief Knowledge of the motion from elsewhere: the car's bus, a gyro, calibration, the frame before.
 
-Each piece is used where its standard deviation is positive.
+Each piece is used if its standard deviation is positive.
 
 Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
  */
@@ -173,7 +179,7 @@ public:
         CV_Assert(fs);
         write(*fs);
     }
-    //! Reads what write() has written. Fields that are missing keep their values.
+    //! Reads the fields that write() has written; the others keep their values.
     CV_WRAP void read(const FileNode& fn);
 
     CV_PROP_RW double speed;        //!< metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; says most with AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road

@@ -36,7 +36,7 @@ public:
         CV_PROP_RW Matx33d newCameraMatrix; //!< intrinsics of the global-shutter camera; all 0 (default): those of the camera
         CV_PROP_RW Size newSize;            //!< image size of the global-shutter camera; 0 x 0 (default): that of the camera
         CV_PROP_RW int maxIterations;       //!< of the fixed point on the row time, default 10
-        CV_PROP_RW double tolerance;        //!< pixels; the fixed point stops where a step changes the place by less, default 1e-3
+        CV_PROP_RW double tolerance;        //!< pixels; the fixed point stops when a step changes the place by less, default 1e-3
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;
@@ -49,26 +49,26 @@ public:
             CV_Assert(fs);
             write(*fs);
         }
-        //! Reads what write() has written. Fields that are missing keep their values.
+        //! Reads the fields that write() has written; the others keep their values.
         CV_WRAP void read(const FileNode& fn);
     };
 
     /** @brief Creates a generator.
     @param camera the camera; copied.
     @param params see WarpMapGenerator::Params.
-    @return the generator; throws cv::Exception where the camera or a parameter is out of range.
+    @return the generator; throws cv::Exception if the camera or a parameter is out of range.
      */
     CV_WRAP static Ptr<WarpMapGenerator> create(const RollingShutterCamera& camera,
                                                 const WarpMapGenerator::Params& params = WarpMapGenerator::Params());
 
-    /** @brief Loads what Algorithm::save() has written: the camera and the parameters.
+    /** @brief Loads the camera and the parameters that Algorithm::save() has written.
     @param filename the file.
     @param objname name of the object in the file; empty: the first one.
     @return an object in the same state as one that was just created; throws cv::Exception if the file has none.
      */
     CV_WRAP static Ptr<WarpMapGenerator> load(const String& filename, const String& objname = String());
 
-    //! Sets another camera; throws cv::Exception where RollingShutterCamera::check() does.
+    //! Sets another camera; throws cv::Exception if RollingShutterCamera::check() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
     //! The present camera.
     CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
@@ -101,7 +101,7 @@ public:
     @param m1type as in initRectifyMap().
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the global-shutter image and 0 elsewhere.
 
-    A raw pixel sees the nearest plane along its ray, or infinity where the ray meets none. The planes surround the camera
+    A raw pixel sees the nearest plane along its ray, or infinity if the ray meets none. The planes surround the camera
     without hiding one another, unless it passes a wall; rows at whose instant it would have done so are mapped to
     (-16384, -16384), and so are pixels for which the lens model has no ray or whose place has a coordinate beyond +-32767.
      */
@@ -111,14 +111,14 @@ public:
     /** @brief Moves points of the raw image to where the global-shutter camera sees them.
     @param motion the motion.
     @param src points in pixels of the raw image: N x 2 matrix, or N x 1 or 1 x N matrix with two channels, CV_32F or CV_64F.
-    @param dst points in pixels of the global-shutter camera, of the size and type of src; (-16384, -16384) where there is none.
+    @param dst points in pixels of the global-shutter camera, of the size and type of src; (-16384, -16384) if there is none.
     @param depths metres along the optical axis of the global-shutter camera to each point, N values CV_32F or CV_64F; for
     points whose value is not positive, and without this argument, the planes of the motion are used. Depths need
     AckermannMotion::wallDistance, or AckermannMotion::roadSlope and RollingShutterCamera::height.
     @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not, and 0
     for the others.
 
-    A point has no place where a pixel at that point would have none in a map: a place with a coordinate beyond +-32767 is none.
+    A point has no place if a pixel at that point would have none in a map: a place with a coordinate beyond +-32767 is none.
      */
     CV_WRAP virtual void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths = noArray(),
                                        OutputArray mask = noArray()) const = 0;
@@ -126,7 +126,7 @@ public:
     /** @brief Moves points of the global-shutter camera to where the raw image shows them; the inverse of correctPoints().
     @param motion the motion.
     @param src points in pixels of the global-shutter camera, as in correctPoints().
-    @param dst points in pixels of the raw image, of the size and type of src; (-16384, -16384) where there is none.
+    @param dst points in pixels of the raw image, of the size and type of src; (-16384, -16384) if there is none.
     @param depths as in correctPoints().
     @param mask as in correctPoints().
      */
@@ -135,7 +135,7 @@ public:
 
     /** @brief The largest rectangle of the global-shutter image all of whose pixels are seen in the raw image.
     @param motion the motion.
-    @return the rectangle in pixels of the global-shutter image; empty where there is none.
+    @return the rectangle in pixels of the global-shutter image; empty if there is none.
      */
     CV_WRAP virtual Rect validRoi(const AckermannMotion& motion) const = 0;
 
@@ -145,7 +145,7 @@ public:
     @param alpha 0: all pixels of the global-shutter image are seen in the raw image; 1: all pixels of the raw image are
     seen in the global-shutter image; between them a mixture.
     @param newSize image size of the global-shutter camera, at least 2 x 2; 0 x 0: Params::newSize.
-    @return the matrix; the present one of the global-shutter camera where a border of the raw image has no place in it.
+    @return the matrix; the present one of the global-shutter camera if a border of the raw image has no place in it.
      */
     CV_WRAP virtual Matx33d optimalNewCameraMatrix(const AckermannMotion& motion, double alpha, const Size& newSize = Size()) const = 0;
 };

@@ -30,6 +30,15 @@ def make_camera():
     return camera
 
 
+def make_motion(camera):
+    metric = cv.rsackermann.MetricMotion()
+    metric.yawRate = YAW_RATE
+    metric.speed = SPEED
+    metric.leftDistance = LEFT_WALL
+    metric.rightDistance = RIGHT_WALL
+    return cv.rsackermann.AckermannMotion.fromMetric(camera, metric)
+
+
 def project(camera, point):
     """The raw pixel of a point in metres in the frame at the reference row, by bisection on the row."""
     def row_error(row):
@@ -84,7 +93,7 @@ class rsackermann_test(NewOpenCVTests):
 
     def test_motion(self):
         camera = make_camera()
-        motion = cv.rsackermann.AckermannMotion.fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        motion = make_motion(camera)
         known, yaw_rate = motion.yawRate(camera)
         self.assertTrue(known)
         self.assertAlmostEqual(yaw_rate, YAW_RATE)
@@ -117,7 +126,7 @@ class rsackermann_test(NewOpenCVTests):
     def test_maps(self):
         camera = make_camera()
         generator = cv.rsackermann.WarpMapGenerator.create(camera)
-        motion = cv.rsackermann.AckermannMotion.fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        motion = make_motion(camera)
 
         # A point on the left wall: where the maps find it in the raw image is where the simulation puts it.
         column, row = 150, 100
@@ -177,7 +186,7 @@ class rsackermann_test(NewOpenCVTests):
     def make_values(self):
         """One of each type, with values that aren't the defaults, and a function that tells them."""
         camera = make_camera()
-        motion = cv.rsackermann.AckermannMotion.fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        motion = make_motion(camera)
         prior = cv.rsackermann.MotionPrior()
         prior.speed = 12.5
         estimator_params = cv.rsackermann.AckermannEstimator.Params()
@@ -244,7 +253,7 @@ class rsackermann_test(NewOpenCVTests):
 
     def test_draw(self):
         camera = make_camera()
-        motion = cv.rsackermann.AckermannMotion.fromMetric(camera, YAW_RATE, SPEED, LEFT_WALL, RIGHT_WALL, 0)
+        motion = make_motion(camera)
         segments = wall_segments(camera)
         labels = np.full((len(segments), 1), cv.rsackermann.SEGMENT_OUTLIER, np.uint8)
         image = np.full((SIZE[1], SIZE[0], 3), 90, np.uint8)

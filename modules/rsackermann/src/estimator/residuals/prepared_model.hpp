@@ -11,7 +11,7 @@
 namespace cv {
 namespace rsackermann {
 
-//! A model with what all segments share of its residuals.
+//! A model with the parts of its residuals that all segments share.
 struct PreparedModel
 {
     double alpha, B, D, lambda, direction;

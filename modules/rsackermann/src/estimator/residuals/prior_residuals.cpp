@@ -9,10 +9,12 @@
 namespace cv {
 namespace rsackermann {
 
+static const double USUAL_TURN = 0.5; // standard deviation of alpha over its limit
+
 PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                        const MotionLimits& limits)
     : alpha(0), alphaSigma(0), scaledSpeed(0), scaledSpeedSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma),
-      usualAlpha(0.5 * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDeviationSigma), reversePenalty(-2 * std::log(params.reverseProbability))
+      usualAlpha(USUAL_TURN * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDeviationSigma), reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
     if (unit > 0 && prior.yawRateSigma > 0)
@@ -47,7 +49,7 @@ int PriorTerms::evaluate(const Model& model, const MotionHypothesis& hypothesis,
     if (hypothesis.walls == 2)
     {
         const Jet ratio = Jet::variable(model[P_LAMBDA], P_LAMBDA);
-        residuals[n++] = (1 / usualLogRatio()) * ratio.apply(std::log(ratio.value), 1 / ratio.value);
+        residuals[n++] = (1 / USUAL_LOG_RATIO) * ratio.apply(std::log(ratio.value), 1 / ratio.value);
     }
     if (model.direction < 0)
         residuals[n++] = Jet(std::sqrt(reversePenalty));

@@ -11,7 +11,9 @@
 namespace cv {
 namespace rsackermann {
 
-/** What is known of the motion from elsewhere, in the units of the estimation, as residuals in units of their standard
+const double USUAL_LOG_RATIO = 0.8; //!< standard deviation of the logarithm of the ratio of the walls
+
+/** Knowledge of the motion from elsewhere, in the units of the estimation, as residuals in units of their standard
 deviations (doc/theory.md, "Estimation"). A sigma of 0: not known.
 */
 struct PriorTerms
@@ -26,9 +28,6 @@ struct PriorTerms
     PriorTerms() : alpha(0), alphaSigma(0), scaledSpeed(0), scaledSpeedSigma(0), street(0), streetSigma(0), usualAlpha(0), heading(0), headingSigma(0), reversePenalty(0) {}
     PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                const MotionLimits& limits);
-
-    //! Standard deviation of the logarithm of the ratio of the walls: one is seldom far more distant than the other.
-    static double usualLogRatio() { return 0.8; }
 
     enum { MAX_RESIDUALS = 7 };
     //! @return number of residuals.

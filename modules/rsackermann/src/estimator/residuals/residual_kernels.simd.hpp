@@ -60,7 +60,7 @@ public:
         }
     }
 
-    // The residual scale * value of a segment; what fills the arrays has the scale 0.
+    // The residual scale * value of a segment; padding has the scale 0.
     void add(const Pack& value, const Pack* by, const Pack& scale)
     {
         const Pack one(1), r = scale * value, r2 = r * r;
@@ -158,7 +158,7 @@ double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model,
         sum += part.sum();
         inside += count.sum();
     }
-    // What fills the arrays has no residual.
+    // Padding has no residual.
     inliers = cvRound(inside) - std::max(i - segments.size(), 0);
     return sum;
 }

@@ -24,7 +24,7 @@ inline void sincTerms(double x, double& sincX, double& cosX, double& slope)
     slope = (cosX - sincX) / x;
 }
 
-/** An end of a segment, turned by the corrections of gravity and then into the reference frame, with what the derivatives
+/** An end of a segment, turned by the corrections of gravity and then into the reference frame, with the parts that the derivatives
 take (doc/theory.md, "Compensation").
 */
 template <class T> struct RotatedEnd

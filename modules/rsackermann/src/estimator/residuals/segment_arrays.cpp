@@ -8,6 +8,8 @@
 namespace cv {
 namespace rsackermann {
 
+static const double SAGITTA_PART = 0.3;
+
 void SegmentArrays::assign(const std::vector<UprightSegment>& segments)
 {
     count = (int)segments.size();
@@ -26,8 +28,7 @@ void SegmentArrays::assign(const std::vector<UprightSegment>& segments)
 // A detector fits a chord to an image that the lens has bent: its ends are off by a part of the sagitta.
 static double detectionSigma(const UprightSegment& segment, double sigma)
 {
-    const double part = 0.3;
-    return std::hypot(sigma, part * segment.sagitta);
+    return std::hypot(sigma, SAGITTA_PART * segment.sagitta);
 }
 
 void SegmentArrays::weigh(const std::vector<UprightSegment>& segments, double focal, double sigma, double lean)

@@ -12,7 +12,7 @@ namespace rsackermann {
 
 /** Candidates as one array for each of their numbers, for vectors.
 
-The arrays are filled up to a multiple of the largest vector; what fills them has the weight 0.
+The arrays are filled up to a multiple of the largest vector, with segments of the weight 0.
 */
 class SegmentArrays
 {

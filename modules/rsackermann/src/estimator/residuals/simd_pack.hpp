@@ -57,7 +57,7 @@ template <class Number> struct PackOf
 
 #else
 
-//! One number, where the processor has no vectors of them.
+//! One number, if the processor has no vectors of them.
 template <class Number> struct PackOf
 {
     enum { COUNT = 1 };

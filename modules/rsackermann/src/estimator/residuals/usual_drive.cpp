@@ -4,6 +4,7 @@
 
 #include "../../precomp.hpp"
 #include "../../camera/line_delay_sigma.hpp"
+#include "../../compensation.hpp"
 #include "prior_residuals.hpp"
 #include "usual_drive.hpp"
 
@@ -18,7 +19,6 @@ static const double USUAL_REVERSE_SPEED = 1.5;       // m/s
 static const double LOG_SPEED_SIGMA = 0.8;
 static const double USUAL_WALL = 8;                  // metres
 static const double LOG_WALL_SIGMA = 0.6;            // 3 to 30 m within two of them
-static const double USUAL_HEIGHT = 1.3;              // metres, of the camera
 static const double LOG_HEIGHT_SIGMA = 0.35;
 static const double USUAL_SECONDS_PER_UNIT = 0.06;   // of the row time, if the line delay is unknown
 static const double LOG_SECONDS_SIGMA = 1;
@@ -58,7 +58,7 @@ UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& cam
     roadRatioIsTold = params.roadRatio > 0;
     logHeightSigma = height > 0 || roadRatioIsTold ? 0 : LOG_HEIGHT_SIGMA;
     // A camera of unknown height that looks to the side may not see the road at all.
-    roadIsSeen = height > 0 || std::abs(std::cos(camera.heading)) > 0.5;
+    roadIsSeen = height > 0 || Heading(camera.heading).looksAlong();
 }
 
 int UsualDrive::evaluate(const Model& model, const MotionHypothesis& hypothesis, Jet residuals[MAX_RESIDUALS]) const
@@ -120,7 +120,7 @@ double UsualDrive::logVolume(const MotionHypothesis& hypothesis) const
     if (hypothesis.translates() && !speedIsKnown)
         volume += std::log(std::hypot(logSpeedSigma, hypothesis.walls == 2 ? logWallSigma / std::sqrt(2.) : logWallSigma));
     if (hypothesis.walls == 2)
-        volume += std::log(PriorTerms::usualLogRatio());
+        volume += std::log(USUAL_LOG_RATIO);
     return volume;
 }
 

@@ -11,6 +11,8 @@
 namespace cv {
 namespace rsackermann {
 
+const double USUAL_HEIGHT = 1.3; //!< metres, of a camera above the road
+
 /** How cars drive and how far away walls are, as a distribution (doc/theory.md, "Posterior").
 
 It takes the place of a choice among motion models: what the segments don't tell stays where it usually is.
@@ -50,7 +52,7 @@ private:
     double yawScale;               // of alpha
     double alpha, toldAlphaSigma;  // 0: not told
     double toldSpeed, toldSpeedSigma; // scaled by the row time alone, in metres; 0: not told
-    double logSpeed, logSpeedSigma;   // of the scaled speed, less what isn't known of the wall
+    double logSpeed, logSpeedSigma;   // of the scaled speed, without the uncertainty of the wall
     double logWallSigma;           // of the logarithm of a wall's distance; 0: told
     double heading, headingSigma;
     double height, ratio, logHeightSigma;

@@ -11,7 +11,7 @@
 namespace cv {
 namespace rsackermann {
 
-/** What remains between the compensated columns of the two ends of a candidate, p1(u) - p1(v), for a focal length of 1
+/** The difference of the compensated columns of the two ends of a candidate, p1(u) - p1(v), for a focal length of 1
 (doc/theory.md, "Estimation").
 
 @param wall receives the wall on which the candidate is seen: a Scene::Plane.

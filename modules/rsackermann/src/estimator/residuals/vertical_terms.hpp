@@ -10,7 +10,7 @@
 namespace cv {
 namespace rsackermann {
 
-/** What remains between the compensated columns of the two ends of a candidate, p1(u) - p1(v), for a focal length of 1
+/** The difference of the compensated columns of the two ends of a candidate, p1(u) - p1(v), for a focal length of 1
 (doc/theory.md, "Estimation"), on the wall that the candidate is seen on. T is double or a vector of them.
 */
 template <class T> struct VerticalTerms
@@ -20,7 +20,7 @@ template <class T> struct VerticalTerms
 
     VerticalTerms(const RotatedEnd<T>& u, const RotatedEnd<T>& v, const PreparedModel& m)
     {
-        // The nearest wall is the one with a positive depth where the candidate, between its two columns, is seen by it. One
+        // The nearest wall is the one with a positive depth if the candidate, between its two columns, is seen by it. One
         // division does for both columns.
         const T shiftU = u.shift(), shiftV = v.shift();
         T denominatorU = u.M + shiftU * m.B, denominatorV = v.M + shiftV * m.B;

@@ -7,7 +7,7 @@
 
 #include "map_patch.hpp"
 
-// What is done with every pixel of a map, in vectors of the widest kind that the processor has.
+// The work on every pixel of a map, in vectors of the widest kind that the processor has.
 
 namespace cv {
 namespace rsackermann {

@@ -21,7 +21,7 @@ void packMask(const float* x, const float* y, int width, float low, float highX,
 
 namespace {
 
-// A polynomial along one row. Next to what is constant along the row the rest is small: single precision takes
+// A polynomial along one row. Next to the terms that are constant along the row the rest is small: single precision takes
 // no more from it than from the coordinate.
 struct RowCubic
 {
@@ -69,7 +69,7 @@ inline v_float32 columnsFrom(int first)
 }
 #endif
 
-// Columns from first to last - 1; what follows them up to the width may be overwritten.
+// Columns from first to last - 1; the ones behind them may be overwritten.
 void evaluateRun(const MapPatch& patch, int row, int first, int last, int width, float* x, float* y)
 {
     const RowCubic cubicX(patch.x, row), cubicY(patch.y, row);

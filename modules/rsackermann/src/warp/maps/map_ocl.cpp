@@ -13,7 +13,7 @@
 namespace cv {
 namespace rsackermann {
 
-// The same as in opencl/warp_map.cl.
+// The same as in opencl/warp_map.cl, where the formulas stand again in single precision; test_warp_ocl.cpp compares the maps of both.
 struct KernelWarp
 {
     float newFx, newFy, newCx, newCy, newSkew;
@@ -30,6 +30,7 @@ struct KernelWarp
     int maxIterations;
     int width, height;
 };
+static_assert(sizeof(KernelWarp) == 55 * sizeof(float), "a kernel's struct has no padding");
 
 static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
                              const AckermannMotion& motion)

@@ -87,7 +87,7 @@ signs of its two parts that are the same at some and opposite at others.
         return Point2d(places[i][0] * step, places[i][1] * step);
     }
 
-    //! Whether a place that a patch gives is near enough to what it stands for; false for NaN, too.
+    //! Whether a place that a patch gives is near enough to the exact one; false for NaN, too.
     static bool isNear(const Point2d& a, const Point2d& b)
     {
         // Pixels. With the rounding of the places to single precision this stays far below the 1/32 pixel of cv::remap.

@@ -49,7 +49,7 @@ MapWriter::Tile::Tile(MapWriter& writer_, int index, std::vector<float>& buffer)
 {
     const bool whole = part.br().x <= writer.mapSize.width;
     part &= Rect(Point(), writer.mapSize);
-    // Where nothing would be written beyond its end the map itself takes the coordinates.
+    // If nothing would be written beyond its end the map itself takes the coordinates.
     inPlace = writer.type == CV_32FC1 && whole && writer.map1.step == writer.map2.step;
     if (inPlace)
     {

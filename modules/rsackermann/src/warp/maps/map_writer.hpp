@@ -24,8 +24,8 @@ public:
     @param size size of the maps.
     @param target size of the image that the maps point into.
     @param m1type as normalizedMapType() returns it.
-    @param map1 allocated where it hasn't the size and type.
-    @param map2 the same, or released where the format has none.
+    @param map1 allocated unless it has the size and type.
+    @param map2 the same, or released if the format has none.
     @param mask allocated if it is wanted.
     */
     MapWriter(const Size& size, const Size& target, int m1type, OutputArray map1, OutputArray map2, OutputArray mask);

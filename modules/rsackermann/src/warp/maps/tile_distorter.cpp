@@ -122,7 +122,7 @@ bool TileDistorter::fitPatch(const Nodes& nodes, int plane, MapPatch& patch) con
     return true;
 }
 
-// What counts of an error of the depth is by how much it moves the place: next to a crease a pixel may take the other plane.
+// An error of the depth counts by how much it moves the place: next to a crease a pixel may take the other plane.
 bool TileDistorter::fitDepth(const Nodes& nodes, int plane, Bicubic& depth) const
 {
     double values[NODES][NODES];

@@ -15,7 +15,7 @@ namespace rsackermann {
 On each plane of the scene a map is smooth. A square of it is interpolated between 4 x 4 places for each plane that can be
 seen in it, and every pixel takes the nearest plane. Further places in between tell the error; a square in which it is
 too large, or in which one of the places doesn't exist, is divided into quarters, and small ones are solved pixel by pixel.
-What a square becomes depends on its place alone: not on the size of the map, other tiles or the number of threads.
+The values of a square depend on its place alone: not on the size of the map, other tiles or the number of threads.
 */
 class TileFiller
 {
@@ -25,7 +25,7 @@ public:
     void fill(MapWriter::Tile& tile) const;
 
 protected:
-    //! Fills what the tile has of a square; false where it can't be interpolated, and then nothing is promised about it.
+    //! Fills what the tile has of a square; false if it can't be interpolated; it is undefined then.
     virtual bool fillByPatches(const Rect& square, MapWriter::Tile& tile) const = 0;
     virtual void fillByPixels(const Rect& area, MapWriter::Tile& tile) const = 0;
 
