@@ -6,6 +6,7 @@
 
 #include "calibrate/drive_reader.hpp"
 #include "camera_file.hpp"
+#include "estimator_options.hpp"
 #include "log_use.hpp"
 #include "output/interrupt.hpp"
 #include "output/output_plan.hpp"
@@ -34,7 +35,7 @@ const char* const KEYS =
     "{help       |        | print this message}"
     "{output     |        | camera file to be written}"
     "{overwrite  |        | replace an existing file}"
-    "{log        |        | CSV file with what is known of each frame, as for rsackermann_correct; its times, speeds and yaw rates are used}"
+    "{log        |        | CSV file with facts on each frame, as for rsackermann_correct; its times, speeds and yaw rates are used}"
     "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
     "{threads    |        | largest number of threads}";
 
@@ -57,9 +58,9 @@ Task readTask(const Options& options)
             throw UsageError(std::string("--") + name + " is missing");
     task.camera = readCameraOptions(options);
     if (task.camera.scan == cv::rsackermann::SCAN_LEFT_TO_RIGHT || task.camera.scan == cv::rsackermann::SCAN_RIGHT_TO_LEFT)
-        throw UsageError("the lines of the sensor are columns of the image (scan): no vertical shows what they do");
+        throw UsageError("the lines of the sensor are columns of the image (scan): no vertical shows the motion");
     task.output = options.text("output");
-    task.params.estimator.detector = options.choice("detector", {"lsd", "fld", "edlines"});
+    task.params.estimator.detector = readDetector(options);
     task.inputs = listInputs(options.arguments());
     OutputPlan plan;
     plan.addInput(options.text("camera"));
@@ -86,7 +87,7 @@ Task readTask(const Options& options)
     return task;
 }
 
-// What the drive told goes into the settings, what it didn't tell stays.
+// Values that the drive told go into the settings, the others stay.
 CameraSettings settingsOf(const MountCalibration& c, CameraSettings s)
 {
     s.size = c.camera.imageSize;
@@ -129,14 +130,8 @@ void print(const MountCalibration& c, int frames)
     std::printf("horizon     %.5f x %+.5f y %+.2f = 0 in pixels without lens distortion\n", h[0], h[1], h[2]);
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, std::string(KEYS) + CAMERA_KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
     listenForInterrupts();
     const Task task = readTask(options);
     cv::Ptr<MountCalibrator> calibrator;
@@ -179,5 +174,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return rsackermann_samples::runProgram(run, argc, argv);
+    return runProgram(ABOUT, std::string(KEYS) + CAMERA_KEYS, run, argc, argv);
 }

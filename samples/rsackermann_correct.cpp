@@ -17,14 +17,8 @@ const char* const ABOUT =
     "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line.\n"
     "Exit code: 0 all is done, 1 some inputs failed, 2 the command line isn't understood, 130 or 143 interrupted.\n";
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, std::string(JOB_KEYS) + CAMERA_KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
     listenForInterrupts();
     const Job job = readJob(options);
     return Batch(job).run();
@@ -34,5 +28,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return rsackermann_samples::runProgram(run, argc, argv);
+    return runProgram(ABOUT, std::string(JOB_KEYS) + CAMERA_KEYS, run, argc, argv);
 }

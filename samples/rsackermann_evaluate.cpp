@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Compares what rsackermann_correct has found with the truth of rsackermann_simulate.
+// Compares results of rsackermann_correct with the truth of rsackermann_simulate.
 
 #include "map_distance.hpp"
 #include "options.hpp"
@@ -61,16 +61,9 @@ void printRow(const char* what, double truth, const nlohmann::json& estimated)
         std::printf("%10s\n", "-");
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
-    if (!options.arguments().empty())
-        throw UsageError("unknown argument " + options.arguments()[0]);
+    options.refuseArguments();
     for (const char* name : {"truth", "maps", "report"})
         if (!options.given(name))
             throw UsageError(std::string("--") + name + " is missing");
@@ -115,5 +108,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return rsackermann_samples::runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }

@@ -25,7 +25,7 @@ const char* const KEYS =
     "{help          |       | print this message}"
     "{report        |       | report of rsackermann_correct}"
     "{motion        |       | instead of a report: file of cv::FileStorage with an AckermannMotion}"
-    "{size          |       | WIDTHxHEIGHT of the images in pixels, where the camera's file doesn't tell}"
+    "{size          |       | WIDTHxHEIGHT of the images in pixels, if the camera's file doesn't tell}"
     "{row_poses     |       | JSON file: poses of the first and the last line of each frame}"
     "{colmap        |       | folder: cameras.txt and masks of the corrected images}"
     "{stmap         |       | folder: an STMap for each frame and direction, NAME.rectify and NAME.distort}"
@@ -44,16 +44,9 @@ cv::rsackermann::RollingShutterCamera readCamera(const Options& options)
     return settings.makeCamera(size);
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, std::string(KEYS) + CAMERA_KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
-    if (!options.arguments().empty())
-        throw UsageError("unknown argument " + options.arguments()[0]);
+    options.refuseArguments();
     if (options.given("report") == options.given("motion"))
         throw UsageError("either --report or --motion is needed");
     if (options.given("tracks") != options.given("tracks_output"))
@@ -83,5 +76,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return rsackermann_samples::runProgram(run, argc, argv);
+    return runProgram(ABOUT, std::string(KEYS) + CAMERA_KEYS, run, argc, argv);
 }

@@ -21,7 +21,7 @@ using namespace rsackermann_samples;
 
 const char* const ABOUT =
     "Makes a rolling-shutter image with known truth: renders a street, or distorts a global-shutter image of one.\n"
-    "Writes rolling.png, global.png (what a global shutter sees, without a lens), truth.json and camera.yml (for\n"
+    "Writes rolling.png, global.png (the view of a global shutter, without a lens), truth.json and camera.yml (for\n"
     "rsackermann_correct --camera) to a folder.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
@@ -37,12 +37,12 @@ const char* const KEYS =
     "{readout    |         | seconds between the first and the last line's end (default 0.013333), instead of --line_delay}"
     "{scan       | top_to_bottom | order of the lines: top_to_bottom, bottom_to_top, left_to_right or right_to_left}"
     "{reference  | middle  | line at whose instant the global-shutter image is taken: first, middle, last or its number}"
-    "{roll       | 0       | degrees, positive where the camera is turned clockwise seen from behind it}"
-    "{pitch      | 0       | degrees, positive where the camera looks down}"
+    "{roll       | 0       | degrees, positive if the camera is turned clockwise seen from behind it}"
+    "{pitch      | 0       | degrees, positive if the camera looks down}"
     "{heading    | 0       | degrees from the optical axis to the vehicle's forward direction, positive to the right}"
     "{height     | 1.2     | metres of the camera above the road}"
     "{speed      | 60      | km/h, negative in reverse}"
-    "{yaw_rate   | 40      | deg/s, positive where the car turns to the right}"
+    "{yaw_rate   | 40      | deg/s, positive if the car turns to the right}"
     "{left       | 2.5     | metres to the left wall, 0: there is none}"
     "{right      | 3       | metres to the right wall, 0: there is none}"
     "{wall_direction |     | degrees from the optical axis to the direction along the walls (default: the heading)}"
@@ -106,7 +106,7 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
     return truth;
 }
 
-// The rolling-shutter image of a global-shutter one; what it doesn't show is mirrored, since a border would be an edge.
+// The rolling-shutter image of a global-shutter one; parts that it doesn't show are mirrored, since a border would be an edge.
 cv::Mat distort(const cv::Mat& image, const Truth& truth)
 {
     using namespace cv::rsackermann;
@@ -123,16 +123,9 @@ void writeImage(AtomicFile& file, const cv::Mat& image)
     file.write(bytes.data(), bytes.size());
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
-    if (!options.arguments().empty())
-        throw UsageError("unknown argument " + options.arguments()[0]);
+    options.refuseArguments();
     if (!options.given("output"))
         throw UsageError("--output is missing");
     if (options.given("image"))
@@ -172,5 +165,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return rsackermann_samples::runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installs what is needed on Debian 12, builds the library with its samples and runs the demo.
+# Installs the packages that are needed on Debian 12, builds the library with its samples and runs the demo.
 # usage: run_demo.sh [BUILD_DIRECTORY]
 
 . "$(dirname "$0")/../scripts/common.sh"

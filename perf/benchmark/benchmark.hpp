@@ -29,7 +29,7 @@ public:
     int work(const std::function<Work()>& prepare, Threads threads = ALL_THREADS);
 
     /** @param works whose times the figure needs.
-        @param formula computes the figure from their times in seconds; the time itself where empty. */
+        @param formula computes the figure from their times in seconds; the time itself if empty. */
     void figure(const std::string& name, const std::string& unit, const std::vector<int>& works, const Formula& formula);
 
     //! Prints the figures whose names contain the text.

@@ -18,18 +18,11 @@ const char* const KEYS =
     "{help       |        | print this message}"
     "{filter     |        | only the figures whose names contain this}"
     "{rounds     | 11     | how often everything is measured}"
-    "{threads    |        | number of threads where it isn't one (default: as many as there are processors)}";
+    "{threads    |        | number of threads if it isn't one (default: as many as there are processors)}";
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
-    if (!options.arguments().empty())
-        throw UsageError("unknown argument " + options.arguments()[0]);
+    options.refuseArguments();
     benchmark::Benchmark all;
     benchmark::addSolverFigures(all);
     benchmark::addEstimateFigures(all);
@@ -44,5 +37,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }

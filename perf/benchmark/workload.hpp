@@ -21,7 +21,7 @@ struct Drive
     explicit Drive(const cv::Size& size, const std::vector<double>& lens = std::vector<double>());
 };
 
-//! What the camera sees.
+//! The camera's image.
 cv::Mat render(const Drive& drive);
 
 /** Images of vertical lines on the walls, with noise of 0.2 px at their ends.

@@ -31,7 +31,7 @@ const char* const CASE_KEYS =
     "{right      | 3      | metres to its right wall, 0: there is none}"
     "{clutter    | 0      | share of slanted lines in the rendered streets, 0..1}"
     "{stagger    | 0      | metres: each rendered house stands back from its wall by its own amount between 0 and this}"
-    "{obstacles  | 0      | parked cars, posts and leaning trees on 100 m of each side of the rendered streets; cars park only where the "
+    "{obstacles  | 0      | parked cars, posts and leaning trees on 100 m of each side of the rendered streets; cars park only if the "
     "wall is 2.8 m away}"
     "{noise      | 1      | of the rendered images, grey levels}";
 

@@ -9,7 +9,7 @@
 
 namespace experiments {
 
-//! What the estimator is told besides the image, and how wrong that is.
+//! The estimator's knowledge besides the image, and its errors.
 struct Knowledge
 {
     double rollNoise, pitchNoise; //!< standard deviations in radians of the errors of roll and pitch
@@ -18,7 +18,7 @@ struct Knowledge
     double speedSigma;    //!< metres per second, of the error of a known speed; 0: it isn't known
     double yawRateSigma;  //!< radians per second, of the error of a known yaw rate; 0: it isn't known
     double wallDirectionSigma; //!< radians, of the error of a known line at infinity; 0: it isn't known
-    bool exactPriors;     //!< what is known has no error, whatever its standard deviation
+    bool exactPriors;     //!< known values have no error, whatever their standard deviation
 
     Knowledge() : rollNoise(0), pitchNoise(0), focalError(0), focalNoise(0), speedSigma(0), yawRateSigma(0), wallDirectionSigma(0), exactPriors(false) {}
 };
@@ -49,14 +49,14 @@ struct Result
     double raw, left;           //!< mean displacement in pixels before and after
     double expectedLeft;        //!< what the estimator expects to be left
     double yawRateError;        //!< degrees per second
-    double yawRateSigma;        //!< its standard deviation as the estimator sees it; NaN where there is none
-    double speedError;          //!< km/h; NaN where the speed isn't known
-    double speedSigma;          //!< its standard deviation as the estimator sees it; NaN where there is none
-    double deltaError;          //!< pixels; NaN where there are no walls
-    double floor;               //!< displacement in pixels that the estimator's covariance predicts; NaN where it wasn't asked for
+    double yawRateSigma;        //!< its standard deviation as the estimator sees it; NaN if there is none
+    double speedError;          //!< km/h; NaN if the speed isn't known
+    double speedSigma;          //!< its standard deviation as the estimator sees it; NaN if there is none
+    double deltaError;          //!< pixels; NaN if there are no walls
+    double floor;               //!< displacement in pixels that the estimator's covariance predicts; NaN if it wasn't asked for
 };
 
-//! What an experiment does with its images.
+//! The settings of an experiment.
 struct Experiment
 {
     cv::rsackermann::AckermannEstimator::Params params;
@@ -77,7 +77,7 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
 //! What the estimator is told of the errors of roll and pitch, in radians; 0: there are none.
 void setGravitySigma(double sigma, cv::rsackermann::AckermannEstimator::Params& params);
 
-//! Quantile of the numbers among the values, NaN where there is none.
+//! Quantile of the numbers among the values, NaN if there is none.
 double quantile(std::vector<double> values, double fraction);
 double mean(const std::vector<double>& values);
 

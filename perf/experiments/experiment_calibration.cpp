@@ -162,14 +162,8 @@ void render(int seed, int frames, double tilt, Errors errors[2][4])
     contest.addErrors(errors);
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& arguments)
 {
-    Options arguments(argc, argv, KEYS);
-    if (arguments.given("help"))
-    {
-        arguments.printHelp("Finds mount and line delay from simulated or rendered drives and compares them with the truth.\n");
-        return 0;
-    }
     StreetDrive::Options options;
     options.yawRate = arguments.number("yaw_rate", 0, 90) * DEGREE;
     options.tilt = arguments.number("tilt", 0, 5) * DEGREE;
@@ -196,5 +190,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram("Finds mount and line delay from simulated or rendered drives and compares them with the truth.\n", KEYS, run, argc, argv);
 }

@@ -224,14 +224,8 @@ void summariseControls(const std::vector<Outcome>& outcomes)
                 largest, sum / outcomes.size(), percentBeyond(outcomes, 3));
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     AckermannEstimator::Params params;
@@ -265,5 +259,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }

@@ -73,7 +73,7 @@ double psnr(const Frame& frame, const WarpMapGenerator& generator, const Ackerma
     return cv::PSNR(result, frame.global);
 }
 
-// PSNR to be maximised over alpha, B, D and, where wanted, roll and pitch, in steps that move pixels about equally.
+// PSNR to be maximised over alpha, B, D and, if wanted, roll and pitch, in steps that move pixels about equally.
 class Misfit : public cv::MinProblemSolver::Function
 {
 public:
@@ -174,14 +174,8 @@ cv::Mat candidatesOf(const cv::Mat& segments, const cv::Mat& labels)
     return candidates;
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
     if (!options.arguments().empty() || !options.given("frames"))
         throw UsageError("--frames=FOLDER is expected");
     if (options.given("threads"))
@@ -227,5 +221,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }

@@ -76,14 +76,8 @@ void summarise(const char* name, const Series& s)
                 quantile(s.left, 0.99), quantile(s.left, 1), std::sqrt(flicker));
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     street::StreetCamera eye(cv::Size(640, 380), 620, 0.025 / 380, 1.3);
@@ -134,5 +128,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "cases.hpp"
+#include "estimator_options.hpp"
 #include "summary.hpp"
 
 #include "opencv2/imgcodecs.hpp"
@@ -20,7 +21,7 @@ const char* const KEYS =
     "{help       |        | print this message}"
     "{gravity_noise | 0   | standard deviation of the errors of the roll and the pitch that the estimator is told, degrees}"
     "{gravity_sigma |     | what the estimator is told of these errors, degrees (default: the truth, or the estimator's default "
-    "where there are none)}"
+    "if there are none)}"
     "{speed_sigma | 0     | km/h; the estimator is told the speed with errors of this standard deviation; 0: it isn't told}"
     "{yaw_rate_sigma | 0  | deg/s; the same for the yaw rate}"
     "{wall_direction_sigma | 0 | degrees; the same for the line at infinity of the walls}"
@@ -50,9 +51,8 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
     knowledge.focalError = options.number("focal_error", -90, 1000) / 100;
     knowledge.focalNoise = options.number("focal_noise", 0, 50) / 100;
     AckermannEstimator::Params& params = experiment.params;
-    static const int models[] = {MODEL_AUTO, MODEL_4LA, MODEL_3LA, MODEL_1LA, MODEL_NONE};
-    params.model = models[options.choice("model", {"auto", "4la", "3la", "1la", "none"})];
-    params.detector = options.choice("detector", {"lsd", "fld", "edlines"});
+    params.model = readModel(options);
+    params.detector = readDetector(options);
     if (!cases.empty())
         params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
     if (options.given("gravity_sigma"))
@@ -65,16 +65,9 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
     return experiment;
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, std::string(KEYS) + CASE_KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
-    if (!options.arguments().empty())
-        throw UsageError("unknown argument " + options.arguments()[0]);
+    options.refuseArguments();
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const std::vector<Case> cases = makeCases(options);
@@ -104,5 +97,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram(ABOUT, std::string(KEYS) + CASE_KEYS, run, argc, argv);
 }

@@ -79,16 +79,9 @@ double misfit(const RollingShutterCamera& camera, const cv::Mat& segments, doubl
     return distances[distances.size() / 2];
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
-    if (!options.arguments().empty())
-        throw UsageError("unknown argument " + options.arguments()[0]);
+    options.refuseArguments();
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const double roll = options.number("roll", 0, 45, false) * DEGREE, extent = options.number("extent", 0, 170, false) * DEGREE;
@@ -122,5 +115,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Runs the experiments of doc/results.md and prints their table in Markdown: what is reached, with the goal where there is one.
+# Runs the experiments of doc/results.md and prints their table in Markdown: what is reached, with the goal if there is one.
 # With a folder of photographs (see rsackermann_experiment_streets --help, option --photos) their rows follow those of the
 # rendered streets. Options after -- are passed on to every experiment.
 # usage: run_experiments.sh BUILD_DIRECTORY [PHOTO_FOLDER] [-- OPTION...]

@@ -12,7 +12,7 @@
 
 namespace rsackermann_samples {
 
-//! A frame of a drive, with what the log tells of it.
+//! A frame of a drive, with the facts from the log.
 struct DriveFrame
 {
     cv::Mat image;

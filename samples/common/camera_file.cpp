@@ -19,7 +19,7 @@ using namespace cv::rsackermann;
 
 namespace {
 
-//! Looks a key up; false where the file hasn't it.
+//! Looks a key up; false if the file hasn't it.
 typedef std::function<bool(const std::string& key, double& value)> NumberSource;
 typedef std::function<bool(const std::string& key, std::string& value)> TextSource;
 
@@ -225,7 +225,7 @@ bool isOpenCvFile(const std::string& text)
     return text.compare(0, 5, "<?xml") == 0 || text.find("opencv-matrix") != std::string::npos;
 }
 
-// Parsers call themselves for what is nested, and a file that is nested enough ends the program.
+// Parsers call themselves for nested values, and a file that is nested enough ends the program.
 void checkNesting(const std::string& text)
 {
     const int largest = 64;

@@ -10,7 +10,7 @@
 
 namespace rsackermann_samples {
 
-//! What files and options say about a camera; what depends on the image's size is left open until an image is there.
+//! A camera as files and options describe it; values that depend on the image's size are left open until an image is there.
 struct CameraSettings
 {
     bool calibrated;           //!< whether K, lens and lensModel are known
@@ -30,7 +30,7 @@ struct CameraSettings
     CameraSettings();
 
     /** The camera for an image.
-    Throws InputError where the image hasn't the size of the calibration. */
+    Throws InputError if the image hasn't the size of the calibration. */
     cv::rsackermann::RollingShutterCamera makeCamera(const cv::Size& imageSize) const;
 };
 

@@ -32,7 +32,7 @@ std::vector<uchar> readBytes(const std::string& path)
 cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
 {
     const std::vector<uchar> bytes = readBytes(path);
-    // Some decoders fill up what is missing and say nothing.
+    // Some decoders fill up missing parts and say nothing.
     if (isCutShort(bytes))
         throw InputError("the image is cut short");
     if (isCmyk(bytes))

@@ -31,7 +31,7 @@ cv::Mat readSegments(const std::string& path);
 std::string fileName(const std::string& path);
 //! The path's name without folders and without its extension.
 std::string stem(const std::string& path);
-//! The extension with its dot, in lower case; empty where there is none.
+//! The extension with its dot, in lower case; empty if there is none.
 std::string extension(const std::string& path);
 } // namespace rsackermann_samples
 

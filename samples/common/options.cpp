@@ -177,17 +177,29 @@ int Options::choice(const std::string& name, const std::vector<std::string>& wor
     return parseWord(text(name), "option --" + name, words);
 }
 
+void Options::refuseArguments() const
+{
+    if (!arguments_.empty())
+        throw UsageError("unknown argument " + arguments_[0]);
+}
+
 void Options::printHelp(const std::string& about)
 {
     parser_.about(about);
     parser_.printMessage();
 }
 
-int runProgram(int (*program)(int, const char* const*), int argc, const char* const* argv)
+int runProgram(const std::string& about, const std::string& keys, int (*program)(const Options&), int argc, const char* const* argv)
 {
     try
     {
-        return program(argc, argv);
+        Options options(argc, argv, keys);
+        if (options.given("help"))
+        {
+            options.printHelp(about);
+            return 0;
+        }
+        return program(options);
     }
     catch (const UsageError& e)
     {

@@ -39,7 +39,7 @@ std::vector<double> parseNumbers(const std::string& text, const std::string& sou
 
 /** Options of the form --key=value, and arguments without a dash; behind -- all are arguments.
 
-A cv::CommandLineParser that refuses what it doesn't know instead of ignoring it.
+A cv::CommandLineParser that refuses unknown options instead of ignoring them.
 */
 class Options
 {
@@ -50,7 +50,7 @@ public:
     bool given(const std::string& name) const { return given_.count(name) > 0; }
     std::string text(const std::string& name) const;
     double number(const std::string& name) const;
-    //! A number in (low, high], or [low, high] where the lower limit is inclusive.
+    //! A number in (low, high], or [low, high] if the lower limit is inclusive.
     double number(const std::string& name, double low, double high, bool inclusive = true) const;
     int integer(const std::string& name, int low, int high) const;
     std::vector<double> numbers(const std::string& name) const;
@@ -58,6 +58,8 @@ public:
     //! The position of the value among the words.
     int choice(const std::string& name, const std::vector<std::string>& words) const;
     const std::vector<std::string>& arguments() const { return arguments_; }
+    //! Throws UsageError if there are arguments.
+    void refuseArguments() const;
     void printHelp(const std::string& about);
 
 private:
@@ -66,8 +68,11 @@ private:
     cv::CommandLineParser parser_;
 };
 
-/** Runs a program and turns its exceptions into messages and exit codes: 2 for UsageError, 1 for everything else. */
-int runProgram(int (*program)(int, const char* const*), int argc, const char* const* argv);
+/** Runs a program, or prints its help, and turns exceptions into messages and exit codes: 2 for UsageError, 1 for everything else.
+@param about the beginning of the help.
+@param keys as for Options.
+@param program returns the exit code. */
+int runProgram(const std::string& about, const std::string& keys, int (*program)(const Options&), int argc, const char* const* argv);
 
 } // namespace rsackermann_samples
 

@@ -22,7 +22,7 @@ public:
     /** Rewrites the line, at most some times in a second.
     @param done the work that is done.
     @param total all of the work, in the same unit.
-    @param what what is being done. */
+    @param what the name of the work. */
     void update(double done, double total, const std::string& what);
 
     //! Removes the line, so that a message can be written; it comes back with the next update.

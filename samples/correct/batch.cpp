@@ -45,7 +45,7 @@ int Batch::run()
     progress_.clear();
     if (!interruptSignal())
         return failures_ ? 1 : 0;
-    std::cerr << "rsackermann_correct: interrupted; what is complete stays, and --skip_existing goes on from there" << std::endl;
+    std::cerr << "rsackermann_correct: interrupted; complete results stay, and --skip_existing goes on from there" << std::endl;
     return 128 + interruptSignal();
 }
 
@@ -57,7 +57,7 @@ Batch::Task Batch::taskOf(const std::string& input) const
     return task;
 }
 
-// Where a motion is carried from image to image those before the last one that is left to be done count.
+// If a motion is carried from image to image those before the last one that is left to be done count.
 bool Batch::isLeftOut(size_t index, const Task& task) const
 {
     const bool isCarried = job_.params.carryMotion && !isVideo(job_.inputs.files[index]);
@@ -102,7 +102,7 @@ NextFrame Batch::nextOf(size_t index) const
 std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets, std::string& error)
 {
     const std::string& input = job_.inputs.files[index];
-    // What is left out takes no time.
+    // Inputs that are left out take no time.
     const double total = done_ + double(job_.inputs.files.size() - index);
     std::vector<FrameReport> frames;
     try

@@ -14,7 +14,7 @@ namespace rsackermann_samples {
 
 /** Corrects all inputs of a job.
 
-What is complete when it is interrupted, or killed, stays; another run with --skip_existing goes on from there.
+Complete results stay when it is interrupted or killed; another run with --skip_existing goes on from there.
 */
 class Batch
 {
@@ -26,7 +26,7 @@ public:
     int run();
 
 private:
-    // What is left to be done for an input.
+    // The work that is left for an input.
     struct Task
     {
         Targets targets;

@@ -18,7 +18,7 @@ namespace {
 
 const double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
 
-// A column with numbers and what is accepted there.
+// A column with numbers, and its range.
 struct Column
 {
     const char* name;

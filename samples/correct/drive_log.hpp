@@ -12,7 +12,7 @@
 
 namespace rsackermann_samples {
 
-//! What is told of a frame, in the units of the options; NaN: not told.
+//! Facts on a frame, in the units of the options; NaN: not told.
 struct FrameFacts
 {
     double time;                    //!< seconds at which the frame's reference row was read
@@ -38,7 +38,7 @@ public:
     //! Throws UsageError with the row and the column of whatever isn't known or isn't understood.
     explicit DriveLog(const std::string& path);
 
-    /** What the log tells of a frame.
+    /** The facts on a frame.
     @param file the input's name; the log may have it as it is or without its folders.
     @param number the place of an image among the inputs, or of a frame in a video, from 0.
     @param time seconds, if they are known from elsewhere; a row that names the frame goes before. NaN: unknown. */

@@ -12,7 +12,7 @@
 
 namespace rsackermann_samples {
 
-//! What became of an image.
+//! The result of an image.
 struct CorrectedFrame
 {
     FrameReport report; //!< all but the input's name
@@ -39,7 +39,7 @@ public:
     bool wantsNext() const { return job_.params.carryMotion && (isFirst_ || job_.smooth); }
 
     /** Corrects an image; throws InputError or cv::Exception.
-    @param facts what the log tells of it, or only its time.
+    @param facts from the log, or only its time.
     @param next see wantsNext(). */
     CorrectedFrame correct(const cv::Mat& image, const FrameFacts& facts, const NextFrame& next = NextFrame());
 

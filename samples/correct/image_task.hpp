@@ -11,8 +11,8 @@
 namespace rsackermann_samples {
 
 /** Corrects the image of a file and writes its results.
-@param facts what the log tells of the image.
-@return what is to be told about it. Throws InputError or cv::Exception, and then no result is there. */
+@param facts from the log.
+@return its line of the report. Throws InputError or cv::Exception, and then no result is there. */
 FrameReport correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts, const NextFrame& next,
                          FrameCorrector& corrector);
 

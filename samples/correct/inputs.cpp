@@ -34,7 +34,7 @@ std::vector<std::string> filesOf(const std::string& folder)
     {
         throw InputError("the folder can't be read");
     }
-    // What is hidden isn't meant: temporary files, and those of file managers.
+    // Hidden files aren't meant: temporary ones, and those of file managers.
     paths.erase(std::remove_if(paths.begin(), paths.end(), [](const std::string& path) { return fileName(path)[0] == '.'; }), paths.end());
     std::sort(paths.begin(), paths.end());
     return std::vector<std::string>(paths.begin(), paths.end());
@@ -57,7 +57,7 @@ struct NumberPattern
     std::string before, after;
     size_t digits; // at least
 
-    // False where the text is no such pattern.
+    // False if the text is no such pattern.
     bool parse(const std::string& text)
     {
         const size_t percent = text.find('%'), d = text.find('d', percent);
@@ -72,7 +72,7 @@ struct NumberPattern
         return true;
     }
 
-    // The number in a name; false where the name doesn't match.
+    // The number in a name; false if the name doesn't match.
     bool match(const std::string& name, long& number) const
     {
         if (name.size() <= before.size() + after.size() || name.compare(0, before.size(), before) != 0 ||

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "job.hpp"
+#include "estimator_options.hpp"
 #include "log_use.hpp"
 #include "files.hpp"
 #include "targets.hpp"
@@ -24,32 +25,31 @@ const char* const JOB_KEYS =
     "{speed_sigma |       | standard deviation of --speed in km/h (default 2)}"
     "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
     "{yaw_rate_sigma |    | standard deviation of --yaw_rate in deg/s (default 1)}"
-    "{log        |        | CSV file with what is known of each frame (columns file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, "
+    "{log        |        | CSV file with facts on each frame (columns file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, "
     "yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it goes before the options}"
-    "{carry      |        | the inputs, or the frames of each video, are consecutive: what is known of one helps with the next}"
-    "{smooth     |        | --carry, and what the frame after says counts for each frame, too}"
+    "{carry      |        | the inputs, or the frames of each video, are consecutive: each helps with the next}"
+    "{smooth     |        | --carry, and each frame is helped by the one after it, too}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's roll 1, of its pitch 0.3)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
     "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one image}"
     "{seed       | 0      | of the random numbers}"
     "{threads    |        | largest number of threads}"
-    "{output     |        | corrected image or video; a folder, made if missing, where there are several inputs}"
+    "{output     |        | corrected image or video; a folder, made if missing, if there are several inputs}"
     "{overlay    |        | picture of the segments and the road's borders; a folder as for --output}"
     "{report     |        | file with a line of JSON for each image or frame; - for standard output}"
     "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); several inputs: a folder as for --output with NAME.yml.gz, "
     "for a video with NAME_NNNNNN.yml.gz for each frame}"
     "{shard      |        | i/N: do every N-th input only, beginning with the i-th (1 to N)}"
-    "{skip_existing |     | leave out what exists: results, and inputs with all results and lines of the report}"
+    "{skip_existing |     | leave out existing results, and inputs with all results and lines of the report}"
     "{overwrite  |        | replace existing files}";
 
 namespace {
 
 void readEstimator(const Options& options, AckermannEstimator::Params& params)
 {
-    static const int models[] = {MODEL_AUTO, MODEL_4LA, MODEL_3LA, MODEL_1LA, MODEL_NONE};
-    params.model = models[options.choice("model", {"auto", "4la", "3la", "1la", "none"})];
-    params.detector = options.choice("detector", {"lsd", "fld", "edlines"});
+    params.model = readModel(options);
+    params.detector = readDetector(options);
     params.seed = options.integer("seed", 0, INT_MAX);
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45), params);
@@ -58,7 +58,7 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
     params.scaleFromRoad = options.flag("scale_from_road");
 }
 
-// What isn't known of the mount adds to what the vehicle does.
+// The uncertainty of the mount adds to that of the vehicle.
 void addMountSigma(const CameraSettings& camera, AckermannEstimator::Params& params)
 {
     params.gravitySigma = std::hypot(params.gravitySigma, camera.rollSigma * DEGREE);
@@ -70,7 +70,7 @@ void warnUseless(const std::string& what, const std::string& missing)
     std::cerr << "rsackermann_correct: " << what << " is of no use without " << missing << std::endl;
 }
 
-// A value with its standard deviation, in the given unit; false where it isn't known.
+// A value with its standard deviation, in the given unit; false if it isn't known.
 bool readMeasurement(const Options& options, const std::string& name, double limit, double defaultSigma, double unit, double& value,
                      double& sigma)
 {

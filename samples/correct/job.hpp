@@ -12,7 +12,7 @@
 
 namespace rsackermann_samples {
 
-//! What rsackermann_correct is asked to do.
+//! The task of rsackermann_correct.
 struct Job
 {
     InputList inputs;
@@ -20,7 +20,7 @@ struct Job
     cv::rsackermann::RollingShutterCorrector::Params params;
     cv::rsackermann::MotionPrior prior;
     DriveLog log;
-    bool smooth;                                //!< what the frame after says counts for each frame of a drive
+    bool smooth;                                //!< each frame of a drive is helped by the one after it
     bool linesGiven;
     cv::Mat lines;                              //!< segments of the only image
     std::string output, overlay, maps, report;  //!< file or folder, empty: not wanted

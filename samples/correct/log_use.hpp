@@ -11,10 +11,10 @@
 
 namespace rsackermann_samples {
 
-//! Standard deviations of what is told without one, km/h and deg/s.
+//! Standard deviations of values that are told without one, km/h and deg/s.
 const double SPEED_SIGMA = 2, YAW_RATE_SIGMA = 1;
 
-//! What a log tells of the motion during a frame; what it leaves open is taken from the other prior.
+//! The prior of a frame from its facts; values that they leave open are those of the other prior.
 cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts, const cv::rsackermann::MotionPrior& other = cv::rsackermann::MotionPrior());
 
 /** Only videos know the time of their frames: a log has to name the images of which it tells.

@@ -10,7 +10,7 @@
 
 namespace rsackermann_samples {
 
-//! What is to be told about a frame.
+//! The report on a frame.
 struct FrameReport
 {
     FrameReport();
@@ -28,13 +28,13 @@ struct FrameReport
 //! The word for one of cv::rsackermann::MotionStatus.
 const char* statusWord(int status);
 
-//! A line of JSON; what isn't known is null.
+//! A line of JSON; unknown values are null.
 std::string reportLine(const FrameReport& frame);
 
 //! A line of JSON for an input that isn't corrected, or not to its end.
 std::string failureLine(const std::string& input, const std::string& error);
 
-//! A file's name as it stands in a line: where it isn't valid UTF-8 characters are replaced.
+//! A file's name as it stands in a line: if it isn't valid UTF-8 characters are replaced.
 std::string nameInReport(const std::string& input);
 
 } // namespace rsackermann_samples

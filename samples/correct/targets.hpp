@@ -10,10 +10,10 @@
 
 namespace rsackermann_samples {
 
-//! Where the results for an input go; empty where they aren't wanted.
+//! Where the results for an input go; empty if they aren't wanted.
 struct Targets
 {
-    std::string output, overlay, maps; //!< maps of a video: what the names for its frames begin with
+    std::string output, overlay, maps; //!< maps of a video: the beginning of the names for its frames
 
     Targets(const Job& job, const std::string& input);
 
@@ -22,7 +22,7 @@ struct Targets
     //! Leaves out the results that are there already. Maps of a video's frames are when the videos are, of which they are the lesser part.
     void leaveOutExisting();
     bool empty() const { return output.empty() && overlay.empty() && maps.empty(); }
-    //! Throws InputError if a result would replace what mustn't be replaced.
+    //! Throws InputError if a result would replace a file that mustn't be replaced.
     void check(const Job& job) const;
     //! Tells a plan of the results; throws UsageError.
     void addTo(OutputPlan& plan) const;

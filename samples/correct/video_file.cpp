@@ -27,7 +27,7 @@ VideoFile::VideoFile(const std::string& path, double framesPerSecond, const cv::
 
 void VideoFile::add(const cv::Mat& frame)
 {
-    // A writer leaves out what doesn't fit and says nothing.
+    // A writer leaves out frames that don't fit and says nothing.
     if (frame.size() != size_)
         throw InputError(path_ + ": the size of the frames changes");
     writer_.write(frame);

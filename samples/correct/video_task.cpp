@@ -134,7 +134,7 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     for (FrameReport& report : frames)
         report.frames = int(frames.size());
     reports.swap(frames);
-    // Where an edit list or a damaged frame makes a difference it is one frame.
+    // If an edit list or a damaged frame makes a difference it is one frame.
     if (isVideoCutShort(input) || (countsFrames(input) && announced > double(reports.size()) + 1))
         throw InputError(cv::format("the video is cut short: %d of %.0f frames could be read", int(reports.size()), announced));
 }

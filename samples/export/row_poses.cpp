@@ -17,7 +17,7 @@ typedef nlohmann::ordered_json Json;
 // Names of gsplat's RollingShutterType and of 3DGUT's ShutterType, in the order of ScanDirection.
 const char* const SHUTTERS[] = {"ROLLING_TOP_TO_BOTTOM", "ROLLING_BOTTOM_TO_TOP", "ROLLING_LEFT_TO_RIGHT", "ROLLING_RIGHT_TO_LEFT"};
 
-// What AckermannMotion::pose() counts lengths in, in another unit.
+// The unit of length of AckermannMotion::pose() in another unit.
 struct LengthUnit
 {
     const char* name;

@@ -15,7 +15,7 @@ using namespace cv::rsackermann;
 
 namespace {
 
-// The mesh's place of a pixel; false where one of the four nodes around has none.
+// The mesh's place of a pixel; false if one of the four nodes around has none.
 bool interpolate(const WarpMesh& mesh, const cv::Size& size, const cv::Point2d& pixel, cv::Point2d& place)
 {
     const double column = pixel.x * (mesh.columns - 1) / (size.width - 1), row = pixel.y * (mesh.rows - 1) / (size.height - 1);

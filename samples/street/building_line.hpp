@@ -22,7 +22,7 @@ public:
     BuildingLine(const std::vector<Facade::House>& houses, double stagger, unsigned seed);
 
     /** The first house that a ray from within the street meets.
-        @param distance in lengths of the ray; what is farther than its value at the call isn't met.
+        @param distance in lengths of the ray; things farther than its value at the call aren't met.
         @param gable whether the side of the house is met and not its front.
         @return the house's number, or -1. */
     int cast(const cv::Vec3d& origin, const cv::Vec3d& ray, double& distance, bool& gable) const;

@@ -12,7 +12,7 @@ namespace street {
 
 /** A row of houses, painted on a plane: u metres along the street, v metres above the road.
 
-The paint is a list of parallelograms with horizontal upper and lower sides; what comes later covers what came before.
+The paint is a list of parallelograms with horizontal upper and lower sides; later ones cover earlier ones.
 */
 class Facade
 {
@@ -63,7 +63,7 @@ private:
     std::vector<std::vector<int> > cells_; // patches that touch a cell of one square metre
 };
 
-//! Colour of the road at u metres along it and a metres to the right of its left kerb, where the road is width metres wide.
+//! Colour of the road at u metres along it and a metres to the right of its left kerb, if the road is width metres wide.
 cv::Vec3f sampleRoad(double u, double a, double width, double footprint);
 
 } // namespace street

@@ -32,7 +32,7 @@ bool clip(const cv::Vec3d& low, const cv::Vec3d& high, const cv::Vec3d& origin, 
 
 Obstacles::Obstacles(double density, double from, double to, double room, unsigned seed) : from_(from)
 {
-    if (density <= 0 || room < 1.5) // what stands nearer to the camera's way would be in it
+    if (density <= 0 || room < 1.5) // nearer to the camera's way they would be in it
         return;
     cv::RNG rng(seed * 3266489917u + 4321);
     const double space = 100 / density;
@@ -51,7 +51,7 @@ Obstacles::Obstacles(double density, double from, double to, double room, unsign
 void Obstacles::park(cv::RNG& rng, double u, double space, double room)
 {
     const double length = rng.uniform(3.9, 4.5), width = rng.uniform(1.65, 1.75), height = rng.uniform(1.42, 1.58);
-    // At the kerb, or on the pavement where the street is narrow.
+    // At the kerb, or on the pavement if the street is narrow.
     const double kerb = std::min(0.57, std::max(0.1, room - width - 1.2));
     const double begin = u + rng.uniform(0., 1.) * std::max(0., space - length);
     const double grey = rng.uniform(40., 200.);
@@ -109,7 +109,7 @@ bool Obstacles::meet(const Obstacle& obstacle, const cv::Vec3d& origin, const cv
         return false;
     if (obstacle.kind != CAR)
     {
-        // Ray and foot as seen along the axis, where the cylinder is a circle.
+        // Ray and foot as seen along the axis: there the cylinder is a circle.
         const cv::Vec3d offset = origin - obstacle.foot;
         const cv::Vec3d across = ray - obstacle.axis * obstacle.axis.dot(ray), from = offset - obstacle.axis * obstacle.axis.dot(offset);
         const double a = across.dot(across), b = across.dot(from), c = from.dot(from) - obstacle.radius * obstacle.radius;

@@ -19,13 +19,13 @@ class Obstacles
 public:
     /** @param density number of obstacles on 100 m.
         @param from, to extent of the row along the street in metres.
-        @param room metres between the plane of the row and the camera's way. Cars park only where 2.8 m are there: they would
+        @param room metres between the plane of the row and the camera's way. Cars park only if 2.8 m are there: they would
         stand in the way otherwise.
         @param seed of the random numbers. */
     Obstacles(double density, double from, double to, double room, unsigned seed);
 
     /** The first obstacle that a ray meets.
-        @param distance in lengths of the ray; what is farther than its value at the call isn't met.
+        @param distance in lengths of the ray; things farther than its value at the call aren't met.
         @return the obstacle's number, or -1. */
     int cast(const cv::Vec3d& origin, const cv::Vec3d& ray, double& distance) const;
 
@@ -44,7 +44,7 @@ private:
     {
         Kind kind;
         cv::Vec3d low, high; // corners of the box around it; a car fills its box
-        cv::Vec3d foot, axis; // of a post or trunk, where the axis has length 1
+        cv::Vec3d foot, axis; // of a post or trunk; the axis has length 1
         double radius;
         cv::Vec3f colour;
     };

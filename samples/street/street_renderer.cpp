@@ -210,7 +210,7 @@ bool StreetRenderer::toGlobal(const cv::Point2d& rolling, cv::Point2d& global) c
     const Pose pose = poseAt(secondsAt(lineOf(rolling)));
     const cv::Vec3d ray = turned(pose.c, pose.s, uprightRay(rolling, true));
     const Hit hit = cast(pose.centre, ray);
-    // Where no plane is met the scene is infinitely far away, and only the rotation counts.
+    // If no plane is met the scene is infinitely far away, and only the rotation counts.
     return project(hit.plane ? pose.centre + ray * hit.distance : ray, false, global);
 }
 
@@ -220,7 +220,7 @@ bool StreetRenderer::toRolling(const cv::Point2d& global, cv::Point2d& rolling) 
     const Hit hit = cast(cv::Vec3d(0, 0, 0), ray);
     const cv::Vec3d place = hit.plane ? ray * hit.distance : ray;
 
-    // The instant is found where the line at which the point is seen is the line being read.
+    // The instant is found when the line at which the point is seen is the line being read.
     auto miss = [&](double line, double& value) {
         const Pose pose = poseAt(secondsAt(line));
         if (!project(turned(pose.c, -pose.s, hit.plane ? place - pose.centre : place), true, rolling))
@@ -241,7 +241,7 @@ bool StreetRenderer::toRolling(const cv::Point2d& global, cv::Point2d& rolling) 
         if (above >= 0 && below <= 0)
             break;
     }
-    // False position, where an end that stays counts half each time (Illinois).
+    // False position; an end that stays counts half each time (Illinois).
     for (int last = 0; high - low > 1e-7 && above > below;)
     {
         const double line = low + (high - low) * above / (above - below);

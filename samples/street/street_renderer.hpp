@@ -53,14 +53,14 @@ class StreetRenderer
 public:
     StreetRenderer(const StreetCamera& camera, const StreetScene& scene);
 
-    //! What the rolling-shutter camera sees, through its lens; each pixel is the mean of samples x samples rays.
+    //! The view of the rolling-shutter camera, through its lens; each pixel is the mean of samples x samples rays.
     cv::Mat rollingShutter(int samples = 3) const;
-    //! What a global-shutter camera without lens distortion sees at the reference line's instant.
+    //! The view of a global-shutter camera without lens distortion at the reference line's instant.
     cv::Mat globalShutter(int samples = 3) const;
 
-    //! Place in the rolling-shutter image of a point of the global-shutter image; false where there is none.
+    //! Place in the rolling-shutter image of a point of the global-shutter image; false if there is none.
     bool toRolling(const cv::Point2d& global, cv::Point2d& rolling) const;
-    //! Place in the global-shutter image of a point of the rolling-shutter image; false where there is none.
+    //! Place in the global-shutter image of a point of the rolling-shutter image; false if there is none.
     bool toGlobal(const cv::Point2d& rolling, cv::Point2d& global) const;
 
     //! toRolling() of every pixel (CV_32FC1 each) and, as mask, whether the place lies in the rolling-shutter image.
@@ -77,7 +77,7 @@ private:
     {
         int plane;       // 0 none, 1 left wall, 2 right wall, 3 road
         double distance; // in lengths of the ray
-        StreetSide::Surface surface; // where the plane is that of a wall
+        StreetSide::Surface surface; // if the plane is that of a wall
     };
 
     cv::Mat render(bool moving, int samples) const;

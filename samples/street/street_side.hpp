@@ -10,14 +10,14 @@
 
 namespace street {
 
-/** One side of a street: a row of houses and what stands before them.
+/** One side of a street: a row of houses and the obstacles before them.
 
 Places are (u, w, v): u metres along the street, w metres behind the plane of the row, v metres above the road.
 */
 class StreetSide
 {
 public:
-    //! What is met of the side of the street.
+    //! The thing that is met at the side of the street.
     struct Surface
     {
         enum Kind
@@ -39,11 +39,11 @@ public:
     StreetSide(const Facade& facade, double room, double stagger, double obstacles, unsigned seed);
 
     /** The first surface that a ray meets.
-        @param distance in lengths of the ray; what is farther than its value at the call isn't met.
+        @param distance in lengths of the ray; things farther than its value at the call aren't met.
         @return whether there is one; surface and distance stay as they are otherwise. */
     bool cast(const cv::Vec3d& origin, const cv::Vec3d& ray, double& distance, Surface& surface) const;
 
-    //! Colour (BGR, 0..255) of a surface at a place; false where the sky is seen.
+    //! Colour (BGR, 0..255) of a surface at a place; false if the sky is seen.
     bool sample(const Surface& surface, const cv::Vec3d& place, double footprint, cv::Vec3f& colour) const;
 
 private:

@@ -10,7 +10,7 @@ namespace street {
 //! A repeatable random number in [0, 1) for a cell of a grid.
 double cellNoise(int a, int b);
 
-//! How much of a detail of a given size is left where a pixel covers footprint metres.
+//! How much of a detail of a given size is left if a pixel covers footprint metres.
 double visibility(double size, double footprint);
 
 //! Courses of bricks with light joints at u metres along a wall and v metres above the road; 0 on average.

@@ -24,10 +24,10 @@ namespace opencv_test {
 
 typedef std::vector<std::string> Arguments;
 
-//! What a program has done.
+//! The outcome of a program.
 struct Outcome
 {
-    int exitCode; //!< -1 where it was ended by a signal
+    int exitCode; //!< -1 if it was ended by a signal
     std::string output, messages;
 };
 

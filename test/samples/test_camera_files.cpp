@@ -74,6 +74,9 @@ TEST(CameraFiles, shutter_and_mounting)
     const rsackermann_samples::CameraSettings s = read(std::string(ROS) + "readout: 0.019\nreference: last\n");
     EXPECT_DOUBLE_EQ(0.019 / 380, s.makeCamera(s.size).lineDelay);
     EXPECT_EQ(379, s.makeCamera(s.size).referenceRow);
+    // The line that is read last.
+    const rsackermann_samples::CameraSettings upwards = read(std::string(ROS) + "scan: bottom_to_top\nreference: last\n");
+    EXPECT_EQ(0, upwards.makeCamera(upwards.size).referenceRow);
 }
 
 TEST(CameraFiles, fisheye)

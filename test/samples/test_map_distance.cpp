@@ -34,7 +34,7 @@ TEST(MapDistance, pixels_without_a_place_do_not_count)
     EXPECT_EQ(0, meanDistance(x1, y1, x2, y2, mask({0, 255, 255, 255})));
 }
 
-// A place is none only where both coordinates say so.
+// A place is none only if both coordinates say so.
 TEST(MapDistance, places)
 {
     const cv::Mat places = rsackermann_samples::placesOf(map({0, NONE, NONE, -20000}), map({0, 5, NONE, 3}));

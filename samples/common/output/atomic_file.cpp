@@ -100,7 +100,7 @@ void AtomicFile::write(const void* bytes, size_t count)
 
 void AtomicFile::commit()
 {
-    // What has not reached the disk can be lost after the program has said that all is done.
+    // Data that have not reached the disk can be lost after the program has said that all is done.
     if (fsync(file_.get()) != 0 && errno != EINVAL && errno != EROFS)
         throw InputError(path_ + " can't be written: " + systemError());
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0)

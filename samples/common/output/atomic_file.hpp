@@ -38,7 +38,7 @@ class AtomicFile
 public:
     //! Makes the file's folder if it is missing; throws InputError.
     explicit AtomicFile(const std::string& path);
-    //! Removes what was written unless commit() was called.
+    //! Removes the file unless commit() was called.
     ~AtomicFile();
 
     const std::string& path() const { return path_; }

@@ -74,7 +74,7 @@ bool makesNoDifferenceOfCase(const std::string& folder)
     }
 }
 
-// What all names of an existing file have in common.
+// The common key of all names of an existing file.
 std::string identityOf(const std::string& path)
 {
     struct stat status;

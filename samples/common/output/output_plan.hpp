@@ -26,7 +26,7 @@ public:
     void addOutput(const std::string& path, const std::string& source);
     //! Tells of files STEM_NNNNNN with an extension, for each frame of a video; before the outputs that may have such a name.
     void addFrames(const std::string& stem, const std::string& extension, const std::string& source);
-    //! Removes what killed programs have left in the folders of the outputs.
+    //! Removes the files that killed programs have left in the folders of the outputs.
     void removeLeftovers() const;
 
 private:
@@ -43,7 +43,7 @@ private:
 
     void add(const Place& place, const std::string& path, const std::string& source);
 
-    std::map<std::string, std::string> inputs_; // what is unique to a file, and its name
+    std::map<std::string, std::string> inputs_; // a file's unique key, and its name
     std::multimap<std::string, Output> outputs_; // by the name in lower case
     std::set<std::string> folders_, frames_;
 };

@@ -17,7 +17,7 @@ namespace rsackermann_samples {
 
 namespace {
 
-// The length of an open file; -1 for what isn't a file, as a device or a pipe.
+// The length of an open file; -1 for a device or a pipe.
 off_t lengthOf(int file)
 {
     struct stat status;

@@ -9,7 +9,7 @@
 
 namespace rsackermann_samples {
 
-//! What a simulated image was made with.
+//! Camera and scene of a simulated image.
 struct Truth
 {
     street::StreetCamera camera;
@@ -18,7 +18,7 @@ struct Truth
 
 //! The truth as JSON, with angles in degrees and the speed in km/h; it suffices to make the true map.
 std::string truthText(const Truth& truth);
-//! Reads what truthText() has written from a file; throws InputError.
+//! Reads a file with the text of truthText(); throws InputError.
 Truth readTruth(const std::string& path);
 
 } // namespace rsackermann_samples

@@ -11,10 +11,6 @@
 
 namespace rsackermann_samples {
 
-namespace {
-
-} // namespace
-
 std::string truthText(const Truth& truth)
 {
     const street::StreetCamera& c = truth.camera;

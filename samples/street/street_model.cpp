@@ -22,7 +22,13 @@ RollingShutterCamera libraryCamera(const street::StreetCamera& camera)
 
 AckermannMotion libraryMotion(const street::StreetCamera& camera, const street::StreetScene& scene)
 {
-    return AckermannMotion::fromMetric(libraryCamera(camera), scene.yawRate, scene.speed, scene.left, scene.right, scene.wallDirection);
+    MetricMotion metric;
+    metric.yawRate = scene.yawRate;
+    metric.speed = scene.speed;
+    metric.leftDistance = scene.left;
+    metric.rightDistance = scene.right;
+    metric.wallDirection = scene.wallDirection;
+    return AckermannMotion::fromMetric(libraryCamera(camera), metric);
 }
 
 } // namespace rsackermann_samples
