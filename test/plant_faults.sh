@@ -1,17 +1,19 @@
 #!/bin/bash
 # Plants the faults of planted_faults.txt one at a time in a scratch copy of the tree, builds it and runs the tests that have to fail.
-# Prints a table in Markdown, and fails if a fault was missed. It takes about an hour.
+# Prints a page in Markdown, doc/planted_faults.md, and fails if a fault was missed. It takes hours, and may be interrupted: faults that
+# SCRATCH_DIRECTORY/rows.txt has as caught aren't planted again.
 # usage: plant_faults.sh SCRATCH_DIRECTORY [PATTERN]
 #   PATTERN: only the faults whose line matches this regular expression
 
 . "$(dirname "$0")/../scripts/common.sh"
 [ $# -ge 1 ] || die "usage: plant_faults.sh SCRATCH_DIRECTORY [PATTERN]"
 scratch=$(realpath -m "$1") pattern=${2:-.}
-tree=$scratch/src build=$scratch/b log=$scratch/log.txt
+tree=$scratch/src build=$scratch/b log=$scratch/log.txt rows=$scratch/rows.txt
 
 rm -rf "$tree"
 mkdir -p "$tree"
-tar -C "$root" --exclude=./.git --exclude='./build*' -cf - . | tar -C "$tree" -xf -
+touch "$rows"
+tar -C "$root" --exclude=./.git --exclude='./build*' -cf - . | tar -C "$tree" -xmf - # newer than objects of an interrupted run
 export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 logged "$scratch/configure.txt" cmake -G Ninja -S "$tree" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DBUILD_SAMPLES=ON \
     -DBUILD_TESTING=ON "-DOPENCV_TS_SOURCE_DIR=$("$root/scripts/get_opencv_source.sh")"
@@ -37,37 +39,53 @@ run()
 mapfile -t faults < <(grep -v '^\(#\|$\)' "$root/test/planted_faults.txt" | grep -E -- "$pattern")
 [ ${#faults[@]} -gt 0 ] || die "no fault matches $pattern"
 
-# What has to fail with a fault must pass without it.
+# usage: split FAULT; sets file, expression, tests and the beginning of the row of the table
+split()
+{
+    file=${1%% @ *} tests=${1##* @ }
+    expression=${1#* @ } expression=${expression% @ *}
+    file=${file/#M\//modules/rsackermann/}
+    row="| \`$file\` | \`${expression//|/\\|}\` | ${tests%% *} \`${tests#* }\` |"
+}
+
+caught=0
+echo "# Planted faults"
+echo
+echo "Result of \`test/plant_faults.sh\` of $(date +%F): each fault, a sed expression, was planted alone, and one of the tests has to fail."
+echo
+echo "| file | fault | tests | result |"
+echo "|---|---|---|---|"
+for fault in "${faults[@]}"; do
+    split "$fault"
+    if grep -qxF "$row caught |" "$rows"; then
+        result=caught
+    else
+        sed -i "$expression" "$tree/$file"
+        changed=$(diff "$root/$file" "$tree/$file" | grep -c '^>' || true)
+        if [ "$changed" -ne 1 ]; then
+            result="changes $changed lines"
+        elif ! cmake --build "$build" --target "$(target_of "${tests%% *}")" >"$scratch/build.txt" 2>&1; then
+            result="isn't built"
+        elif run "${tests%% *}" "${tests#* }"; then
+            result=missed
+        else
+            result=caught
+        fi
+        cp "$root/$file" "$tree/$file"
+        echo "$row $result |" >>"$rows"
+    fi
+    [ "$result" != caught ] || caught=$((caught + 1))
+    echo "$row $result |"
+done
+# The tests pass without a fault.
 declare -A passes
 for fault in "${faults[@]}"; do
-    tests=${fault##* @ }
+    split "$fault"
     [ -z "${passes[$tests]:-}" ] || continue
     logged "$scratch/build.txt" cmake --build "$build" --target "$(target_of "${tests%% *}")"
     run "${tests%% *}" "${tests#* }" || die "without a fault, $tests fails: see $log"
     grep -q '\[  PASSED  \] [1-9]' "$log" || die "without a fault, $tests has no test"
     passes[$tests]=yes
-done
-
-caught=0
-echo "| file | fault | tests | result |"
-echo "|---|---|---|---|"
-for fault in "${faults[@]}"; do
-    file=${fault%% @ *} tests=${fault##* @ }
-    expression=${fault#* @ } expression=${expression% @ *}
-    file=${file/#M\//modules/rsackermann/}
-    sed -i "$expression" "$tree/$file"
-    changed=$(diff "$root/$file" "$tree/$file" | grep -c '^>' || true)
-    if [ "$changed" -ne 1 ]; then
-        result="changes $changed lines"
-    elif ! cmake --build "$build" --target "$(target_of "${tests%% *}")" >"$scratch/build.txt" 2>&1; then
-        result="isn't built"
-    elif run "${tests%% *}" "${tests#* }"; then
-        result=missed
-    else
-        result=caught caught=$((caught + 1))
-    fi
-    cp "$root/$file" "$tree/$file"
-    echo "| \`$file\` | \`${expression//|/\\|}\` | ${tests%% *} \`${tests#* }\` | $result |"
 done
 echo
 echo "$caught of ${#faults[@]} faults caught."
