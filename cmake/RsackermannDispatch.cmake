@@ -1,4 +1,4 @@
-# What ocv_add_dispatched_file(FILE MODES...) does inside of OpenCV, for a build against an installed OpenCV.
+# The counterpart of ocv_add_dispatched_file(FILE MODES...) inside of OpenCV, for a build against an installed OpenCV.
 #
 # warp/maps.simd.hpp would hold the code; warp/maps.dispatch.cpp includes "maps.simd.hpp" and the generated
 # "warp/maps.simd_declarations.hpp", and chooses with CV_CPU_DISPATCH. The code is compiled again for each of the modes (AVX2,

@@ -21,7 +21,7 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/rsackermannConfigVersion
 install(FILES "${PROJECT_BINARY_DIR}/rsackermannConfig.cmake" "${PROJECT_BINARY_DIR}/rsackermannConfigVersion.cmake"
   DESTINATION "${RSACKERMANN_INSTALL_CMAKEDIR}" COMPONENT development)
 
-# rsackermann.pc finds the files from its own place, so that what is installed may be moved.
+# rsackermann.pc finds the files from its own place, so that the installed tree may be moved.
 file(RELATIVE_PATH RSACKERMANN_PKGCONFIG_TO_PREFIX
   "/prefix/${RSACKERMANN_INSTALL_PKGCONFIGDIR}" "/prefix")
 set(RSACKERMANN_PKGCONFIG_OPENCV_INCLUDES ${OpenCV_INCLUDE_DIRS})

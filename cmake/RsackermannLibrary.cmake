@@ -27,7 +27,7 @@ target_include_directories(opencv_rsackermann
 target_link_libraries(opencv_rsackermann
   PUBLIC opencv_core opencv_imgproc opencv_video
   PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
-# opencv2/opencv_modules.hpp defines HAVE_OPENCV_XIMGPROC where OpenCV has this module.
+# opencv2/opencv_modules.hpp defines HAVE_OPENCV_XIMGPROC if OpenCV has this module.
 if(TARGET opencv_ximgproc)
   target_link_libraries(opencv_rsackermann PRIVATE opencv_ximgproc)
 endif()

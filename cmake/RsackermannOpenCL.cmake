@@ -1,7 +1,7 @@
 # What OpenCV's cl2cpp.cmake does for modules inside of OpenCV, for a build against an installed OpenCV: it isn't installed.
 
 # Adds the kernels NAME.cl in cl_dir to the target as cv::ocl::rsackermann::NAME_oclsrc, declared in
-# opencl_kernels_rsackermann.hpp. They are used where OpenCV has been built with OpenCL.
+# opencl_kernels_rsackermann.hpp. They are used if OpenCV has been built with OpenCL.
 function(rsackermann_embed_opencl target cl_dir)
   file(GLOB kernels CONFIGURE_DEPENDS "${cl_dir}/*.cl")
   set(generated_dir "${PROJECT_BINARY_DIR}/opencl")

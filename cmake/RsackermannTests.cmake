@@ -34,7 +34,7 @@ endfunction()
 
 if(BUILD_TESTING)
   rsackermann_add_ts_program(opencv_test_rsackermann test)
-  # OpenCV takes a CPU as an OpenCL device, which is what PoCL makes of it, only where it is told to.
+  # OpenCV takes a CPU as an OpenCL device, which is what PoCL makes of it, only if it is told to.
   add_test(NAME opencv_test_rsackermann_opencl COMMAND opencv_test_rsackermann "--gtest_filter=*OpenCL*"
     "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/opencv_test_rsackermann_opencl.xml")
   set_tests_properties(opencv_test_rsackermann_opencl PROPERTIES ENVIRONMENT "OPENCV_OPENCL_DEVICE=:CPU:")

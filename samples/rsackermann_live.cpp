@@ -117,14 +117,8 @@ void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const Ac
     write(picture, 2, cv::format("%d of %d verticals, %.0f ms", motion.inliers, motion.candidates, cv::sum(milliseconds)[0]));
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, std::string(KEYS) + CAMERA_KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
     if (options.arguments().size() != 1)
         throw UsageError("one input is needed");
     const CameraSettings settings = readCameraOptions(options);
@@ -163,5 +157,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return rsackermann_samples::runProgram(run, argc, argv);
+    return runProgram(ABOUT, std::string(KEYS) + CAMERA_KEYS, run, argc, argv);
 }

@@ -17,7 +17,7 @@ ln -sfn "$root" "$checkout"
 rm -rf "$build"/modules/rsackermann "$build"/bin/opencv_{test,perf}_rsackermann "$build"/lib/libopencv_rsackermann.* \
        "$build"/modules/python_bindings_generator "$build"/modules/python3
 
-# Debian's source package comes without OpenCV's copies of other libraries, so what needs them is off.
+# Debian's source package comes without OpenCV's copies of other libraries, so the parts that need them are off.
 options=(
     -DCMAKE_BUILD_TYPE=Release
     -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DENABLE_CCACHE=OFF

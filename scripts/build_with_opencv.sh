@@ -16,7 +16,7 @@ if [ "${installed%%+*}" = "$version" ]; then
     exec "$root/test/run_all.sh" "$cache/build-$version"
 fi
 
-# Releases of Debian, and what is taken from where.
+# The release of Debian, and the one that OpenCV comes from.
 case $version in
     4.6.0) release=bookworm from=bookworm ;;
     4.10.0) release=trixie from=trixie ;;

@@ -1,4 +1,4 @@
-# shellcheck shell=bash disable=SC2034 # what is set here is used where this is sourced
+# shellcheck shell=bash disable=SC2034 # what is set here is used by the script that sources this
 # Parts that the scripts share: sourced, not run.
 
 set -euo pipefail
@@ -6,7 +6,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/rsackermann
 
-# What each task needs on Debian 12.
+# The packages of each task on Debian 12.
 packages_build=(g++ cmake ninja-build ccache libopencv-dev libeigen3-dev nlohmann-json3-dev libyaml-cpp-dev zlib1g-dev)
 packages_test=(dpkg-dev doxygen texlive-binaries gnuplot-nox pkg-config parallel python3-dev python3-numpy python3-opencv libjpeg-dev libpng-dev zlib1g-dev
                opencl-c-headers ocl-icd-libopencl1 pocl-opencl-icd)
@@ -22,7 +22,7 @@ step()
     echo "== $*"
 }
 
-# Runs a command with its output in a log file; shows the log's end where the command fails.
+# Runs a command with its output in a log file; shows the log's end if the command fails.
 # usage: logged LOG COMMAND...
 logged()
 {

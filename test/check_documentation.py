@@ -5,6 +5,7 @@
 - A code block after <!-- snippet: FILE NAME --> is the part of that file between the lines with [NAME].
 - The README's tables of options have the options of the programs, in any order.
 - Sections of doc/theory.md that the code cites exist.
+- Its table of constants has the values of the code, and all constants of src/estimator in capitals.
 
 usage: check_documentation.py ROOT PROGRAM...
 """
@@ -83,6 +84,23 @@ def check_citations(root, problems):
                 problems.append('%s: doc/theory.md has no section "%s"' % (path, section))
 
 
+def check_constants(root, problems):
+    sources = os.path.join(root, 'modules', 'rsackermann', 'src')
+    theory = os.path.join(root, 'doc', 'theory.md')
+    table = read(theory).split('\n## Constants\n')[1].split('\n## ')[0]
+    described = set()
+    for source, name, value in re.findall(r'^\| `([^`]+)` \| `(\w+)` \| ([^|]+) \|', table, re.M):
+        described.add((source, name))
+        if not re.search(r'\b%s = %s[,;]' % (name, re.escape(value)), read(os.path.join(sources, source))):
+            problems.append('%s: %s isn\'t %s in %s' % (theory, name, value, source))
+    for path in files_in(sources, ['estimator'], ('.cpp', '.hpp')):
+        source = os.path.relpath(path, sources)
+        for declaration in re.findall(r'^(?:static )?const (?:double|size_t) ([^;{]*);', read(path), re.M):
+            for name in re.findall(r'\b([A-Z][A-Z_]+) = ', declaration):
+                if (source, name) not in described:
+                    problems.append('%s: the table of constants hasn\'t %s of %s' % (theory, name, source))
+
+
 def main(root, *programs):
     readme = os.path.join(root, 'README.md')
     problems = []
@@ -95,6 +113,7 @@ def main(root, *programs):
     for program in programs:
         check_options(readme, program, problems)
     check_citations(root, problems)
+    check_constants(root, problems)
     for problem in problems:
         print(problem)
     return 1 if problems else 0

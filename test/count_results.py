@@ -2,7 +2,7 @@
 """Counts test cases in result files and prints "PASSED FAILED"; describes the failed ones on the error output.
 
 usage: count_results.py gtest FILE            a file of --gtest_output=xml:
-       count_results.py ctest FILE DIRECTORY  a file of ctest --output-junit; where the directory has a gtest file of a
+       count_results.py ctest FILE DIRECTORY  a file of ctest --output-junit; if the directory has a gtest file of a
                                               test's name, the cases in that file count instead of the test
        count_results.py unittest FILE         the output of python3 -m unittest
 """

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installs what is needed on Debian 12, builds everything in both ways and runs all tests:
+# Installs the packages that are needed on Debian 12, builds everything in both ways and runs all tests:
 # - the library against the installed OpenCV, with samples, the Python package, tests and performance tests (one sample each),
 # - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests.
 # Prints the number of test cases as its last line and fails if one of them failed.
@@ -119,7 +119,7 @@ step "Building inside of OpenCV in $in_tree"
 
 step "Testing"
 run_in_tree tests opencv_test_rsackermann
-# OpenCV takes a CPU as an OpenCL device, which is what PoCL makes of it, only where it is told to.
+# OpenCV takes a CPU as an OpenCL device, which is what PoCL makes of it, only if it is told to.
 OPENCV_OPENCL_DEVICE=:CPU: run_in_tree opencl opencv_test_rsackermann '--gtest_filter=*OpenCL*'
 run_in_tree perf opencv_perf_rsackermann --perf_min_samples=1 --perf_force_samples=1 --perf_verify_sanity
 status=0

@@ -18,7 +18,7 @@ int main()
 
     if (motion.status != cv::rsackermann::MOTION_TOO_FEW_SEGMENTS)
     {
-        std::cerr << "status " << motion.status << " where there are no segments" << std::endl;
+        std::cerr << "status " << motion.status << " without any segment" << std::endl;
         return 1;
     }
     if (corrected.size() != image.size() || cv::norm(image, corrected, cv::NORM_INF) != 0)

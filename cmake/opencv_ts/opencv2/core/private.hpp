@@ -5,7 +5,7 @@
 #ifndef RSACKERMANN_OPENCV_TS_CORE_PRIVATE_HPP
 #define RSACKERMANN_OPENCV_TS_CORE_PRIVATE_HPP
 
-// What opencv_ts needs of OpenCV's header of this name, which isn't installed.
+// The part of OpenCV's header of this name, which isn't installed, that opencv_ts needs.
 
 #include "opencv2/core.hpp"
 
