@@ -127,14 +127,8 @@ void printHarm(const std::vector<Result>& results)
     std::printf("yaw rate within 2 sigma in %.1f %%, within 3 sigma in %.1f %% of %d\n", 100. * within2 / known, 100. * within3 / known, known);
 }
 
-int run(int argc, const char* const* argv)
+int run(const Options& options)
 {
-    Options options(argc, argv, KEYS);
-    if (options.given("help"))
-    {
-        options.printHelp(ABOUT);
-        return 0;
-    }
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const int frames = options.integer("frames", 10, 1000000), first = options.integer("seed", 0, 1 << 30), told = options.choice("told", {"none", "yaw", "both"});
@@ -172,5 +166,5 @@ int run(int argc, const char* const* argv)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(run, argc, argv);
+    return runProgram(ABOUT, KEYS, run, argc, argv);
 }
