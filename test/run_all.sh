@@ -1,7 +1,8 @@
 #!/bin/bash
 # Installs the packages that are needed on Debian 12, builds everything in both ways and runs all tests:
 # - the library against the installed OpenCV, with samples, the Python package, tests and performance tests (one sample each),
-# - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests.
+# - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests,
+# - the fuzzers for a minute each.
 # Prints the number of test cases as its last line and fails if one of them failed.
 # usage: run_all.sh [--ts-source=DIRECTORY] [BUILD_DIRECTORY]
 #   --ts-source   take opencv_ts from this source of OpenCV, which may be of another version, and build nothing inside of OpenCV
@@ -67,6 +68,22 @@ run_in_tree()
     count "$title" $status "$logs/$name.log" gtest "$results/$name.xml"
 }
 
+# A command that is one test.
+# usage: check TITLE LOG COMMAND...
+check()
+{
+    local title=$1 log=$2
+    shift 2
+    if "$@" >"$log" 2>&1; then
+        echo "$title: passed"
+        passed=$((passed + 1))
+    else
+        tail -n 60 "$log" >&2
+        echo "$title: failed, see $log" >&2
+        failed=$((failed + 1))
+    fi
+}
+
 # A project that uses the module of an installed OpenCV that was built with it.
 consumer_of_opencv()
 {
@@ -127,12 +144,10 @@ PYTHONPATH=$in_tree/build/python_loader:$opencv_source/modules/python/test \
     /usr/bin/python3 -B -m unittest discover -v -s "$root/modules/rsackermann/misc/python/test" \
     >"$logs/in-tree-python.log" 2>&1 || status=$?
 count "Inside of OpenCV, python" $status "$logs/in-tree-python.log" unittest "$logs/in-tree-python.log"
-if consumer_of_opencv >"$logs/in-tree-consumer.log" 2>&1; then
-    passed=$((passed + 1))
-else
-    tail -n 20 "$logs/in-tree-consumer.log" >&2
-    echo "Inside of OpenCV, consumer: failed, see $logs/in-tree-consumer.log" >&2
-    failed=$((failed + 1))
-fi
+check "Inside of OpenCV, consumer" "$logs/in-tree-consumer.log" consumer_of_opencv
+flock -u 9
+
+step "Fuzzing"
+check "Fuzzers" "$logs/fuzz.log" "$root/test/fuzz/run.sh" --quick "--build=$build-fuzz-sanitized"
 
 finished=yes

@@ -65,12 +65,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     try
     {
         static const int types[] = {CV_32FC1, CV_32FC2, CV_16SC2};
-        const RollingShutterCamera camera = values.camera(values.integer(0, 7) ? 40 : 160);
+        const RollingShutterCamera camera = values.camera(values.integer(0, 63) ? 24 : 160);
         const AckermannMotion motion = values.motion(camera);
         WarpMapGenerator::Params params;
         if (values.flag())
         {
-            params.newSize = cv::Size(values.integer(1, 80), values.integer(1, 80));
+            params.newSize = cv::Size(values.integer(1, 40), values.integer(1, 40));
             params.newCameraMatrix = cv::Matx33d(values.number(1, 200), 0, values.number(-80, 160), 0, values.number(1, 200), values.number(-80, 160), 0, 0, 1);
         }
         params.maxIterations = values.integer(0, 3) ? params.maxIterations : values.integer(0, 100);

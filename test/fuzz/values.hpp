@@ -7,6 +7,7 @@
 
 #include "opencv2/rsackermann.hpp"
 #include <cstdint>
+#include <functional>
 #include <fuzzer/FuzzedDataProvider.h>
 
 // What a fuzzer calls, which no header of it declares.
@@ -20,6 +21,11 @@ void require(bool condition, const char* message);
 //! Whether all elements are finite, also of a matrix of floating-point numbers.
 bool isFinite(double value);
 bool isFinite(const cv::Mat& values);
+
+/** Calls a function, which must not take more seconds of processor time in each of three calls; it may if
+it is built with AddressSanitizer. Unlike the time on the clock that hardly depends on what else the machine has to do.
+*/
+void requireQuick(double seconds, const std::function<void()>& function);
 
 /** Makes values for the library from the fuzzer's bytes.
 
