@@ -18,6 +18,9 @@ target_include_directories(opencv_ts SYSTEM
   PUBLIC "${ts_dir}/include" "${OPENCV_CVCONFIG_DIR}"
   PRIVATE "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")
 target_link_libraries(opencv_ts PUBLIC opencv_core opencv_imgproc opencv_imgcodecs opencv_videoio opencv_highgui Threads::Threads)
+if(SANITIZERS MATCHES thread)
+  target_sources(opencv_ts INTERFACE "${PROJECT_SOURCE_DIR}/test/sanitize/std_threads.cpp")
+endif()
 
 # The programs write their results there; they don't make directories.
 set(RSACKERMANN_TEST_RESULTS_DIR "${PROJECT_BINARY_DIR}/test-results")

@@ -34,6 +34,8 @@ NOT_RUN = {
     'test/check_shards.py ': 'a test of its own',
     'test/fuzz/run.sh ': 'builds everything with clang; minutes',
     'test/analyse.sh': 'installs tools; a command of its own',
+    'test/sanitize.sh': 'builds everything with clang; minutes',
+    'valgrind ': 'minutes',
     'test/coverage.sh': 'builds everything once more; minutes',
 }
 
