@@ -20,6 +20,7 @@ The compensated column of a point doesn't depend on its height, so that this and
 struct CV_EXPORTS HorizontalBearing
 {
     HorizontalBearing() : x(0), z(1) {}
+    //! The bearing along (x_, 0, z_).
     HorizontalBearing(double x_, double z_) : x(x_), z(z_) {}
     double x; //!< to the right
     double z; //!< forward
