@@ -13,13 +13,14 @@
 here=$root/test/fuzz
 build=
 limit=-max_total_time=60
+seed=1 # a short run begins with the same inputs each time, a long one with others
 sanitizers=address,undefined optimisation="-O1 -gline-tables-only"
 fuzzers=()
 for argument in "$@"; do
     case $argument in
         --quick) limit=-max_total_time=60 ;;
         --quick=*) limit=-max_total_time=${argument#*=} ;;
-        --runs=*) limit=-runs=${argument#*=} ;;
+        --runs=*) limit=-runs=${argument#*=} seed=0 ;; # by the clock
         --plain) sanitizers='' optimisation=-O2 ;;
         --build=*) build=$(realpath -m "${argument#*=}") ;;
         -*) die "unknown option $argument" ;;
@@ -44,7 +45,7 @@ export TMPDIR=$scratch UBSAN_OPTIONS=print_stacktrace=1 OPENCV_LOG_LEVEL=ERROR O
 fuzz()
 {
     local name=$1 log=$build/$1.log
-    local options=(-timeout=10 -rss_limit_mb=2048 -max_len=1000 -print_final_stats=1 "-artifact_prefix=$build/found/$name-")
+    local options=(-seed=$seed -timeout=10 -rss_limit_mb=2048 -max_len=1000 -print_final_stats=1 "-artifact_prefix=$build/found/$name-")
     [ ! -e "$here/$name.dict" ] || options+=("-dict=$here/$name.dict")
     mkdir -p "$build/corpus/$name" "$build/found"
     local TIMEFORMAT="%U s of processor time"
