@@ -85,6 +85,8 @@ TEST(CameraFiles, fisheye)
                                                   "k: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n").lensModel);
     EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read("cam0:\n  camera_model: pinhole\n  intrinsics: [500, 500, 319.5, 189.5]\n"
                                                   "  distortion_model: equidistant\n  distortion_coeffs: [0.1, 0, 0, 0]\n").lensModel);
+    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read("width: 640\nheight: 380\ndistortion_model: fisheye\nd: [0.1, 0, 0, 0]\n"
+                                                  "k: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n").lensModel);
 }
 
 // ROS writes a directive %YAML as well; the lens model's own key counts, whatever the format.

@@ -183,6 +183,7 @@ TEST(Correct, speed_and_yaw_rate_known_from_elsewhere)
     const Json speed = resultOf(correct(street + Arguments{"--speed=60", "--speed_sigma=0.1"}));
     EXPECT_NEAR(60, speed["speed_km_h"].get<double>(), 0.3);
     EXPECT_LE(speed["speed_sigma"].get<double>(), 0.1);
+    EXPECT_GT(speed["speed_sigma"].get<double>(), 0.05);
     const Json yawRate = resultOf(correct(street + Arguments{"--yaw_rate=40", "--yaw_rate_sigma=0.1"}));
     EXPECT_NEAR(40, yawRate["yaw_rate_deg_s"].get<double>(), 0.3);
     EXPECT_LE(yawRate["yaw_rate_sigma"].get<double>(), 0.1);
