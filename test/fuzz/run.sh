@@ -45,7 +45,7 @@ export TMPDIR=$scratch UBSAN_OPTIONS=print_stacktrace=1 OPENCV_LOG_LEVEL=ERROR O
 fuzz()
 {
     local name=$1 log=$build/$1.log
-    local options=(-seed=$seed -timeout=10 -rss_limit_mb=2048 -max_len=1000 -print_final_stats=1 "-artifact_prefix=$build/found/$name-")
+    local options=("-seed=$seed" -timeout=10 -rss_limit_mb=2048 -max_len=1000 -print_final_stats=1 "-artifact_prefix=$build/found/$name-")
     [ ! -e "$here/$name.dict" ] || options+=("-dict=$here/$name.dict")
     mkdir -p "$build/corpus/$name" "$build/found"
     local TIMEFORMAT="%U s of processor time"
