@@ -52,7 +52,7 @@ Model toModel(const DriveVector& value, double unit, Matx<double, PARAMETERS, DR
 
 DriveState::DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
-    const double height = camera.height > 0 ? camera.height : USUAL_HEIGHT, heightSigma = camera.height > 0 ? 0.15 : 0.35; // of the height
+    const double height = camera.height > 0 ? camera.height : USUAL_HEIGHT, heightSigma = camera.height > 0 ? 0.15 : LOG_HEIGHT_SIGMA; // of the height
     const bool isExact = !(params.gravitySigma > 0);
     const double pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? KNOWN : params.vehiclePitchSigma;
     usual = DriveVector(0, 8, camera.heading, 0.1, 0.1, 1 / height, 0, 0);

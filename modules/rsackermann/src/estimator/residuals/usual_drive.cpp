@@ -19,7 +19,6 @@ static const double USUAL_REVERSE_SPEED = 1.5;       // m/s
 static const double LOG_SPEED_SIGMA = 0.8;
 static const double USUAL_WALL = 8;                  // metres
 static const double LOG_WALL_SIGMA = 0.6;            // 3 to 30 m within two of them
-static const double LOG_HEIGHT_SIGMA = 0.35;
 static const double USUAL_SECONDS_PER_UNIT = 0.06;   // of the row time, if the line delay is unknown
 static const double LOG_SECONDS_SIGMA = 1;
 static const double REST = 0.5;                      // probability before anything is seen, which includes global shutters

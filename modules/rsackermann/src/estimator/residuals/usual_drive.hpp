@@ -12,6 +12,7 @@ namespace cv {
 namespace rsackermann {
 
 const double USUAL_HEIGHT = 1.3; //!< metres, of a camera above the road
+const double LOG_HEIGHT_SIGMA = 0.35; //!< of its logarithm, if it isn't told
 
 /** How cars drive and how far away walls are, as a distribution (doc/theory.md, "Posterior").
 
