@@ -47,7 +47,7 @@ bool happens(double probability, cv::RNG& rng)
 // Student's t distribution with two degrees of freedom: mostly straight on, and sometimes a junction.
 double randomYawRate(double speed, cv::RNG& rng)
 {
-    const double scale = 3 * DEGREE, comfort = 4; // m/s^2 to the side
+    const double scale = 5 * DEGREE, comfort = 4; // m/s^2 to the side
     const double any = scale * rng.gaussian(1) / std::sqrt(-std::log(rng.uniform(1e-9, 1.)));
     const double most = std::min(60 * DEGREE, comfort / std::max(speed, 1.));
     return std::min(std::max(any, -most), most);
@@ -61,11 +61,11 @@ Frame randomFrame(int seed, int told)
     camera.pitch = rng.uniform(-3., 3.) * DEGREE;
     street::StreetScene scene;
     const bool rests = happens(0.1, rng);
-    scene.speed = rests ? 0 : std::min(12 * std::exp(rng.gaussian(0.6)), 40.);
+    scene.speed = rests ? 0 : std::min(12 * std::exp(rng.gaussian(0.8)), 40.);
     scene.yawRate = rests ? 0 : randomYawRate(scene.speed, rng);
     scene.wallDirection = rng.gaussian(5 * DEGREE);
-    scene.left = happens(0.1, rng) ? 0 : 7 * std::exp(rng.gaussian(0.4));
-    scene.right = happens(0.1, rng) ? 0 : 7 * std::exp(rng.gaussian(0.4));
+    scene.left = happens(0.1, rng) ? 0 : 8 * std::exp(rng.gaussian(0.6));
+    scene.right = happens(0.1, rng) ? 0 : 8 * std::exp(rng.gaussian(0.6));
     scene.seed = unsigned(seed);
     scene.clutter = happens(0.05, rng) ? 1 : rng.uniform(0., 0.5);
     scene.stagger = happens(0.5, rng) ? rng.uniform(0., 2.) : 0;

@@ -30,7 +30,7 @@ row()
     [ -z "$photos" ] || options=${options//"$photos"/PHOTOS}
     "$program" --quiet "$@" ${common[@]+"${common[@]}"} |
         awk -v title="$title" -v goal="$goal" -v options="${options:+\`$options\`}" '
-        / cases, / { cases = $1; worse = $7 }
+        /^[0-9]+ cases, / { cases = $1; worse = $7 }
         /^displacement raw/ { v["raw"] = $4 }
         /^displacement left/ { v["left"] = $4; v["p90"] = $5; v["max"] = $7 }
         /^yaw rate error/ { v["yaw_rate"] = $5 }

@@ -96,6 +96,23 @@ TEST_F(MixtureOfMotions, rest_with_the_majority_leaves_the_image)
     EXPECT_NEAR(0.3 * displacement(0.04), best.expectedRaw, 1e-9);
 }
 
+// A correction that helps hardly more often than it does harm isn't worth it: the usual values alone would make as much of it.
+TEST_F(MixtureOfMotions, help_has_to_outweigh_harm)
+{
+    const double chances[] = {0.52, 0.6};
+    for (int i = 0; i < 2; i++)
+    {
+        MotionMixture two(field, usual);
+        two.add(Fit(MotionHypothesis(MODEL_NONE, 0)), MotionHypothesis(MODEL_NONE, 0), std::log(1 - chances[i]));
+        two.add(turning(0.04), turning(0.04).hypothesis, std::log(chances[i]));
+        const Posterior best = two.best();
+        const double harm = (1 - chances[i]) * displacement(best.model[P_ALPHA]);
+        EXPECT_NEAR(harm, best.expectedHarm, 1e-9);
+        EXPECT_LT(best.expectedLeft, best.expectedRaw);
+        EXPECT_EQ(i == 1, best.helps());
+    }
+}
+
 TEST_F(MixtureOfMotions, walls_are_averaged_as_inverse_distances)
 {
     add(moving(0.1, 0.5), 0.5);

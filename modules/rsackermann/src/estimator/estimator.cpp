@@ -124,7 +124,7 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
                                                                  : findMotion(problem, usual, found, motion, labels);
         if (motion.status == MOTION_OK)
             addFocalUncertainty(problem, camera, params, prior, segments, found);
-        if (motion.status == MOTION_OK && !(found.expectedLeft < found.expectedRaw))
+        if (motion.status == MOTION_OK && !found.helps())
             motion.status = MOTION_NOT_SIGNIFICANT;
         motion.expectedRaw = found.expectedRaw;
         motion.expectedLeft = found.expectedLeft;

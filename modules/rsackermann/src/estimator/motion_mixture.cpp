@@ -8,6 +8,14 @@
 namespace cv {
 namespace rsackermann {
 
+static const double WEIGHT_OF_HARM = 1.2; // a pixel of harm counts as so many of help
+
+bool Posterior::helps() const
+{
+    const double gain = expectedRaw - expectedLeft;
+    return gain > 0 && gain + expectedHarm > WEIGHT_OF_HARM * expectedHarm;
+}
+
 void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight)
 {
     if (!(logWeight > -DBL_MAX && logWeight < DBL_MAX))
@@ -79,8 +87,11 @@ Posterior MotionMixture::best() const
     for (size_t i = 0; i < components.size(); i++)
     {
         const Component& c = components[i];
-        result.expectedRaw += probability[i] * DisplacementField::meanDistance(c.displacement, none, c.variance);
-        result.expectedLeft += probability[i] * DisplacementField::meanDistance(c.displacement, correction, c.variance);
+        const double raw = DisplacementField::meanDistance(c.displacement, none, c.variance);
+        const double left = DisplacementField::meanDistance(c.displacement, correction, c.variance);
+        result.expectedRaw += probability[i] * raw;
+        result.expectedLeft += probability[i] * left;
+        result.expectedHarm += probability[i] * std::max(0., left - raw);
         Vec<double, PARAMETERS> difference;
         for (int p = 0; p < PARAMETERS; p++)
             difference[p] = c.model.value[p] - result.model.value[p];

@@ -16,11 +16,10 @@ namespace rsackermann {
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
 static const int CONSENSUS_ITERATIONS = 500;  // it is one start of several
 static const double LOSS_SCALE = 2;           // in scales of the slants
-static const double DEPENDENCE_BY_TILT = 6;   // how many more verticals say what one would, if roll and pitch are free
+static const double DEPENDENCE_BY_TILT = 4;   // how many more verticals say what one would, if roll and pitch are free
 static const double TILT_OF_DEPENDENCE = CV_PI / 180;
 static const double CROWDED = 20;             // candidates within a facade's width
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
-static const double LARGEST_DEPENDENCE = 8;
 static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
 static const double WALLS_PRIOR = 0.7;
 static const double SAME_LEAN = 1.3;          // ratio below which the noise counts as unchanged
@@ -181,8 +180,8 @@ private:
         // A lean that verticals have in common looks like roll, pitch and motion: free unknowns take it up, and the residuals don't show it.
         const double leaning = noise.lean / USUAL_LEAN;
         const double hidden = DEPENDENCE_BY_TILT * std::min(1., problem.gravitySigma / TILT_OF_DEPENDENCE) * std::min(1., neighbours / CROWDED) *
-                              std::min(1., leaning * leaning);
-        dependence = std::min(LARGEST_DEPENDENCE, std::max(measured, 1 + hidden));
+                              leaning * leaning;
+        dependence = std::max(measured, 1 + hidden);
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
         ownNoise = ownNoiseOf(fits[best]);

@@ -19,8 +19,12 @@ struct Posterior
     MotionHypothesis hypothesis; //!< of the model
     Matx<double, PARAMETERS, PARAMETERS> covariance; //!< mean square deviation from the model
     double expectedRaw, expectedLeft; //!< mean displacement in pixels to be expected of the image as it is, and after the correction
+    double expectedHarm; //!< what the correction is expected to add to the displacement, with the motions that it doesn't help
 
-    Posterior() : G(0), hypothesis(MODEL_NONE, 0), expectedRaw(0), expectedLeft(0) {}
+    Posterior() : G(0), hypothesis(MODEL_NONE, 0), expectedRaw(0), expectedLeft(0), expectedHarm(0) {}
+
+    //! Whether the correction is expected to help, and by more than what usual values alone would make it help.
+    bool helps() const;
 };
 
 /** Averages the correction over the motions that are possible, weighted by their probability (doc/theory.md, "Posterior").

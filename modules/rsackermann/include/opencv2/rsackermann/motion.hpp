@@ -17,7 +17,7 @@ namespace rsackermann {
 enum MotionStatus
 {
     MOTION_OK = 0,                //!< a significant motion was found
-    MOTION_NOT_SIGNIFICANT = 1,   //!< no motion explains the segments better than a camera at rest
+    MOTION_NOT_SIGNIFICANT = 1,   //!< no motion explains the segments so much better than a camera at rest that its correction is expected to help
     MOTION_TOO_FEW_SEGMENTS = 2,  //!< there are too few vertical segments
     MOTION_NO_CONSENSUS = 3,      //!< no motion within the limits agrees with enough segments
     MOTION_NOT_OBSERVABLE = 4     //!< the shutter goes along the columns

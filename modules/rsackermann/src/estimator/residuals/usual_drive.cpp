@@ -21,7 +21,7 @@ static const double USUAL_WALL = 8;                  // metres
 static const double LOG_WALL_SIGMA = 0.6;            // 3 to 30 m within two of them
 static const double USUAL_SECONDS_PER_UNIT = 0.06;   // of the row time, if the line delay is unknown
 static const double LOG_SECONDS_SIGMA = 1;
-static const double REST = 0.5;                      // probability before anything is seen, which includes global shutters
+static const double REST = 1. / 3;                   // probability before anything is seen, which includes global shutters
 static const double REST_IF_TOLD = 0.1;              // who is told of a motion is seldom at rest
 
 UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
@@ -127,7 +127,8 @@ double UsualDrive::logRest() const
 {
     const bool isTold = toldAlphaSigma > 0 || toldSpeedSigma > 0;
     const double z = toldSpeedSigma > 0 ? toldSpeed / toldSpeedSigma : 0;
-    return std::log(isTold ? REST_IF_TOLD : REST) - 0.5 * z * z;
+    const double probability = isTold ? REST_IF_TOLD : REST;
+    return std::log(probability / (1 - probability)) - 0.5 * z * z;
 }
 
 void UsualDrive::road(const Model& model, double& G, double& variance) const

@@ -33,7 +33,7 @@ public:
     //! Logarithm of the volume that the priors leave to the unknowns of a hypothesis besides alpha.
     double logVolume(const MotionHypothesis& hypothesis) const;
 
-    //! Logarithm of the probability of a camera at rest, or of a shutter that shows none of its motion.
+    //! Logarithm of the odds on a camera at rest, or on a shutter that shows none of its motion, against one that moves.
     double logRest() const;
 
     //! Slope G of the road's scaled inverse depth for a motion, and its variance.
