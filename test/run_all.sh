@@ -2,7 +2,7 @@
 # Installs the packages that are needed on Debian 12, builds everything in both ways and runs all tests:
 # - the library against the installed OpenCV, with samples, the Python package, tests and performance tests (one sample each),
 # - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests,
-# - the fuzzers for a minute each.
+# - the fuzzers for a minute each, and the tests with sanitizers.
 # Prints the number of test cases as its last line and fails if one of them failed.
 # usage: run_all.sh [--ts-source=DIRECTORY] [BUILD_DIRECTORY]
 #   --ts-source   take opencv_ts from this source of OpenCV, which may be of another version, and build nothing inside of OpenCV
@@ -149,5 +149,8 @@ flock -u 9
 
 step "Fuzzing"
 check "Fuzzers" "$logs/fuzz.log" "$root/test/fuzz/run.sh" --quick "--build=$build-fuzz-sanitized"
+
+step "Testing with sanitizers"
+check "Sanitizers" "$logs/sanitize.log" "$root/test/sanitize.sh" "--build=$build-sanitize"
 
 finished=yes
