@@ -10,6 +10,8 @@
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -94,7 +96,12 @@ cv::Mat readSegments(const std::string& path)
             throw UsageError(place + ": four numbers x1 y1 x2 y2 are expected");
         cv::Mat row(1, 4, CV_32F);
         for (int i = 0; i < 4; i++)
-            row.at<float>(i) = float(parseNumber(fields[size_t(i)], place));
+        {
+            const double value = parseNumber(fields[size_t(i)], place);
+            if (!(std::abs(value) <= FLT_MAX))
+                throw UsageError(place + ": '" + fields[size_t(i)] + "' is too large for a pixel");
+            row.at<float>(i) = float(value);
+        }
         segments.push_back(row);
     }
     return segments;

@@ -104,7 +104,7 @@ TEST(CorrectUsage, arguments_that_look_like_options)
 TEST(CorrectUsage, broken_lines_file)
 {
     const TemporaryFolder folder;
-    for (const char* content : {"1 2 3\n", "1 2 3 4 5\n", "1 2 3 x\n"})
+    for (const char* content : {"1 2 3\n", "1 2 3 4 5\n", "1 2 3 x\n", "1 2 3 1e39\n", "1 2 -1e93 4\n"})
     {
         writeContent(folder / "lines.txt", content);
         const Outcome outcome = correct({streetFolder() + "/rolling.png", "--report=-", "--lines=" + (folder / "lines.txt")});
