@@ -39,7 +39,8 @@ logged "$build/build.log" cmake --build "$build" --target "${fuzzers[@]/#/fuzz_}
 # In memory, since some fuzzers write a file for each execution.
 scratch=$(mktemp -d -p /dev/shm)
 trap 'rm -rf "$scratch"' EXIT
-export TMPDIR=$scratch UBSAN_OPTIONS=print_stacktrace=1 OPENCV_LOG_LEVEL=ERROR OPENCV_FOR_THREADS_NUM=1
+# What is too large for the memory is refused by OpenCV, as without sanitizers.
+export TMPDIR=$scratch ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 OPENCV_LOG_LEVEL=ERROR OPENCV_FOR_THREADS_NUM=1
 
 # usage: fuzz NAME
 fuzz()
