@@ -22,6 +22,7 @@ const char* const KEYS =
     "{gravity_noise | 0   | standard deviation of the errors of the roll and the pitch that the estimator is told, degrees}"
     "{gravity_sigma |     | what the estimator is told of these errors, degrees (default: the truth, or the estimator's default "
     "if there are none)}"
+    "{usual_yaw_rate |    | deg/s, how fast the estimator takes cars to turn usually (default: its own)}"
     "{speed_sigma | 0     | km/h; the estimator is told the speed with errors of this standard deviation; 0: it isn't told}"
     "{yaw_rate_sigma | 0  | deg/s; the same for the yaw rate}"
     "{wall_direction_sigma | 0 | degrees; the same for the line at infinity of the walls}"
@@ -57,6 +58,8 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
         params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
+    if (options.given("usual_yaw_rate"))
+        params.usualYawRate = options.number("usual_yaw_rate", 0, 1e4, false) * DEGREE;
     else if (knowledge.rollNoise > 0)
         setGravitySigma(knowledge.rollNoise, params);
     experiment.segments.verticalsOnly = options.flag("only_verticals");

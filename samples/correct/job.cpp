@@ -30,6 +30,7 @@ const char* const JOB_KEYS =
     "{carry      |        | the inputs, or the frames of each video, are consecutive: each helps with the next}"
     "{smooth     |        | --carry, and each frame is helped by the one after it, too}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's roll 1, of its pitch 0.3)}"
+    "{usual_yaw_rate |    | deg/s, how fast the vehicle usually turns if no yaw rate is told (default 5, as cars do)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
     "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
     "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one image}"
@@ -55,6 +56,8 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
         setGravitySigma(options.number("gravity_sigma", 0, 45), params);
     if (options.given("wall"))
         params.wallDistance = options.number("wall", 0, 1e5, false);
+    if (options.given("usual_yaw_rate"))
+        params.usualYawRate = options.number("usual_yaw_rate", 0, 1e4, false) * DEGREE;
     params.scaleFromRoad = options.flag("scale_from_road");
 }
 

@@ -12,7 +12,7 @@ TEST(CorrectUsage, help_names_every_option)
 {
     const Outcome outcome = correct({"--help"});
     EXPECT_EQ(0, outcome.exitCode);
-    for (const char* name : {"camera", "focal", "line_delay", "readout", "scan", "reference", "roll", "pitch", "heading", "height", "gravity_sigma", "wall", "scale_from_road",
+    for (const char* name : {"camera", "focal", "line_delay", "readout", "scan", "reference", "roll", "pitch", "heading", "height", "gravity_sigma", "usual_yaw_rate", "wall", "scale_from_road",
                              "speed", "speed_sigma", "yaw_rate", "yaw_rate_sigma", "log", "carry",
                              "model", "detector", "lines", "seed", "threads", "output", "overlay", "report", "maps", "shard", "skip_existing",
                              "overwrite"})
@@ -40,7 +40,7 @@ const std::pair<const char*, const char*> refused[] = {
     {"--focal=inf", "inf"}, {"--focal=0", "--focal"}, {"--focal=-816", "--focal"}, {"--focal=1e999", "1e999"},
     {"--line_delay=0", "--line_delay"}, {"--readout=x", "--readout"}, {"--scan=sideways", "sideways"}, {"--reference=half", "half"},
     {"--roll=1,5", "--roll"}, {"--roll=180", "--roll"}, {"--pitch=90", "--pitch"}, {"--heading=200", "--heading"}, {"--height=0", "--height"}, {"--wall=-1", "--wall"},
-    {"--gravity_sigma=-1", "--gravity_sigma"}, {"--gravity_sigma", "--gravity_sigma"}, {"--speed=fast", "fast"}, {"--speed", "--speed"},
+    {"--gravity_sigma=-1", "--gravity_sigma"}, {"--gravity_sigma", "--gravity_sigma"}, {"--usual_yaw_rate=0", "--usual_yaw_rate"}, {"--speed=fast", "fast"}, {"--speed", "--speed"},
     {"--speed_sigma=2", "--speed"}, {"--yaw_rate=1e4", "--yaw_rate"}, {"--yaw_rate=", "--yaw_rate"}, {"--yaw_rate_sigma=1", "--yaw_rate"},
     {"--carry=perhaps", "--carry"},
     {"--model=5la", "5la"}, {"--detector=canny", "canny"}, {"--seed=1.5", "--seed"}, {"--seed=-1", "--seed"}, {"--threads=0", "--threads"},

@@ -131,6 +131,7 @@ inline AckermannEstimator::Params exampleEstimatorParams()
     p.gravitySigma = 0.01;
     p.vehiclePitchSigma = 0.02;
     p.wallDeviationSigma = 0.3;
+    p.usualYawRate = 0.3;
     p.reverseProbability = 0.125;
     return p;
 }
@@ -140,7 +141,7 @@ inline void expectSame(const AckermannEstimator::Params& a, const AckermannEstim
     typedef AckermannEstimator::Params T;
     expectSameFields(a, b, {&T::minLength, &T::maxSlant, &T::slantTolerance, &T::threshold, &T::confidence, &T::maxYawRate, &T::maxSpeed,
                             &T::wallDistance, &T::roadRatio, &T::gravitySigma, &T::vehiclePitchSigma, &T::wallDeviationSigma,
-                            &T::reverseProbability});
+                            &T::usualYawRate, &T::reverseProbability});
     expectSameFields(a, b, {&T::model, &T::detector, &T::minCandidates, &T::maxIterations, &T::seed});
     EXPECT_EQ(a.scaleFromRoad, b.scaleFromRoad);
 }

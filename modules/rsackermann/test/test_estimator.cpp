@@ -746,6 +746,7 @@ TEST(RSAckermann_EstimatorParams, defaults)
     EXPECT_EQ(0, p.roadRatio);
     EXPECT_NEAR(1 * degree, p.gravitySigma, 1e-12);
     EXPECT_NEAR(0.3 * degree, p.vehiclePitchSigma, 1e-12);
+    EXPECT_NEAR(5 * degree, p.usualYawRate, 1e-12);
     EXPECT_NO_THROW(p.check());
     EXPECT_NO_THROW(exampleEstimatorParams().check());
 }
@@ -793,6 +794,8 @@ const BadField badFields[] = {
     BadField("vehiclePitchSigma", [](Params& p) { p.vehiclePitchSigma = NaN; }),
     BadField("wallDeviationSigma", [](Params& p) { p.wallDeviationSigma = -1; }),
     BadField("wallDeviationSigma", [](Params& p) { p.wallDeviationSigma = infinity; }),
+    BadField("usualYawRate", [](Params& p) { p.usualYawRate = 0; }),
+    BadField("usualYawRate", [](Params& p) { p.usualYawRate = NaN; }),
     BadField("reverseProbability", [](Params& p) { p.reverseProbability = 0; }),
     BadField("reverseProbability", [](Params& p) { p.reverseProbability = 1.1; }),
     BadField("reverseProbability", [](Params& p) { p.reverseProbability = NaN; }),

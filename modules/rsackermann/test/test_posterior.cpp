@@ -258,6 +258,31 @@ TEST(RSAckermann_Posterior, roll_and_yaw_rate_are_told_apart_by_a_gyro_only)
     }
 }
 
+// A vehicle that turns faster than cars do: what gravity hides is decided by how it usually turns.
+TEST(RSAckermann_Posterior, usual_yaw_rates_are_told)
+{
+    RNG rng(9);
+    double error[2] = {0, 0};
+    for (int i = 0; i < 20; i++)
+    {
+        const double yawRate = (i % 2 ? 1 : -1) * 25 * degree;
+        const Simulator street = Simulator::fromMetric(carCamera(), yawRate, 10, 6, 8, 0);
+        const Mat segments = streetSegments(street, rng);
+        for (int k = 0; k < 2; k++)
+        {
+            AckermannEstimator::Params params;
+            if (k == 1)
+                params.usualYawRate = 30 * degree;
+            double found = 0;
+            estimate(carCamera(), segments, MotionPrior(), params).yawRate(carCamera(), found);
+            error[k] += std::abs(found - yawRate) / 20;
+        }
+    }
+    RecordProperty("error_of_car", cv::format("%.1f", error[0] / degree).c_str());
+    RecordProperty("error_of_robot", cv::format("%.1f", error[1] / degree).c_str());
+    EXPECT_LT(error[1], 0.5 * error[0]);
+}
+
 // A camera that isn't told how a shutter's rows are timed has no yaw rate, and neither has a motion of which nothing is known.
 TEST(RSAckermann_Posterior, nothing_is_known_without_segments)
 {

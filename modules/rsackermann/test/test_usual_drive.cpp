@@ -56,6 +56,10 @@ TEST(RSAckermann_UsualDrive, density_of_the_yaw_rate)
     EXPECT_NEAR(1, sum, 1e-3);
     EXPECT_NEAR(0.5774, within, 5e-3); // 1 / sqrt 3: Student's t with two degrees of freedom up to its scale
 
+    Params params;
+    params.usualYawRate = 0.3;
+    EXPECT_NEAR(0.3 * camera.secondsPerUnitTime() / 2, makeDrive(camera, MotionPrior(), params).alphaScale(), 1e-12);
+
     MotionPrior gyro;
     gyro.yawRate = 0.2;
     gyro.yawRateSigma = 0.01;

@@ -56,7 +56,8 @@ DriveState::DriveState(const RollingShutterCamera& camera, const AckermannEstima
     const bool isExact = !(params.gravitySigma > 0);
     const double pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? KNOWN : params.vehiclePitchSigma;
     usual = DriveVector(0, 8, camera.heading, 0.1, 0.1, 1 / height, 0, 0);
-    usualSigma = DriveVector(15 * CV_PI / 180, 10, 0.4, 0.1, 0.1, heightSigma / height, isExact ? KNOWN : params.gravitySigma, pitchSigma);
+    // Over seconds yaw rates stay what they are, and bends of three times the usual ones are no exception.
+    usualSigma = DriveVector(3 * params.usualYawRate, 10, 0.4, 0.1, 0.1, heightSigma / height, isExact ? KNOWN : params.gravitySigma, pitchSigma);
     value = usual;
     covariance = DriveMatrix::diag(usualSigma.mul(usualSigma));
 }

@@ -12,7 +12,8 @@ namespace rsackermann {
 AckermannEstimator::Params::Params()
     : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6), threshold(0.5),
       confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0), roadRatio(0), scaleFromRoad(false),
-      gravitySigma(CV_PI / 180), vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4), reverseProbability(0.02)
+      gravitySigma(CV_PI / 180), vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4),
+      usualYawRate(5 * CV_PI / 180), reverseProbability(0.02)
 {
 }
 
@@ -24,7 +25,7 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
     fs << "road_ratio" << roadRatio << "scale_from_road" << scaleFromRoad << "gravity_sigma" << gravitySigma;
     fs << "vehicle_pitch_sigma" << vehiclePitchSigma;
-    fs << "wall_deviation_sigma" << wallDeviationSigma << "reverse_probability" << reverseProbability;
+    fs << "wall_deviation_sigma" << wallDeviationSigma << "usual_yaw_rate" << usualYawRate << "reverse_probability" << reverseProbability;
 }
 
 void AckermannEstimator::Params::read(const FileNode& fn)
@@ -47,6 +48,7 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     cv::read(fn["gravity_sigma"], gravitySigma, gravitySigma);
     cv::read(fn["vehicle_pitch_sigma"], vehiclePitchSigma, vehiclePitchSigma);
     cv::read(fn["wall_deviation_sigma"], wallDeviationSigma, wallDeviationSigma);
+    cv::read(fn["usual_yaw_rate"], usualYawRate, usualYawRate);
     cv::read(fn["reverse_probability"], reverseProbability, reverseProbability);
 }
 
@@ -72,6 +74,7 @@ void AckermannEstimator::Params::check() const
     checkNotNegative(gravitySigma, "params.gravitySigma", "exact");
     checkPositive(vehiclePitchSigma, "params.vehiclePitchSigma");
     checkNotNegative(wallDeviationSigma, "params.wallDeviationSigma", "unknown");
+    checkPositive(usualYawRate, "params.usualYawRate");
     if (!(reverseProbability > 0 && reverseProbability <= 1))
         CV_Error(Error::StsBadArg, format("params.reverseProbability is %g; a number above 0 and up to 1 is expected", reverseProbability));
 }

@@ -90,6 +90,9 @@ public:
         CV_PROP_RW double gravitySigma;
         CV_PROP_RW double vehiclePitchSigma; //!< radians; the same for the vehicle's pitch, used unless gravitySigma is 0, default 0.3 degrees
         CV_PROP_RW double wallDeviationSigma; //!< standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0: unknown, default 0.4
+        /** radians per second; how fast the vehicle usually turns, if gravity is uncertain and no yaw rate is told: the scale of Student's t
+        distribution with two degrees of freedom, half of all yaw rates are below 0.82 of it. Default 5 degrees per second, as cars drive */
+        CV_PROP_RW double usualYawRate;
         CV_PROP_RW double reverseProbability; //!< probability that the car drives backward, default 0.02
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.

@@ -12,8 +12,7 @@ namespace cv {
 namespace rsackermann {
 
 // doc/theory.md, "Posterior", has the reasons.
-static const double USUAL_YAW_RATE = 5 * CV_PI / 180; // rad/s, scale of Student's t with YAW_FREEDOM degrees of freedom
-static const double YAW_FREEDOM = 2;
+static const double YAW_FREEDOM = 2;                 // of Student's t, the distribution of yaw rates
 static const double USUAL_SPEED = 12;                // m/s
 static const double USUAL_REVERSE_SPEED = 1.5;       // m/s
 static const double LOG_SPEED_SIGMA = 0.8;
@@ -31,7 +30,7 @@ UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& cam
 {
     const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
-    yawScale = unit > 0 ? USUAL_YAW_RATE * unit / 2 : 0.5 * limits.maxAlpha;
+    yawScale = unit > 0 ? params.usualYawRate * unit / 2 : 0.5 * limits.maxAlpha;
     if (unit > 0 && prior.yawRateSigma > 0)
     {
         alpha = prior.yawRate * unit / 2;
