@@ -46,6 +46,7 @@ TEST(RSAckermann_Refinement, covariance_of_gravity_alone)
         refine(problem, MotionHypothesis(MODEL_NONE, 0), ALL_SEGMENTS, 10, model, &covariance);
         EXPECT_NEAR(c * c * roll * roll + s * s * pitch * pitch, covariance(P_ROLL, P_ROLL), 1e-9) << k;
         EXPECT_NEAR(s * s * roll * roll + c * c * pitch * pitch, covariance(P_PITCH, P_PITCH), 1e-9) << k;
+        EXPECT_NEAR(covariance(P_ROLL, P_ROLL), problem.rollSigma() * problem.rollSigma(), 1e-9) << k;
         EXPECT_NEAR(c * s * (pitch * pitch - roll * roll), covariance(P_ROLL, P_PITCH), 1e-9) << k;
     }
 }

@@ -119,4 +119,30 @@ TEST(RSAckermann_SlantNoise, dependence)
     EXPECT_NEAR(verticals, dependenceOf(alike, noise, FOCAL, neighbours), 1e-6);
 }
 
+TEST(RSAckermann_SlantNoise, hidden_dependence)
+{
+    const MotionLimits limits(simulation::paperCamera(), AckermannEstimator::Params());
+    SlantNoise noise = SlantNoise();
+    noise.lean = 0.3 * degree;
+    for (int k = 0; k < 2; k++)
+    {
+        // The roll of a camera that looks to a side is the vehicle's pitch.
+        RefinementProblem problem(limits);
+        problem.heading = Heading(k * 90 * degree);
+        double& sigma = k ? problem.vehiclePitchSigma : problem.gravitySigma;
+        (k ? problem.gravitySigma : problem.vehiclePitchSigma) = 0.1 * degree;
+        sigma = 1 * degree;
+        EXPECT_NEAR(5, hiddenDependence(problem, noise, 20), 1e-9) << k;
+        EXPECT_NEAR(5, hiddenDependence(problem, noise, 60), 1e-9) << k;
+        EXPECT_NEAR(3, hiddenDependence(problem, noise, 10), 1e-9) << k;
+        sigma = 2 * degree;
+        EXPECT_NEAR(5, hiddenDependence(problem, noise, 20), 1e-9) << k;
+        sigma = 0.25 * degree;
+        EXPECT_NEAR(2, hiddenDependence(problem, noise, 20), 1e-9) << k;
+        noise.lean = 1.2 * degree;
+        EXPECT_NEAR(17, hiddenDependence(problem, noise, 20), 1e-9) << k;
+        noise.lean = 0.3 * degree;
+    }
+}
+
 }} // namespace

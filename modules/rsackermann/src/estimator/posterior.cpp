@@ -16,9 +16,6 @@ namespace rsackermann {
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
 static const int CONSENSUS_ITERATIONS = 500;  // it is one start of several
 static const double LOSS_SCALE = 2;           // in scales of the slants
-static const double DEPENDENCE_BY_TILT = 4;   // how many more verticals say what one would, if roll and pitch are free
-static const double TILT_OF_DEPENDENCE = CV_PI / 180;
-static const double CROWDED = 20;             // candidates within a facade's width
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
 static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
 static const double WALLS_PRIOR = 0.7;
@@ -177,11 +174,7 @@ private:
         const Slants slants(problem, fits[best].model, fits[best].hypothesis.translates());
         double neighbours;
         const double measured = dependenceOf(slants, noise, problem.focal, neighbours);
-        // A lean that verticals have in common looks like roll, pitch and motion: free unknowns take it up, and the residuals don't show it.
-        const double leaning = noise.lean / USUAL_LEAN;
-        const double hidden = DEPENDENCE_BY_TILT * std::min(1., problem.gravitySigma / TILT_OF_DEPENDENCE) * std::min(1., neighbours / CROWDED) *
-                              leaning * leaning;
-        dependence = std::max(measured, 1 + hidden);
+        dependence = std::max(measured, hiddenDependence(problem, noise, neighbours));
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
         ownNoise = ownNoiseOf(fits[best]);

@@ -42,6 +42,9 @@ struct RefinementProblem
     {
     }
 
+    //! Standard deviation of the roll about the optical axis, to which the vehicle's pitch adds if the camera looks to a side.
+    double rollSigma() const { return std::hypot(heading.c * gravitySigma, heading.s * vehiclePitchSigma); }
+
     //! Fills the arrays, after the segments have changed.
     void arrange();
     //! Weighs the arrays, after the focal length or a sigma has changed.

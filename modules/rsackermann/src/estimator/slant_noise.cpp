@@ -11,6 +11,9 @@ namespace rsackermann {
 
 static const double FACADE_WIDTH = 0.07;            // of the columns between verticals that err together: 4 degrees
 static const double FREEDOM = 3;                    // of Student's t
+static const double DEPENDENCE_BY_TILT = 4;         // how many more verticals say what one would, if roll and pitch are free
+static const double TILT_OF_DEPENDENCE = CV_PI / 180;
+static const double CROWDED = 20;                   // candidates within a facade's width
 static const double DETECTOR_ERRORS[] = {0.05, 0.15, 0.4}; // pixels that are tried
 
 Slants::Slants(const RefinementProblem& problem, const Model& model, bool translates)
@@ -110,6 +113,13 @@ double dependenceOf(const Slants& s, const SlantNoise& noise, double focal, doub
             products += influence[i] * influence[j];
     neighbours = s.size() > 0 ? 2. * pairs / s.size() : 0;
     return squares > 0 ? 1 + 2 * products / squares : 1;
+}
+
+double hiddenDependence(const RefinementProblem& problem, const SlantNoise& noise, double neighbours)
+{
+    const double tilting = std::min(1., problem.rollSigma() / TILT_OF_DEPENDENCE), crowd = std::min(1., neighbours / CROWDED);
+    const double leaning = noise.lean / USUAL_LEAN;
+    return 1 + DEPENDENCE_BY_TILT * tilting * crowd * leaning * leaning;
 }
 
 }} // namespace cv::rsackermann

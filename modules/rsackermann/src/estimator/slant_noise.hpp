@@ -40,6 +40,9 @@ SlantNoise fitSlantNoise(const Slants& slants, double focal);
 */
 double dependenceOf(const Slants& slants, const SlantNoise& noise, double focal, double& neighbours);
 
+//! By how much they say less although the residuals don't show it: roll, pitch and motion take up a lean that a crowd has in common.
+double hiddenDependence(const RefinementProblem& problem, const SlantNoise& noise, double neighbours);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_ESTIMATOR_SLANT_NOISE_HPP
