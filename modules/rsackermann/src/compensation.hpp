@@ -52,32 +52,53 @@ struct Heading
     bool looksAlong() const { return std::abs(c) > 0.5; }
 };
 
-/** The exact motion at one row time (doc/theory.md, "Motion").
+/** The exact motion at one row time (doc/theory.md, "Motion"). T is double or a vector of them.
 
-Yaw theta = 2 alpha t; position T = beta tau (s2, 0, c2) with tau = t sinc(theta/2).
+Yaw theta = 2 alpha t; position beta tau (s2, 0, c2) with tau = t sinc(theta/2).
 */
-struct RowMotion
+template <class T> struct RowMotionOf
 {
-    double c, s;   // cos, sin of theta
-    double c2, s2; // cos, sin of theta/2 + heading
-    double tau;
+    T c, s;   // cos, sin of theta
+    T c2, s2; // cos, sin of theta/2 + heading
+    T tau;
 
-    RowMotion(double alpha, const Heading& heading, double t)
+    RowMotionOf() {}
+
+    //! @param half alpha t, with its sinc and cosine, which numbers and vectors find in different ways.
+    RowMotionOf(const T& half, const T& sincHalf, const T& cosHalf, const Heading& heading, const T& t)
     {
-        const double half = alpha * t;
-        double sincHalf, cosHalf;
-        sincAndCos(half, sincHalf, cosHalf);
-        const double sinHalf = half * sincHalf;
-        c = 1 - 2 * sinHalf * sinHalf;
-        s = 2 * sinHalf * cosHalf;
+        const T sinHalf = half * sincHalf;
+        c = T(1) - T(2) * sinHalf * sinHalf;
+        s = T(2) * sinHalf * cosHalf;
         c2 = cosHalf * heading.c - sinHalf * heading.s;
         s2 = sinHalf * heading.c + cosHalf * heading.s;
         tau = t * sincHalf;
     }
 
+    //! Of a number.
+    RowMotionOf(double alpha, const Heading& heading, double t)
+    {
+        const double half = alpha * t;
+        double sincHalf, cosHalf;
+        sincAndCos(half, sincHalf, cosHalf);
+        *this = RowMotionOf(half, sincHalf, cosHalf, heading, t);
+    }
+
     //! Without yaw.
-    RowMotion(const Heading& heading, double t) : c(1), s(0), c2(heading.c), s2(heading.s), tau(t) {}
+    RowMotionOf(const Heading& heading, double t) : c(1), s(0), c2(heading.c), s2(heading.s), tau(t) {}
+
+    //! Turns the horizontal part (x, z) of a bearing into the reference frame.
+    void turn(const T& x, const T& z, T& N, T& M) const
+    {
+        N = c * x + s * z;
+        M = c * z - s * x;
+    }
+
+    //! Part of the horizontal direction (N, M) across that of the camera's place.
+    T across(const T& N, const T& M) const { return M * s2 - N * c2; }
 };
+
+typedef RowMotionOf<double> RowMotion;
 
 /** A bearing turned into the reference frame, and how it shifts with the scaled inverse depth.
 
@@ -92,9 +113,8 @@ struct RotatedBearing
     RotatedBearing() : N(0), M(0), gamma(0) {}
     RotatedBearing(const HorizontalBearing& bearing, const RowMotion& row)
     {
-        N = row.c * bearing.x + row.s * bearing.z;
-        M = row.c * bearing.z - row.s * bearing.x;
-        gamma = row.tau * (M * row.s2 - N * row.c2);
+        row.turn(bearing.x, bearing.z, N, M);
+        gamma = row.tau * row.across(N, M);
     }
 
     double column(double B, double D) const { return (N + gamma * D) / (M + gamma * B); }

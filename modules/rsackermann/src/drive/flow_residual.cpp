@@ -47,7 +47,8 @@ Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobia
     const double alpha = u[DRIVE_YAW_RATE] * unit / 2, length = u[DRIVE_SPEED] * unit;
     const double cosine = std::cos(u[DRIVE_DIRECTION]), sine = std::sin(u[DRIVE_DIRECTION]);
     const RowMotion now(alpha, heading, s.timeNow), other(alpha, heading, s.timeOther);
-    const Vec3d ray(now.c * s.now.x + now.s, s.now.y, now.c - now.s * s.now.x);
+    Vec3d ray(0, s.now.y, 0);
+    now.turn(s.now.x, 1, ray[0], ray[2]);
     const double placeX = now.tau * now.s2, placeZ = now.tau * now.c2;
 
     // The inverse depth of the nearest plane, over the speed. A camera that would have passed a wall is kept before it.

@@ -49,7 +49,9 @@ public:
     //! Bearing of the moved camera in the orientation of the global-shutter camera.
     static Vec3d rotateBack(const Vec3d& q, const RowMotion& m)
     {
-        return Vec3d(m.c * q[0] + m.s * q[2], q[1], m.c * q[2] - m.s * q[0]);
+        Vec3d turned(0, q[1], 0);
+        m.turn(q[0], q[2], turned[0], turned[2]);
+        return turned;
     }
 
     //! Inverse of toRolling() with rotateBack() already done.

@@ -27,10 +27,10 @@ template <class T> struct CompensatedEnd
     CompensatedEnd(const RotatedEnd<T>& end, const PreparedModel& m)
     {
         choosePlane(end, m);
-        kept = T(1) + end.tau * (end.s2 * planeB - end.c2 * planeD);
+        kept = T(1) + end.row.tau * (end.row.s2 * planeB - end.row.c2 * planeD);
         depth = planeD * end.M - planeB * end.N + planeG * end.y;
-        inverse = T(1) / (end.M * kept + end.tau * end.c2 * depth);
-        x = (end.N * kept + end.tau * end.s2 * depth) * inverse;
+        inverse = T(1) / (end.M * kept + end.row.tau * end.row.c2 * depth);
+        x = (end.N * kept + end.row.tau * end.row.s2 * depth) * inverse;
         y = end.y * kept * inverse;
     }
 
@@ -38,19 +38,19 @@ template <class T> struct CompensatedEnd
     void addDerivatives(const RotatedEnd<T>& e, const PreparedModel& m, const T& byX, const T& byY, bool wantTilt, T* by) const
     {
         const T g1 = byX * inverse, g2 = byY * inverse, g3 = T(0) - (g1 * x + g2 * y);
-        const T toPlace = g1 * e.s2 + g3 * e.c2, byKept = g1 * e.N + g2 * e.y + g3 * e.M, byDepth = e.tau * toPlace;
+        const T toPlace = g1 * e.row.s2 + g3 * e.row.c2, byKept = g1 * e.N + g2 * e.y + g3 * e.M, byDepth = e.row.tau * toPlace;
 
-        const T byWallB = byKept * e.tau * e.s2 - byDepth * e.N, byWallD = byDepth * e.M - byKept * e.tau * e.c2;
+        const T byWallB = byKept * e.row.tau * e.row.s2 - byDepth * e.N, byWallD = byDepth * e.M - byKept * e.row.tau * e.row.c2;
         const T byG = byDepth * e.y * isRoad;
         by[P_B] = by[P_B] + scale * byWallB + byG * m.GbyB;
         by[P_D] = by[P_D] + scale * byWallD + byG * m.GbyD;
         by[P_LAMBDA] = by[P_LAMBDA] - isRight * (byWallB * m.B + byWallD * m.D);
 
-        const T turning = T(2) * e.t, moving = e.tau * e.t; // of (N, M) and of the place
-        const T keptByAlpha = e.tauByAlpha * (e.s2 * planeB - e.c2 * planeD) + moving * (e.c2 * planeB + e.s2 * planeD);
+        const T turning = T(2) * e.t, moving = e.row.tau * e.t; // of (N, M) and of the place
+        const T keptByAlpha = e.tauByAlpha * (e.row.s2 * planeB - e.row.c2 * planeD) + moving * (e.row.c2 * planeB + e.row.s2 * planeD);
         const T byN = g1 * kept - byDepth * planeB, byM = g3 * kept + byDepth * planeD;
         by[P_ALPHA] = by[P_ALPHA] + turning * (byN * e.M - byM * e.N) + byKept * keptByAlpha +
-                      depth * (e.tauByAlpha * toPlace + moving * (g1 * e.c2 - g3 * e.s2));
+                      depth * (e.tauByAlpha * toPlace + moving * (g1 * e.row.c2 - g3 * e.row.s2));
         if (!wantTilt)
             return;
         const T byHeight = g2 * kept + byDepth * planeG;

@@ -32,8 +32,8 @@ template <class T> struct RotatedEnd
     T t;                // row time
     T y;                // height of the bearing
     T N, M;             // direction in the horizontal plane
-    T c2, s2;           // cos, sin of theta/2 + heading
-    T tau, tauByAlpha;  // the camera is at tau (s2, c2) in the horizontal plane
+    RowMotionOf<T> row;
+    T tauByAlpha;       // derivative of row.tau
     T across, along;    // parts of the direction (N, M) across and along that of the camera's place
 
     //! @param bx, by upright bearing of the end, with z = 1.
@@ -44,50 +44,37 @@ template <class T> struct RotatedEnd
         sincAndCosSeries(half, sincHalf, cosHalf);
         if (isAnyTrue(magnitude(half) > T(LARGEST_IN_SERIES)))
             sincTerms(half, sincHalf, cosHalf, slope);
-        const T sinHalf = half * sincHalf;
-        c = T(1) - T(2) * sinHalf * sinHalf;
-        s = T(2) * sinHalf * cosHalf;
-        c2 = cosHalf * m.heading.c - sinHalf * m.heading.s;
-        s2 = sinHalf * m.heading.c + cosHalf * m.heading.s;
-        tau = t * sincHalf;
+        row = RowMotionOf<T>(half, sincHalf, cosHalf, m.heading, t);
         tauByAlpha = t * t * slope;
         // rollRotation() * pitchRotation() * bearing
         yPitched = by * m.cosPitch + m.sinPitch;
         z = T(m.cosPitch) - by * m.sinPitch;
         x = bx * m.cosRoll - yPitched * m.sinRoll;
         y = bx * m.sinRoll + yPitched * m.cosRoll;
-        N = c * x + s * z;
-        M = c * z - s * x;
-        across = M * s2 - N * c2;
-        along = M * c2 + N * s2;
+        row.turn(x, z, N, M);
+        across = row.across(N, M);
+        along = M * row.c2 + N * row.s2;
     }
 
     //! gamma of RotatedBearing and its derivative by alpha.
-    T shift() const { return tau * across; }
-    T shiftByAlpha() const { return tauByAlpha * across - tau * t * along; }
+    T shift() const { return row.tau * across; }
+    T shiftByAlpha() const { return tauByAlpha * across - row.tau * t * along; }
 
     //! Derivatives of N, M and y by P_ROLL and P_PITCH.
     void byRoll(T& byN, T& byM, T& byY) const
     {
-        turn(T(0) - y, T(0), byN, byM);
+        row.turn(T(0) - y, T(0), byN, byM);
         byY = x;
     }
 
     void byPitch(const PreparedModel& m, T& byN, T& byM, T& byY) const
     {
-        turn(T(0) - z * m.sinRoll, T(0) - yPitched, byN, byM);
+        row.turn(T(0) - z * m.sinRoll, T(0) - yPitched, byN, byM);
         byY = z * m.cosRoll;
     }
 
 private:
-    T c, s;           // cos, sin of theta
     T x, z, yPitched; // bearing before it is turned
-
-    void turn(const T& atX, const T& atZ, T& toN, T& toM) const
-    {
-        toN = c * atX + s * atZ;
-        toM = c * atZ - s * atX;
-    }
 };
 
 }} // namespace cv::rsackermann

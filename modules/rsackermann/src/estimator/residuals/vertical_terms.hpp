@@ -66,9 +66,9 @@ private:
             return;
         T changeN, changeM, changeY;
         end.byRoll(changeN, changeM, changeY);
-        by[P_ROLL] = by[P_ROLL] + byN * changeN + byM * changeM + byG * end.tau * (changeM * end.s2 - changeN * end.c2);
+        by[P_ROLL] = by[P_ROLL] + byN * changeN + byM * changeM + byG * end.row.tau * end.row.across(changeN, changeM);
         end.byPitch(m, changeN, changeM, changeY);
-        by[P_PITCH] = by[P_PITCH] + byN * changeN + byM * changeM + byG * end.tau * (changeM * end.s2 - changeN * end.c2);
+        by[P_PITCH] = by[P_PITCH] + byN * changeN + byM * changeM + byG * end.row.tau * end.row.across(changeN, changeM);
     }
 };
 
