@@ -5,13 +5,14 @@
 // Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by side, with the numbers.
 
 #include "camera_settings.hpp"
-#include "correct/report.hpp"
 #include "correct/video_timing.hpp"
+#include "motion_words.hpp"
 #include "units.hpp"
 
 #include "opencv2/highgui.hpp"
 #include "opencv2/imgcodecs.hpp"
 #include "opencv2/imgproc.hpp"
+#include "opencv2/rsackermann.hpp"
 
 namespace {
 
@@ -106,7 +107,7 @@ void write(cv::Mat& picture, int line, const std::string& text)
 void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Vec4d& milliseconds)
 {
     double yawRate = 0, speed = 0;
-    std::string numbers = statusWord(motion.status);
+    std::string numbers = STATUS_WORDS[motion.status];
     if (motion.yawRate(camera, yawRate))
         numbers += cv::format(", %.1f deg/s", yawRate / DEGREE);
     if (motion.speed(camera, speed))

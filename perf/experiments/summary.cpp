@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "summary.hpp"
+#include "motion_words.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -13,10 +14,9 @@ namespace {
 
 void printCase(const Case& c, const Result& r)
 {
-    static const char* const statuses[] = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
     std::printf("%s\t%.0f\t%.0f\t%s\t%d\t%d\t%d\t%.3f\t%.3f\t%.2f\t%.2f\t%.2f\t%.2f\t%.1f\t%.3f\n", c.name.c_str(), c.scene.speed * 3.6,
-                c.scene.yawRate * 180 / CV_PI, statuses[r.status], r.model, r.candidates, r.inliers, r.raw, r.left, r.yawRateError, r.yawRateSigma,
-                r.speedError, r.speedSigma, r.deltaError, r.floor);
+                c.scene.yawRate * 180 / CV_PI, rsackermann_samples::STATUS_WORDS[r.status].c_str(), r.model, r.candidates, r.inliers, r.raw, r.left,
+                r.yawRateError, r.yawRateSigma, r.speedError, r.speedSigma, r.deltaError, r.floor);
 }
 
 // How often the truth lies within two and three of the estimator's standard deviations.

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "report.hpp"
+#include "motion_words.hpp"
 #include "units.hpp"
 
 #include <cmath>
@@ -49,15 +50,8 @@ FrameReport::FrameReport() : frame(-1), frames(-1), time(std::numeric_limits<dou
 {
 }
 
-const char* statusWord(int status)
-{
-    static const char* const words[] = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
-    return words[status];
-}
-
 std::string reportLine(const FrameReport& frame)
 {
-    static const char* const scales[] = {"unknown", "wall", "road", "speed"};
     const AckermannMotion& m = frame.motion;
     const bool ok = m.status == MOTION_OK;
     double yawRate = 0, speed = 0;
@@ -72,7 +66,7 @@ std::string reportLine(const FrameReport& frame)
     }
     if (!std::isnan(frame.time))
         line["time_s"] = frame.time;
-    line["status"] = statusWord(m.status);
+    line["status"] = STATUS_WORDS[m.status];
     line["model"] = modelWord(m.model);
     line["alpha"] = orNull(ok, m.alpha);
     line["beta"] = orNull(ok, m.wallSlope);
@@ -84,7 +78,7 @@ std::string reportLine(const FrameReport& frame)
     line["roll_correction_deg"] = orNull(ok, m.rollCorrection / DEGREE);
     line["pitch_correction_deg"] = orNull(ok, m.pitchCorrection / DEGREE);
     line["wall_distance_m"] = orNull(ok && m.wallDistance > 0, m.wallDistance);
-    line["scale"] = ok ? Json(scales[m.scale]) : Json();
+    line["scale"] = ok ? Json(SCALE_WORDS[m.scale]) : Json();
     line["covariance"] = ok ? Json(std::vector<double>(m.covariance.val, m.covariance.val + 16)) : Json();
     line["roll_yaw_ambiguous"] = ok ? Json(m.rollYawAmbiguous) : Json();
     line["yaw_rate_deg_s"] = orNull(yawRateKnown, yawRate / DEGREE);

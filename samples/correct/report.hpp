@@ -25,9 +25,6 @@ struct FrameReport
     cv::Vec4d timings; //!< milliseconds of detection, estimation, maps and remapping
 };
 
-//! The word for one of cv::rsackermann::MotionStatus.
-const char* statusWord(int status);
-
 //! A line of JSON; unknown values are null.
 std::string reportLine(const FrameReport& frame);
 

@@ -4,6 +4,7 @@
 
 #include "frames.hpp"
 #include "files.hpp"
+#include "motion_words.hpp"
 #include "options.hpp"
 #include "units.hpp"
 
@@ -23,10 +24,6 @@ namespace {
 
 typedef nlohmann::json Json;
 
-// The words of a report, in the order of MotionStatus and MotionScale.
-const std::vector<std::string> STATUSES = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
-const std::vector<std::string> SCALES = {"unknown", "wall", "road", "speed"};
-
 // A number of the line; 0 if it is null.
 double numberOf(const Json& line, const char* key)
 {
@@ -37,7 +34,7 @@ double numberOf(const Json& line, const char* key)
 AckermannMotion motionOf(const Json& line, const std::string& source)
 {
     AckermannMotion motion;
-    motion.status = parseWord(line.at("status"), source, STATUSES);
+    motion.status = parseWord(line.at("status"), source, STATUS_WORDS);
     if (motion.status != MOTION_OK)
         return motion;
     motion.alpha = numberOf(line, "alpha");
@@ -49,7 +46,7 @@ AckermannMotion motionOf(const Json& line, const std::string& source)
     motion.rollCorrection = numberOf(line, "roll_correction_deg") * DEGREE;
     motion.pitchCorrection = numberOf(line, "pitch_correction_deg") * DEGREE;
     motion.wallDistance = numberOf(line, "wall_distance_m");
-    motion.scale = parseWord(line.at("scale"), source, SCALES);
+    motion.scale = parseWord(line.at("scale"), source, SCALE_WORDS);
     return motion;
 }
 
