@@ -36,7 +36,6 @@ const char* const KEYS =
     "{output     |        | camera file to be written}"
     "{overwrite  |        | replace an existing file}"
     "{log        |        | CSV file with facts on each frame, as for rsackermann_correct; its times, speeds and yaw rates are used}"
-    "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
     "{threads    |        | largest number of threads}";
 
 struct Task
@@ -174,5 +173,5 @@ int run(const Options& options)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(ABOUT, std::string(KEYS) + CAMERA_KEYS, run, argc, argv);
+    return runProgram(ABOUT, std::string(KEYS) + DETECTOR_KEY + CAMERA_KEYS, run, argc, argv);
 }

@@ -5,6 +5,7 @@
 // Undoes the rolling shutter of images and videos that a car's camera has taken.
 
 #include "correct/batch.hpp"
+#include "estimator_options.hpp"
 #include "output/interrupt.hpp"
 
 namespace {
@@ -28,5 +29,5 @@ int run(const Options& options)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(ABOUT, std::string(JOB_KEYS) + CAMERA_KEYS, run, argc, argv);
+    return runProgram(ABOUT, std::string(JOB_KEYS) + DETECTOR_KEY + CAMERA_KEYS, run, argc, argv);
 }

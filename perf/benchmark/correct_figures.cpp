@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "estimator_options.hpp"
 #include "figures.hpp"
 #include "workload.hpp"
 
@@ -62,12 +63,11 @@ void addCorrectFigures(Benchmark& benchmark)
     benchmark.figure("growth_pixels_correct", "time per pixel, ratio", {addCorrect(benchmark, large), addCorrect(benchmark, small)},
                      [small, large](const std::vector<double>& t) { return t[0] / t[1] * small.area() / large.area(); });
 
-    const char* const detectors[] = {"lsd", "fld", "edlines"};
     const cv::Size sizes[] = {small, cv::Size(1280, 720), FULL_HD};
-    for (int detector = DETECTOR_LSD; detector <= DETECTOR_EDLINES; detector++)
+    for (size_t i = 0; i < rsackermann_samples::DETECTOR_WORDS.size(); i++)
         for (const cv::Size& size : sizes)
-            benchmark.figure(cv::format("detect_%s_%dp_ms", detectors[detector], size.height), "ms", {addDetect(benchmark, size, detector)},
-                             scaled(1e3));
+            benchmark.figure(cv::format("detect_%s_%dp_ms", rsackermann_samples::DETECTOR_WORDS[i].c_str(), size.height), "ms",
+                             {addDetect(benchmark, size, int(i))}, scaled(1e3));
 }
 
 } // namespace benchmark

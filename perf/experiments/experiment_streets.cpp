@@ -30,7 +30,6 @@ const char* const KEYS =
     "{focal_error | 0     | of the focal length that the estimator is told, percent}"
     "{focal_noise | 0    | standard deviation of further errors of it, of which the estimator is told, percent}"
     "{model      | auto   | auto, 4la, 3la, 1la or none}"
-    "{detector   | lsd    | lsd, fld or edlines}"
     "{only_verticals |    | the estimator gets no segments but those that may be vertical}"
     "{exact_segments |    | segments of the global-shutter image, moved by the true motion, in the place of detected ones}"
     "{floor      | 0      | number of motions drawn from the covariance of each estimate to predict the displacement left}"
@@ -100,5 +99,5 @@ int run(const Options& options)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(ABOUT, std::string(KEYS) + CASE_KEYS, run, argc, argv);
+    return runProgram(ABOUT, std::string(KEYS) + DETECTOR_KEY + CASE_KEYS, run, argc, argv);
 }

@@ -5,24 +5,21 @@
 #ifndef RSACKERMANN_SAMPLES_ESTIMATOR_OPTIONS_HPP
 #define RSACKERMANN_SAMPLES_ESTIMATOR_OPTIONS_HPP
 
-#include "opencv2/rsackermann/motion.hpp"
 #include "options.hpp"
 
 namespace rsackermann_samples {
 
+//! The words for cv::rsackermann::SegmentDetector, in its order.
+extern const std::vector<std::string> DETECTOR_WORDS;
+
+//! Key of the option that readDetector() takes.
+extern const char* const DETECTOR_KEY;
+
 //! One of cv::rsackermann::SegmentDetector.
-inline int readDetector(const Options& options)
-{
-    return options.choice("detector", {"lsd", "fld", "edlines"});
-}
+int readDetector(const Options& options);
 
 //! One of cv::rsackermann::MotionModel.
-inline int readModel(const Options& options)
-{
-    using namespace cv::rsackermann;
-    const int models[] = {MODEL_AUTO, MODEL_4LA, MODEL_3LA, MODEL_1LA, MODEL_NONE};
-    return models[options.choice("model", {"auto", "4la", "3la", "1la", "none"})];
-}
+int readModel(const Options& options);
 
 } // namespace rsackermann_samples
 

@@ -32,7 +32,6 @@ const char* const JOB_KEYS =
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's roll 1, of its pitch 0.3)}"
     "{usual_yaw_rate |    | deg/s, how fast the vehicle usually turns if no yaw rate is told (default 5, as cars do)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
-    "{detector   | lsd    | line segment detector: lsd, fld or edlines}"
     "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one image}"
     "{seed       | 0      | of the random numbers}"
     "{threads    |        | largest number of threads}"

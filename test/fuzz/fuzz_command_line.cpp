@@ -5,6 +5,7 @@
 #include "folder.hpp"
 #include "values.hpp"
 
+#include "estimator_options.hpp"
 #include "job.hpp"
 #include "options.hpp"
 
@@ -28,7 +29,7 @@ bool leavesFolder(const std::string& argument)
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     static const fuzz::Folder folder;
-    static const std::string keys = std::string(CAMERA_KEYS) + JOB_KEYS;
+    static const std::string keys = std::string(CAMERA_KEYS) + DETECTOR_KEY + JOB_KEYS;
     if (size > 1000)
         return 0;
     std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
