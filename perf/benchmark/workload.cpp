@@ -58,8 +58,10 @@ cv::Mat verticalSegments(const Drive& drive, int count, double outliers, std::ve
         if (!renderer.toRolling(cv::Point2d(x, top), u) || !renderer.toRolling(cv::Point2d(x, top + length), v))
             continue;
         const double slant = rng.uniform(0., 1.) < outliers ? rng.uniform(-0.25, 0.25) * length : 0;
-        segments.at<cv::Vec4f>(i) = cv::Vec4f(float(u.x + slant + rng.gaussian(noise)), float(u.y + rng.gaussian(noise)),
-                                              float(v.x + rng.gaussian(noise)), float(v.y + rng.gaussian(noise)));
+        cv::Vec4d segment(u.x + slant, u.y, v.x, v.y);
+        for (int k = 3; k >= 0; k--)
+            segment[k] += rng.gaussian(noise);
+        segments.at<cv::Vec4f>(i) = segment;
         walls[i++] = x < drive.view.cx ? -1 : 1;
     }
     return segments;

@@ -57,7 +57,8 @@ Frame randomFrame(int seed, int told)
 {
     cv::RNG rng(seed * 7919u + 1);
     rng.next();
-    street::StreetCamera camera(cv::Size(640, 380), 620, rng.uniform(0.01, 0.035) / 380, rng.uniform(1.2, 1.6));
+    const double height = rng.uniform(1.2, 1.6), lineDelay = rng.uniform(0.01, 0.035) / 380;
+    street::StreetCamera camera(cv::Size(640, 380), 620, lineDelay, height);
     camera.pitch = rng.uniform(-3., 3.) * DEGREE;
     street::StreetScene scene;
     const bool rests = happens(0.1, rng);

@@ -18,7 +18,9 @@ const int COLUMNS = int(LAST - FIRST), ROWS = int(TOP);
 cv::Vec3f randomColour(cv::RNG& rng, double low, double high)
 {
     const float grey = float(rng.uniform(low, high));
-    return cv::Vec3f(grey * float(rng.uniform(0.75, 1.05)), grey * float(rng.uniform(0.9, 1.05)), grey * float(rng.uniform(0.95, 1.15)));
+    // Not as arguments, whose order is the compiler's choice: a street is to look the same whatever compiled it.
+    const float red = grey * float(rng.uniform(0.95, 1.15)), green = grey * float(rng.uniform(0.9, 1.05)), blue = grey * float(rng.uniform(0.75, 1.05));
+    return cv::Vec3f(blue, green, red);
 }
 
 } // namespace
@@ -97,7 +99,10 @@ void Facade::paintHouse(cv::RNG& rng, double u0, double u1, double height)
         if (i == door)
             paintOpening(rng, middle - 0.5, middle + 0.5, 0, rng.uniform(2.1, 2.5), frame, false);
         else
-            paintOpening(rng, middle - half, middle + half, plinth + rng.uniform(0.1, 0.4), ground - rng.uniform(0.4, 0.7), frame, true);
+        {
+            const double top = ground - rng.uniform(0.4, 0.7), bottom = plinth + rng.uniform(0.1, 0.4);
+            paintOpening(rng, middle - half, middle + half, bottom, top, frame, true);
+        }
         const double windowHeight = rng.uniform(1.3, 1.8);
         for (double v = ground + 0.7; v + windowHeight + 0.6 < height; v += storey)
             paintOpening(rng, middle - narrow / 2, middle + narrow / 2, v, v + windowHeight, frame, true);

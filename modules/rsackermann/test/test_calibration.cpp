@@ -158,8 +158,8 @@ TEST(RSAckermann_Calibration, nothing_moves)
         Mat points(200, 4, CV_64F);
         for (int k = 0; k < points.rows; k++)
         {
-            const Vec4d p(rng.uniform(0., 640.), rng.uniform(0., 382.), 0, 0);
-            *points.ptr<Vec4d>(k) = Vec4d(p[0], p[1], p[0] + rng.gaussian(0.2), p[1] + rng.gaussian(0.2));
+            const Point2d p = uniformPoint(rng, Point2d(0, 0), Point2d(640, 382)), q = p + gaussianPoint(rng, 0.2);
+            *points.ptr<Vec4d>(k) = Vec4d(p.x, p.y, q.x, q.y);
         }
         EXPECT_FALSE(calibrator->addPoints(points, noArray(), i / 30.));
     }

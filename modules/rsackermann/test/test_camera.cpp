@@ -93,7 +93,8 @@ TEST(RSAckermann_Camera, upright_frame)
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 380));
     for (int i = 0; i < 1000; i++)
     {
-        const Vec3d direction = cv::normalize(Vec3d(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1)));
+        const double z = rng.gaussian(1), y = rng.gaussian(1), x = rng.gaussian(1);
+        const Vec3d direction = cv::normalize(Vec3d(x, y, z));
         camera.setGravity(direction * std::exp(rng.uniform(-5., 5.)));
         const Matx33d& R = camera.uprightRotation;
         ASSERT_LT(cv::norm(R * R.t() - Matx33d::eye()), 1e-12);

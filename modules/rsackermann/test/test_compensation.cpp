@@ -47,8 +47,9 @@ struct RandomScene
 UprightSegment randomCandidate(RNG& rng)
 {
     UprightSegment c;
-    c.u = Vec3d(rng.uniform(-0.6, 0.6), rng.uniform(-0.4, 0.4), 1);
-    c.v = Vec3d(c.u[0] + rng.uniform(-0.03, 0.03), rng.uniform(-0.4, 0.4), 1);
+    const Point2d u = uniformPoint(rng, Point2d(-0.6, -0.4), Point2d(0.6, 0.4)), v = uniformPoint(rng, Point2d(-0.03, -0.4), Point2d(0.03, 0.4));
+    c.u = Vec3d(u.x, u.y, 1);
+    c.v = Vec3d(u.x + v.x, v.y, 1);
     c.timeU = rng.uniform(-0.25, 0.25);
     c.timeV = rng.uniform(-0.25, 0.25);
     c.length = 100;
@@ -125,7 +126,8 @@ TEST(RSAckermann_Compensation, column_agrees_with_ray_casting)
     for (int i = 0; i < 10000; i++)
     {
         const RandomScene scene(rng);
-        const Vec3d bearing(rng.uniform(-0.6, 0.6), rng.uniform(-0.4, 0.4), 1);
+        const Point2d direction = uniformPoint(rng, Point2d(-0.6, -0.4), Point2d(0.6, 0.4));
+        const Vec3d bearing(direction.x, direction.y, 1);
         const double t = rng.uniform(-0.25, 0.25);
         for (int plane = simulation::LEFT; plane <= simulation::RIGHT; plane++)
         {

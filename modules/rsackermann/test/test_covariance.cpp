@@ -27,7 +27,7 @@ void PrintTo(const Knowledge& knowledge, std::ostream* out) { *out << knowledge.
 bool randomStreetLine(const Simulator& simulator, const Vec3d& along, RNG& rng, Vec4d& segment)
 {
     const Size size = simulator.camera.imageSize;
-    const Point2d middle(rng.uniform(0., size.width - 1.), rng.uniform(0., size.height - 1.));
+    const Point2d middle = uniformPoint(rng, Point2d(0, 0), Point2d(size.width - 1, size.height - 1));
     const simulation::Surface plane = simulator.surface(middle);
     Vec3d P;
     if (plane == simulation::NOTHING || !simulator.locate(middle, plane, P))
@@ -103,7 +103,8 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
         const Mat segments = randomFrame(simulator, wallDirection, knowledge.streetLines, rng);
 
         const double tilt = knowledge.gravityNoise * degree;
-        camera.setRollPitch(rng.gaussian(tilt), rng.gaussian(tilt));
+        const Point2d rollPitch = gaussianPoint(rng, tilt);
+        camera.setRollPitch(rollPitch.x, rollPitch.y);
         const double focalScale = 1 + cameraErrors.gaussian(knowledge.focalNoise), delayScale = 1 + cameraErrors.gaussian(knowledge.delayNoise);
         camera.cameraMatrix(0, 0) *= focalScale;
         camera.cameraMatrix(1, 1) *= focalScale;
@@ -162,7 +163,8 @@ double inequality(const RollingShutterCamera& other, double speed)
     int compared = 0;
     for (int i = 0; i < 60; i++)
     {
-        const Simulator simulator = Simulator::fromMetric(camera, rng.uniform(-0.7, 0.7), speed, rng.uniform(2., 4.), rng.uniform(2., 4.), 0.02);
+        const double right = rng.uniform(2., 4.), left = rng.uniform(2., 4.), yawRate = rng.uniform(-0.7, 0.7);
+        const Simulator simulator = Simulator::fromMetric(camera, yawRate, speed, left, right, 0.02);
         const Mat segments = randomFrame(simulator, 0.02, 0, rng);
         Mat mirrored = segments.clone();
         for (int k = 0; k < mirrored.rows; k++)

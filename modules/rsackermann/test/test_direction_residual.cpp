@@ -60,7 +60,8 @@ struct RoadScene
     two planes. */
     bool randomLine(RNG& rng, bool across, UprightSegment& c, Surface& plane) const
     {
-        const Vec3d ray(rng.uniform(-0.5, 0.5), rng.uniform(-0.3, 0.3), 1);
+        const Point2d point = uniformPoint(rng, Point2d(-0.5, -0.3), Point2d(0.5, 0.3));
+        const Vec3d ray(point.x, point.y, 1);
         plane = street.first(Vec3d(), ray);
         const double distance = street.distance(plane, Vec3d(), ray);
         if (plane == simulation::NOTHING || distance > 50 || (across && plane != simulation::ROAD))

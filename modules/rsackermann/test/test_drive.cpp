@@ -39,7 +39,7 @@ Simulator simulate(const RollingShutterCamera& camera, const Truth& truth)
 bool randomPair(const Simulator& s, double seconds, RNG& rng, PointPair& pair)
 {
     const double T = seconds / s.camera.secondsPerUnitTime();
-    pair.now = Point2d(rng.uniform(0., double(s.camera.imageSize.width)), rng.uniform(0., double(s.camera.imageSize.height)));
+    pair.now = uniformPoint(rng, Point2d(0, 0), Point2d(s.camera.imageSize.width, s.camera.imageSize.height));
     const double t = s.time(pair.now);
     const Vec3d place = s.drive.position(t), ray = s.drive.turn(s.bearing(pair.now), t);
     const simulation::Surface surface = s.street.first(place, ray);
@@ -60,9 +60,9 @@ std::vector<PointPair> randomPairs(const Simulator& s, double seconds, int count
         PointPair pair;
         if (!randomPair(s, seconds, rng, pair))
             continue;
-        pair.other += Point2d(rng.gaussian(noise), rng.gaussian(noise));
+        pair.other += gaussianPoint(rng, noise);
         if (rng.uniform(0., 1.) < outliers)
-            pair.other += Point2d(rng.uniform(-40., 40.), rng.uniform(-20., 20.));
+            pair.other += uniformPoint(rng, Point2d(-40, -20), Point2d(40, 20));
         pairs.push_back(pair);
     }
     return pairs;
@@ -224,7 +224,7 @@ TEST(RSAckermann_Drive, rest_is_rest)
         moving.speed = 1; // only to have points: those of a camera at rest are where they were
         std::vector<PointPair> pairs = randomPairs(simulate(camera, moving), 0.05, 200, 0, 0, rng);
         for (size_t k = 0; k < pairs.size(); k++)
-            pairs[k].other = pairs[k].now + Point2d(rng.gaussian(0.2), rng.gaussian(0.2));
+            pairs[k].other = pairs[k].now + gaussianPoint(rng, 0.2);
         const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<UprightSegment>(), DriveState(camera, AckermannEstimator::Params()), true);
         EXPECT_FALSE(fit.moves) << i;
         EXPECT_LT(std::abs(fit.state.value[DRIVE_YAW_RATE]), 0.5 * DEGREE) << i;

@@ -114,16 +114,16 @@ private:
     bool randomPoint(const Simulator& now, const Simulator& before, double interval, Vec4d& pair)
     {
         const double T = interval / now.camera.secondsPerUnitTime();
-        const Point2d pixel(rng.uniform(0., camera.imageSize.width - 1.), rng.uniform(0., camera.imageSize.height - 1.));
+        const Point2d pixel = uniformPoint(rng, Point2d(0, 0), Point2d(camera.imageSize.width - 1, camera.imageSize.height - 1));
         const double t = now.time(pixel);
         const Vec3d place = now.drive.position(t), ray = now.drive.turn(now.bearing(pixel), t);
         const Surface surface = now.street.first(place, ray);
         Point2d past;
         if (surface == NOTHING || !before.project(now.drive.toCamera(place + now.street.distance(surface, place, ray) * ray, -T), past))
             return false;
-        past += Point2d(rng.gaussian(options.noise), rng.gaussian(options.noise));
+        past += gaussianPoint(rng, options.noise);
         if (rng.uniform(0., 1.) < options.outliers)
-            past += Point2d(rng.uniform(-40., 40.), rng.uniform(-20., 20.));
+            past += uniformPoint(rng, Point2d(-40, -20), Point2d(40, 20));
         pair = Vec4d(past.x, past.y, pixel.x, pixel.y);
         return true;
     }

@@ -12,7 +12,8 @@ namespace opencv_test { namespace {
 RollingShutterCamera randomCamera(RNG& rng)
 {
     RollingShutterCamera camera = simulation::paperCamera();
-    camera.setRollPitch(rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3));
+    const Point2d rollPitch = uniformPoint(rng, Point2d(-0.3, -0.3), Point2d(0.3, 0.3));
+    camera.setRollPitch(rollPitch.x, rollPitch.y);
     camera.heading = rng.uniform(-CV_PI, CV_PI);
     return camera;
 }
@@ -129,8 +130,8 @@ TEST(RSAckermann_Motion, metric_covariance)
     const RollingShutterCamera camera = simulation::paperCamera();
     for (int round = 0; round < 20; round++)
     {
-        AckermannMotion m = motionFromMetric(camera, rng.uniform(-1., 1.), rng.uniform(5., 30.) * (round % 2 ? 1 : -1), 2.5, 3,
-                                                        rng.uniform(-1., 1.));
+        const double wallDirection = rng.uniform(-1., 1.), speed = rng.uniform(5., 30.) * (round % 2 ? 1 : -1), yawRate = rng.uniform(-1., 1.);
+        AckermannMotion m = motionFromMetric(camera, yawRate, speed, 2.5, 3, wallDirection);
         Matx44d root, J;
         for (int i = 0; i < 16; i++)
             root.val[i] = rng.uniform(-0.01, 0.01);
@@ -230,7 +231,8 @@ TEST(RSAckermann_Motion, pose_agrees_with_simulation)
         Matx33d R;
         Vec3d T;
         m.pose(camera, t, R, T);
-        const Vec3d P(rng.uniform(-5., 5.), rng.uniform(-2., 2.), rng.uniform(3., 20.));
+        const double z = rng.uniform(3., 20.), y = rng.uniform(-2., 2.), x = rng.uniform(-5., 5.);
+        const Vec3d P(x, y, z);
         const Vec3d now = camera.uprightRotation.t() * drive.toCamera(P, t), reference = camera.uprightRotation.t() * P;
         // lengths of a pose are those at which the scaled inverse depth beta / depth is 1
         ASSERT_LT(cv::norm(R * now + T * beta - reference), 1e-12);

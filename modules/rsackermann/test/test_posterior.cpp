@@ -93,6 +93,12 @@ RollingShutterCamera tilted(RollingShutterCamera camera, double roll, double pit
     return camera;
 }
 
+RollingShutterCamera tiltedAtRandom(RNG& rng)
+{
+    const double pitch = rng.gaussian(0.3 * degree), roll = rng.gaussian(1 * degree);
+    return tilted(carCamera(), roll, pitch);
+}
+
 AckermannMotion estimate(const RollingShutterCamera& camera, const Mat& segments, const MotionPrior& prior = MotionPrior(),
                          const AckermannEstimator::Params& params = AckermannEstimator::Params())
 {
@@ -125,7 +131,7 @@ TEST(RSAckermann_Posterior, roll_that_is_not_told_is_no_motion)
     int moved = 0;
     for (int i = 0; i < 100; i++)
     {
-        const RollingShutterCamera told = tilted(carCamera(), rng.gaussian(1 * degree), rng.gaussian(0.3 * degree));
+        const RollingShutterCamera told = tiltedAtRandom(rng);
         moved += estimate(told, leaningSegments(carCamera(), 60, 0.3 * degree, rng)).status == MOTION_OK;
     }
     EXPECT_LE(moved, 5);
@@ -148,11 +154,12 @@ TEST(RSAckermann_Posterior, verticals_do_not_overrule_a_gyro)
     for (int i = 0; i < frames; i++)
     {
         const double yawRate = rng.uniform(-20., 20.) * degree, sigma = 1 * degree;
-        const Simulator street = Simulator::fromMetric(carCamera(), yawRate, rng.uniform(5., 20.), rng.uniform(5., 12.), rng.uniform(5., 12.), 0);
+        const double right = rng.uniform(5., 12.), left = rng.uniform(5., 12.), speed = rng.uniform(5., 20.);
+        const Simulator street = Simulator::fromMetric(carCamera(), yawRate, speed, left, right, 0);
         MotionPrior prior;
         prior.yawRate = yawRate + rng.gaussian(sigma);
         prior.yawRateSigma = sigma;
-        const RollingShutterCamera told = tilted(carCamera(), rng.gaussian(1 * degree), rng.gaussian(0.3 * degree));
+        const RollingShutterCamera told = tiltedAtRandom(rng);
         const AckermannMotion motion = estimate(told, streetSegments(street, rng), prior);
         double found = 0;
         if (motion.status == MOTION_OK && motion.yawRate(told, found))
@@ -207,7 +214,7 @@ TEST(RSAckermann_Posterior, improves_what_it_expects_to_improve)
         const double walls[2] = {8 * std::exp(rng.gaussian(0.5)), 8 * std::exp(rng.gaussian(0.5))};
         const double direction = rng.gaussian(0.03);
         const Simulator street = Simulator::fromMetric(carCamera(), yawRate, speed, walls[0], walls[1], direction);
-        const RollingShutterCamera told = tilted(carCamera(), rng.gaussian(1 * degree), rng.gaussian(0.3 * degree));
+        const RollingShutterCamera told = tiltedAtRandom(rng);
         const AckermannMotion motion = estimate(told, streetSegments(street, rng));
         if (motion.status != MOTION_OK)
         {

@@ -8,6 +8,7 @@
 #include "opencv2/ts.hpp"
 #include "opencv2/rsackermann.hpp"
 #include "test_lens_models.hpp"
+#include "test_random.hpp"
 
 namespace opencv_test {
 using namespace cv::rsackermann;

@@ -15,7 +15,7 @@ void addContacts(const Simulator& simulator, double height, int count, RNG& rng,
     const Size size = simulator.camera.imageSize;
     for (int tries = 0; count > 0 && tries < 100000; tries++)
     {
-        const Point2d pixel(rng.uniform(0., size.width - 1.), rng.uniform(0., size.height - 1.));
+        const Point2d pixel = uniformPoint(rng, Point2d(0, 0), Point2d(size.width - 1, size.height - 1));
         const simulation::Surface plane = simulator.surface(pixel);
         Vec3d foot;
         if ((plane != simulation::LEFT && plane != simulation::RIGHT) || !simulator.locate(pixel, plane, foot))

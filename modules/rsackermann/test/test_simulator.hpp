@@ -8,6 +8,7 @@
 #include <limits>
 #include "test_metric_motion.hpp"
 #include "test_lens_models.hpp"
+#include "test_random.hpp"
 #include "opencv2/rsackermann.hpp"
 
 namespace opencv_test {
@@ -331,7 +332,7 @@ struct Segments
 inline bool randomVertical(const Simulator& simulator, const SegmentOptions& options, RNG& rng, Vec4d& segment, Surface& plane)
 {
     const Size size = simulator.camera.imageSize;
-    const Point2d middle(rng.uniform(0., size.width - 1.), rng.uniform(0., size.height - 1.));
+    const Point2d middle = uniformPoint(rng, Point2d(0, 0), Point2d(size.width - 1, size.height - 1));
     plane = simulator.surface(middle);
     Vec3d P;
     if ((plane != LEFT && plane != RIGHT) || !simulator.locate(middle, plane, P))

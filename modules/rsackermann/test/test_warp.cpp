@@ -175,7 +175,10 @@ TEST_P(WarpLens, absurd_motion_gives_no_NaN)
         const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
         Mat map1, map2, mask, points(0, 2, CV_64F), moved;
         for (int i = 0; i < 50; i++)
-            points.push_back(Mat(Matx12d(rng.uniform(-20., 80.), rng.uniform(-20., 60.))));
+        {
+            const Point2d point = uniformPoint(rng, Point2d(-20, -20), Point2d(80, 60));
+            points.push_back(Mat(Matx12d(point.x, point.y)));
+        }
         for (int distort = 0; distort < 2; distort++)
         {
             if (distort)

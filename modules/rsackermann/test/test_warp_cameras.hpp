@@ -54,9 +54,9 @@ inline cv::rsackermann::AckermannMotion motionSideways(cv::rsackermann::RollingS
 //! A motion within the paper's limits, 10-140 km/h and up to 70 deg/s to either side, in a street of random width.
 inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::RollingShutterCamera& camera, RNG& rng)
 {
-    const double sign = rng.uniform(0, 8) == 0 ? -1 : 1;
-    return motionFromMetric(camera, rng.uniform(-70., 70.) * CV_PI / 180, sign * rng.uniform(10., 140.) / 3.6, rng.uniform(2., 4.),
-                            rng.uniform(2., 4.), camera.heading + rng.uniform(-0.05, 0.05));
+    const double sign = rng.uniform(0, 8) == 0 ? -1 : 1, wallDirection = camera.heading + rng.uniform(-0.05, 0.05), right = rng.uniform(2., 4.),
+                 left = rng.uniform(2., 4.), speed = sign * rng.uniform(10., 140.) / 3.6, yawRate = rng.uniform(-70., 70.) * CV_PI / 180;
+    return motionFromMetric(camera, yawRate, speed, left, right, wallDirection);
 }
 
 //! Mounts the camera at random: any heading, or exactly forward, sideways or backward, and a tilt of a few degrees.
@@ -64,7 +64,8 @@ inline void mountAtRandom(cv::rsackermann::RollingShutterCamera& camera, RNG& rn
 {
     const double headings[] = {0, CV_PI / 2, -CV_PI / 2, CV_PI};
     camera.heading = rng.uniform(0, 2) ? rng.uniform(-CV_PI, CV_PI) : headings[rng.uniform(0, 4)];
-    camera.setRollPitch(rng.uniform(-0.1, 0.1), rng.uniform(-0.15, 0.15));
+    const Point2d rollPitch = uniformPoint(rng, Point2d(-0.1, -0.15), Point2d(0.1, 0.15));
+    camera.setRollPitch(rollPitch.x, rollPitch.y);
     camera.referenceRow = rng.uniform(0., camera.imageSize.height - 1.);
 }
 

@@ -18,10 +18,9 @@ AckermannMotion anyMotion(const RollingShutterCamera& camera, RNG& rng)
 {
     for (;;)
     {
-        const double sign = rng.uniform(0, 4) == 0 ? -1 : 1;
-        const AckermannMotion motion = motionFromMetric(camera, rng.uniform(-90., 90.) * CV_PI / 180,
-                                                                   sign * rng.uniform(0., 200.) / 3.6, rng.uniform(1., 10.),
-                                                                   rng.uniform(1., 10.), camera.heading + rng.uniform(-0.3, 0.3));
+        const double sign = rng.uniform(0, 4) == 0 ? -1 : 1, wallDirection = camera.heading + rng.uniform(-0.3, 0.3), right = rng.uniform(1., 10.),
+                     left = rng.uniform(1., 10.), speed = sign * rng.uniform(0., 200.) / 3.6, yawRate = rng.uniform(-90., 90.) * CV_PI / 180;
+        const AckermannMotion motion = motionFromMetric(camera, yawRate, speed, left, right, wallDirection);
         if (std::max(0.5 * std::abs(motion.roadSlope), std::hypot(motion.wallSlope, motion.wallOffset) * std::max(1., motion.wallRatio)) < 0.7)
             return motion;
     }

@@ -100,7 +100,7 @@ TEST_P(WarpPoints, depths)
         while (raw.rows < 50)
         {
             const double depth = rng.uniform(1., 30.);
-            const Point2d pixel(rng.uniform(0., 640.), rng.uniform(0., 380.));
+            const Point2d pixel = uniformPoint(rng, Point2d(0, 0), Point2d(640, 380));
             const Vec3d P = camera.uprightRotation * (K.inv() * Vec3d(pixel.x, pixel.y, 1)) * depth;
             Point2d seen;
             if (!simulator.project(P, seen))

@@ -43,7 +43,8 @@ TEST_P(WarpReference, rectify_map)
         const Simulator simulator = Simulator::fromMotion(camera, motion);
         for (int i = 0; i < 60; i++)
         {
-            const Point pixel(rng.uniform(0, columns.cols), rng.uniform(0, columns.rows));
+            const int row = rng.uniform(0, columns.rows), column = rng.uniform(0, columns.cols);
+            const Point pixel(column, row);
             const Point2d got(columns.at<float>(pixel), rows.at<float>(pixel));
             Point2d truth;
             if (!simulator.project(pointAt(simulator, K, pixel), truth))
@@ -72,7 +73,8 @@ TEST_P(WarpReference, distort_map)
         const Matx33d& K = camera.cameraMatrix;
         for (int i = 0; i < 60; i++)
         {
-            const Point pixel(rng.uniform(0, columns.cols), rng.uniform(0, columns.rows));
+            const int row = rng.uniform(0, columns.rows), column = rng.uniform(0, columns.cols);
+            const Point pixel(column, row);
             const Point2d got(columns.at<float>(pixel), rows.at<float>(pixel));
             const simulation::Surface surface = simulator.surface(pixel);
             Vec3d P;

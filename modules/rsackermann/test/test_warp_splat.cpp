@@ -61,7 +61,8 @@ TEST_P(WarpSplat, forward_mapping_agrees)
     for (int round = 0; round < 4; round++)
     {
         RollingShutterCamera camera = lensCamera(GetParam());
-        camera.setRollPitch(rng.uniform(-0.05, 0.05), rng.uniform(-0.05, 0.05));
+        const Point2d rollPitch = uniformPoint(rng, Point2d(-0.05, -0.05), Point2d(0.05, 0.05));
+        camera.setRollPitch(rollPitch.x, rollPitch.y);
         camera.heading = round == 3 ? 1.5 : 0;
         const AckermannMotion motion = motionFromMetric(camera, round % 2 ? -1 : 0.9, round < 2 ? 25 : 15, 2.5, 3, 0);
         const Simulator simulator = Simulator::fromMetric(camera, 0, 1, 2.5, 3, 0);
