@@ -17,9 +17,8 @@ done
 [ ${#runs[@]} -gt 0 ] || runs=(address thread)
 
 # Left out: statistics of thousands of estimates, drives or streets, of code that other tests run, too, and OpenCL; what is limited by memory,
-# which the sanitizer takes for itself; two tests whose results depend on how the compiler rounds.
+# which the sanitizer takes for itself.
 without='*Calibration*mount_and_line_delay*:*Calibration.sigmas*:*Covariance.is_that_of*:*EstimatorPassage.noisy*:*Posterior.improves*:*OpenCL*'
-without+=':*EstimatorPassage.exact_segments/10:*Detectors.bright_and_dark*/2'
 without_samples='CorrectResults.memory_of_a_large_image:Samples/UnevenStreet*'
 # Of all those that run in several threads one for each way through the code.
 threaded='*Threads*:*threads*:*Estimator.*:RSAckermann_Corrector.*:*CorrectorTypes*:*WarpContract.types*:*Detectors*'

@@ -97,6 +97,19 @@ double displacementLeft(const Simulator& truth, const AckermannMotion& motion)
     return truth.meanDisplacement(Simulator::fromMotion(truth.camera, motion));
 }
 
+simulation::Surface firstWall(const Simulator& truth)
+{
+    return cv::norm(truth.street.normal[simulation::LEFT]) > 0 ? simulation::LEFT : simulation::RIGHT;
+}
+
+//! alpha, wallSlope, wallOffset and wallRatio.
+Vec4d trueUnknowns(const Simulator& truth)
+{
+    const Vec3d left = truth.street.normal[simulation::LEFT], right = truth.street.normal[simulation::RIGHT];
+    const Vec3d wall = truth.street.normal[firstWall(truth)] * truth.drive.speed;
+    return Vec4d(truth.drive.yaw / 2, -wall[0], wall[2], cv::norm(left) > 0 ? cv::norm(right) / cv::norm(left) : 0);
+}
+
 /** The least-squares fit on the true inliers, from the truth on, with the simulator's geometry and numerical derivatives:
 what an estimator without outliers, without selection and with the right start can do.
  */
@@ -104,13 +117,12 @@ AckermannMotion oracle(const Simulator& truth, const Segments& segments)
 {
     const bool both = cv::norm(truth.street.normal[simulation::LEFT]) > 0 && cv::norm(truth.street.normal[simulation::RIGHT]) > 0;
     const int unknowns = both ? 4 : 3;
-    const simulation::Surface first = cv::norm(truth.street.normal[simulation::LEFT]) > 0 ? simulation::LEFT : simulation::RIGHT;
-    const Vec3d wall = truth.street.normal[first] * truth.drive.speed;
+    const simulation::Surface first = firstWall(truth);
 
     AckermannMotion m;
     m.status = MOTION_OK;
     m.direction = truth.drive.speed < 0 ? -1 : 1;
-    double p[4] = {truth.drive.yaw / 2, -wall[0], wall[2], both ? cv::norm(truth.street.normal[simulation::RIGHT]) / cv::norm(truth.street.normal[first]) : 0};
+    Vec4d p = trueUnknowns(truth);
 
     for (int iteration = 0; iteration < 5; iteration++)
     {
@@ -123,7 +135,7 @@ AckermannMotion oracle(const Simulator& truth, const Segments& segments)
             double row[4], residual = 0;
             for (int k = -1; k < unknowns; k++)
             {
-                double q[4] = {p[0], p[1], p[2], p[3]};
+                Vec4d q = p;
                 const double h = 1e-6;
                 if (k >= 0)
                     q[k] += h;
@@ -162,6 +174,9 @@ int expectedLabel(const Simulator& truth, simulation::Surface plane)
 class RSAckermann_EstimatorPassage : public testing::TestWithParam<Passage> {};
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorPassage, testing::ValuesIn(passages));
 
+/** Only the priors keep the estimate from the truth. They are so wide, 45 deg/s for the yaw rate, that they pull by a small part of the standard deviation, in which
+exact segments still have the least noise that is assumed, and with a distorted lens the error that straight segments of bent images have.
+*/
 TEST_P(RSAckermann_EstimatorPassage, exact_segments)
 {
     const Simulator truth = GetParam().simulator();
@@ -185,6 +200,11 @@ TEST_P(RSAckermann_EstimatorPassage, exact_segments)
         double yawRate = 0, speed = 0;
         EXPECT_TRUE(m.yawRate(truth.camera, yawRate));
         EXPECT_TRUE(m.speed(truth.camera, speed));
+        const Vec4d unknowns = trueUnknowns(truth), found(m.alpha, m.wallSlope, m.wallOffset, m.wallRatio);
+        for (int i = 0; i < 4; i++)
+            EXPECT_NEAR(unknowns[i], found[i], 0.1 * std::sqrt(m.covariance(i, i))) << "seed " << seed << ", unknown " << i;
+        if (GetParam().distorted)
+            continue;
         EXPECT_NEAR(GetParam().yawRate * degree, yawRate, 0.01 * degree) << "seed " << seed;
         EXPECT_NEAR(GetParam().speed, speed, 0.01) << "seed " << seed;
     }
