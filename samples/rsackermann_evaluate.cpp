@@ -40,16 +40,20 @@ nlohmann::json lastLine(const std::string& path)
     return json;
 }
 
+bool isMapOf(const cv::FileNode& node, const cv::Size& size)
+{
+    return node.isMap() && node["rows"].isInt() && node["cols"].isInt() && int(node["rows"]) == size.height && int(node["cols"]) == size.width &&
+           node["dt"].isString() && std::string(node["dt"]) == "f";
+}
+
 void readMaps(const std::string& path, const cv::Size& size, cv::Mat& map1, cv::Mat& map2)
 {
     cv::FileStorage fs(path, cv::FileStorage::READ);
-    if (fs.isOpened())
-    {
-        fs["map1"] >> map1;
-        fs["map2"] >> map2;
-    }
-    if (map1.size() != size || map2.size() != size || map1.type() != CV_32FC1 || map2.type() != CV_32FC1)
-        throw InputError(path + " holds no maps of the truth's size");
+    // Looked at before cv::FileNode takes the memory for the size that is told.
+    if (!fs.isOpened() || !isMapOf(fs["map1"], size) || !isMapOf(fs["map2"], size))
+        throw InputError(cv::format("%s holds no maps of the truth's size, %d x %d", path.c_str(), size.width, size.height));
+    fs["map1"] >> map1;
+    fs["map2"] >> map2;
 }
 
 void printRow(const char* what, double truth, const nlohmann::json& estimated)

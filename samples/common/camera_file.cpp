@@ -83,10 +83,12 @@ std::vector<double> matrixOf(const cv::FileNode& node)
     if (node.empty())
         return std::vector<double>();
     require(node.isMap() && node["data"].isSeq() && node["rows"].isInt() && node["cols"].isInt(), node.name() + " is not a matrix");
+    // cv::FileNode makes a matrix of the size that is told before it looks for the elements.
+    const int mostElements = 14, rows = node["rows"], cols = node["cols"];
+    require(rows >= 0 && cols >= 0 && double(rows) * cols <= mostElements,
+            cv::format("%s is %d x %d; a matrix of up to %d elements is accepted", node.name().c_str(), rows, cols, mostElements));
     for (const cv::FileNode& element : node["data"])
         require(element.isInt() || element.isReal(), node.name() + " has an element that is not a number");
-    // cv::FileNode makes a matrix of the size that is told before it looks for the elements.
-    require(double(int(node["rows"])) * int(node["cols"]) <= double(node["data"].size()), node.name() + " has too few elements");
     cv::Mat matrix;
     node >> matrix;
     require(matrix.channels() == 1, node.name() + " is not a matrix of numbers");

@@ -151,6 +151,32 @@ TEST(CameraFiles, nested_or_large)
     EXPECT_THROW(read("%YAML:1.0\n---\n#opencv-matrix\n" + indented + std::string(1400, ' ') + "1\n"), rsackermann_samples::UsageError);
 }
 
+// OpenCV would take 51 GB, or refuse them in its own words, before it sees that there is one element.
+TEST(CameraFiles, size_of_matrices)
+{
+    const TemporaryFolder folder;
+    for (const char* size : {"rows: 80000\n   cols: 80000", "rows: -80000\n   cols: -80000", "rows: -1\n   cols: -1\n   sizes: [ 80000, 80000 ]", "rows: 3\n   cols: 5"})
+        for (const char* key : {"camera_matrix", "distortion_coefficients"})
+        {
+            std::string content = OPENCV_YAML;
+            const size_t at = content.find("rows", content.find(key)), end = content.find("\n   dt", at);
+            content.replace(at, end - at, size);
+            writeContent(folder / "camera.yml", content);
+            rsackermann_samples::CameraSettings settings;
+            try
+            {
+                rsackermann_samples::readCameraFile(folder / "camera.yml", settings);
+                FAIL() << content;
+            }
+            catch (const rsackermann_samples::UsageError& e)
+            {
+                const std::string message = e.what();
+                EXPECT_NE(std::string::npos, message.find("camera file " + (folder / "camera.yml") + ": " + key)) << message;
+                EXPECT_NE(std::string::npos, message.find("a matrix of up to 14 elements is accepted")) << message;
+            }
+        }
+}
+
 TEST(CameraFiles, broken)
 {
     const std::string opencv = OPENCV_YAML, ros = ROS;

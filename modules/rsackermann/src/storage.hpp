@@ -10,6 +10,26 @@
 namespace cv {
 namespace rsackermann {
 
+/** Reads a matrix; it keeps its values if there is none. One of another size is refused before OpenCV takes the memory for the size that the file
+tells, whatever elements there are.
+*/
+template <int rows, int cols>
+void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& matrix)
+{
+    const FileNode node = fn[key];
+    if (node.empty())
+        return;
+    int toldRows = -1, toldCols = -1;
+    if (node.isMap())
+    {
+        cv::read(node["rows"], toldRows, -1);
+        cv::read(node["cols"], toldCols, -1);
+    }
+    if (toldRows != rows || toldCols != cols)
+        CV_Error(Error::StsBadArg, format("%s is %d x %d; a matrix of %d x %d is expected", key, toldRows, toldCols, rows, cols));
+    cv::read(node, matrix, matrix);
+}
+
 /** Storage of the algorithms, each made from a camera and parameters: the keys of the parameters and a map with the camera.
 @tparam Algorithm AckermannEstimator, WarpMapGenerator or RollingShutterCorrector.
 */

@@ -127,6 +127,33 @@ TEST(RSAckermann_Storage, save_and_load)
     checkSaveAndLoad<RollingShutterCorrector>(exampleCorrectorParams(), "rsackermann_RollingShutterCorrector");
 }
 
+//! Reads a matrix of another size, none of which memory is taken for.
+template <class Struct>
+void checkSizeOfMatrix(const char* key)
+{
+    for (const char* size : {"rows: 80000\n   cols: 80000", "rows: -1\n   cols: -1\n   sizes: [ 80000, 80000 ]", "rows: 1\n   cols: 9"})
+    {
+        const FileStorage in(format("%%YAML:1.0\n---\n%s: !!opencv-matrix\n   %s\n   dt: d\n   data: [ 1. ]\n", key, size), FileStorage::READ | FileStorage::MEMORY);
+        try
+        {
+            Struct().read(in.root());
+            FAIL() << size;
+        }
+        catch (const cv::Exception& e)
+        {
+            EXPECT_EQ(Error::StsBadArg, e.code) << e.what();
+            EXPECT_NE(std::string::npos, e.err.find(key)) << e.what();
+        }
+    }
+}
+
+TEST(RSAckermann_Storage, size_of_matrices)
+{
+    checkSizeOfMatrix<RollingShutterCamera>("camera_matrix");
+    checkSizeOfMatrix<RollingShutterCamera>("upright_rotation");
+    checkSizeOfMatrix<AckermannMotion>("covariance");
+}
+
 //! @param text file with something that is out of range, and with other values that aren't.
 template <class Algorithm>
 void checkAllOrNothing(const typename Algorithm::Params& example, const char* text)

@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../checks.hpp"
+#include "../storage.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -144,14 +145,14 @@ void RollingShutterCamera::read(const FileNode& fn)
 {
     cv::read(fn["image_width"], imageSize.width, imageSize.width);
     cv::read(fn["image_height"], imageSize.height, imageSize.height);
-    cv::read(fn["camera_matrix"], cameraMatrix, cameraMatrix);
+    readMatrix(fn, "camera_matrix", cameraMatrix);
     if (!fn["distortion_coefficients"].empty())
         fn["distortion_coefficients"] >> distCoeffs;
     cv::read(fn["lens_model"], lensModel, lensModel);
     cv::read(fn["scan_direction"], scanDirection, scanDirection);
     cv::read(fn["line_delay"], lineDelay, lineDelay);
     cv::read(fn["reference_row"], referenceRow, referenceRow);
-    cv::read(fn["upright_rotation"], uprightRotation, uprightRotation);
+    readMatrix(fn, "upright_rotation", uprightRotation);
     cv::read(fn["heading"], heading, heading);
     cv::read(fn["height"], height, height);
     cv::read(fn["focal_sigma"], focalSigma, focalSigma);

@@ -7,6 +7,7 @@
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "../compensation.hpp"
+#include "../storage.hpp"
 
 namespace cv {
 namespace rsackermann {
@@ -145,7 +146,7 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["scale"], scale, scale);
     cv::read(fn["expected_raw"], expectedRaw, expectedRaw);
     cv::read(fn["expected_left"], expectedLeft, expectedLeft);
-    cv::read(fn["covariance"], covariance, covariance);
+    readMatrix(fn, "covariance", covariance);
     cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);
     cv::read(fn["candidates"], candidates, candidates);
     cv::read(fn["inliers"], inliers, inliers);
