@@ -43,11 +43,11 @@ std::string truthText(const Truth& truth)
 }
 
 // What doesn't fit into an integer can't be converted to one.
-static double inRange(const nlohmann::json& json, const char* key, double low, double high)
+static double inRange(const std::string& path, const nlohmann::json& json, const char* key, double low, double high)
 {
     const double value = json.at(key);
     if (!(value >= low && value <= high))
-        throw InputError(cv::format("%s is %g; %g to %g is expected", key, value, low, high));
+        throw InputError(cv::format("%s: %s is %g; %g to %g is expected", path.c_str(), key, value, low, high));
     return value;
 }
 
@@ -58,7 +58,7 @@ try
     if (!file)
         throw InputError(path + " can't be read");
     const nlohmann::json json = nlohmann::json::parse(file);
-    const cv::Size size(int(inRange(json, "width", 1, 65535)), int(inRange(json, "height", 1, 65535)));
+    const cv::Size size(int(inRange(path, json, "width", 1, 65535)), int(inRange(path, json, "height", 1, 65535)));
     Truth truth = {street::StreetCamera(size, 1, json.at("line_delay_s"), json.at("height_m")), street::StreetScene()};
     street::StreetCamera& c = truth.camera;
     street::StreetScene& s = truth.scene;
@@ -69,13 +69,13 @@ try
     s.wallDirection = json.at("wall_direction_deg").get<double>() * DEGREE;
     s.stagger = json.at("stagger_m");
     s.obstacles = json.at("obstacles_per_100_m");
-    s.seed = unsigned(inRange(json, "seed", 0, UINT_MAX));
+    s.seed = unsigned(inRange(path, json, "seed", 0, UINT_MAX));
     c.fx = json.at("fx");
     c.fy = json.at("fy");
     c.cx = json.at("cx");
     c.cy = json.at("cy");
     c.lens = json.at("lens").get<std::vector<double> >();
-    c.scan = int(inRange(json, "scan", 0, 3));
+    c.scan = int(inRange(path, json, "scan", 0, 3));
     c.reference = json.at("reference");
     c.roll = json.at("roll_deg").get<double>() * DEGREE;
     c.pitch = json.at("pitch_deg").get<double>() * DEGREE;

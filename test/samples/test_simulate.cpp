@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "program.hpp"
+#include "options.hpp"
 #include "truth_file.hpp"
 
 #include "opencv2/imgproc.hpp"
@@ -85,6 +86,32 @@ TEST(Simulate, camera_that_looks_to_the_right_at_one_wall)
     // There is neither a line at infinity in the image nor a second wall.
     for (const char* row : {"line at infinity", "wall distances"})
         EXPECT_EQ(std::string::npos, evaluated.output.find(row)) << evaluated.output;
+}
+
+// Also what an int can't hold.
+TEST(Simulate, truth_out_of_range_is_refused)
+{
+    const TemporaryFolder folder;
+    const std::string file = folder / "truth.json";
+    const nlohmann::json good = nlohmann::json::parse(contentOf(streetFolder() + "/truth.json"));
+    for (const char* key : {"width", "height", "scan", "seed"})
+        for (const double value : {-1., 1e10, -1e300})
+        {
+            nlohmann::json json = good;
+            json[key] = value;
+            writeContent(file, json.dump());
+            try
+            {
+                rsackermann_samples::readTruth(file);
+                FAIL() << json;
+            }
+            catch (const rsackermann_samples::InputError& e)
+            {
+                EXPECT_EQ(0u, std::string(e.what()).find(file + ": " + key + " is ")) << e.what();
+            }
+        }
+    writeContent(file, good.dump());
+    EXPECT_NO_THROW(rsackermann_samples::readTruth(file));
 }
 
 TEST(Simulate, truth_knows_staggered_houses_and_obstacles)
