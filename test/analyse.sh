@@ -2,7 +2,8 @@
 # Static analysis: shellcheck of all scripts, cppcheck of the library and the programs, and clang-tidy with --tidy.
 # Prints what they find and fails if there is anything.
 # usage: analyse.sh [--tidy=BUILD_DIRECTORY]
-#   --tidy   also clang-tidy (some minutes), with the compile_commands.json of a build with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+#   --tidy   also clang-tidy, with the compile_commands.json of a build with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON: some minutes the first time,
+#            then for what has changed
 
 . "$(dirname "$0")/../scripts/common.sh"
 tidy=
@@ -29,6 +30,6 @@ cppcheck --quiet --std=c++14 --language=c++ --enable=warning,portability --inlin
 
 if [ -n "$tidy" ]; then
     step "clang-tidy, ${#sources[@]} sources"
-    printf '%s\0' "${sources[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p "$tidy"
+    test/tidy.py "$tidy" "$cache/clang-tidy" "${sources[@]}"
 fi
 echo "nothing found"

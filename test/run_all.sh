@@ -2,7 +2,7 @@
 # Installs the packages that are needed on Debian 12, builds everything in both ways and runs all tests:
 # - the library against the installed OpenCV, with samples, the Python package, tests and performance tests (one sample each),
 # - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests,
-# - the fuzzers for a minute each, and the tests with sanitizers.
+# - static analysis, the fuzzers for a minute each, and the tests with sanitizers.
 # Prints the number of test cases as its last line and fails if one of them failed.
 # usage: run_all.sh [--ts-source=DIRECTORY] [BUILD_DIRECTORY]
 #   --ts-source   take opencv_ts from this source of OpenCV, which may be of another version, and build nothing inside of OpenCV
@@ -113,7 +113,7 @@ step "Building against the installed OpenCV in $build"
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 logged "$logs/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DENABLE_WERROR=ON \
     -DBUILD_SAMPLES=ON -DBUILD_TESTING=ON -DBUILD_PERF_TESTS=ON "-DOPENCV_TS_SOURCE_DIR=$opencv_source" \
-    -DBUILD_PYTHON=$python -DPython3_EXECUTABLE=/usr/bin/python3
+    -DBUILD_PYTHON=$python -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 logged "$logs/build.log" cmake --build "$build"
 
 step "Testing"
@@ -146,6 +146,9 @@ PYTHONPATH=$in_tree/build/python_loader:$opencv_source/modules/python/test \
 count "Inside of OpenCV, python" $status "$logs/in-tree-python.log" unittest "$logs/in-tree-python.log"
 check "Inside of OpenCV, consumer" "$logs/in-tree-consumer.log" consumer_of_opencv
 flock -u 9
+
+step "Analysing"
+check "Static analysis" "$logs/analyse.log" "$root/test/analyse.sh" "--tidy=$build"
 
 step "Fuzzing"
 check "Fuzzers" "$logs/fuzz.log" "$root/test/fuzz/run.sh" --quick "--build=$build-fuzz-sanitized"

@@ -27,7 +27,7 @@ bool isKnown(const std::string& keys, const std::string& name)
 {
     for (size_t at = keys.find('{'); at != std::string::npos; at = keys.find('{', at + 1))
     {
-        const size_t first = keys.find_first_not_of(" ", at + 1);
+        const size_t first = keys.find_first_not_of(' ', at + 1);
         if (keys.compare(first, name.size(), name) == 0 && keys.find_first_of(" |", first) == first + name.size())
             return true;
     }

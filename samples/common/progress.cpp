@@ -6,6 +6,7 @@
 
 #include "opencv2/core/utility.hpp"
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -22,7 +23,7 @@ double secondsSince(int64 tick)
 // A duration as h:mm:ss or m:ss.
 std::string clockOf(double seconds)
 {
-    const int s = int(std::min(seconds, 359999.) + 0.5);
+    const int s = int(std::lround(std::min(seconds, 359999.)));
     return s < 3600 ? cv::format("%d:%02d", s / 60, s % 60) : cv::format("%d:%02d:%02d", s / 3600, s / 60 % 60, s % 60);
 }
 

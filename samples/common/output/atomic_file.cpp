@@ -48,7 +48,7 @@ FileDescriptor createLocked(const std::string& path)
 
 } // namespace
 
-FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other)
+FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept
 {
     std::swap(number_, other.number_);
     return *this;

@@ -17,8 +17,8 @@ class FileDescriptor
 public:
     explicit FileDescriptor(int number = -1) : number_(number) {}
     ~FileDescriptor() { close(); }
-    FileDescriptor(FileDescriptor&& other) : number_(other.number_) { other.number_ = -1; }
-    FileDescriptor& operator=(FileDescriptor&& other);
+    FileDescriptor(FileDescriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
+    FileDescriptor& operator=(FileDescriptor&& other) noexcept;
     int get() const { return number_; }
     void close();
 

@@ -37,7 +37,7 @@ bool TileDistorter::look(const Rect& square, Nodes& nodes) const
     const Point2d first = square.tl();
     nodes.step = square.width / (NODES - 1.);
     for (int i = 0; i < NODES * NODES; i++)
-        if (!look(first + nodes.step * Point2d(i % NODES, i / NODES), nodes.grid[i / NODES][i % NODES]))
+        if (!look(first + nodes.step * Point2d(Point(i % NODES, i / NODES)), nodes.grid[i / NODES][i % NODES]))
             return false;
     for (int i = 0; i < MapPatch::CHECKS; i++)
         if (!look(first + MapPatch::check(i, nodes.step), nodes.checks[i]))

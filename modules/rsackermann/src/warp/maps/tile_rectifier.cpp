@@ -54,7 +54,10 @@ int TileRectifier::visiblePlanes(const Rect& square, PlaneInverseDepth visible[P
     Vec4d atCorners[PLANES];
     for (int i = 0; i < PLANES; i++)
         for (int k = 0; k < 4; k++)
-            atCorners[i][k] = planes[i].at(square.x + k % 2 * square.width, square.y + k / 2 * square.height);
+        {
+            const Point corner(square.x + k % 2 * square.width, square.y + k / 2 * square.height);
+            atCorners[i][k] = planes[i].at(corner.x, corner.y);
+        }
     int count = 0;
     for (int i = 0; i < PLANES; i++)
     {
