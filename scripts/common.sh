@@ -12,6 +12,9 @@ packages_clang=(clang libclang-rt-14-dev)
 packages_test=(dpkg-dev doxygen texlive-binaries gnuplot-nox pkg-config parallel python3-dev python3-numpy python3-opencv libjpeg-dev libpng-dev zlib1g-dev
                opencl-c-headers ocl-icd-libopencl1 pocl-opencl-icd)
 
+# Tests of the module that are statistics of thousands of estimates, drives or streets, of code that other tests run, too: left out where tests are slow.
+tests_statistics='*Calibration*mount_and_line_delay*:*Calibration.sigmas*:*Covariance.is_that_of*:*EstimatorPassage.noisy*:*Posterior.improves*'
+
 die()
 {
     echo "$(basename "$0"): $*" >&2

@@ -16,9 +16,8 @@ for argument in "$@"; do
 done
 [ ${#runs[@]} -gt 0 ] || runs=(address thread)
 
-# Left out: statistics of thousands of estimates, drives or streets, of code that other tests run, too, and OpenCL; what is limited by memory,
-# which the sanitizer takes for itself.
-without='*Calibration*mount_and_line_delay*:*Calibration.sigmas*:*Covariance.is_that_of*:*EstimatorPassage.noisy*:*Posterior.improves*:*OpenCL*'
+# Left out: statistics, and OpenCL; what is limited by memory, which the sanitizer takes for itself.
+without="$tests_statistics:*OpenCL*"
 without_samples='CorrectResults.memory_of_a_large_image:Samples/UnevenStreet*'
 # Of all those that run in several threads one for each way through the code.
 threaded='*Threads*:*threads*:*Estimator.*:RSAckermann_Corrector.*:*CorrectorTypes*:*WarpContract.types*:*Detectors*'
