@@ -96,21 +96,26 @@ TEST_F(MixtureOfMotions, rest_with_the_majority_leaves_the_image)
     EXPECT_NEAR(0.3 * displacement(0.04), best.expectedRaw, 1e-9);
 }
 
-// A correction that helps hardly more often than it does harm isn't worth it: the usual values alone would make as much of it.
-TEST_F(MixtureOfMotions, help_has_to_outweigh_harm)
+// Usual values alone make a correction that is expected to help, since cars mostly move. It is applied if the image speaks against rest, or if
+// a motion is told.
+TEST_F(MixtureOfMotions, usual_values_alone_correct_nothing)
 {
-    const double chances[] = {0.52, 0.6};
+    MotionPrior prior;
+    prior.speed = 10;
+    prior.speedSigma = 1;
+    const UsualDrive told(prior, camera, AckermannEstimator::Params(), MotionLimits(camera, AckermannEstimator::Params()));
+    const double rests[] = {0.3, 0.36};
     for (int i = 0; i < 2; i++)
-    {
-        MotionMixture two(field, usual);
-        two.add(Fit(MotionHypothesis(MODEL_NONE, 0)), MotionHypothesis(MODEL_NONE, 0), std::log(1 - chances[i]));
-        two.add(turning(0.04), turning(0.04).hypothesis, std::log(chances[i]));
-        const Posterior best = two.best();
-        const double harm = (1 - chances[i]) * displacement(best.model[P_ALPHA]);
-        EXPECT_NEAR(harm, best.expectedHarm, 1e-9);
-        EXPECT_LT(best.expectedLeft, best.expectedRaw);
-        EXPECT_EQ(i == 1, best.helps());
-    }
+        for (int k = 0; k < 2; k++)
+        {
+            MotionMixture two(field, k ? told : usual);
+            two.add(Fit(MotionHypothesis(MODEL_NONE, 0)), MotionHypothesis(MODEL_NONE, 0), std::log(rests[i]));
+            two.add(turning(0.04), turning(0.04).hypothesis, std::log(1 - rests[i]));
+            const Posterior best = two.best();
+            EXPECT_NEAR(k ? 0 : 3 * rests[i], best.restRatio, 1e-9); // rest has a probability of 1/3 before anything is seen
+            EXPECT_LT(best.expectedLeft, best.expectedRaw);
+            EXPECT_EQ(i == 0 || k == 1, best.helps()) << i << " " << k;
+        }
 }
 
 TEST_F(MixtureOfMotions, walls_are_averaged_as_inverse_distances)

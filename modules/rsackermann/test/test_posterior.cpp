@@ -290,6 +290,30 @@ TEST(RSAckermann_Posterior, usual_yaw_rates_are_told)
     EXPECT_LT(error[1], 0.5 * error[0]);
 }
 
+// Of a street that is open to one side the wall alone is enough, if a motion is told; trees may stand on the open side.
+TEST(RSAckermann_Posterior, one_wall_of_two)
+{
+    const int frames = 20;
+    double raw = 0, left = 0;
+    for (int i = 0; i < frames; i++)
+    {
+        RNG rng(200 + i);
+        const double yawRate = rng.gaussian(4 * degree), speed = rng.uniform(8., 20.), wall = rng.uniform(4., 10.);
+        const double leftWall = i % 2 ? wall : 0, rightWall = i % 2 ? 0 : wall;
+        const AckermannMotion truth = motionFromMetric(carCamera(), yawRate, speed, leftWall, rightWall, 0);
+        const Mat segments = streetSegments(Simulator::fromMetric(carCamera(), yawRate, speed, leftWall, rightWall, 0), rng);
+        MotionPrior prior;
+        prior.speed = speed;
+        prior.speedSigma = 0.5;
+        prior.yawRate = yawRate;
+        prior.yawRateSigma = 1 * degree;
+        raw += mapDistance(carCamera(), AckermannMotion(), carCamera(), truth) / frames;
+        left += mapDistance(carCamera(), estimate(carCamera(), segments, prior), carCamera(), truth) / frames;
+    }
+    RecordProperty("left", cv::format("%.2f of %.2f", left, raw));
+    EXPECT_LT(left, 0.2 * raw);
+}
+
 // A camera that isn't told how a shutter's rows are timed has no yaw rate, and neither has a motion of which nothing is known.
 TEST(RSAckermann_Posterior, nothing_is_known_without_segments)
 {

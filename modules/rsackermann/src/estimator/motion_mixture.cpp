@@ -8,12 +8,9 @@
 namespace cv {
 namespace rsackermann {
 
-static const double WEIGHT_OF_HARM = 1.2; // a pixel of harm counts as so many of help
-
 bool Posterior::helps() const
 {
-    const double gain = expectedRaw - expectedLeft;
-    return gain > 0 && gain + expectedHarm > WEIGHT_OF_HARM * expectedHarm;
+    return expectedLeft < expectedRaw && restRatio <= 1;
 }
 
 void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight)
@@ -83,7 +80,7 @@ Posterior MotionMixture::best() const
             weight[i] = probability[i] / std::max(least, DisplacementField::meanDistance(components[i].displacement, correction, components[i].variance));
     }
     none = DisplacementField::Values();
-    double translating[3] = {0, 0, 0};
+    double translating[3] = {0, 0, 0}, rest = 0;
     for (size_t i = 0; i < components.size(); i++)
     {
         const Component& c = components[i];
@@ -91,13 +88,14 @@ Posterior MotionMixture::best() const
         const double left = DisplacementField::meanDistance(c.displacement, correction, c.variance);
         result.expectedRaw += probability[i] * raw;
         result.expectedLeft += probability[i] * left;
-        result.expectedHarm += probability[i] * std::max(0., left - raw);
+        rest += c.hypothesis.turns() || c.hypothesis.translates() ? 0 : probability[i];
         Vec<double, PARAMETERS> difference;
         for (int p = 0; p < PARAMETERS; p++)
             difference[p] = c.model.value[p] - result.model.value[p];
         result.covariance += probability[i] * (c.covariance + difference * difference.t());
         translating[c.hypothesis.walls] += c.hypothesis.translates() ? probability[i] : 0;
     }
+    result.restRatio = usual.motionIsTold() ? 0 : rest / usual.restProbability();
     result.hypothesis = MotionHypothesis(field.mainMotion(result.model, result.G), translating[2] > translating[1] ? 2 : 1);
     return result;
 }

@@ -19,6 +19,8 @@ static const double LOSS_SCALE = 2;           // in scales of the slants
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
 static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
 static const double WALLS_PRIOR = 0.7;
+static const double ONE_WALL_PRIOR = 0.1;    // of a street that is open to one side
+static const double OPEN_SIDE = 0.2;          // part of the verticals that are seen there, at most
 static const double SAME_LEAN = 1.3;          // ratio below which the noise counts as unchanged
 static const double FIRST_STEP = 0.7;         // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
@@ -31,6 +33,8 @@ struct WeighedHypothesis
 {
     MotionHypothesis hypothesis;
     double logPrior;
+
+    WeighedHypothesis(const MotionHypothesis& h, double prior) : hypothesis(h), logPrior(std::log(prior)) {}
 };
 
 class Explorer
@@ -46,16 +50,19 @@ public:
         problem.lossScale = LOSS_SCALE;
         problem.lean = 0;
         problem.weigh();
-        const WeighedHypothesis all[] = {{MotionHypothesis(MODEL_1LA, 0), std::log(ROTATION_PRIOR)}, {MotionHypothesis(MODEL_4LA, problem.heading.looksAlong() ? 2 : 1), std::log(WALLS_PRIOR)}};
+        const std::vector<WeighedHypothesis> all = hypotheses();
         std::vector<Fit> fits;
-        for (int i = 0; i < 2; i++)
+        size_t best = 0;
+        for (size_t i = 0; i < all.size(); i++)
+        {
             fits.push_back(bestFit(all[i].hypothesis));
-        const size_t best = fits[1].cost < fits[0].cost ? 1 : 0;
+            best = fits[i].cost < fits[best].cost ? i : best;
+        }
         if (!(fits[best].cost < DBL_MAX))
             return false;
         measureNoise(fits, best);
         addRest();
-        for (int i = 0; i < 2; i++)
+        for (size_t i = 0; i < all.size(); i++)
             if (fits[i].cost < DBL_MAX)
                 sweep(fits[i], all[i].logPrior);
         result = mixture.best();
@@ -63,6 +70,27 @@ public:
     }
 
 private:
+    std::vector<WeighedHypothesis> hypotheses() const
+    {
+        const bool isAhead = problem.heading.looksAlong();
+        std::vector<WeighedHypothesis> all;
+        all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), ROTATION_PRIOR));
+        all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_4LA, isAhead ? 2 : 1), WALLS_PRIOR));
+        // One wall shows three numbers for five unknowns (doc/theory.md, "Roll and yaw rate"): too few if no motion is told.
+        if (isAhead && usual.motionIsTold() && isOpenToOneSide())
+            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_4LA, 1), ONE_WALL_PRIOR));
+        return all;
+    }
+
+    bool isOpenToOneSide() const
+    {
+        const double ahead = std::tan(problem.heading.angle);
+        size_t right = 0;
+        for (size_t i = 0; i < problem.verticals.size(); i++)
+            right += problem.verticals[i].u[0] + problem.verticals[i].v[0] > 2 * ahead;
+        return std::min(right, problem.verticals.size() - right) <= OPEN_SIDE * problem.verticals.size();
+    }
+
     // The usual motion, a consensus of the verticals, and a pure rotation.
     std::vector<Model> starts(const MotionHypothesis& hypothesis) const
     {

@@ -19,11 +19,11 @@ struct Posterior
     MotionHypothesis hypothesis; //!< of the model
     Matx<double, PARAMETERS, PARAMETERS> covariance; //!< mean square deviation from the model
     double expectedRaw, expectedLeft; //!< mean displacement in pixels to be expected of the image as it is, and after the correction
-    double expectedHarm; //!< what the correction is expected to add to the displacement, with the motions that it doesn't help
+    double restRatio; //!< probability of no visible motion over what it was before the image was seen; 0 if a motion is told
 
-    Posterior() : G(0), hypothesis(MODEL_NONE, 0), expectedRaw(0), expectedLeft(0), expectedHarm(0) {}
+    Posterior() : G(0), hypothesis(MODEL_NONE, 0), expectedRaw(0), expectedLeft(0), restRatio(0) {}
 
-    //! Whether the correction is expected to help, and by more than what usual values alone would make it help.
+    //! Whether the correction is expected to help, and not by usual values alone: the image speaks against rest, or a motion is told.
     bool helps() const;
 };
 

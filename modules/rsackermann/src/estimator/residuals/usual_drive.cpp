@@ -124,10 +124,14 @@ double UsualDrive::logVolume(const MotionHypothesis& hypothesis) const
 
 double UsualDrive::logRest() const
 {
-    const bool isTold = toldAlphaSigma > 0 || toldSpeedSigma > 0;
     const double z = toldSpeedSigma > 0 ? toldSpeed / toldSpeedSigma : 0;
-    const double probability = isTold ? REST_IF_TOLD : REST;
+    const double probability = motionIsTold() ? REST_IF_TOLD : REST;
     return std::log(probability / (1 - probability)) - 0.5 * z * z;
+}
+
+double UsualDrive::restProbability()
+{
+    return REST;
 }
 
 void UsualDrive::road(const Model& model, double& G, double& variance) const

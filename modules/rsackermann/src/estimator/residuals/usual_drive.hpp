@@ -35,11 +35,14 @@ public:
 
     //! Logarithm of the odds on a camera at rest, or on a shutter that shows none of its motion, against one that moves.
     double logRest() const;
+    //! Probability of that before anything is seen, if no motion is told.
+    static double restProbability();
 
     //! Slope G of the road's scaled inverse depth for a motion, and its variance.
     void road(const Model& model, double& G, double& variance) const;
 
     double alphaScale() const { return toldAlphaSigma > 0 ? toldAlphaSigma : yawScale; }
+    bool motionIsTold() const { return toldAlphaSigma > 0 || toldSpeedSigma > 0; }
     bool yawRateIsTold() const { return toldAlphaSigma > 0; }
     double toldAlpha() const { return toldAlphaSigma > 0 ? alpha : 0; }
     //! Scaled speed sqrt(B^2 + D^2) that is to be expected, for 1 forward and -1 reverse.
