@@ -57,10 +57,10 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
         params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
-    if (options.given("usual_yaw_rate"))
-        params.usualYawRate = options.number("usual_yaw_rate", 0, 1e4, false) * DEGREE;
     else if (knowledge.rollNoise > 0)
         setGravitySigma(knowledge.rollNoise, params);
+    if (options.given("usual_yaw_rate"))
+        params.usualYawRate = options.number("usual_yaw_rate", 0, 1e4, false) * DEGREE;
     experiment.segments.verticalsOnly = options.flag("only_verticals");
     experiment.segments.exact = options.flag("exact_segments");
     experiment.floorSamples = options.integer("floor", 0, 1000);

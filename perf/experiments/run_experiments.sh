@@ -71,7 +71,8 @@ done
 uneven=(--stagger=1.5 --obstacles=15 --left=5 --right=6)
 row "rendered, staggered facades, cars, posts and trees" "left<=0.20 p90<=0.45" $exact "${uneven[@]}"
 row "the same, gravity off by 0.3 degrees" "left<=0.40 worse_percent<=5" --gravity_noise=0.3 "${uneven[@]}"
-row "the same, yaw rate ± 1 deg/s" "left<=0.20 worse_percent<=5" --gravity_noise=0.3 --yaw_rate_sigma=1 "${uneven[@]}"
+row "the same, gravity off by 0.3 degrees, usual yaw rates 30 deg/s" "left<=0.40 worse_percent<=5" --gravity_noise=0.3 --usual_yaw_rate=30 "${uneven[@]}"
+row "the same, gravity off by 0.3 degrees, yaw rate ± 1 deg/s" "left<=0.20 worse_percent<=5" --gravity_noise=0.3 --yaw_rate_sigma=1 "${uneven[@]}"
 row "rendered, gravity uncertain" "worse_percent<=5"
 row "rendered, gravity uncertain, speed ± 2 km/h" "worse_percent<=5" --speed_sigma=2
 row "rendered, gravity uncertain, yaw rate ± 1 deg/s" "worse_percent<=5" --yaw_rate_sigma=1
@@ -88,6 +89,7 @@ if [ -n "$photos" ]; then
     row "photographs, both and line at infinity, told without errors" "" --photos="$photos" $exact --speed_sigma=2 --yaw_rate_sigma=1 --wall_direction_sigma=0.02 --exact_priors
     row "photographs, at rest" "max<=0.10" --photos="$photos" $exact --rest
     row "photographs, gravity ± 0.2 degrees" "left<=0.65 p90<=1.2" --photos="$photos" --gravity_sigma=0.2
+    row "photographs, gravity ± 0.2 degrees, usual yaw rates 30 deg/s" "left<=0.65 p90<=1.2" --photos="$photos" --gravity_sigma=0.2 --usual_yaw_rate=30
     row "photographs, gravity uncertain" "" --photos="$photos"
     row "photographs, gravity uncertain, both" "" --photos="$photos" --speed_sigma=2 --yaw_rate_sigma=1
 fi
