@@ -286,9 +286,13 @@ TEST(RSAckermann_Motion, corrections_add_to_roll_and_pitch)
 TEST(RSAckermann_Motion, covariance_of_the_slowest_motion)
 {
     AckermannMotion motion = exampleMotion();
-    motion.wallSlope = motion.wallOffset = 8e-214;
-    motion.covariance = Matx44d::diag(Vec4d(1e-4, 1e-209, 1e-209, 1));
-    EXPECT_TRUE(cv::checkRange(Mat(motion.metricCovariance(exampleCamera()))));
+    const double speeds[] = {1e-99, 8e-214, 2e-311}, variances[] = {1e-198, 1e-209, 1e-310};
+    for (int i = 0; i < 3; i++)
+    {
+        motion.wallSlope = motion.wallOffset = speeds[i];
+        motion.covariance = Matx44d::diag(Vec4d(1e-4, variances[i], variances[i], 1));
+        EXPECT_TRUE(cv::checkRange(Mat(motion.metricCovariance(exampleCamera())))) << speeds[i];
+    }
 }
 
 }} // namespace

@@ -89,9 +89,10 @@ Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) co
         J(1, 1) = direction * B / size * wallDistance / unit;
         J(1, 2) = direction * D / size * wallDistance / unit;
     }
-    if (std::abs(B) > 1e-9 * std::abs(D))
+    const double slowest = 1e-100; // what moves less has no direction: the derivatives, or their squares, would be infinite
+    if (std::abs(B) > 1e-9 * std::abs(D) && size > slowest)
     {
-        J(2, 1) = -D / B / B; // the square of the slowest motion is 0
+        J(2, 1) = -D / (B * B);
         J(2, 2) = 1 / B;
     }
     J(3, 3) = 1;
