@@ -27,15 +27,19 @@ using cv::rsackermann::MountCalibrator;
 const char* const ABOUT =
     "Finds how a car's camera is mounted, and its line delay, from the frames of a drive.\n"
     "usage: rsackermann_calibrate [--option=value]... [--] INPUT...\n"
-    "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line, in the order of the drive.\n"
-    "Writes a camera file for rsackermann_correct --camera, with roll, pitch, heading and line_delay and a standard deviation of each.\n"
-    "Exit code: 0 done, 1 inputs failed or no car moves in them, 2 the command line isn't understood, 130 or 143 interrupted.\n";
+    "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line, "
+    "in the order of the drive.\n"
+    "Writes a camera file for rsackermann_correct --camera, with roll, pitch, heading and line_delay and a standard "
+    "deviation of each.\n"
+    "Exit code: 0 done, 1 inputs failed or no car moves in them, 2 the command line isn't understood, 130 or 143 "
+    "interrupted.\n";
 
 const char* const KEYS =
     "{help       |        | print this message}"
     "{output     |        | camera file to be written}"
     "{overwrite  |        | replace an existing file}"
-    "{log        |        | CSV file with facts on each frame, as for rsackermann_correct; its times, speeds and yaw rates are used}"
+    "{log        |        | CSV file with facts on each frame, as for rsackermann_correct; its times, speeds and yaw "
+    "rates are used}"
     "{threads    |        | largest number of threads}";
 
 struct Task
@@ -56,7 +60,8 @@ Task readTask(const Options& options)
         if (!options.given(name))
             throw UsageError(std::string("--") + name + " is missing");
     task.camera = readCameraOptions(options);
-    if (task.camera.scan == cv::rsackermann::SCAN_LEFT_TO_RIGHT || task.camera.scan == cv::rsackermann::SCAN_RIGHT_TO_LEFT)
+    if (task.camera.scan == cv::rsackermann::SCAN_LEFT_TO_RIGHT ||
+        task.camera.scan == cv::rsackermann::SCAN_RIGHT_TO_LEFT)
         throw UsageError("the lines of the sensor are columns of the image (scan): no vertical shows the motion");
     task.output = options.text("output");
     task.params.estimator.detector = readDetector(options);
@@ -74,7 +79,8 @@ Task readTask(const Options& options)
         plan.addInput(input);
 #ifndef RSACKERMANN_WITH_VIDEOIO
         if (isVideo(input))
-            throw UsageError("videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
+            throw UsageError(
+                "videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
 #endif
     }
     plan.addOutput(task.output, "the calibration");
@@ -124,7 +130,8 @@ void print(const MountCalibration& c, int frames)
     print("roll", c.rollObserved, c.roll / DEGREE, c.rollSigma / DEGREE, "deg", few);
     print("pitch", c.pitchObserved, c.pitch / DEGREE, c.pitchSigma / DEGREE, "deg", few);
     print("heading", c.headingObserved, c.heading / DEGREE, c.headingSigma / DEGREE, "deg", few);
-    print("line delay", c.lineDelayObserved, c.lineDelay * 1e6, c.lineDelaySigma * 1e6, "us", "the drive has too few bends with verticals in sight");
+    print("line delay", c.lineDelayObserved, c.lineDelay * 1e6, c.lineDelaySigma * 1e6, "us",
+          "the drive has too few bends with verticals in sight");
     const cv::Vec3d h = c.horizon();
     std::printf("horizon     %.5f x %+.5f y %+.2f = 0 in pixels without lens distortion\n", h[0], h[1], h[2]);
 }

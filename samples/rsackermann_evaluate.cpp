@@ -18,15 +18,15 @@ namespace {
 using namespace rsackermann_samples;
 
 const char* const ABOUT =
-    "Compares the results of rsackermann_correct with the truth of rsackermann_simulate: motion, and mean displacement of the\n"
+    "Compares the results of rsackermann_correct with the truth of rsackermann_simulate: motion, and mean displacement "
+    "of the\n"
     "pixels before and after the correction.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
-const char* const KEYS =
-    "{help   | | print this message}"
-    "{truth  | | truth.json of rsackermann_simulate}"
-    "{maps   | | maps of rsackermann_correct}"
-    "{report | | report of rsackermann_correct; its last line counts}";
+const char* const KEYS = "{help   | | print this message}"
+                         "{truth  | | truth.json of rsackermann_simulate}"
+                         "{maps   | | maps of rsackermann_correct}"
+                         "{report | | report of rsackermann_correct; its last line counts}";
 
 nlohmann::json lastLine(const std::string& path)
 {
@@ -42,8 +42,8 @@ nlohmann::json lastLine(const std::string& path)
 
 bool isMapOf(const cv::FileNode& node, const cv::Size& size)
 {
-    return node.isMap() && node["rows"].isInt() && node["cols"].isInt() && int(node["rows"]) == size.height && int(node["cols"]) == size.width &&
-           node["dt"].isString() && std::string(node["dt"]) == "f";
+    return node.isMap() && node["rows"].isInt() && node["cols"].isInt() && int(node["rows"]) == size.height &&
+           int(node["cols"]) == size.width && node["dt"].isString() && std::string(node["dt"]) == "f";
 }
 
 void readMaps(const std::string& path, const cv::Size& size, cv::Mat& map1, cv::Mat& map2)
@@ -51,7 +51,8 @@ void readMaps(const std::string& path, const cv::Size& size, cv::Mat& map1, cv::
     cv::FileStorage fs(path, cv::FileStorage::READ);
     // Looked at before cv::FileNode takes the memory for the size that is told.
     if (!fs.isOpened() || !isMapOf(fs["map1"], size) || !isMapOf(fs["map2"], size))
-        throw InputError(cv::format("%s holds no maps of the truth's size, %d x %d", path.c_str(), size.width, size.height));
+        throw InputError(
+            cv::format("%s holds no maps of the truth's size, %d x %d", path.c_str(), size.width, size.height));
     fs["map1"] >> map1;
     fs["map2"] >> map2;
 }
@@ -79,8 +80,8 @@ int run(const Options& options)
     identityMaps(truth.camera.size, identity[0], identity[1]);
     street::StreetRenderer(truth.camera, truth.scene).rectifyMap(exact[0], exact[1], mask);
 
-    std::printf("status %s, model %s, %d of %d candidates agree\n\n", report.value("status", "?").c_str(), report.value("model", "?").c_str(),
-                report.value("inliers", 0), report.value("candidates", 0));
+    std::printf("status %s, model %s, %d of %d candidates agree\n\n", report.value("status", "?").c_str(),
+                report.value("model", "?").c_str(), report.value("inliers", 0), report.value("candidates", 0));
     std::printf("%-26s %10s %10s\n", "", "true", "estimated");
     printRow("yaw rate, deg/s", truth.scene.yawRate * 180 / CV_PI, report.value("yaw_rate_deg_s", nlohmann::json()));
     printRow("speed, km/h", truth.scene.speed * 3.6, report.value("speed_km_h", nlohmann::json()));
@@ -92,14 +93,16 @@ int run(const Options& options)
         printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, lineAtInfinity);
     }
     if (truth.scene.left > 0 && truth.scene.right > 0)
-        printRow("wall distances, left/right", truth.scene.left / truth.scene.right, report.value("wall_ratio", nlohmann::json()));
+        printRow("wall distances, left/right", truth.scene.left / truth.scene.right,
+                 report.value("wall_ratio", nlohmann::json()));
     // Before and after are compared at the same pixels.
     const int seen = cv::countNonZero(mask);
     mask &= placesOf(estimated[0], estimated[1]);
     const int compared = cv::countNonZero(mask);
     std::printf("\n%-26s %10s %10s\n", "", "before", "after");
     if (compared > 0)
-        std::printf("%-26s %10.3f %10.3f\n", "mean displacement, px", meanDistance(identity[0], identity[1], exact[0], exact[1], mask),
+        std::printf("%-26s %10.3f %10.3f\n", "mean displacement, px",
+                    meanDistance(identity[0], identity[1], exact[0], exact[1], mask),
                     meanDistance(estimated[0], estimated[1], exact[0], exact[1], mask));
     else
         std::printf("%-26s %10s %10s\n", "mean displacement, px", "-", "-");

@@ -38,7 +38,8 @@ const char* const KEYS =
 cv::rsackermann::RollingShutterCamera readCamera(const Options& options)
 {
     const CameraSettings settings = readCameraOptions(options);
-    const cv::Size size = options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : settings.size;
+    const cv::Size size =
+        options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : settings.size;
     if (size.area() == 0)
         throw UsageError("--size is missing: the size of the images isn't known");
     return settings.makeCamera(size);

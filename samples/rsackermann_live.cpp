@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by side, with the numbers.
+// Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by side,
+// with the numbers.
 
 #include "camera_settings.hpp"
 #include "correct/video_timing.hpp"
@@ -20,16 +21,16 @@ using namespace rsackermann_samples;
 using namespace cv::rsackermann;
 
 const char* const ABOUT =
-    "Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by side, with the numbers.\n"
+    "Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by side, "
+    "with the numbers.\n"
     "usage: rsackermann_live [--option=value]... INPUT\n"
     "INPUT is a video or the number of a camera. Every key ends the program.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
-const char* const KEYS =
-    "{help    |   | print this message}"
-    "{wall    |   | metres to the left (or only) wall; makes the speed metric}"
-    "{frames  | 0 | end after that many frames; 0: go on}"
-    "{picture |   | image file for what is seen last, instead of a window}";
+const char* const KEYS = "{help    |   | print this message}"
+                         "{wall    |   | metres to the left (or only) wall; makes the speed metric}"
+                         "{frames  | 0 | end after that many frames; 0: go on}"
+                         "{picture |   | image file for what is seen last, instead of a window}";
 
 // Frames with their times: of a camera those at which they arrive, of a video those that it tells.
 class Source
@@ -104,7 +105,8 @@ void write(cv::Mat& picture, int line, const std::string& text)
                     cvRound(isOutline ? 4 * size : size) + 1, cv::LINE_AA);
 }
 
-void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Vec4d& milliseconds)
+void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const AckermannMotion& motion,
+                  const cv::Vec4d& milliseconds)
 {
     double yawRate = 0, speed = 0;
     std::string numbers = STATUS_WORDS[motion.status];
@@ -114,8 +116,10 @@ void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const Ac
         numbers += cv::format(", %.0f km/h", speed / KMH);
     write(picture, 0, numbers);
     if (motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT)
-        write(picture, 1, cv::format("expected displacement %.2f px, %.2f px left", motion.expectedRaw, motion.expectedLeft));
-    write(picture, 2, cv::format("%d of %d verticals, %.0f ms", motion.inliers, motion.candidates, cv::sum(milliseconds)[0]));
+        write(picture, 1,
+              cv::format("expected displacement %.2f px, %.2f px left", motion.expectedRaw, motion.expectedLeft));
+    write(picture, 2,
+          cv::format("%d of %d verticals, %.0f ms", motion.inliers, motion.candidates, cv::sum(milliseconds)[0]));
 }
 
 int run(const Options& options)

@@ -34,9 +34,11 @@ const char* const KEYS =
     "{focal      |         | focal length, pixels (default 816; with --image 0.9 times the longer side)}"
     "{lens       |         | 4, 5 or 8 coefficients of cv::projectPoints, with commas between}"
     "{line_delay |         | seconds between two lines}"
-    "{readout    |         | seconds between the first and the last line's end (default 0.013333), instead of --line_delay}"
+    "{readout    |         | seconds between the first and the last line's end (default 0.013333), instead of "
+    "--line_delay}"
     "{scan       | top_to_bottom | order of the lines: top_to_bottom, bottom_to_top, left_to_right or right_to_left}"
-    "{reference  | middle  | line at whose instant the global-shutter image is taken: first, middle, last or its number}"
+    "{reference  | middle  | line at whose instant the global-shutter image is taken: first, middle, last or its "
+    "number}"
     "{roll       | 0       | degrees, positive if the camera is turned clockwise seen from behind it}"
     "{pitch      | 0       | degrees, positive if the camera looks down}"
     "{heading    | 0       | degrees from the optical axis to the vehicle's forward direction, positive to the right}"
@@ -47,9 +49,10 @@ const char* const KEYS =
     "{right      | 3       | metres to the right wall, 0: there is none}"
     "{wall_direction |     | degrees from the optical axis to the direction along the walls (default: the heading)}"
     "{clutter    | 0       | share of slanted lines in the rendered street, 0..1}"
-    "{stagger    | 0       | metres: each rendered house stands back from its wall by its own amount between 0 and this}"
-    "{obstacles  | 0       | parked cars, posts and leaning trees on 100 m of each side of the rendered street; cars park only if the camera "
-    "passes the wall at 2.8 m or more}"
+    "{stagger    | 0       | metres: each rendered house stands back from its wall by its own amount between 0 and "
+    "this}"
+    "{obstacles  | 0       | parked cars, posts and leaning trees on 100 m of each side of the rendered street; cars "
+    "park only if the camera passes the wall at 2.8 m or more}"
     "{noise      | 1       | of the rendered image, grey levels}"
     "{samples    | 3       | rays across and down a pixel}"
     "{seed       | 0       | of the rendered street}"
@@ -84,7 +87,8 @@ CameraSettings readSettings(const Options& options, const cv::Size& size, double
 Truth readTruthOptions(const Options& options, const CameraSettings& settings)
 {
     const cv::rsackermann::RollingShutterCamera camera = settings.makeCamera(settings.size);
-    Truth truth = {street::StreetCamera(settings.size, settings.K(0, 0), camera.lineDelay, settings.height), street::StreetScene()};
+    Truth truth = {street::StreetCamera(settings.size, settings.K(0, 0), camera.lineDelay, settings.height),
+                   street::StreetScene()};
     truth.camera.lens = settings.lens;
     truth.camera.scan = settings.scan;
     truth.camera.reference = camera.referenceRow;
@@ -97,7 +101,8 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
     scene.yawRate = options.number("yaw_rate", -360, 360) * DEGREE;
     scene.left = options.number("left", 0, 1000);
     scene.right = options.number("right", 0, 1000);
-    scene.wallDirection = (options.given("wall_direction") ? options.number("wall_direction", -180, 180) : settings.heading) * DEGREE;
+    scene.wallDirection =
+        (options.given("wall_direction") ? options.number("wall_direction", -180, 180) : settings.heading) * DEGREE;
     scene.clutter = options.number("clutter", 0, 1);
     scene.stagger = options.number("stagger", 0, 10);
     scene.obstacles = options.number("obstacles", 0, 100);
@@ -106,7 +111,8 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
     return truth;
 }
 
-// The rolling-shutter image of a global-shutter one; parts that it doesn't show are mirrored, since a border would be an edge.
+// The rolling-shutter image of a global-shutter one; parts that it doesn't show are mirrored, since a border would be
+// an edge.
 cv::Mat distort(const cv::Mat& image, const Truth& truth)
 {
     using namespace cv::rsackermann;
@@ -137,7 +143,8 @@ int run(const Options& options)
 
     const cv::Mat image = options.given("image") ? readImage(options.text("image")) : cv::Mat();
     const cv::Size size = image.empty() ? parseSize(options.text("size"), "option --size", 2, 20000) : image.size();
-    const CameraSettings settings = readSettings(options, size, image.empty() ? 816 : 0.9 * std::max(size.width, size.height));
+    const CameraSettings settings =
+        readSettings(options, size, image.empty() ? 816 : 0.9 * std::max(size.width, size.height));
     const Truth truth = readTruthOptions(options, settings);
     const int samples = options.integer("samples", 1, 16);
 

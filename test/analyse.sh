@@ -1,5 +1,6 @@
 #!/bin/bash
-# Static analysis: shellcheck of all scripts, cppcheck of the library and the programs, and clang-tidy with --tidy.
+# Static analysis: shellcheck of all scripts, clang-format of all sources, cppcheck of the library and the programs, and
+# clang-tidy with --tidy.
 # Prints what they find and fails if there is anything.
 # usage: analyse.sh [--tidy=BUILD_DIRECTORY]
 #   --tidy   also clang-tidy, with the compile_commands.json of a build with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON: some minutes the first time,
@@ -13,7 +14,7 @@ case ${1:-} in
     *) die "unknown argument $1" ;;
 esac
 logs=${TMPDIR:-/tmp}
-packages=(shellcheck cppcheck)
+packages=(shellcheck clang-format-14 cppcheck)
 [ -z "$tidy" ] || packages+=(clang-tidy)
 install_packages "$logs/rsackermann-apt-install.log" "${packages[@]}"
 cd "$root"
@@ -22,6 +23,10 @@ mapfile -t sources < <(git ls-files 'modules/rsackermann/src/*.cpp' 'samples/*.c
 
 step "shellcheck, ${#scripts[@]} scripts"
 shellcheck "${scripts[@]}"
+
+mapfile -t formatted < <(git ls-files '*.cpp' '*.hpp')
+step "clang-format, ${#formatted[@]} files"
+clang-format-14 --dry-run --Werror "${formatted[@]}"
 
 step "cppcheck, ${#sources[@]} sources"
 cppcheck --quiet --std=c++14 --language=c++ --enable=warning,portability --inline-suppr --library=opencv2 --suppress=unknownMacro \

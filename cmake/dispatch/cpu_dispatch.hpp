@@ -31,7 +31,9 @@
 #endif
 
 #define CV_CPU_OPTIMIZATION_NAMESPACE __CV_CAT(opt_, CV_CPU_DISPATCH_MODE)
-#define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace __CV_CAT(opt_, CV_CPU_DISPATCH_MODE) {
+#define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN                                                                            \
+    namespace __CV_CAT(opt_, CV_CPU_DISPATCH_MODE)                                                                     \
+    {
 
 #else
 
@@ -45,19 +47,22 @@
 
 #include "opencv2/core/utility.hpp"
 
-// CV_CPU_DISPATCH(function, (arguments), AVX2, BASELINE) returns what the first mode that the processor can run returns.
-#define CV_CPU_CALL_AVX2(fn, args) \
-    if (cv::checkHardwareSupport(CV_CPU_AVX2) && cv::checkHardwareSupport(CV_CPU_FMA3)) \
-        return (opt_AVX2::fn args)
-#define CV_CPU_CALL_AVX512_SKX(fn, args) \
-    if (cv::checkHardwareSupport(CV_CPU_AVX512_SKX)) \
-        return (opt_AVX512_SKX::fn args)
+// CV_CPU_DISPATCH(function, (arguments), AVX2, BASELINE) returns what the first mode that the processor can run
+// returns.
+#define CV_CPU_CALL_AVX2(fn, args)                                                                                     \
+    if (cv::checkHardwareSupport(CV_CPU_AVX2) && cv::checkHardwareSupport(CV_CPU_FMA3))                                \
+    return (opt_AVX2::fn args)
+#define CV_CPU_CALL_AVX512_SKX(fn, args)                                                                               \
+    if (cv::checkHardwareSupport(CV_CPU_AVX512_SKX))                                                                   \
+    return (opt_AVX512_SKX::fn args)
 #define __CV_CPU_DISPATCH_CHAIN_BASELINE(fn, args, mode, ...) return (cpu_baseline::fn args)
-#define __CV_CPU_DISPATCH_CHAIN_AVX2(fn, args, mode, ...) \
-    CV_CPU_CALL_AVX2(fn, args); __CV_EXPAND(__CV_CPU_DISPATCH_CHAIN_ ## mode(fn, args, __VA_ARGS__))
-#define __CV_CPU_DISPATCH_CHAIN_AVX512_SKX(fn, args, mode, ...) \
-    CV_CPU_CALL_AVX512_SKX(fn, args); __CV_EXPAND(__CV_CPU_DISPATCH_CHAIN_ ## mode(fn, args, __VA_ARGS__))
-#define __CV_CPU_DISPATCH(fn, args, mode, ...) __CV_EXPAND(__CV_CPU_DISPATCH_CHAIN_ ## mode(fn, args, __VA_ARGS__))
+#define __CV_CPU_DISPATCH_CHAIN_AVX2(fn, args, mode, ...)                                                              \
+    CV_CPU_CALL_AVX2(fn, args);                                                                                        \
+    __CV_EXPAND(__CV_CPU_DISPATCH_CHAIN_##mode(fn, args, __VA_ARGS__))
+#define __CV_CPU_DISPATCH_CHAIN_AVX512_SKX(fn, args, mode, ...)                                                        \
+    CV_CPU_CALL_AVX512_SKX(fn, args);                                                                                  \
+    __CV_EXPAND(__CV_CPU_DISPATCH_CHAIN_##mode(fn, args, __VA_ARGS__))
+#define __CV_CPU_DISPATCH(fn, args, mode, ...) __CV_EXPAND(__CV_CPU_DISPATCH_CHAIN_##mode(fn, args, __VA_ARGS__))
 #define __CV_CPU_DISPATCH_EXPAND(fn, args, ...) __CV_EXPAND(__CV_CPU_DISPATCH(fn, args, __VA_ARGS__))
 #define CV_CPU_DISPATCH(fn, args, ...) __CV_CPU_DISPATCH_EXPAND(fn, args, __VA_ARGS__, END)
 

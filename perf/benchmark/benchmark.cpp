@@ -54,7 +54,8 @@ int Benchmark::work(const std::function<Work()>& prepare, Threads threads)
     return int(pieces_.size()) - 1;
 }
 
-void Benchmark::figure(const std::string& name, const std::string& unit, const std::vector<int>& works, const Formula& formula)
+void Benchmark::figure(const std::string& name, const std::string& unit, const std::vector<int>& works,
+                       const Formula& formula)
 {
     const Figure figure = {name, unit, works, formula};
     figures_.push_back(figure);
@@ -74,7 +75,7 @@ void Benchmark::run(const std::string& filter, int rounds, int threads) const
                 works[i] = pieces_[i].prepare();
     }
 
-    std::vector<std::vector<double> > values(wanted.size());
+    std::vector<std::vector<double>> values(wanted.size());
     for (int round = 0; round < rounds; round++)
     {
         std::vector<double> seconds(works.size());

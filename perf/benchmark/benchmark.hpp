@@ -13,8 +13,8 @@ namespace benchmark {
 
 /** Measures pieces of work and computes figures from their times.
 
-All work is done in turn, several rounds of it, so that what happens to the machine happens to all. A figure is the median
-over the rounds of what it is in each of them.
+All work is done in turn, several rounds of it, so that what happens to the machine happens to all. A figure is the
+median over the rounds of what it is in each of them.
 */
 class Benchmark
 {
@@ -30,7 +30,8 @@ public:
 
     /** @param works whose times the figure needs.
         @param formula computes the figure from their times in seconds; the time itself if empty. */
-    void figure(const std::string& name, const std::string& unit, const std::vector<int>& works, const Formula& formula);
+    void figure(const std::string& name, const std::string& unit, const std::vector<int>& works,
+                const Formula& formula);
 
     //! Prints the figures whose names contain the text.
     void run(const std::string& filter, int rounds, int threads) const;

@@ -46,7 +46,9 @@ int addRemap(Benchmark& benchmark)
         const cv::Mat image = render(drive);
         cv::Mat columns, rows, corrected;
         WarpMapGenerator::create(drive.camera)->initRectifyMap(drive.motion, columns, rows);
-        return [image, columns, rows, corrected]() mutable { cv::remap(image, corrected, columns, rows, cv::INTER_LINEAR); };
+        return [image, columns, rows, corrected]() mutable {
+            cv::remap(image, corrected, columns, rows, cv::INTER_LINEAR);
+        };
     });
 }
 
@@ -56,18 +58,21 @@ void addCorrectFigures(Benchmark& benchmark)
 {
     const int correct = addCorrect(benchmark, FULL_HD);
     const int detect = addDetect(benchmark, FULL_HD, AckermannEstimator::Params().detector);
-    benchmark.figure("correct_1080p_over_detect_plus_remap", "ratio", {correct, detect, addRemap(benchmark)}, overOthers);
+    benchmark.figure("correct_1080p_over_detect_plus_remap", "ratio", {correct, detect, addRemap(benchmark)},
+                     overOthers);
     benchmark.figure("correct_1080p_fps", "1/s", {correct}, [](const std::vector<double>& t) { return 1 / t[0]; });
 
     const cv::Size small(640, 480), large(3840, 2160);
-    benchmark.figure("growth_pixels_correct", "time per pixel, ratio", {addCorrect(benchmark, large), addCorrect(benchmark, small)},
-                     [small, large](const std::vector<double>& t) { return t[0] / t[1] * small.area() / large.area(); });
+    benchmark.figure(
+        "growth_pixels_correct", "time per pixel, ratio", {addCorrect(benchmark, large), addCorrect(benchmark, small)},
+        [small, large](const std::vector<double>& t) { return t[0] / t[1] * small.area() / large.area(); });
 
     const cv::Size sizes[] = {small, cv::Size(1280, 720), FULL_HD};
     for (size_t i = 0; i < rsackermann_samples::DETECTOR_WORDS.size(); i++)
         for (const cv::Size& size : sizes)
-            benchmark.figure(cv::format("detect_%s_%dp_ms", rsackermann_samples::DETECTOR_WORDS[i].c_str(), size.height), "ms",
-                             {addDetect(benchmark, size, int(i))}, scaled(1e3));
+            benchmark.figure(
+                cv::format("detect_%s_%dp_ms", rsackermann_samples::DETECTOR_WORDS[i].c_str(), size.height), "ms",
+                {addDetect(benchmark, size, int(i))}, scaled(1e3));
 }
 
 } // namespace benchmark

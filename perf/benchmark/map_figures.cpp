@@ -26,7 +26,8 @@ struct Maps
     explicit Maps(const cv::Size& size) : columns(size, CV_32FC1), rows(size, CV_32FC1) {}
 };
 
-int addRectifyMap(Benchmark& benchmark, const cv::Size& size, const std::vector<double>& lens, const std::shared_ptr<Maps>& maps)
+int addRectifyMap(Benchmark& benchmark, const cv::Size& size, const std::vector<double>& lens,
+                  const std::shared_ptr<Maps>& maps)
 {
     return benchmark.work([size, lens, maps]() -> Benchmark::Work {
         const Drive drive(size, lens);
@@ -48,7 +49,9 @@ int addInitUndistort(Benchmark& benchmark, const std::vector<double>& lens, cons
 {
     return benchmark.work([lens, maps]() -> Benchmark::Work {
         const cv::Matx33d K = Drive(FULL_HD).camera.cameraMatrix;
-        return [lens, maps, K]() { cv::initUndistortRectifyMap(K, lens, cv::noArray(), K, FULL_HD, CV_32FC1, maps->columns, maps->rows); };
+        return [lens, maps, K]() {
+            cv::initUndistortRectifyMap(K, lens, cv::noArray(), K, FULL_HD, CV_32FC1, maps->columns, maps->rows);
+        };
     });
 }
 
@@ -67,11 +70,13 @@ int addMemset(Benchmark& benchmark, const std::shared_ptr<Maps>& maps)
 void addMapFigures(Benchmark& benchmark)
 {
     const std::shared_ptr<Maps> maps = std::make_shared<Maps>(FULL_HD);
-    const int rectify = addRectifyMap(benchmark, FULL_HD, NO_LENS, maps), rectifyLens = addRectifyMap(benchmark, FULL_HD, LENS, maps);
+    const int rectify = addRectifyMap(benchmark, FULL_HD, NO_LENS, maps),
+              rectifyLens = addRectifyMap(benchmark, FULL_HD, LENS, maps);
     benchmark.figure("rectify_map_1080p_ms", "ms", {rectify}, scaled(1e3));
-    benchmark.figure("rectify_map_1080p_over_init_undistort", "ratio", {rectify, addInitUndistort(benchmark, NO_LENS, maps)}, overOthers);
-    benchmark.figure("rectify_map_lens_1080p_over_init_undistort", "ratio", {rectifyLens, addInitUndistort(benchmark, LENS, maps)},
-                     overOthers);
+    benchmark.figure("rectify_map_1080p_over_init_undistort", "ratio",
+                     {rectify, addInitUndistort(benchmark, NO_LENS, maps)}, overOthers);
+    benchmark.figure("rectify_map_lens_1080p_over_init_undistort", "ratio",
+                     {rectifyLens, addInitUndistort(benchmark, LENS, maps)}, overOthers);
     benchmark.figure("rectify_map_1080p_over_memset", "ratio", {rectify, addMemset(benchmark, maps)}, overOthers);
     benchmark.figure("distort_map_1080p_ms", "ms", {addDistortMap(benchmark, NO_LENS, maps)}, scaled(1e3));
     benchmark.figure("distort_map_lens_1080p_ms", "ms", {addDistortMap(benchmark, LENS, maps)}, scaled(1e3));
@@ -79,9 +84,9 @@ void addMapFigures(Benchmark& benchmark)
     const cv::Size small(640, 480), large(3840, 2160);
     const int first = addRectifyMap(benchmark, small, NO_LENS, std::make_shared<Maps>(small));
     const int last = addRectifyMap(benchmark, large, NO_LENS, std::make_shared<Maps>(large));
-    benchmark.figure("growth_pixels_rectify_map", "time per pixel, ratio", {last, first}, [small, large](const std::vector<double>& t) {
-        return t[0] / t[1] * small.area() / large.area();
-    });
+    benchmark.figure(
+        "growth_pixels_rectify_map", "time per pixel, ratio", {last, first},
+        [small, large](const std::vector<double>& t) { return t[0] / t[1] * small.area() / large.area(); });
 }
 
 } // namespace benchmark

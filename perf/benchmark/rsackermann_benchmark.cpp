@@ -11,8 +11,9 @@ using namespace rsackermann_samples;
 
 namespace {
 
-const char* const ABOUT = "Measures how long solvers, estimation, maps and the whole correction take, and prints a line\n"
-                          "name<TAB>value<TAB>unit for each figure. Ratios are to functions of OpenCV in the same run.\n";
+const char* const ABOUT =
+    "Measures how long solvers, estimation, maps and the whole correction take, and prints a line\n"
+    "name<TAB>value<TAB>unit for each figure. Ratios are to functions of OpenCV in the same run.\n";
 
 const char* const KEYS =
     "{help       |        | print this message}"

@@ -39,15 +39,17 @@ const int SAMPLES = 1000;
 template <typename Solver>
 void addSolver(Benchmark& benchmark, const std::string& name, Solver solver)
 {
-    const int work = benchmark.work([solver]() -> Benchmark::Work {
-        const std::vector<VerticalSegment> samples = makeSamples(SAMPLES);
-        return [samples, solver]() {
-            const SolverOptions options;
-            MinimalSolution solutions[8];
-            for (size_t i = 0; i < samples.size(); i += 4)
-                solver(&samples[i], options, solutions);
-        };
-    }, Benchmark::ONE_THREAD);
+    const int work = benchmark.work(
+        [solver]() -> Benchmark::Work {
+            const std::vector<VerticalSegment> samples = makeSamples(SAMPLES);
+            return [samples, solver]() {
+                const SolverOptions options;
+                MinimalSolution solutions[8];
+                for (size_t i = 0; i < samples.size(); i += 4)
+                    solver(&samples[i], options, solutions);
+            };
+        },
+        Benchmark::ONE_THREAD);
     benchmark.figure(name, "ns", {work}, scaled(1e9 / SAMPLES));
 }
 
@@ -55,11 +57,16 @@ void addSolver(Benchmark& benchmark, const std::string& name, Solver solver)
 
 void addSolverFigures(Benchmark& benchmark)
 {
-    addSolver(benchmark, "solver_1la_ns", [](const VerticalSegment* s, const SolverOptions& o, MinimalSolution* r) { solve1LA(s[0], o, r); });
-    addSolver(benchmark, "solver_3la_ns", [](const VerticalSegment* s, const SolverOptions& o, MinimalSolution* r) { solve3LA(s + 1, true, o, r); });
-    addSolver(benchmark, "solver_4la_ns", [](const VerticalSegment* s, const SolverOptions& o, MinimalSolution* r) { solve4LA(s, true, o, r); });
-    addSolver(benchmark, "solver_4la_exact_ns",
-              [](const VerticalSegment* s, const SolverOptions& o, MinimalSolution* r) { solve4LAExact(s, true, o, r); });
+    addSolver(benchmark, "solver_1la_ns",
+              [](const VerticalSegment* s, const SolverOptions& o, MinimalSolution* r) { solve1LA(s[0], o, r); });
+    addSolver(benchmark, "solver_3la_ns", [](const VerticalSegment* s, const SolverOptions& o, MinimalSolution* r) {
+        solve3LA(s + 1, true, o, r);
+    });
+    addSolver(benchmark, "solver_4la_ns",
+              [](const VerticalSegment* s, const SolverOptions& o, MinimalSolution* r) { solve4LA(s, true, o, r); });
+    addSolver(
+        benchmark, "solver_4la_exact_ns",
+        [](const VerticalSegment* s, const SolverOptions& o, MinimalSolution* r) { solve4LAExact(s, true, o, r); });
 }
 
 } // namespace benchmark

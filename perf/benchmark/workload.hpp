@@ -9,7 +9,8 @@
 
 namespace benchmark {
 
-//! A car in a street at 54 km/h and 40 deg/s, with walls at 2.5 m and 3 m and a read-out of 40 % of a frame at 30 frames/s.
+//! A car in a street at 54 km/h and 40 deg/s, with walls at 2.5 m and 3 m and a read-out of 40 % of a frame at 30
+//! frames/s.
 struct Drive
 {
     street::StreetCamera view;

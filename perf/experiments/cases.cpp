@@ -13,8 +13,8 @@ namespace experiments {
 using namespace rsackermann_samples;
 
 const char* const CASE_KEYS =
-    "{photos     |        | folder with frames.csv (name,focal_px,roll_deg,pitch_deg,line_at_infinity_px) and global-shutter photographs "
-    "of streets, to be used instead of renderings}"
+    "{photos     |        | folder with frames.csv (name,focal_px,roll_deg,pitch_deg,line_at_infinity_px) and "
+    "global-shutter photographs of streets, to be used instead of renderings}"
     "{rest       |        | the car is at rest}"
     "{scenes     | 3      | number of rendered streets}"
     "{seed       | 0      | of the first rendered street and of the errors of what the estimator is told}"
@@ -25,14 +25,14 @@ const char* const CASE_KEYS =
     "{lens       |        | coefficients of the rendered camera's lens, as of cv::projectPoints, with commas between}"
     "{roll       | 0      | of the rendered camera, degrees}"
     "{pitch      | 0      | of the rendered camera, degrees}"
-    "{direction  | 0      | of the rendered street and the car's motion, degrees to the right of the optical axis; 90: the camera looks "
-    "to the left and sees one wall, -90: to the right}"
+    "{direction  | 0      | of the rendered street and the car's motion, degrees to the right of the optical axis; "
+    "90: the camera looks to the left and sees one wall, -90: to the right}"
     "{left       | 2.5    | metres to the left wall of the rendered street, 0: there is none}"
     "{right      | 3      | metres to its right wall, 0: there is none}"
     "{clutter    | 0      | share of slanted lines in the rendered streets, 0..1}"
     "{stagger    | 0      | metres: each rendered house stands back from its wall by its own amount between 0 and this}"
-    "{obstacles  | 0      | parked cars, posts and leaning trees on 100 m of each side of the rendered streets; cars park only if the "
-    "wall is 2.8 m away}"
+    "{obstacles  | 0      | parked cars, posts and leaning trees on 100 m of each side of the rendered streets; cars "
+    "park only if the wall is 2.8 m away}"
     "{noise      | 1      | of the rendered images, grey levels}";
 
 namespace {
@@ -77,7 +77,8 @@ std::vector<Case> renderedCases(const Options& options)
     const int first = options.integer("seed", 0, 1 << 20), count = options.integer("scenes", 1, 10000);
     std::vector<Case> cases;
     for (int i = 0; i < count; i++)
-        for (street::StreetScene scene : makeMotions(options, {10, 42.5, 75, 107.5, 140}, {10, -10, 30, -30, 50, -50, 70, -70}))
+        for (street::StreetScene scene :
+             makeMotions(options, {10, 42.5, 75, 107.5, 140}, {10, -10, 30, -30, 50, -50, 70, -70}))
         {
             scene.wallDirection = camera.heading;
             scene.left = toTheRight ? 0 : options.number("left", 0, 1000);

@@ -13,7 +13,8 @@ namespace experiments {
 //! The options that makeCases() reads, in the form of cv::CommandLineParser.
 extern const char* const CASE_KEYS;
 
-//! The images of an experiment: streets to be rendered, or photographs with simulated motion; throws UsageError or InputError.
+//! The images of an experiment: streets to be rendered, or photographs with simulated motion; throws UsageError or
+//! InputError.
 std::vector<Case> makeCases(const rsackermann_samples::Options& options);
 
 } // namespace experiments

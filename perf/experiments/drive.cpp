@@ -62,15 +62,17 @@ std::vector<DriveFrame> readDrive(const std::string& folder)
     const double degree = CV_PI / 180, unitsPerSecond = 17;
     std::vector<DriveFrame> frames;
     for (const std::vector<std::string>& row :
-         readTable(folder + "/frames.csv", {"file", "width", "height", "fx", "fy", "cx", "cy", "pitch_deg", "roll_deg", "heading_deg", "height_m",
-                                            "line_delay_s", "units_to_next", "speed_kmh", "yaw_rate_deg_s"}))
+         readTable(folder + "/frames.csv",
+                   {"file", "width", "height", "fx", "fy", "cx", "cy", "pitch_deg", "roll_deg", "heading_deg",
+                    "height_m", "line_delay_s", "units_to_next", "speed_kmh", "yaw_rate_deg_s"}))
     {
         std::vector<double> v(row.size(), 0.);
         for (size_t i = 1; i < row.size(); i++)
             v[i] = row[i].empty() ? 0 : parseNumber(row[i], "frames.csv");
         DriveFrame frame;
         frame.file = folder + "/" + row[0];
-        frame.camera = RollingShutterCamera(cv::Size(int(v[1]), int(v[2])), cv::Matx33d(v[3], 0, v[5], 0, v[4], v[6], 0, 0, 1));
+        frame.camera =
+            RollingShutterCamera(cv::Size(int(v[1]), int(v[2])), cv::Matx33d(v[3], 0, v[5], 0, v[4], v[6], 0, 0, 1));
         frame.camera.setRollPitch(v[8] * degree, v[7] * degree);
         frame.camera.heading = v[9] * degree;
         frame.camera.height = v[10];

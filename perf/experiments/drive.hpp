@@ -25,8 +25,8 @@ std::vector<DriveFrame> readDrive(const std::string& folder);
 
 /** Where the optical flow to the next frame says that a global shutter would have seen the pixels of a frame.
 
-A raw pixel q that is read at the time t after the reference row and moves by v each second belongs at q - v t. The flow is taken where
-forward and backward flow agree and the image has texture; the bonnet is left out.
+A raw pixel q that is read at the time t after the reference row and moves by v each second belongs at q - v t. The flow
+is taken where forward and backward flow agree and the image has texture; the bonnet is left out.
 */
 class FlowTruth
 {

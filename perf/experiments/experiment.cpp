@@ -30,7 +30,8 @@ RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowled
     street::StreetCamera told = truth;
     told.roll += rng.gaussian(knowledge.rollNoise);
     told.pitch += rng.gaussian(knowledge.pitchNoise);
-    const double focalError = knowledge.focalError + (knowledge.focalNoise > 0 ? rng.gaussian(knowledge.focalNoise) : 0);
+    const double focalError =
+        knowledge.focalError + (knowledge.focalNoise > 0 ? rng.gaussian(knowledge.focalNoise) : 0);
     told.fx *= 1 + focalError;
     told.fy *= 1 + focalError;
     RollingShutterCamera camera = libraryCamera(told);
@@ -63,7 +64,8 @@ cv::Mat exactSegments(const Case& c, const AckermannEstimator::Params& params)
     const cv::Mat image = c.photo.empty() ? street::StreetRenderer(c.camera, c.scene).globalShutter() : c.photo;
     cv::Mat segments, moved;
     detectSegments(image, segments, params.detector, params.minLength);
-    WarpMapGenerator::create(libraryCamera(c.camera))->distortPoints(libraryMotion(c.camera, c.scene), segments.reshape(2, segments.rows * 2), moved);
+    WarpMapGenerator::create(libraryCamera(c.camera))
+        ->distortPoints(libraryMotion(c.camera, c.scene), segments.reshape(2, segments.rows * 2), moved);
     return moved.reshape(1, segments.rows);
 }
 
@@ -81,8 +83,8 @@ cv::Mat verticalOnes(const cv::Mat& segments, double maxSlant)
 }
 
 // Mean displacement that errors with the motion's covariance would leave, by the maps of motions drawn with it.
-double predictedDisplacement(const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Mat maps[2], const cv::Mat& mask, int samples,
-                             cv::RNG& rng)
+double predictedDisplacement(const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Mat maps[2],
+                             const cv::Mat& mask, int samples, cv::RNG& rng)
 {
     cv::Mat values, vectors;
     cv::eigen(cv::Mat(motion.covariance), values, vectors);
@@ -160,10 +162,14 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     double yawRate = 0, speed = 0;
     const bool ok = motion.status == MOTION_OK;
     result.yawRateError = motion.yawRate(camera, yawRate) ? (yawRate - c.scene.yawRate) * 180 / CV_PI : NOT_KNOWN;
-    result.speedError = !ok ? -c.scene.speed * 3.6 : motion.speed(camera, speed) ? (speed - c.scene.speed) * 3.6 : NOT_KNOWN;
+    result.speedError = !ok                           ? -c.scene.speed * 3.6
+                        : motion.speed(camera, speed) ? (speed - c.scene.speed) * 3.6
+                                                      : NOT_KNOWN;
     // The walls of a camera that looks to a side have their line at infinity far outside of the image.
     const bool ahead = std::cos(c.scene.wallDirection) > 0.5;
-    result.deltaError = ok && ahead && motion.wallSlope != 0 ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx : NOT_KNOWN;
+    result.deltaError = ok && ahead && motion.wallSlope != 0
+                            ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx
+                            : NOT_KNOWN;
     const cv::Matx44d covariance = motion.metricCovariance(camera);
     result.yawRateSigma = ok ? sigmaOf(covariance(0, 0), CV_PI / 180) : NOT_KNOWN;
     result.speedSigma = ok ? sigmaOf(covariance(1, 1), 1 / 3.6) : NOT_KNOWN;

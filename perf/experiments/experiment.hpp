@@ -13,21 +13,27 @@ namespace experiments {
 struct Knowledge
 {
     double rollNoise, pitchNoise; //!< standard deviations in radians of the errors of roll and pitch
-    double focalError;    //!< of the focal length: 0.1 for 10 % too long
-    double focalNoise;    //!< standard deviation of further errors of it, of which the estimator is told
-    double speedSigma;    //!< metres per second, of the error of a known speed; 0: it isn't known
-    double yawRateSigma;  //!< radians per second, of the error of a known yaw rate; 0: it isn't known
-    double wallDirectionSigma; //!< radians, of the error of a known line at infinity; 0: it isn't known
-    bool exactPriors;     //!< known values have no error, whatever their standard deviation
+    double focalError;            //!< of the focal length: 0.1 for 10 % too long
+    double focalNoise;            //!< standard deviation of further errors of it, of which the estimator is told
+    double speedSigma;            //!< metres per second, of the error of a known speed; 0: it isn't known
+    double yawRateSigma;          //!< radians per second, of the error of a known yaw rate; 0: it isn't known
+    double wallDirectionSigma;    //!< radians, of the error of a known line at infinity; 0: it isn't known
+    bool exactPriors;             //!< known values have no error, whatever their standard deviation
 
-    Knowledge() : rollNoise(0), pitchNoise(0), focalError(0), focalNoise(0), speedSigma(0), yawRateSigma(0), wallDirectionSigma(0), exactPriors(false) {}
+    Knowledge()
+        : rollNoise(0), pitchNoise(0), focalError(0), focalNoise(0), speedSigma(0), yawRateSigma(0),
+          wallDirectionSigma(0), exactPriors(false)
+    {
+    }
 };
 
 //! Which segments the estimator gets.
 struct SegmentChoice
 {
     bool verticalsOnly; //!< those that may be images of vertical lines
-    bool exact;         //!< found in the global-shutter image, their ends moved by the true motion: without errors of detection in a bent image
+    //! Found in the global-shutter image, their ends moved by the true motion: without errors of detection in a bent
+    //! image
+    bool exact;
 
     SegmentChoice() : verticalsOnly(false), exact(false) {}
 };
@@ -40,20 +46,24 @@ struct Case
     street::StreetScene scene;
     cv::Mat photo; //!< global-shutter image to be distorted; empty: the street is rendered
 
-    Case(const std::string& caseName, const street::StreetCamera& c, const street::StreetScene& s) : name(caseName), camera(c), scene(s) {}
+    Case(const std::string& caseName, const street::StreetCamera& c, const street::StreetScene& s)
+        : name(caseName), camera(c), scene(s)
+    {
+    }
 };
 
 struct Result
 {
     int status, model, candidates, inliers;
-    double raw, left;           //!< mean displacement in pixels before and after
-    double expectedLeft;        //!< what the estimator expects to be left
-    double yawRateError;        //!< degrees per second
-    double yawRateSigma;        //!< its standard deviation as the estimator sees it; NaN if there is none
-    double speedError;          //!< km/h; NaN if the speed isn't known
-    double speedSigma;          //!< its standard deviation as the estimator sees it; NaN if there is none
-    double deltaError;          //!< pixels; NaN if there are no walls
-    double floor;               //!< displacement in pixels that the estimator's covariance predicts; NaN if it wasn't asked for
+    double raw, left;    //!< mean displacement in pixels before and after
+    double expectedLeft; //!< what the estimator expects to be left
+    double yawRateError; //!< degrees per second
+    double yawRateSigma; //!< its standard deviation as the estimator sees it; NaN if there is none
+    double speedError;   //!< km/h; NaN if the speed isn't known
+    double speedSigma;   //!< its standard deviation as the estimator sees it; NaN if there is none
+    double deltaError;   //!< pixels; NaN if there are no walls
+    //! Displacement in pixels that the estimator's covariance predicts; NaN if it wasn't asked for
+    double floor;
 };
 
 //! The settings of an experiment.

@@ -30,7 +30,8 @@ const char* const KEYS =
     "{frames   | 300  | of each drive, 30 in a second}"
     "{yaw_rate | 12   | standard deviation of the yaw rate, deg/s}"
     "{tilt     | 0.25 | standard deviation of roll and pitch of the suspension, degrees}"
-    "{rendered |      | rendered images (640 x 380) of a car that weaves through a street instead of simulated points and segments}"
+    "{rendered |      | rendered images (640 x 380) of a car that weaves through a street instead of simulated points "
+    "and segments}"
     "{seed     | 0    | of the first drive}";
 
 const char* const NAMES[] = {"roll, deg", "pitch, deg", "heading, deg", "line delay, %"};
@@ -65,8 +66,9 @@ void print(const char* title, const Errors errors[4])
         int within = 0;
         for (size_t k = 0; k < e.error.size(); k++)
             within += e.error[k] <= 2 * e.sigma[k];
-        std::printf("| %s | %s | %.3f | %.3f | %.3f | %.3f | %.0f | %d |\n", title, NAMES[i], quantile(e.error, 0.5), quantile(e.error, 0.9),
-                    quantile(e.error, 1), quantile(e.sigma, 0.5), 100. * within / double(e.error.size()), e.told);
+        std::printf("| %s | %s | %.3f | %.3f | %.3f | %.3f | %.0f | %d |\n", title, NAMES[i], quantile(e.error, 0.5),
+                    quantile(e.error, 0.9), quantile(e.error, 1), quantile(e.sigma, 0.5),
+                    100. * within / double(e.error.size()), e.told);
     }
 }
 
@@ -75,8 +77,8 @@ class Contest
 {
 public:
     //! @param delay seconds for a line. @param scale_ by which the true one is larger.
-    Contest(const cv::Size& size, double focal, double delay, double height, double scale_, int seed) : guess(RollingShutterCamera::fromFocal(size, focal)),
-                                                                                                     scale(scale_), rng(seed)
+    Contest(const cv::Size& size, double focal, double delay, double height, double scale_, int seed)
+        : guess(RollingShutterCamera::fromFocal(size, focal)), scale(scale_), rng(seed)
     {
         guess.height = height;
         guess.lineDelay = delay;
@@ -85,7 +87,8 @@ public:
     }
 
     //! @param addFrame of a calibrator and what it is told.
-    template <class AddFrame> void add(double yawRate, double speed, const AddFrame& addFrame)
+    template <class AddFrame>
+    void add(double yawRate, double speed, const AddFrame& addFrame)
     {
         MotionPrior log;
         log.yawRateSigma = 0.5 * DEGREE;
@@ -133,7 +136,9 @@ void simulate(int seed, int frames, const StreetDrive::Options& options, Errors 
     for (int i = 0; i < frames; i++)
     {
         const StreetDrive::Frame f = drive.frame(i / 30., 1 / 30.);
-        contest.add(f.yawRate, f.speed, [&](MountCalibrator& calibrator, const MotionPrior& log) { calibrator.addPoints(f.points, f.segments, f.seconds, log); });
+        contest.add(f.yawRate, f.speed, [&](MountCalibrator& calibrator, const MotionPrior& log) {
+            calibrator.addPoints(f.points, f.segments, f.seconds, log);
+        });
     }
     contest.addErrors(errors);
 }
@@ -156,8 +161,9 @@ void render(int seed, int frames, double tilt, Errors errors[2][4])
     for (int i = 0; i < frames; i++)
     {
         const cv::Mat image = drive.next().rollingShutter(2);
-        contest.add(drive.yawRate(), drive.speed(),
-                    [&](MountCalibrator& calibrator, const MotionPrior& log) { calibrator.addFrame(image, drive.seconds(), log); });
+        contest.add(drive.yawRate(), drive.speed(), [&](MountCalibrator& calibrator, const MotionPrior& log) {
+            calibrator.addFrame(image, drive.seconds(), log);
+        });
     }
     contest.addErrors(errors);
 }
@@ -167,7 +173,8 @@ int run(const Options& arguments)
     StreetDrive::Options options;
     options.yawRate = arguments.number("yaw_rate", 0, 90) * DEGREE;
     options.tilt = arguments.number("tilt", 0, 5) * DEGREE;
-    const int drives = arguments.integer("drives", 1, 10000), frames = arguments.integer("frames", 2, 100000), seed = arguments.integer("seed", 0, 1 << 30);
+    const int drives = arguments.integer("drives", 1, 10000), frames = arguments.integer("frames", 2, 100000),
+              seed = arguments.integer("seed", 0, 1 << 30);
     const bool rendered = arguments.flag("rendered");
     Errors errors[2][4];
     Progress progress;
@@ -180,7 +187,9 @@ int run(const Options& arguments)
         progress.update(i + 1, drives, "drives");
     }
     progress.clear();
-    std::printf("| told | value | median error | 90 %% | largest | median sigma | within 2 sigma, %% | told by the drive |\n|---|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| told | value | median error | 90 %% | largest | median sigma | within 2 sigma, %% | told by the drive |\n"
+        "|---|---|---|---|---|---|---|---|\n");
     print("log", errors[0]);
     print("nothing", errors[1]);
     return 0;
@@ -190,5 +199,7 @@ int run(const Options& arguments)
 
 int main(int argc, const char** argv)
 {
-    return runProgram("Finds mount and line delay from simulated or rendered drives and compares them with the truth.\n", KEYS, run, argc, argv);
+    return runProgram(
+        "Finds mount and line delay from simulated or rendered drives and compares them with the truth.\n", KEYS, run,
+        argc, argv);
 }

@@ -18,14 +18,16 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Measures the correction of single frames of real drives against the optical flow to the next frame, and what becomes of frames of\n"
+    "Measures the correction of single frames of real drives against the optical flow to the next frame, and what "
+    "becomes of frames of\n"
     "global-shutter cameras, of which every motion is false.\n"
     "usage: rsackermann_experiment_drives [FOLDER...] [--option=value]...\n"
     "FOLDER has consecutive frames and frames.csv (calibration, time to the next frame, speed and yaw rate).\n";
 
 const char* const KEYS =
     "{help       |        | print this message}"
-    "{controls   |        | folder with frames of global-shutter cameras and frames.csv (file,width,fx,pitch_deg,roll_deg,heading_deg)}"
+    "{controls   |        | folder with frames of global-shutter cameras and frames.csv "
+    "(file,width,fx,pitch_deg,roll_deg,heading_deg)}"
     "{told       | none   | what the estimator is told of the drives: none, yaw_rate, speed or both}"
     "{gravity_sigma |     | degrees, in the place of the default}"
     "{drive      |        | a folder is one drive: each frame with what those before say}"
@@ -40,10 +42,10 @@ struct Outcome
 {
     std::string name;
     AckermannMotion motion;
-    double raw, left;        // pixels
-    double yawRate, sigma;   // deg/s
-    double yawRateError;     // deg/s
-    double deviation;        // of the yaw rate in standard deviations, with those of the log
+    double raw, left;      // pixels
+    double yawRate, sigma; // deg/s
+    double yawRateError;   // deg/s
+    double deviation;      // of the yaw rate in standard deviations, with those of the log
 };
 
 cv::Mat readImage(const std::string& file)
@@ -54,10 +56,11 @@ cv::Mat readImage(const std::string& file)
     return image;
 }
 
-AckermannMotion estimateAndMap(const cv::Mat& image, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                               const MotionPrior& prior, cv::Mat maps[2])
+AckermannMotion estimateAndMap(const cv::Mat& image, const RollingShutterCamera& camera,
+                               const AckermannEstimator::Params& params, const MotionPrior& prior, cv::Mat maps[2])
 {
-    const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimateFromImage(image, cv::noArray(), cv::noArray(), prior);
+    const AckermannMotion motion =
+        AckermannEstimator::create(camera, params)->estimateFromImage(image, cv::noArray(), cv::noArray(), prior);
     WarpMapGenerator::create(camera)->initRectifyMap(motion, maps[0], maps[1]);
     return motion;
 }
@@ -90,7 +93,8 @@ MotionPrior priorOf(const DriveFrame& frame, int told)
 }
 
 // The motion with its maps against the flow to the next frame.
-Outcome measureFrame(const DriveFrame& frame, const AckermannMotion& motion, const cv::Mat maps[2], const FlowTruth& truth)
+Outcome measureFrame(const DriveFrame& frame, const AckermannMotion& motion, const cv::Mat maps[2],
+                     const FlowTruth& truth)
 {
     Outcome o;
     o.name = frame.file;
@@ -102,7 +106,8 @@ Outcome measureFrame(const DriveFrame& frame, const AckermannMotion& motion, con
 }
 
 // All frames in their order, by one corrector; every N-th is measured.
-std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int every, bool smooth, const AckermannEstimator::Params& params)
+std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int every, bool smooth,
+                                       const AckermannEstimator::Params& params)
 {
     const std::vector<DriveFrame> frames = readDrive(folder);
     RollingShutterCorrector::Params all;
@@ -125,26 +130,31 @@ std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int 
         if (i % every != 0)
             continue;
         corrector->getMaps(maps[0], maps[1]);
-        outcomes.push_back(measureFrame(frames[i], motion, maps, FlowTruth(frames[i], image, readImage(frames[i + 1].file))));
+        outcomes.push_back(
+            measureFrame(frames[i], motion, maps, FlowTruth(frames[i], image, readImage(frames[i + 1].file))));
     }
     return outcomes;
 }
 
-std::vector<Outcome> measureDrive(const std::string& folder, int told, int every, const AckermannEstimator::Params& params)
+std::vector<Outcome> measureDrive(const std::string& folder, int told, int every,
+                                  const AckermannEstimator::Params& params)
 {
     const std::vector<DriveFrame> frames = readDrive(folder);
     std::vector<Outcome> outcomes((frames.size() - 1 + every - 1) / every);
-    cv::parallel_for_(cv::Range(0, int(outcomes.size())), [&](const cv::Range& range) {
-        for (int k = range.start; k < range.end; k++)
-        {
-            const DriveFrame& frame = frames[k * every];
-            const cv::Mat image = readImage(frame.file);
-            const FlowTruth truth(frame, image, readImage(frames[k * every + 1].file));
-            cv::Mat maps[2];
-            const AckermannMotion motion = estimateAndMap(image, frame.camera, params, priorOf(frame, told), maps);
-            outcomes[k] = measureFrame(frame, motion, maps, truth);
-        }
-    }, double(outcomes.size()));
+    cv::parallel_for_(
+        cv::Range(0, int(outcomes.size())),
+        [&](const cv::Range& range) {
+            for (int k = range.start; k < range.end; k++)
+            {
+                const DriveFrame& frame = frames[k * every];
+                const cv::Mat image = readImage(frame.file);
+                const FlowTruth truth(frame, image, readImage(frames[k * every + 1].file));
+                cv::Mat maps[2];
+                const AckermannMotion motion = estimateAndMap(image, frame.camera, params, priorOf(frame, told), maps);
+                outcomes[k] = measureFrame(frame, motion, maps, truth);
+            }
+        },
+        double(outcomes.size()));
     return outcomes;
 }
 
@@ -153,7 +163,8 @@ std::vector<Outcome> measureControls(const std::string& folder, const AckermannE
 {
     const double readOut = 0.03; // seconds, as the estimator is told
     std::vector<Outcome> outcomes;
-    for (const std::vector<std::string>& row : readTable(folder + "/frames.csv", {"file", "width", "fx", "pitch_deg", "roll_deg", "heading_deg"}))
+    for (const std::vector<std::string>& row :
+         readTable(folder + "/frames.csv", {"file", "width", "fx", "pitch_deg", "roll_deg", "heading_deg"}))
     {
         const cv::Mat image = readImage(folder + "/" + row[0]);
         RollingShutterCamera camera = RollingShutterCamera::fromFocal(image.size(), parseNumber(row[2], "frames.csv"));
@@ -179,9 +190,10 @@ std::vector<Outcome> measureControls(const std::string& folder, const AckermannE
 void printOutcomes(const std::vector<Outcome>& outcomes)
 {
     for (const Outcome& o : outcomes)
-        std::printf("%-40s raw %6.2f left %6.2f expected %6.2f yaw rate %7.2f +- %6.2f error %6.2f status %d model %d\n",
-                    o.name.substr(o.name.size() > 40 ? o.name.size() - 40 : 0).c_str(), o.raw, o.left, o.motion.expectedLeft, o.yawRate, o.sigma, o.yawRateError, o.motion.status,
-                    o.motion.model);
+        std::printf(
+            "%-40s raw %6.2f left %6.2f expected %6.2f yaw rate %7.2f +- %6.2f error %6.2f status %d model %d\n",
+            o.name.substr(o.name.size() > 40 ? o.name.size() - 40 : 0).c_str(), o.raw, o.left, o.motion.expectedLeft,
+            o.yawRate, o.sigma, o.yawRateError, o.motion.status, o.motion.model);
 }
 
 double percentBeyond(const std::vector<Outcome>& outcomes, double sigmas)
@@ -205,9 +217,12 @@ void summariseDrives(const char* name, const std::vector<Outcome>& outcomes)
         worse += o.left > 1.1 * o.raw && o.left > o.raw + 0.2;
         worst = std::max(worst, o.left / std::max(o.raw, 0.3));
     }
-    std::printf("%-32s n %3d raw %.2f left %.2f ratio %.2f worse %.1f %% worst ratio %.2f yaw rate %.2f beyond 2 sigma %.1f %% 3 sigma %.1f %%\n", name,
-                int(outcomes.size()), quantile(raw, 0.5), quantile(left, 0.5), mean(left) / mean(raw), 100. * worse / outcomes.size(), worst,
-                quantile(yawRate, 0.5), percentBeyond(outcomes, 2), percentBeyond(outcomes, 3));
+    std::printf(
+        "%-32s n %3d raw %.2f left %.2f ratio %.2f worse %.1f %% worst ratio %.2f yaw rate %.2f beyond 2 sigma %.1f %% "
+        "3 sigma %.1f %%\n",
+        name, int(outcomes.size()), quantile(raw, 0.5), quantile(left, 0.5), mean(left) / mean(raw),
+        100. * worse / outcomes.size(), worst, quantile(yawRate, 0.5), percentBeyond(outcomes, 2),
+        percentBeyond(outcomes, 3));
 }
 
 void summariseControls(const std::vector<Outcome>& outcomes)
@@ -220,8 +235,8 @@ void summariseControls(const std::vector<Outcome>& outcomes)
         largest = std::max(largest, o.left);
         sum += o.left;
     }
-    std::printf("controls n %d changed %.1f %% largest %.2f mean %.2f beyond 3 sigma %.1f %%\n", int(outcomes.size()), 100. * changed / outcomes.size(),
-                largest, sum / outcomes.size(), percentBeyond(outcomes, 3));
+    std::printf("controls n %d changed %.1f %% largest %.2f mean %.2f beyond 3 sigma %.1f %%\n", int(outcomes.size()),
+                100. * changed / outcomes.size(), largest, sum / outcomes.size(), percentBeyond(outcomes, 3));
 }
 
 int run(const Options& options)
@@ -231,13 +246,15 @@ int run(const Options& options)
     AckermannEstimator::Params params;
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
-    const int told = options.choice("told", {"none", "yaw_rate", "speed", "both"}), every = options.integer("every", 1, 1000000);
+    const int told = options.choice("told", {"none", "yaw_rate", "speed", "both"}),
+              every = options.integer("every", 1, 1000000);
     const bool smooth = options.flag("smooth"), isDrive = smooth || options.flag("drive");
     const bool quiet = options.flag("quiet");
     std::vector<Outcome> all;
     for (const std::string& folder : options.arguments())
     {
-        const std::vector<Outcome> part = isDrive ? measureWholeDrive(folder, told, every, smooth, params) : measureDrive(folder, told, every, params);
+        const std::vector<Outcome> part = isDrive ? measureWholeDrive(folder, told, every, smooth, params)
+                                                  : measureDrive(folder, told, every, params);
         if (!quiet)
             printOutcomes(part);
         summariseDrives(folder.substr(folder.find_last_of('/') + 1).c_str(), part);

@@ -19,14 +19,17 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Compares corrected rolling-shutter frames with global-shutter images: PSNR in dB before, and what is gained by the estimated\n"
-    "motion, by the motion that fits the global-shutter image best, and by that with roll and pitch fitted, too; then the number of\n"
-    "candidates for verticals, and how many of them are vertical to half a pixel after the estimated and after the best motion.\n";
+    "Compares corrected rolling-shutter frames with global-shutter images: PSNR in dB before, and what is gained by "
+    "the estimated\n"
+    "motion, by the motion that fits the global-shutter image best, and by that with roll and pitch fitted, too; then "
+    "the number of\n"
+    "candidates for verticals, and how many of them are vertical to half a pixel after the estimated and after the "
+    "best motion.\n";
 
 const char* const KEYS =
     "{help       |        | print this message}"
-    "{frames     |        | folder with frames.csv (name,focal_px,roll_deg,pitch_deg,heading_deg) and, for each name, a folder with "
-    "rolling.png and global_middle.png}"
+    "{frames     |        | folder with frames.csv (name,focal_px,roll_deg,pitch_deg,heading_deg) and, for each name, "
+    "a folder with rolling.png and global_middle.png}"
     "{gravity_sigma |     | degrees, what the estimator is told of roll and pitch, in the place of its default}"
     "{threads    |        | number of threads}";
 
@@ -88,7 +91,10 @@ public:
 
     cv::Mat1d steps() const { return row({0.005, 0.01, 0.01, 0.01, 0.01}); }
 
-    cv::Mat1d first() const { return row({start.alpha, start.wallSlope, start.wallOffset, start.rollCorrection, start.pitchCorrection}); }
+    cv::Mat1d first() const
+    {
+        return row({start.alpha, start.wallSlope, start.wallOffset, start.rollCorrection, start.pitchCorrection});
+    }
 
     AckermannMotion at(const double* x) const
     {
@@ -109,7 +115,10 @@ public:
     }
 
 private:
-    cv::Mat1d row(const std::vector<double>& values) const { return cv::Mat(values, true).reshape(1, 1).colRange(0, getDims()); }
+    cv::Mat1d row(const std::vector<double>& values) const
+    {
+        return cv::Mat(values, true).reshape(1, 1).colRange(0, getDims());
+    }
 
     const Frame& frame;
     AckermannMotion start;
@@ -137,7 +146,8 @@ AckermannMotion fitMotion(const Frame& frame, const AckermannMotion& start, bool
         const Frame image = sigma > 0 ? blurred(frame, sigma) : frame;
         const cv::Ptr<Misfit> misfit = cv::makePtr<Misfit>(image, motion, fitGravity);
         cv::Mat1d x = misfit->first();
-        cv::DownhillSolver::create(misfit, misfit->steps(), cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 300, 1e-4))
+        cv::DownhillSolver::create(misfit, misfit->steps(),
+                                   cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 300, 1e-4))
             ->minimize(x);
         motion = misfit->at(x[0]);
     }
@@ -186,7 +196,7 @@ int run(const Options& options)
         setGravitySigma(options.number("gravity_sigma", 0, 45) * CV_PI / 180, params);
 
     double sums[3] = {0, 0, 0};
-    const std::vector<std::vector<std::string> > rows =
+    const std::vector<std::vector<std::string>> rows =
         readTable(folder + "frames.csv", {"name", "focal_px", "roll_deg", "pitch_deg", "heading_deg"});
     std::printf("frame\tbefore\testimated\tbest motion\tand gravity\tcandidates\testimated\tbest\n");
     for (const std::vector<std::string>& row : rows)
@@ -195,7 +205,8 @@ int run(const Options& options)
         const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(frame.camera);
         const double before = psnr(frame, *generator, AckermannMotion());
         cv::Mat segments, labels;
-        const AckermannMotion estimated = AckermannEstimator::create(frame.camera, params)->estimateFromImage(frame.rolling, segments, labels);
+        const AckermannMotion estimated =
+            AckermannEstimator::create(frame.camera, params)->estimateFromImage(frame.rolling, segments, labels);
         const cv::Mat candidates = candidatesOf(segments, labels);
         double gains[3] = {psnr(frame, *generator, estimated) - before, -DBL_MAX, -DBL_MAX};
         AckermannMotion best;
@@ -208,8 +219,9 @@ int run(const Options& options)
                     best = fitted;
                 gains[1 + fitGravity] = std::max(gains[1 + fitGravity], gain);
             }
-        std::printf("%s\t%.2f\t%+.2f\t%+.2f\t%+.2f\t%d\t%d\t%d\n", frame.name.c_str(), before, gains[0], gains[1], gains[2], candidates.rows,
-                    countVerticals(frame, estimated, candidates), countVerticals(frame, best, candidates));
+        std::printf("%s\t%.2f\t%+.2f\t%+.2f\t%+.2f\t%d\t%d\t%d\n", frame.name.c_str(), before, gains[0], gains[1],
+                    gains[2], candidates.rows, countVerticals(frame, estimated, candidates),
+                    countVerticals(frame, best, candidates));
         for (int i = 0; i < 3; i++)
             sums[i] += gains[i] / double(rows.size());
     }

@@ -19,17 +19,18 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Renders frames of streets at random, with motions, scenes, errors of the camera and bad images each as often as in a drive, corrects\n"
-    "each alone, and counts those that are made worse. Prints what was expected to be left against what is left, and how often the yaw\n"
+    "Renders frames of streets at random, with motions, scenes, errors of the camera and bad images each as often as "
+    "in a drive, corrects\n"
+    "each alone, and counts those that are made worse. Prints what was expected to be left against what is left, and "
+    "how often the yaw\n"
     "rate is within its standard deviations.\n";
 
-const char* const KEYS =
-    "{help       |        | print this message}"
-    "{frames     | 1000   | number of frames}"
-    "{seed       | 0      | of the first frame}"
-    "{told       | none   | none, yaw (the yaw rate +- 1 deg/s) or both (and the speed +- 2 km/h)}"
-    "{quiet      |        | print the summary only}"
-    "{threads    |        | number of threads}";
+const char* const KEYS = "{help       |        | print this message}"
+                         "{frames     | 1000   | number of frames}"
+                         "{seed       | 0      | of the first frame}"
+                         "{told       | none   | none, yaw (the yaw rate +- 1 deg/s) or both (and the speed +- 2 km/h)}"
+                         "{quiet      |        | print the summary only}"
+                         "{threads    |        | number of threads}";
 
 //! What happens with one frame.
 struct Frame
@@ -91,7 +92,8 @@ struct Score
 // Frames in the order of what was expected to be left, a tenth of them a line.
 void printCalibration(std::vector<Score> scores)
 {
-    std::sort(scores.begin(), scores.end(), [](const Score& a, const Score& b) { return a.expectedLeft < b.expectedLeft; });
+    std::sort(scores.begin(), scores.end(),
+              [](const Score& a, const Score& b) { return a.expectedLeft < b.expectedLeft; });
     std::printf("\ntenth of the frames | expected to be left, px | left, px | expected / left\n");
     for (size_t i = 0; i < 10; i++)
     {
@@ -101,7 +103,8 @@ void printCalibration(std::vector<Score> scores)
             expected.push_back(scores[k].expectedLeft);
             left.push_back(scores[k].left);
         }
-        std::printf("%19d | %23.3f | %8.3f | %15.2f\n", int(i + 1), mean(expected), mean(left), mean(expected) / mean(left));
+        std::printf("%19d | %23.3f | %8.3f | %15.2f\n", int(i + 1), mean(expected), mean(left),
+                    mean(expected) / mean(left));
     }
 }
 
@@ -123,16 +126,20 @@ void printHarm(const std::vector<Result>& results)
         within2 += std::abs(r.yawRateError) <= 2 * r.yawRateSigma;
         within3 += std::abs(r.yawRateError) <= 3 * r.yawRateSigma;
     }
-    std::printf("%d frames, %d corrected: raw %.3f px, left %.3f px\n", int(results.size()), corrected, mean(raw), mean(left));
-    std::printf("made worse by more than 10 %% and 0.1 px: %d (%.1f %%), by at most %.2f px\n", worse, 100. * worse / results.size(), most);
-    std::printf("yaw rate within 2 sigma in %.1f %%, within 3 sigma in %.1f %% of %d\n", 100. * within2 / known, 100. * within3 / known, known);
+    std::printf("%d frames, %d corrected: raw %.3f px, left %.3f px\n", int(results.size()), corrected, mean(raw),
+                mean(left));
+    std::printf("made worse by more than 10 %% and 0.1 px: %d (%.1f %%), by at most %.2f px\n", worse,
+                100. * worse / results.size(), most);
+    std::printf("yaw rate within 2 sigma in %.1f %%, within 3 sigma in %.1f %% of %d\n", 100. * within2 / known,
+                100. * within3 / known, known);
 }
 
 int run(const Options& options)
 {
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
-    const int frames = options.integer("frames", 10, 1000000), first = options.integer("seed", 0, 1 << 30), told = options.choice("told", {"none", "yaw", "both"});
+    const int frames = options.integer("frames", 10, 1000000), first = options.integer("seed", 0, 1 << 30),
+              told = options.choice("told", {"none", "yaw", "both"});
     std::vector<Result> results;
     std::vector<Score> scores;
     Progress progress;
@@ -150,10 +157,13 @@ int run(const Options& options)
         if (!options.flag("quiet"))
         {
             const street::StreetScene& s = frame.street.scene;
-            std::printf("%d: %.0f km/h, %.0f deg/s, walls %.1f %.1f m, houses back by %.1f m, clutter %.2f, obstacles %.0f, noise %.0f, blur %.1f; status %d "
-                        "candidates %d raw %.3f left %.3f expected %.3f yaw rate error %.2f sigma %.2f\n", first + i, s.speed / KMH, s.yawRate / DEGREE, s.left,
-                        s.right, s.stagger, s.clutter, s.obstacles, s.noise, frame.blur, r.status, r.candidates, r.raw, r.left, r.expectedLeft, r.yawRateError,
-                        r.yawRateSigma);
+            std::printf(
+                "%d: %.0f km/h, %.0f deg/s, walls %.1f %.1f m, houses back by %.1f m, clutter %.2f, obstacles %.0f, "
+                "noise %.0f, blur %.1f; status %d "
+                "candidates %d raw %.3f left %.3f expected %.3f yaw rate error %.2f sigma %.2f\n",
+                first + i, s.speed / KMH, s.yawRate / DEGREE, s.left, s.right, s.stagger, s.clutter, s.obstacles,
+                s.noise, frame.blur, r.status, r.candidates, r.raw, r.left, r.expectedLeft, r.yawRateError,
+                r.yawRateSigma);
         }
         progress.update(i + 1, frames, "frames");
     }

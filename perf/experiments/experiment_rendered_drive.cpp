@@ -16,19 +16,20 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Renders a drive of ten seconds (straight, a bend to and fro, a stop, a wall that ends, roll of the suspension) and measures what the\n"
-    "correction leaves, frame by frame alone and as a drive, against the true correspondence; and how much the correction flickers.\n"
+    "Renders a drive of ten seconds (straight, a bend to and fro, a stop, a wall that ends, roll of the suspension) "
+    "and measures what the\n"
+    "correction leaves, frame by frame alone and as a drive, against the true correspondence; and how much the "
+    "correction flickers.\n"
     "usage: rsackermann_experiment_rendered_drive [--option=value]...\n";
 
-const char* const KEYS =
-    "{help       |        | print this message}"
-    "{frames     | 300    | number of frames, 30 a second}"
-    "{seed       | 1      | of the street}"
-    "{stagger    | 1.5    | metres by which houses stand back}"
-    "{roll       | 0.5    | amplitude of the suspension's roll, which isn't told, degrees}"
-    "{save       |        | folder for the images}"
-    "{quiet      |        | print the summary only}"
-    "{threads    |        | number of threads}";
+const char* const KEYS = "{help       |        | print this message}"
+                         "{frames     | 300    | number of frames, 30 a second}"
+                         "{seed       | 1      | of the street}"
+                         "{stagger    | 1.5    | metres by which houses stand back}"
+                         "{roll       | 0.5    | amplitude of the suspension's roll, which isn't told, degrees}"
+                         "{save       |        | folder for the images}"
+                         "{quiet      |        | print the summary only}"
+                         "{threads    |        | number of threads}";
 
 const double DEGREE = CV_PI / 180;
 
@@ -57,7 +58,8 @@ void measure(const street::StreetRenderer& renderer, const cv::Mat maps[2], Seri
             raw += cv::norm(p - truth);
             left += cv::norm(errors.back());
             if (!series.before.empty())
-                change += (errors.back() - series.before[errors.size() - 1]).dot(errors.back() - series.before[errors.size() - 1]);
+                change += (errors.back() - series.before[errors.size() - 1])
+                              .dot(errors.back() - series.before[errors.size() - 1]);
             count++;
         }
     series.raw.push_back(raw / std::max(count, 1));
@@ -72,8 +74,8 @@ void summarise(const char* name, const Series& s)
     double flicker = 0;
     for (double c : s.change)
         flicker += c * c / s.change.size();
-    std::printf("%-8s raw %.3f left mean %.3f median %.3f p99 %.3f largest %.3f flicker %.3f px\n", name, mean(s.raw), mean(s.left), quantile(s.left, 0.5),
-                quantile(s.left, 0.99), quantile(s.left, 1), std::sqrt(flicker));
+    std::printf("%-8s raw %.3f left mean %.3f median %.3f p99 %.3f largest %.3f flicker %.3f px\n", name, mean(s.raw),
+                mean(s.left), quantile(s.left, 0.5), quantile(s.left, 0.99), quantile(s.left, 1), std::sqrt(flicker));
 }
 
 int run(const Options& options)
@@ -114,9 +116,11 @@ int run(const Options& options)
             double yawRate = 0;
             motion.yawRate(camera, yawRate);
             if (!quiet)
-                std::printf("%3d %s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n", i, k == 0 ? "alone  " : "carried",
-                            drive.speed(), drive.yawRate() / DEGREE, yawRate / DEGREE, motion.status, series[k].raw.back(), series[k].left.back(), motion.expectedRaw,
-                            motion.expectedLeft);
+                std::printf(
+                    "%3d %s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n",
+                    i, k == 0 ? "alone  " : "carried", drive.speed(), drive.yawRate() / DEGREE, yawRate / DEGREE,
+                    motion.status, series[k].raw.back(), series[k].left.back(), motion.expectedRaw,
+                    motion.expectedLeft);
         }
     }
     summarise("alone", series[0]);

@@ -14,16 +14,19 @@ using namespace rsackermann_samples;
 
 namespace {
 
-const char* const ABOUT = "Measures the estimator on rendered streets, or on photographs with simulated motion: displacement\n"
-                          "left after the correction and errors of the motion, a line for each case and a summary.\n";
+const char* const ABOUT =
+    "Measures the estimator on rendered streets, or on photographs with simulated motion: displacement\n"
+    "left after the correction and errors of the motion, a line for each case and a summary.\n";
 
 const char* const KEYS =
     "{help       |        | print this message}"
-    "{gravity_noise | 0   | standard deviation of the errors of the roll and the pitch that the estimator is told, degrees}"
-    "{gravity_sigma |     | what the estimator is told of these errors, degrees (default: the truth, or the estimator's default "
-    "if there are none)}"
+    "{gravity_noise | 0   | standard deviation of the errors of the roll and the pitch that the estimator is told, "
+    "degrees}"
+    "{gravity_sigma |     | what the estimator is told of these errors, degrees (default: the truth, or the "
+    "estimator's default if there are none)}"
     "{usual_yaw_rate |    | deg/s, how fast the estimator takes cars to turn usually (default: its own)}"
-    "{speed_sigma | 0     | km/h; the estimator is told the speed with errors of this standard deviation; 0: it isn't told}"
+    "{speed_sigma | 0     | km/h; the estimator is told the speed with errors of this standard deviation; 0: it isn't "
+    "told}"
     "{yaw_rate_sigma | 0  | deg/s; the same for the yaw rate}"
     "{wall_direction_sigma | 0 | degrees; the same for the line at infinity of the walls}"
     "{exact_priors |      | these values are told without errors, but with their standard deviations}"
@@ -31,8 +34,10 @@ const char* const KEYS =
     "{focal_noise | 0    | standard deviation of further errors of it, of which the estimator is told, percent}"
     "{model      | auto   | auto, 4la, 3la, 1la or none}"
     "{only_verticals |    | the estimator gets no segments but those that may be vertical}"
-    "{exact_segments |    | segments of the global-shutter image, moved by the true motion, in the place of detected ones}"
-    "{floor      | 0      | number of motions drawn from the covariance of each estimate to predict the displacement left}"
+    "{exact_segments |    | segments of the global-shutter image, moved by the true motion, in the place of detected "
+    "ones}"
+    "{floor      | 0      | number of motions drawn from the covariance of each estimate to predict the displacement "
+    "left}"
     "{quiet      |        | print the summary only}"
     "{save       |        | folder for the rolling-shutter images}"
     "{threads    |        | number of threads}";
@@ -79,15 +84,18 @@ int run(const Options& options)
     const std::string save = options.given("save") ? options.text("save") + "/" : "";
 
     std::vector<Result> results(cases.size());
-    cv::parallel_for_(cv::Range(0, int(cases.size())), [&](const cv::Range& range) {
-        for (int i = range.start; i < range.end; i++)
-        {
-            const cv::Mat image = makeImage(cases[i]);
-            if (!save.empty())
-                cv::imwrite(save + cv::format("%03d_", i) + cases[i].name + ".png", image);
-            results[i] = evaluate(cases[i], image, experiment, seed + unsigned(i));
-        }
-    }, double(cases.size()));
+    cv::parallel_for_(
+        cv::Range(0, int(cases.size())),
+        [&](const cv::Range& range) {
+            for (int i = range.start; i < range.end; i++)
+            {
+                const cv::Mat image = makeImage(cases[i]);
+                if (!save.empty())
+                    cv::imwrite(save + cv::format("%03d_", i) + cases[i].name + ".png", image);
+                results[i] = evaluate(cases[i], image, experiment, seed + unsigned(i));
+            }
+        },
+        double(cases.size()));
 
     if (!options.flag("quiet"))
         printCases(cases, results);

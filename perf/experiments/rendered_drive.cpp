@@ -6,7 +6,8 @@
 
 namespace experiments {
 
-static const double FRAMES_PER_SECOND = 30, STREET = 17, TO_THE_LEFT = 6; // metres: width of the street, and from the car to the left wall at the start
+// Metres: width of the street, and from the car to the left wall at the start
+static const double FRAMES_PER_SECOND = 30, STREET = 17, TO_THE_LEFT = 6;
 
 RenderedDrive::RenderedDrive(const street::StreetCamera& camera, const street::StreetScene& street)
     : course(BEND_AND_STOP), phase(0), mounted(camera), scene(street), frames(0), seconds_(0), sideways(0), yaw(0)
@@ -48,7 +49,10 @@ void RenderedDrive::drive()
             yaw = -top / frequency * std::cos(phase);
         return;
     }
-    scene.speed = seconds_ < 6 ? 12 : seconds_ < 7.2 ? 10 * (7.2 - seconds_) : seconds_ < 8.2 ? 0 : 4 * (seconds_ - 8.2);
+    scene.speed = seconds_ < 6     ? 12
+                  : seconds_ < 7.2 ? 10 * (7.2 - seconds_)
+                  : seconds_ < 8.2 ? 0
+                                   : 4 * (seconds_ - 8.2);
     scene.yawRate = seconds_ > 2.5 && seconds_ < 6.5 ? top * std::sin((seconds_ - 2.5) * CV_PI / 2) : 0;
 }
 

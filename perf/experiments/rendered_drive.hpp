@@ -13,17 +13,18 @@ namespace experiments {
 class RenderedDrive
 {
 public:
-    enum Course
-    {
-        BEND_AND_STOP, //!< 12 m/s, from 1 to 2 s without a left wall, a bend to and fro from 2.5 to 6.5 s, standing from 7.2 to 8.2 s
-        WEAVING        //!< 12 m/s, to and fro all the time
+    enum Course {
+        //! 12 m/s, from 1 to 2 s without a left wall, a bend to and fro from 2.5 to 6.5 s, standing from 7.2 to 8.2 s
+        BEND_AND_STOP,
+        WEAVING //!< 12 m/s, to and fro all the time
     };
 
     Course course;
     double sway[2]; //!< amplitudes of the suspension's roll and pitch, radians
     double phase;   //!< of weaving and swaying, radians
 
-    //! @param camera as it is mounted. @param street its yawRate, speed, left, right, wallDirection and travelled are those of the drive.
+    //! @param camera as it is mounted. @param street its yawRate, speed, left, right, wallDirection and travelled are
+    //! those of the drive.
     RenderedDrive(const street::StreetCamera& camera, const street::StreetScene& street);
 
     //! Drives on to the next frame.

@@ -20,19 +20,20 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Renders one image of a street and tells the estimator one roll and yaw rate after the other, as if both were exact. Writes a table\n"
-    "(roll error in degrees, yaw rate in deg/s, px): the median of the distances between the columns of the two ends of an upright segment,\n"
+    "Renders one image of a street and tells the estimator one roll and yaw rate after the other, as if both were "
+    "exact. Writes a table\n"
+    "(roll error in degrees, yaw rate in deg/s, px): the median of the distances between the columns of the two ends "
+    "of an upright segment,\n"
     "after the correction by the motion and the walls that fit best.\n";
 
-const char* const KEYS =
-    "{help     |     | print this message}"
-    "{speed    | 40  | km/h}"
-    "{yaw_rate | 20  | deg/s}"
-    "{roll     | 2.5 | degrees, largest error of the told roll}"
-    "{extent   | 90  | deg/s, largest yaw rate that is told}"
-    "{steps    | 25  | of each to both sides}"
-    "{seed     | 0   | of the street}"
-    "{threads  |     | number of threads}";
+const char* const KEYS = "{help     |     | print this message}"
+                         "{speed    | 40  | km/h}"
+                         "{yaw_rate | 20  | deg/s}"
+                         "{roll     | 2.5 | degrees, largest error of the told roll}"
+                         "{extent   | 90  | deg/s, largest yaw rate that is told}"
+                         "{steps    | 25  | of each to both sides}"
+                         "{seed     | 0   | of the street}"
+                         "{threads  |     | number of threads}";
 
 RollingShutterCamera rolledBy(RollingShutterCamera camera, double roll)
 {
@@ -74,7 +75,8 @@ double misfit(const RollingShutterCamera& camera, const cv::Mat& segments, doubl
     WarpMapGenerator::create(camera)->correctPoints(motion, ends, corrected);
     std::vector<double> distances(segments.rows);
     for (int i = 0; i < segments.rows; i++)
-        distances[i] = std::abs(uprightColumn(camera, corrected.at<cv::Point2f>(2 * i)) - uprightColumn(camera, corrected.at<cv::Point2f>(2 * i + 1)));
+        distances[i] = std::abs(uprightColumn(camera, corrected.at<cv::Point2f>(2 * i)) -
+                                uprightColumn(camera, corrected.at<cv::Point2f>(2 * i + 1)));
     std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
     return distances[distances.size() / 2];
 }
@@ -84,7 +86,8 @@ int run(const Options& options)
     options.refuseArguments();
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
-    const double roll = options.number("roll", 0, 45, false) * DEGREE, extent = options.number("extent", 0, 170, false) * DEGREE;
+    const double roll = options.number("roll", 0, 45, false) * DEGREE,
+                 extent = options.number("extent", 0, 170, false) * DEGREE;
     const int steps = options.integer("steps", 1, 1000);
 
     const cv::Size size(640, 380);
@@ -103,11 +106,13 @@ int run(const Options& options)
     cv::parallel_for_(cv::Range(0, side), [&](const cv::Range& range) {
         for (int i = range.start; i < range.end; i++)
             for (int j = 0; j < side; j++)
-                table(i, j) = misfit(rolledBy(camera, roll * (i - steps) / steps), segments, extent * (j - steps) / steps);
+                table(i, j) =
+                    misfit(rolledBy(camera, roll * (i - steps) / steps), segments, extent * (j - steps) / steps);
     });
     for (int i = 0; i < side; i++, std::printf("\n"))
         for (int j = 0; j < side; j++)
-            std::printf("%.4f %.4f %.4f\n", roll / DEGREE * (i - steps) / steps, extent / DEGREE * (j - steps) / steps, table(i, j));
+            std::printf("%.4f %.4f %.4f\n", roll / DEGREE * (i - steps) / steps, extent / DEGREE * (j - steps) / steps,
+                        table(i, j));
     return 0;
 }
 

@@ -12,7 +12,8 @@ namespace experiments {
 //! Prints a line for each case, under a line with the names of the columns.
 void printCases(const std::vector<Case>& cases, const std::vector<Result>& results);
 
-//! Prints quantiles of the displacements and errors, and how often the truth lies within the estimator's standard deviations.
+//! Prints quantiles of the displacements and errors, and how often the truth lies within the estimator's standard
+//! deviations.
 void printSummary(const std::vector<Result>& results);
 
 } // namespace experiments

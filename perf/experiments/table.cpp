@@ -33,7 +33,7 @@ static std::vector<std::string> readFields(std::istream& file)
     return fields;
 }
 
-std::vector<std::vector<std::string> > readTable(const std::string& file, const std::vector<std::string>& columns)
+std::vector<std::vector<std::string>> readTable(const std::string& file, const std::vector<std::string>& columns)
 {
     std::ifstream stream(file.c_str());
     const std::vector<std::string> names = readFields(stream);
@@ -44,7 +44,7 @@ std::vector<std::vector<std::string> > readTable(const std::string& file, const 
         if (places.back() == names.size())
             throw InputError(file + " can't be read or has no column " + column);
     }
-    std::vector<std::vector<std::string> > rows;
+    std::vector<std::vector<std::string>> rows;
     for (std::vector<std::string> fields = readFields(stream); !fields.empty(); fields = readFields(stream))
     {
         if (fields.size() != names.size())

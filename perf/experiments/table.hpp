@@ -11,7 +11,7 @@
 namespace experiments {
 
 //! Columns of a file of comma-separated values, row by row; throws InputError if it can't be read or lacks one of them.
-std::vector<std::vector<std::string> > readTable(const std::string& file, const std::vector<std::string>& columns);
+std::vector<std::vector<std::string>> readTable(const std::string& file, const std::vector<std::string>& columns);
 
 } // namespace experiments
 

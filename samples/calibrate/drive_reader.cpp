@@ -17,8 +17,9 @@ namespace rsackermann_samples {
 
 namespace {
 
-const double INTERVAL = 1. / 30;                // seconds from image to image unless the log tells
-const double BETWEEN_DRIVES = 3600;             // seconds, so that nobody takes one video for the continuation of another
+const double INTERVAL = 1. / 30; // seconds from image to image unless the log tells
+// Seconds, so that nobody takes one video for the continuation of another
+const double BETWEEN_DRIVES = 3600;
 const double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
 
 class DriveReader
@@ -54,7 +55,8 @@ public:
         {
             frame.facts = log_.of(input, number, clock.timeOfFrame(capture));
             frame.facts.time += offset_;
-            hand(frame, (double(index) + (announced > 0 ? std::min((number + 1) / announced, 1.) : 0)) / double(inputs_.files.size()));
+            hand(frame, (double(index) + (announced > 0 ? std::min((number + 1) / announced, 1.) : 0)) /
+                            double(inputs_.files.size()));
         }
         if (number == 0)
             throw InputError("no frame of the video can be read");

@@ -16,7 +16,8 @@
 namespace rsackermann_samples {
 
 Batch::Batch(const Job& job)
-    : job_(job), report_(job.report.empty() ? nullptr : new ReportFile(job)), corrector_(job), lastTask_(0), done_(0), failures_(0)
+    : job_(job), report_(job.report.empty() ? nullptr : new ReportFile(job)), corrector_(job), lastTask_(0), done_(0),
+      failures_(0)
 {
     for (size_t i = 0; i < job.inputs.files.size(); i++)
         if (!taskOf(job.inputs.files[i]).isDone())
@@ -45,7 +46,8 @@ int Batch::run()
     progress_.clear();
     if (!interruptSignal())
         return failures_ ? 1 : 0;
-    std::cerr << "rsackermann_correct: interrupted; complete results stay, and --skip_existing goes on from there" << std::endl;
+    std::cerr << "rsackermann_correct: interrupted; complete results stay, and --skip_existing goes on from there"
+              << std::endl;
     return 128 + interruptSignal();
 }
 
@@ -111,7 +113,8 @@ std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets
 #ifdef RSACKERMANN_WITH_VIDEOIO
         if (isVideo(input))
         {
-            correctVideo(input, targets, job_, corrector_, frames, [&](double share) { progress_.update(done_ + share, total, input); });
+            correctVideo(input, targets, job_, corrector_, frames,
+                         [&](double share) { progress_.update(done_ + share, total, input); });
             return frames;
         }
 #endif

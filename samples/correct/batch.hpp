@@ -22,7 +22,8 @@ public:
     //! Throws InputError if the report can't be written or mustn't be replaced.
     explicit Batch(const Job& job);
 
-    //! @return the exit code: 0 all is done, 1 some inputs failed, 128 and the signal's number if one has ended the work.
+    //! @return the exit code: 0 all is done, 1 some inputs failed, 128 and the signal's number if one has ended the
+    //! work.
     int run();
 
 private:
@@ -48,7 +49,7 @@ private:
     std::unique_ptr<ReportFile> report_;
     FrameCorrector corrector_;
     Progress progress_;
-    size_t lastTask_;    // the last input that has something left to be done
+    size_t lastTask_; // the last input that has something left to be done
     double done_;
     int failures_;
 };

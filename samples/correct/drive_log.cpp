@@ -56,7 +56,8 @@ void checkHeader(const std::vector<std::string>& header, const std::string& path
                 names += std::string(", ") + column.name;
             throw UsageError(place + " is none of " + names);
         }
-        if (std::find(header.begin(), header.begin() + std::ptrdiff_t(i), header[i]) != header.begin() + std::ptrdiff_t(i))
+        if (std::find(header.begin(), header.begin() + std::ptrdiff_t(i), header[i]) !=
+            header.begin() + std::ptrdiff_t(i))
             throw UsageError(place + " is there twice");
     }
     // A standard deviation alone would have no effect.
@@ -75,7 +76,8 @@ double readCell(const Column& column, const std::string& cell, const std::string
         return UNKNOWN;
     const double value = parseNumber(cell, place);
     if (value < column.low || value > column.high || (!column.lowIsAccepted && value == column.low))
-        throw UsageError(place + cv::format(": %s is not %s %g %s %g", cell.c_str(), column.lowIsAccepted ? "from" : "above", column.low,
+        throw UsageError(place + cv::format(": %s is not %s %g %s %g", cell.c_str(),
+                                            column.lowIsAccepted ? "from" : "above", column.low,
                                             column.lowIsAccepted ? "to" : "and up to", column.high));
     return value;
 }
@@ -84,7 +86,8 @@ double readCell(const Column& column, const std::string& cell, const std::string
 double interpolated(const std::vector<FrameFacts>& samples, double time, double FrameFacts::*value)
 {
     const auto told = [value](const FrameFacts& sample) { return !std::isnan(sample.*value); };
-    const auto after = std::lower_bound(samples.begin(), samples.end(), time, [](const FrameFacts& a, double t) { return a.time < t; });
+    const auto after = std::lower_bound(samples.begin(), samples.end(), time,
+                                        [](const FrameFacts& a, double t) { return a.time < t; });
     const auto right = std::find_if(after, samples.end(), told);
     if (right != samples.end() && right->time == time)
         return *right.*value;
@@ -98,8 +101,8 @@ double interpolated(const std::vector<FrameFacts>& samples, double time, double 
 } // namespace
 
 FrameFacts::FrameFacts()
-    : time(UNKNOWN), speed(UNKNOWN), speedSigma(UNKNOWN), yawRate(UNKNOWN), yawRateSigma(UNKNOWN), roll(UNKNOWN), pitch(UNKNOWN),
-      gravitySigma(UNKNOWN)
+    : time(UNKNOWN), speed(UNKNOWN), speedSigma(UNKNOWN), yawRate(UNKNOWN), yawRateSigma(UNKNOWN), roll(UNKNOWN),
+      pitch(UNKNOWN), gravitySigma(UNKNOWN)
 {
 }
 
@@ -160,7 +163,8 @@ const FrameFacts* DriveLog::named(const std::string& file, int number) const
 {
     for (const std::string& name : {file, fileName(file), std::string()})
     {
-        const std::map<Key, FrameFacts>::const_iterator it = named_.find(Key(name, isVideo(file) || name.empty() ? number : -1));
+        const std::map<Key, FrameFacts>::const_iterator it =
+            named_.find(Key(name, isVideo(file) || name.empty() ? number : -1));
         if (it != named_.end())
             return &it->second;
     }
@@ -171,7 +175,7 @@ const std::vector<FrameFacts>* DriveLog::samplesOf(const std::string& file) cons
 {
     for (const std::string& name : {file, fileName(file), std::string()})
     {
-        const std::map<std::string, std::vector<FrameFacts> >::const_iterator it = samples_.find(name);
+        const std::map<std::string, std::vector<FrameFacts>>::const_iterator it = samples_.find(name);
         if (it != samples_.end())
             return &it->second;
     }
@@ -184,7 +188,7 @@ bool DriveLog::tells(double FrameFacts::*value) const
     for (const std::pair<const Key, FrameFacts>& entry : named_)
         if (told(entry.second))
             return true;
-    for (const std::pair<const std::string, std::vector<FrameFacts> >& entry : samples_)
+    for (const std::pair<const std::string, std::vector<FrameFacts>>& entry : samples_)
         if (std::any_of(entry.second.begin(), entry.second.end(), told))
             return true;
     return false;

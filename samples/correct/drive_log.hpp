@@ -15,9 +15,9 @@ namespace rsackermann_samples {
 //! Facts on a frame, in the units of the options; NaN: not told.
 struct FrameFacts
 {
-    double time;                    //!< seconds at which the frame's reference row was read
-    double speed, speedSigma;       //!< km/h
-    double yawRate, yawRateSigma;   //!< deg/s
+    double time;                      //!< seconds at which the frame's reference row was read
+    double speed, speedSigma;         //!< km/h
+    double yawRate, yawRateSigma;     //!< deg/s
     double roll, pitch, gravitySigma; //!< degrees
 
     FrameFacts();
@@ -25,9 +25,10 @@ struct FrameFacts
 
 /** The log of a drive: a CSV file with a header.
 
-The columns are any of file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg and
-gravity_sigma_deg; empty cells tell nothing. A row that names a frame tells of that frame alone: by an image's file, by a number, or, if
-there are several videos, by file and number. All other rows are samples: between two of them a value changes linearly in time.
+The columns are any of file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg,
+pitch_deg and gravity_sigma_deg; empty cells tell nothing. A row that names a frame tells of that frame alone: by an
+image's file, by a number, or, if there are several videos, by file and number. All other rows are samples: between two
+of them a value changes linearly in time.
 */
 class DriveLog
 {
@@ -58,7 +59,7 @@ private:
     bool tells(double FrameFacts::*value) const;
 
     std::map<Key, FrameFacts> named_;
-    std::map<std::string, std::vector<FrameFacts> > samples_; // by the video's name, empty: any; increasing in time
+    std::map<std::string, std::vector<FrameFacts>> samples_; // by the video's name, empty: any; increasing in time
 };
 
 } // namespace rsackermann_samples

@@ -15,7 +15,7 @@ namespace rsackermann_samples {
 //! The result of an image.
 struct CorrectedFrame
 {
-    FrameReport report; //!< all but the input's name
+    FrameReport report;                 //!< all but the input's name
     cv::Mat image, overlay, map1, map2; //!< empty if the job doesn't ask for them
 };
 
@@ -35,7 +35,8 @@ class FrameCorrector
 public:
     explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true) {}
 
-    //! Whether the image after the one that is corrected next says something: for the first one of a drive, which has none before.
+    //! Whether the image after the one that is corrected next says something: for the first one of a drive, which has
+    //! none before.
     bool wantsNext() const { return job_.params.carryMotion && (isFirst_ || job_.smooth); }
 
     /** Corrects an image; throws InputError or cv::Exception.
@@ -52,8 +53,8 @@ private:
     void warp(const cv::Mat& image, CorrectedFrame& frame);
 
     const Job& job_;
-    bool isFirst_; // of a sequence
-    cv::rsackermann::RollingShutterCamera camera_; // of the last image
+    bool isFirst_;                                                // of a sequence
+    cv::rsackermann::RollingShutterCamera camera_;                // of the last image
     cv::Ptr<cv::rsackermann::RollingShutterCorrector> corrector_; // its image and maps have every eighth pixel only
     std::unique_ptr<StripWarp> warp_;
     cv::Mat lensMap1_, lensMap2_; // undo the lens only, for every eighth pixel

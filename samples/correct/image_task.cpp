@@ -21,8 +21,8 @@ void writeImage(AtomicFile& file, const cv::Mat& image, const std::vector<uchar>
     file.write(bytes.data(), bytes.size());
 }
 
-// An image that stays as it is would lose by being coded again. Of formats with an orientation only those whose Exif data are kept in corrected
-// images are copied, so that all results are turned alike.
+// An image that stays as it is would lose by being coded again. Of formats with an orientation only those whose Exif
+// data are kept in corrected images are copied, so that all results are turned alike.
 bool isCopied(const std::string& input, const std::string& output)
 {
     const std::string format = extension(input);
@@ -31,8 +31,8 @@ bool isCopied(const std::string& input, const std::string& output)
 
 } // namespace
 
-FrameReport correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts, const NextFrame& next,
-                         FrameCorrector& corrector)
+FrameReport correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts,
+                         const NextFrame& next, FrameCorrector& corrector)
 {
     std::vector<uchar> exif;
     const cv::Mat image = readImage(input, &exif);

@@ -35,15 +35,18 @@ std::vector<std::string> filesOf(const std::string& folder)
         throw InputError("the folder can't be read");
     }
     // Hidden files aren't meant: temporary ones, and those of file managers.
-    paths.erase(std::remove_if(paths.begin(), paths.end(), [](const std::string& path) { return fileName(path)[0] == '.'; }), paths.end());
+    paths.erase(
+        std::remove_if(paths.begin(), paths.end(), [](const std::string& path) { return fileName(path)[0] == '.'; }),
+        paths.end());
     std::sort(paths.begin(), paths.end());
     return std::vector<std::string>(paths.begin(), paths.end());
 }
 
 std::vector<std::string> imagesOf(const std::string& folder)
 {
-    static const std::vector<std::string> known = {".png", ".jpg", ".jpeg", ".jpe", ".bmp", ".dib", ".tif", ".tiff", ".webp", ".jp2",
-                                                   ".pgm", ".ppm", ".pbm", ".pnm", ".pxm", ".sr", ".ras", ".exr", ".hdr", ".pic"};
+    static const std::vector<std::string> known = {".png",  ".jpg",  ".jpeg", ".jpe", ".bmp", ".dib", ".tif",
+                                                   ".tiff", ".webp", ".jp2",  ".pgm", ".ppm", ".pbm", ".pnm",
+                                                   ".pxm",  ".sr",   ".ras",  ".exr", ".hdr", ".pic"};
     std::vector<std::string> images;
     for (const std::string& path : filesOf(folder))
         if (isOneOf(extension(path), known))
@@ -88,7 +91,7 @@ struct NumberPattern
 
 std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::string& folder)
 {
-    std::set<std::pair<long, std::string> > found; // f_1 and f_01 have the same number
+    std::set<std::pair<long, std::string>> found; // f_1 and f_01 have the same number
     for (const std::string& path : filesOf(folder.empty() ? "." : folder))
     {
         long number = 0;
@@ -157,7 +160,8 @@ InputList listInputs(const std::vector<std::string>& arguments)
 
 bool isVideo(const std::string& path)
 {
-    static const std::vector<std::string> known = {".mp4", ".avi", ".mov", ".mkv", ".m4v", ".mpg", ".mpeg", ".webm", ".wmv", ".mjpeg"};
+    static const std::vector<std::string> known = {".mp4", ".avi",  ".mov",  ".mkv", ".m4v",
+                                                   ".mpg", ".mpeg", ".webm", ".wmv", ".mjpeg"};
     return isOneOf(extension(path), known);
 }
 

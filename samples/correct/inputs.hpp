@@ -15,13 +15,14 @@ namespace rsackermann_samples {
 struct InputList
 {
     std::vector<std::string> files;
-    std::vector<int> numbers;                                   //!< the place of each file in the list, from 0; a shard keeps it
-    std::vector<std::pair<std::string, std::string> > failures; //!< arguments that stand for nothing, and why
-    bool single;                                                //!< there is one argument and it is the name of a file
+    //! The place of each file in the list, from 0; a shard keeps it
+    std::vector<int> numbers;
+    std::vector<std::pair<std::string, std::string>> failures; //!< arguments that stand for nothing, and why
+    bool single;                                               //!< there is one argument and it is the name of a file
 };
 
-/** Lists the files: an argument is an image, a video, a directory (its images, by name), a printf pattern as frame_%04d.png (by
-number) or @FILE with a name a line. */
+/** Lists the files: an argument is an image, a video, a directory (its images, by name), a printf pattern as
+frame_%04d.png (by number) or @FILE with a name a line. */
 InputList listInputs(const std::vector<std::string>& arguments);
 
 //! Whether a file is a video, by the extension of its name.

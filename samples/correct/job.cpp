@@ -21,25 +21,29 @@ const char* const JOB_KEYS =
     "{help       |        | print this message}"
     "{wall       |        | metres to the left (or only) wall; makes the speed metric}"
     "{scale_from_road |   | without --wall: find its distance from --height and wall segments that stand on the road}"
-    "{speed      |        | km/h that the car reports, negative in reverse; needs the line delay; with --height it gives the road}"
+    "{speed      |        | km/h that the car reports, negative in reverse; needs the line delay; with --height it "
+    "gives the road}"
     "{speed_sigma |       | standard deviation of --speed in km/h (default 2)}"
     "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
     "{yaw_rate_sigma |    | standard deviation of --yaw_rate in deg/s (default 1)}"
-    "{log        |        | CSV file with facts on each frame (columns file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, "
-    "yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it goes before the options}"
+    "{log        |        | CSV file with facts on each frame (columns file, frame, time_s, speed_kmh, "
+    "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it goes before "
+    "the options}"
     "{carry      |        | the inputs, or the frames of each video, are consecutive: each helps with the next}"
     "{smooth     |        | --carry, and each frame is helped by the one after it, too}"
-    "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's roll 1, of its pitch 0.3)}"
+    "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's "
+    "roll 1, of its pitch 0.3)}"
     "{usual_yaw_rate |    | deg/s, how fast the vehicle usually turns if no yaw rate is told (default 5, as cars do)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
-    "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one image}"
+    "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one "
+    "image}"
     "{seed       | 0      | of the random numbers}"
     "{threads    |        | largest number of threads}"
     "{output     |        | corrected image or video; a folder, made if missing, if there are several inputs}"
     "{overlay    |        | picture of the segments and the road's borders; a folder as for --output}"
     "{report     |        | file with a line of JSON for each image or frame; - for standard output}"
-    "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); several inputs: a folder as for --output with NAME.yml.gz, "
-    "for a video with NAME_NNNNNN.yml.gz for each frame}"
+    "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); several inputs: a folder as "
+    "for --output with NAME.yml.gz, for a video with NAME_NNNNNN.yml.gz for each frame}"
     "{shard      |        | i/N: do every N-th input only, beginning with the i-th (1 to N)}"
     "{skip_existing |     | leave out existing results, and inputs with all results and lines of the report}"
     "{overwrite  |        | replace existing files}";
@@ -73,8 +77,8 @@ void warnUseless(const std::string& what, const std::string& missing)
 }
 
 // A value with its standard deviation, in the given unit; false if it isn't known.
-bool readMeasurement(const Options& options, const std::string& name, double limit, double defaultSigma, double unit, double& value,
-                     double& sigma)
+bool readMeasurement(const Options& options, const std::string& name, double limit, double defaultSigma, double unit,
+                     double& value, double& sigma)
 {
     const std::string sigmaName = name + "_sigma";
     if (!options.given(name))
@@ -92,7 +96,8 @@ MotionPrior readPrior(const Options& options, const Job& job)
 {
     MotionPrior prior;
     const bool speed = readMeasurement(options, "speed", 1000, SPEED_SIGMA, KMH, prior.speed, prior.speedSigma);
-    const bool yawRate = readMeasurement(options, "yaw_rate", 1000, YAW_RATE_SIGMA, DEGREE, prior.yawRate, prior.yawRateSigma);
+    const bool yawRate =
+        readMeasurement(options, "yaw_rate", 1000, YAW_RATE_SIGMA, DEGREE, prior.yawRate, prior.yawRateSigma);
     const bool metric = job.camera.lineDelay > 0 || job.camera.readOut > 0;
     const std::string delay = "the line delay (--line_delay, --readout or in the camera file)";
     if (speed && !metric)
@@ -152,7 +157,8 @@ void checkVideos(const Job& job)
         if (isVideo(input))
         {
 #ifndef RSACKERMANN_WITH_VIDEOIO
-            throw UsageError("videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
+            throw UsageError(
+                "videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
 #endif
             if (job.linesGiven)
                 throw UsageError("--lines is for an image");

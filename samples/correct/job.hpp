@@ -20,10 +20,10 @@ struct Job
     cv::rsackermann::RollingShutterCorrector::Params params;
     cv::rsackermann::MotionPrior prior;
     DriveLog log;
-    bool smooth;                                //!< each frame of a drive is helped by the one after it
+    bool smooth; //!< each frame of a drive is helped by the one after it
     bool linesGiven;
-    cv::Mat lines;                              //!< segments of the only image
-    std::string output, overlay, maps, report;  //!< file or folder, empty: not wanted
+    cv::Mat lines;                             //!< segments of the only image
+    std::string output, overlay, maps, report; //!< file or folder, empty: not wanted
     bool outputIsFolder, overlayIsFolder, mapsIsFolder;
     int shardCount;
     bool skipExisting, overwrite;

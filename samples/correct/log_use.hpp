@@ -15,7 +15,8 @@ namespace rsackermann_samples {
 const double SPEED_SIGMA = 2, YAW_RATE_SIGMA = 1;
 
 //! The prior of a frame from its facts; values that they leave open are those of the other prior.
-cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts, const cv::rsackermann::MotionPrior& other = cv::rsackermann::MotionPrior());
+cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts,
+                                     const cv::rsackermann::MotionPrior& other = cv::rsackermann::MotionPrior());
 
 /** Only videos know the time of their frames: a log has to name the images of which it tells.
 Throws UsageError if it names none of them, and warns if some are missing. */

@@ -46,7 +46,8 @@ std::string dumped(const Json& json)
 
 } // namespace
 
-FrameReport::FrameReport() : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), segments(0), meanShift(0)
+FrameReport::FrameReport()
+    : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), segments(0), meanShift(0)
 {
 }
 

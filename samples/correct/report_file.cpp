@@ -23,7 +23,8 @@ nlohmann::json parsed(const std::string& line)
 // The input of a line; empty if it isn't a line of a report.
 std::string inputOf(const nlohmann::json& line)
 {
-    return line.is_object() && line.contains("input") && line["input"].is_string() ? line["input"].get<std::string>() : "";
+    return line.is_object() && line.contains("input") && line["input"].is_string() ? line["input"].get<std::string>()
+                                                                                   : "";
 }
 
 bool isFailure(const nlohmann::json& line)

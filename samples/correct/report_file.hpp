@@ -13,8 +13,9 @@ namespace rsackermann_samples {
 
 /** The report: lines of JSON in a file, which other shards may write as well, or on standard output.
 
-Lines of this job's inputs that are there already: with --overwrite they go; with --skip_existing complete ones stay, and those of failures
-and of videos without all of their frames go. Lines of other inputs stay if this job is one of several shards or goes on.
+Lines of this job's inputs that are there already: with --overwrite they go; with --skip_existing complete ones stay,
+and those of failures and of videos without all of their frames go. Lines of other inputs stay if this job is one of
+several shards or goes on.
 */
 class ReportFile
 {

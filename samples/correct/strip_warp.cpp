@@ -20,11 +20,10 @@ double secondsSince(int64 tick)
 
 } // namespace
 
-StripWarp::StripWarp(const RollingShutterCamera& camera) : generator_(WarpMapGenerator::create(camera))
-{
-}
+StripWarp::StripWarp(const RollingShutterCamera& camera) : generator_(WarpMapGenerator::create(camera)) {}
 
-template <class Use> void StripWarp::forEachStrip(const AckermannMotion& motion, const Use& use)
+template <class Use>
+void StripWarp::forEachStrip(const AckermannMotion& motion, const Use& use)
 {
     const int pixels = 1 << 20; // enough for all threads
     const RollingShutterCamera camera = generator_->getCamera();
@@ -70,8 +69,8 @@ void StripWarp::maps(const AckermannMotion& motion, cv::Mat& map1, cv::Mat& map2
 bool StripWarp::hasNoLens() const
 {
     const RollingShutterCamera camera = generator_->getCamera();
-    return camera.lensModel == LENS_PINHOLE &&
-           std::all_of(camera.distCoeffs.begin(), camera.distCoeffs.end(), [](double coefficient) { return coefficient == 0; });
+    return camera.lensModel == LENS_PINHOLE && std::all_of(camera.distCoeffs.begin(), camera.distCoeffs.end(),
+                                                           [](double coefficient) { return coefficient == 0; });
 }
 
 WarpMapGenerator::Params StripWarp::coarse(const RollingShutterCamera& camera)

@@ -9,7 +9,8 @@
 
 namespace rsackermann_samples {
 
-/** Warps images strip by strip, so that of the maps, which need three times the memory of an image, only those of a strip exist.
+/** Warps images strip by strip, so that of the maps, which need three times the memory of an image, only those of a
+strip exist.
 
 The corrected image has the size and the camera matrix of the raw one.
 */
@@ -23,7 +24,8 @@ public:
 
     /** Corrects an image.
     @param seconds receives the times for maps and remapping. */
-    void correct(const cv::Mat& image, const cv::rsackermann::AckermannMotion& motion, cv::Mat& corrected, cv::Vec2d& seconds);
+    void correct(const cv::Mat& image, const cv::rsackermann::AckermannMotion& motion, cv::Mat& corrected,
+                 cv::Vec2d& seconds);
 
     //! The maps with which correct() remaps.
     void maps(const cv::rsackermann::AckermannMotion& motion, cv::Mat& map1, cv::Mat& map2);
@@ -35,7 +37,8 @@ public:
     static cv::rsackermann::WarpMapGenerator::Params coarse(const cv::rsackermann::RollingShutterCamera& camera);
 
 private:
-    template <class Use> void forEachStrip(const cv::rsackermann::AckermannMotion& motion, const Use& use);
+    template <class Use>
+    void forEachStrip(const cv::rsackermann::AckermannMotion& motion, const Use& use);
 
     cv::Ptr<cv::rsackermann::WarpMapGenerator> generator_;
 };

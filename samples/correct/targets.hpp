@@ -19,7 +19,8 @@ struct Targets
 
     //! The file for the maps of a video's frame.
     std::string mapsOfFrame(int frame) const;
-    //! Leaves out the results that are there already. Maps of a video's frames are when the videos are, of which they are the lesser part.
+    //! Leaves out the results that are there already. Maps of a video's frames are when the videos are, of which they
+    //! are the lesser part.
     void leaveOutExisting();
     bool empty() const { return output.empty() && overlay.empty() && maps.empty(); }
     //! Throws InputError if a result would replace a file that mustn't be replaced.

@@ -18,7 +18,11 @@ namespace {
 class Bytes
 {
 public:
-    explicit Bytes(const std::string& path) : file_(path.c_str(), std::ios::binary | std::ios::ate), size_(uint64_t(std::max(std::streamoff(file_.tellg()), std::streamoff(0)))) {}
+    explicit Bytes(const std::string& path)
+        : file_(path.c_str(), std::ios::binary | std::ios::ate),
+          size_(uint64_t(std::max(std::streamoff(file_.tellg()), std::streamoff(0))))
+    {
+    }
 
     uint64_t size() const { return size_; }
 

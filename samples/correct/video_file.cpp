@@ -15,8 +15,8 @@ VideoFile::VideoFile(const std::string& path, double framesPerSecond, const cv::
 {
     // Codecs that every build of FFmpeg has, and for AVI OpenCV itself.
     static const std::map<std::string, std::string> codecs = {
-        {".avi", "MJPG"}, {".mkv", "MJPG"}, {".mjpeg", "MJPG"}, {".mp4", "mp4v"}, {".m4v", "mp4v"},
-        {".mov", "mp4v"}, {".webm", "VP80"}, {".wmv", "WMV2"}, {".mpg", "PIM1"}, {".mpeg", "PIM1"}};
+        {".avi", "MJPG"}, {".mkv", "MJPG"},  {".mjpeg", "MJPG"}, {".mp4", "mp4v"}, {".m4v", "mp4v"},
+        {".mov", "mp4v"}, {".webm", "VP80"}, {".wmv", "WMV2"},   {".mpg", "PIM1"}, {".mpeg", "PIM1"}};
     const std::map<std::string, std::string>::const_iterator it = codecs.find(extension(path));
     if (it == codecs.end())
         throw InputError(path + ": the extension is none of a video");

@@ -136,7 +136,8 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     reports.swap(frames);
     // If an edit list or a damaged frame makes a difference it is one frame.
     if (isVideoCutShort(input) || (countsFrames(input) && announced > double(reports.size()) + 1))
-        throw InputError(cv::format("the video is cut short: %d of %.0f frames could be read", int(reports.size()), announced));
+        throw InputError(
+            cv::format("the video is cut short: %d of %.0f frames could be read", int(reports.size()), announced));
 }
 
 } // namespace rsackermann_samples

@@ -24,8 +24,8 @@ private:
     double interval_, time_;
 };
 
-/** The number of frames per second with which all frames of a video take as long as in the video: the mean, if the rate varies.
-Goes through the whole video. */
+/** The number of frames per second with which all frames of a video take as long as in the video: the mean, if the rate
+varies. Goes through the whole video. */
 double meanRate(const std::string& path);
 
 //! Opens a video so that its frames have the sensor's rows as rows; throws InputError.

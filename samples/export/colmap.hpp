@@ -13,7 +13,8 @@ namespace rsackermann_samples {
 std::string colmapCameras(const cv::rsackermann::RollingShutterCamera& camera);
 
 //! Writes cameras.txt and, for each frame, masks/NAME.png, which is 0 where the corrected image shows nothing.
-void writeColmap(const std::string& folder, const cv::rsackermann::RollingShutterCamera& camera, const std::vector<MotionFrame>& frames);
+void writeColmap(const std::string& folder, const cv::rsackermann::RollingShutterCamera& camera,
+                 const std::vector<MotionFrame>& frames);
 
 } // namespace rsackermann_samples
 

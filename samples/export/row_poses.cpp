@@ -15,7 +15,8 @@ namespace {
 typedef nlohmann::ordered_json Json;
 
 // Names of gsplat's RollingShutterType and of 3DGUT's ShutterType, in the order of ScanDirection.
-const char* const SHUTTERS[] = {"ROLLING_TOP_TO_BOTTOM", "ROLLING_BOTTOM_TO_TOP", "ROLLING_LEFT_TO_RIGHT", "ROLLING_RIGHT_TO_LEFT"};
+const char* const SHUTTERS[] = {"ROLLING_TOP_TO_BOTTOM", "ROLLING_BOTTOM_TO_TOP", "ROLLING_LEFT_TO_RIGHT",
+                                "ROLLING_RIGHT_TO_LEFT"};
 
 // The unit of length of AckermannMotion::pose() in another unit.
 struct LengthUnit
@@ -57,7 +58,8 @@ std::string rowPosesText(const RollingShutterCamera& camera, const std::vector<M
     const bool upwards = camera.scanDirection == SCAN_BOTTOM_TO_TOP || camera.scanDirection == SCAN_RIGHT_TO_LEFT;
     const int lines = camera.isRowShutter() ? camera.imageSize.height : camera.imageSize.width;
     const int first = upwards ? lines - 1 : 0, last = upwards ? 0 : lines - 1;
-    const double startTime = camera.rowTime(cv::Point2d(first, first)), endTime = camera.rowTime(cv::Point2d(last, last));
+    const double startTime = camera.rowTime(cv::Point2d(first, first)),
+                 endTime = camera.rowTime(cv::Point2d(last, last));
 
     Json json;
     json["width"] = camera.imageSize.width;

@@ -9,17 +9,18 @@
 
 namespace rsackermann_samples {
 
-/** An STMap of a pair of CV_32FC1 maps: for each pixel the place that it is taken from, as shares of the source's width from
-the left and of its height from the bottom, the sides being those of the outer pixels.
+/** An STMap of a pair of CV_32FC1 maps: for each pixel the place that it is taken from, as shares of the source's width
+from the left and of its height from the bottom, the sides being those of the outer pixels.
 
 @param depth CV_16U: shares as parts of 65535, which hold no place outside of the image; CV_32F.
-@return image in OpenCV's order of channels: red and green hold the shares, blue is full where there is a place in the image.
+@return image in OpenCV's order of channels: red and green hold the shares, blue is full where there is a place in the
+image.
 */
 cv::Mat stMap(const cv::Mat& columns, const cv::Mat& rows, const cv::Size& source, int depth);
 
 //! Writes NAME.rectify.EXTENSION and NAME.distort.EXTENSION for each frame. @param format png or exr.
-void writeStMaps(const std::string& folder, const std::string& format, const cv::rsackermann::RollingShutterCamera& camera,
-                 const std::vector<MotionFrame>& frames);
+void writeStMaps(const std::string& folder, const std::string& format,
+                 const cv::rsackermann::RollingShutterCamera& camera, const std::vector<MotionFrame>& frames);
 
 } // namespace rsackermann_samples
 

@@ -48,12 +48,19 @@ struct Columns
 {
     size_t file, x, y, depth; // as many as there are columns: none has this name
 
-    explicit Columns(const Cells& header) : file(of("file", header)), x(of("x", header)), y(of("y", header)), depth(of("depth", header)) {}
+    explicit Columns(const Cells& header)
+        : file(of("file", header)), x(of("x", header)), y(of("y", header)), depth(of("depth", header))
+    {
+    }
 
-    static size_t of(const char* name, const Cells& header) { return std::find(header.begin(), header.end(), name) - header.begin(); }
+    static size_t of(const char* name, const Cells& header)
+    {
+        return std::find(header.begin(), header.end(), name) - header.begin();
+    }
 };
 
-std::vector<FramePoints> pointsOf(const CsvTable& table, const std::string& path, const Columns& columns, const std::vector<MotionFrame>& frames)
+std::vector<FramePoints> pointsOf(const CsvTable& table, const std::string& path, const Columns& columns,
+                                  const std::vector<MotionFrame>& frames)
 {
     const size_t none = table.header.size();
     if (columns.x == none || columns.y == none || (columns.file == none && frames.size() != 1))
@@ -66,12 +73,14 @@ std::vector<FramePoints> pointsOf(const CsvTable& table, const std::string& path
     {
         const Cells& row = table.rows[i];
         const std::string source = path + cv::format(", line %d", table.lines[i]);
-        const std::map<std::string, size_t>::const_iterator found = columns.file == none ? indices.begin() : indices.find(row[columns.file]);
+        const std::map<std::string, size_t>::const_iterator found =
+            columns.file == none ? indices.begin() : indices.find(row[columns.file]);
         if (found == indices.end())
             throw UsageError(source + ": there is no motion of the file " + row[columns.file]);
         FramePoints& frame = points[found->second];
         frame.points.push_back(cv::Point2d(parseNumber(row[columns.x], source), parseNumber(row[columns.y], source)));
-        frame.depths.push_back(columns.depth == none || row[columns.depth].empty() ? 0 : parseNumber(row[columns.depth], source));
+        frame.depths.push_back(
+            columns.depth == none || row[columns.depth].empty() ? 0 : parseNumber(row[columns.depth], source));
         frame.rows.push_back(i);
     }
     return points;
@@ -79,7 +88,8 @@ std::vector<FramePoints> pointsOf(const CsvTable& table, const std::string& path
 
 } // namespace
 
-std::string correctTracks(const std::string& path, const RollingShutterCamera& camera, const std::vector<MotionFrame>& frames)
+std::string correctTracks(const std::string& path, const RollingShutterCamera& camera,
+                          const std::vector<MotionFrame>& frames)
 {
     CsvTable table = readCsv(path);
     const Columns columns(table.header);
@@ -92,7 +102,8 @@ std::string correctTracks(const std::string& path, const RollingShutterCamera& c
             continue;
         const bool depthsKnown = cv::countNonZero(frame.depths) > 0;
         cv::Mat places, mask;
-        generator->correctPoints(frames[i].motion, frame.points, places, depthsKnown ? cv::Mat(frame.depths) : cv::Mat(), mask);
+        generator->correctPoints(frames[i].motion, frame.points, places,
+                                 depthsKnown ? cv::Mat(frame.depths) : cv::Mat(), mask);
         for (size_t k = 0; k < frame.rows.size(); k++)
         {
             Cells& row = table.rows[frame.rows[k]];

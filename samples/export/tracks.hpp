@@ -9,8 +9,8 @@
 
 namespace rsackermann_samples {
 
-/** Corrects the points of 2-D tracks, a CSV table with a header: file (needed if there are several frames), x and y of a point in
-the raw image, and maybe depth (metres; empty: unknown). All other columns are passed on.
+/** Corrects the points of 2-D tracks, a CSV table with a header: file (needed if there are several frames), x and y of
+a point in the raw image, and maybe depth (metres; empty: unknown). All other columns are passed on.
 
 Throws UsageError with the line that isn't understood.
 @return the table as text. x and y are the place in the corrected image; they are empty if there is none.

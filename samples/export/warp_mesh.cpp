@@ -18,8 +18,10 @@ namespace {
 // The mesh's place of a pixel; false if one of the four nodes around has none.
 bool interpolate(const WarpMesh& mesh, const cv::Size& size, const cv::Point2d& pixel, cv::Point2d& place)
 {
-    const double column = pixel.x * (mesh.columns - 1) / (size.width - 1), row = pixel.y * (mesh.rows - 1) / (size.height - 1);
-    const int i = std::min(int(column), mesh.columns - 2), j = std::min(int(row), mesh.rows - 2), at = j * mesh.columns + i;
+    const double column = pixel.x * (mesh.columns - 1) / (size.width - 1),
+                 row = pixel.y * (mesh.rows - 1) / (size.height - 1);
+    const int i = std::min(int(column), mesh.columns - 2), j = std::min(int(row), mesh.rows - 2),
+              at = j * mesh.columns + i;
     const int corners[] = {at, at + 1, at + mesh.columns, at + mesh.columns + 1};
     const double u = column - i, v = row - j, weights[] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
     place = cv::Point2d();
@@ -32,7 +34,8 @@ bool interpolate(const WarpMesh& mesh, const cv::Size& size, const cv::Point2d& 
     return true;
 }
 
-void measureError(const RollingShutterCamera& camera, const cv::Mat& mapColumns, const cv::Mat& mapRows, const cv::Mat& mask, WarpMesh& mesh)
+void measureError(const RollingShutterCamera& camera, const cv::Mat& mapColumns, const cv::Mat& mapRows,
+                  const cv::Mat& mask, WarpMesh& mesh)
 {
     double sum = 0, largest = 0;
     int count = 0;
@@ -61,7 +64,8 @@ WarpMesh makeWarpMesh(const RollingShutterCamera& camera, const AckermannMotion&
     const cv::Size size = camera.imageSize;
     for (int j = 0; j < rows; j++)
         for (int i = 0; i < columns; i++)
-            mesh.nodes.push_back(cv::Point2d(double(size.width - 1) * i / (columns - 1), double(size.height - 1) * j / (rows - 1)));
+            mesh.nodes.push_back(
+                cv::Point2d(double(size.width - 1) * i / (columns - 1), double(size.height - 1) * j / (rows - 1)));
     const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     cv::Mat mask;
     generator->distortPoints(motion, mesh.nodes, mesh.places, cv::noArray(), mask);
@@ -72,7 +76,8 @@ WarpMesh makeWarpMesh(const RollingShutterCamera& camera, const AckermannMotion&
     return mesh;
 }
 
-std::string warpMeshText(const RollingShutterCamera& camera, const std::vector<MotionFrame>& frames, int columns, int rows)
+std::string warpMeshText(const RollingShutterCamera& camera, const std::vector<MotionFrame>& frames, int columns,
+                         int rows)
 {
     typedef nlohmann::ordered_json Json;
     Json json;

@@ -30,7 +30,8 @@ int BuildingLine::cast(const cv::Vec3d& origin, const cv::Vec3d& ray, double& di
         std::upper_bound(blocks_.begin(), blocks_.end(), u, [](double value, const Block& b) { return value < b.u1; });
     if (first == blocks_.end() || u < first->u0)
         return -1;
-    for (int i = int(first - blocks_.begin()); i >= 0 && i < int(blocks_.size()) && enter <= end; i += ray[0] > 0 ? 1 : -1)
+    for (int i = int(first - blocks_.begin()); i >= 0 && i < int(blocks_.size()) && enter <= end;
+         i += ray[0] > 0 ? 1 : -1)
     {
         const Block& block = blocks_[i];
         const double front = (block.setback - origin[1]) / ray[1], at = std::max(front, enter);

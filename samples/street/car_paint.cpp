@@ -38,7 +38,8 @@ cv::Vec3f sampleEnd(double w, double v, double width, double height, const cv::V
     if (v < 0.22)
         return side < 0.22 ? RUBBER : SHADE;
     if (v < 0.5)
-        return std::abs(w - width / 2) < 0.26 && v > 0.33 && v < 0.45 ? cv::Vec3f(215, 220, 220) : body * 0.55; // plate and bumper
+        // Plate and bumper
+        return std::abs(w - width / 2) < 0.26 && v > 0.33 && v < 0.45 ? cv::Vec3f(215, 220, 220) : body * 0.55;
     if (v > SILL && v < height - 0.1)
         return side > 0.12 + 0.3 * (v - SILL) ? GLASS : body * 0.85;
     return side < 0.16 && v > 0.62 && v < 0.85 ? cv::Vec3f(45, 40, 170) : body * 0.85; // lamps
@@ -48,10 +49,12 @@ cv::Vec3f sampleEnd(double w, double v, double width, double height, const cv::V
 
 cv::Vec3f sampleCar(const cv::Vec3d& place, const cv::Vec3d& size, const cv::Vec3f& body)
 {
-    const double side = std::min(place[1], size[1] - place[1]), end = std::min(place[0], size[0] - place[0]), roof = size[2] - place[2];
+    const double side = std::min(place[1], size[1] - place[1]), end = std::min(place[0], size[0] - place[0]),
+                 roof = size[2] - place[2];
     if (roof < std::min(side, end))
         return body * 1.1;
-    return side < end ? sampleSide(place[0], place[2], size[0], size[2], body) : sampleEnd(place[1], place[2], size[1], size[2], body);
+    return side < end ? sampleSide(place[0], place[2], size[0], size[2], body)
+                      : sampleEnd(place[1], place[2], size[1], size[2], body);
 }
 
 } // namespace street

@@ -19,7 +19,8 @@ cv::Vec3f randomColour(cv::RNG& rng, double low, double high)
 {
     const float grey = float(rng.uniform(low, high));
     // Not as arguments, whose order is the compiler's choice: a street is to look the same whatever compiled it.
-    const float red = grey * float(rng.uniform(0.95, 1.15)), green = grey * float(rng.uniform(0.9, 1.05)), blue = grey * float(rng.uniform(0.75, 1.05));
+    const float red = grey * float(rng.uniform(0.95, 1.15)), green = grey * float(rng.uniform(0.9, 1.05)),
+                blue = grey * float(rng.uniform(0.75, 1.05));
     return cv::Vec3f(blue, green, red);
 }
 
@@ -64,8 +65,8 @@ void Facade::paintOpening(cv::RNG& rng, double u0, double u1, double v0, double 
         {
             // Panes lean with their window: each begins where the slanted frame has come to.
             const double shift = slant * (j * height + (sill ? 0.1 : 0));
-            paint(u0 + i * width + shift, u0 + (i + 1) * width - bar + shift, v0 + j * height, v0 + (j + 1) * height - bar,
-                  glass * rng.uniform(0.8, 1.2));
+            paint(u0 + i * width + shift, u0 + (i + 1) * width - bar + shift, v0 + j * height,
+                  v0 + (j + 1) * height - bar, glass * rng.uniform(0.8, 1.2));
         }
     slant_ = 0;
     if (sill)
@@ -116,7 +117,8 @@ void Facade::buildIndex()
     {
         const Patch& p = patches_[i];
         const double shift = p.slant * (p.v1 - p.v0);
-        const int c0 = std::max(0, int(p.u0 + std::min(0., shift) - FIRST)), c1 = std::min(COLUMNS - 1, int(p.u1 + std::max(0., shift) - FIRST));
+        const int c0 = std::max(0, int(p.u0 + std::min(0., shift) - FIRST)),
+                  c1 = std::min(COLUMNS - 1, int(p.u1 + std::max(0., shift) - FIRST));
         const int r0 = std::max(0, int(p.v0)), r1 = std::min(ROWS - 1, int(p.v1));
         for (int r = r0; r <= r1; r++)
             for (int c = c0; c <= c1; c++)
@@ -169,7 +171,8 @@ cv::Vec3f sampleRoad(double u, double a, double width, double footprint)
         return cv::Vec3f(205, 205, 200);
     colour = cv::Vec3f(78, 76, 74);
     const double grain = 0.04;
-    colour *= 1 + 0.15 * visibility(grain, footprint) * (cellNoise(int(std::floor(u / grain)), int(std::floor(a / grain))) - 0.5);
+    colour *= 1 + 0.15 * visibility(grain, footprint) *
+                      (cellNoise(int(std::floor(u / grain)), int(std::floor(a / grain))) - 0.5);
     const double period = 4.5, phase = u / period - std::floor(u / period);
     const bool centreLine = std::abs(a - width / 2) < 0.06 && phase < 0.6;
     const bool edgeLine = side > pavement + kerb + 0.18 && side < pavement + kerb + 0.28;

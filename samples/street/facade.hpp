@@ -60,10 +60,11 @@ private:
     double slant_; // of the patches being painted
     std::vector<House> houses_;
     std::vector<Patch> patches_;
-    std::vector<std::vector<int> > cells_; // patches that touch a cell of one square metre
+    std::vector<std::vector<int>> cells_; // patches that touch a cell of one square metre
 };
 
-//! Colour of the road at u metres along it and a metres to the right of its left kerb, if the road is width metres wide.
+//! Colour of the road at u metres along it and a metres to the right of its left kerb, if the road is width metres
+//! wide.
 cv::Vec3f sampleRoad(double u, double a, double width, double footprint);
 
 } // namespace street

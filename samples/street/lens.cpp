@@ -17,7 +17,8 @@ cv::Point2d distortPoint(const std::vector<double>& lens, const cv::Point2d& ide
         k[i] = lens[i];
     const double x = ideal.x, y = ideal.y, r2 = x * x + y * y;
     const double radial = (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) / (1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])));
-    return cv::Point2d(x * radial + 2 * k[2] * x * y + k[3] * (r2 + 2 * x * x), y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y);
+    return cv::Point2d(x * radial + 2 * k[2] * x * y + k[3] * (r2 + 2 * x * x),
+                       y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y);
 }
 
 cv::Point2d undistortPoint(const std::vector<double>& lens, const cv::Point2d& distorted)
@@ -29,8 +30,10 @@ cv::Point2d undistortPoint(const std::vector<double>& lens, const cv::Point2d& d
     {
         const double h = 1e-6;
         const cv::Point2d f = distortPoint(lens, p) - distorted;
-        const cv::Point2d dx = (distortPoint(lens, p + cv::Point2d(h, 0)) - distortPoint(lens, p - cv::Point2d(h, 0))) * (0.5 / h);
-        const cv::Point2d dy = (distortPoint(lens, p + cv::Point2d(0, h)) - distortPoint(lens, p - cv::Point2d(0, h))) * (0.5 / h);
+        const cv::Point2d dx =
+            (distortPoint(lens, p + cv::Point2d(h, 0)) - distortPoint(lens, p - cv::Point2d(h, 0))) * (0.5 / h);
+        const cv::Point2d dy =
+            (distortPoint(lens, p + cv::Point2d(0, h)) - distortPoint(lens, p - cv::Point2d(0, h))) * (0.5 / h);
         const double det = dx.x * dy.y - dy.x * dx.y;
         const cv::Point2d step((f.x * dy.y - dy.x * f.y) / det, (dx.x * f.y - f.x * dx.y) / det);
         p -= step;

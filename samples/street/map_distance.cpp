@@ -12,7 +12,8 @@ cv::Mat placesOf(const cv::Mat& columns, const cv::Mat& rows)
     return (columns != none) | (rows != none);
 }
 
-double meanDistance(const cv::Mat& columns1, const cv::Mat& rows1, const cv::Mat& columns2, const cv::Mat& rows2, const cv::Mat& mask)
+double meanDistance(const cv::Mat& columns1, const cv::Mat& rows1, const cv::Mat& columns2, const cv::Mat& rows2,
+                    const cv::Mat& mask)
 {
     cv::Mat distance;
     cv::magnitude(columns1 - columns2, rows1 - rows2, distance);

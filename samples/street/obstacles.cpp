@@ -17,7 +17,8 @@ const double CELL = 4; // metres of a stretch of the index
 const double DEGREE = CV_PI / 180;
 
 // The part of a ray within a box; the ends are narrowed.
-bool clip(const cv::Vec3d& low, const cv::Vec3d& high, const cv::Vec3d& origin, const cv::Vec3d& ray, double& enter, double& leave)
+bool clip(const cv::Vec3d& low, const cv::Vec3d& high, const cv::Vec3d& origin, const cv::Vec3d& ray, double& enter,
+          double& leave)
 {
     for (int k = 0; k < 3; k++)
     {
@@ -55,7 +56,8 @@ void Obstacles::park(cv::RNG& rng, double u, double space, double room)
     const double kerb = std::min(0.57, std::max(0.1, room - width - 1.2));
     const double begin = u + rng.uniform(0., 1.) * std::max(0., space - length);
     const double grey = rng.uniform(40., 200.);
-    const double blue = grey * rng.uniform(0.7, 1.2), green = grey * rng.uniform(0.7, 1.1), red = grey * rng.uniform(0.7, 1.2);
+    const double blue = grey * rng.uniform(0.7, 1.2), green = grey * rng.uniform(0.7, 1.1),
+                 red = grey * rng.uniform(0.7, 1.2);
     const cv::Vec3f colour = cv::Vec3d(blue, green, red);
     const cv::Vec3d low(begin, -kerb - width, 0), high(begin + length, -kerb, height);
     const Obstacle car = {CAR, low, high, cv::Vec3d(), cv::Vec3d(), 0, colour};
@@ -65,7 +67,8 @@ void Obstacles::park(cv::RNG& rng, double u, double space, double room)
 void Obstacles::plant(cv::RNG& rng, double u, double space, Kind kind)
 {
     const bool isTrunk = kind == TRUNK;
-    const double radius = isTrunk ? rng.uniform(0.1, 0.175) : 0.05, height = isTrunk ? rng.uniform(3., 5.) : rng.uniform(4., 6.);
+    const double radius = isTrunk ? rng.uniform(0.1, 0.175) : 0.05,
+                 height = isTrunk ? rng.uniform(3., 5.) : rng.uniform(4., 6.);
     const double along = u + rng.uniform(0., 1.) * space, before = rng.uniform(0.3, 1.);
     const cv::Vec3d foot(along, -before, 0);
     const double lean = isTrunk ? std::max(-12., std::min(12., rng.gaussian(4))) * DEGREE : 0;
@@ -90,7 +93,8 @@ void Obstacles::buildIndex()
     for (size_t i = 0; i < obstacles_.size(); i++)
     {
         const Obstacle& o = obstacles_[i];
-        const size_t first = size_t(std::max(0., (o.low[0] - from_) / CELL)), last = size_t(std::max(0., (o.high[0] - from_) / CELL));
+        const size_t first = size_t(std::max(0., (o.low[0] - from_) / CELL)),
+                     last = size_t(std::max(0., (o.high[0] - from_) / CELL));
         cells_.resize(std::max(cells_.size(), last + 1));
         for (size_t c = first; c <= last; c++)
             cells_[c].push_back(int(i));
@@ -111,8 +115,10 @@ bool Obstacles::meet(const Obstacle& obstacle, const cv::Vec3d& origin, const cv
     {
         // Ray and foot as seen along the axis: there the cylinder is a circle.
         const cv::Vec3d offset = origin - obstacle.foot;
-        const cv::Vec3d across = ray - obstacle.axis * obstacle.axis.dot(ray), from = offset - obstacle.axis * obstacle.axis.dot(offset);
-        const double a = across.dot(across), b = across.dot(from), c = from.dot(from) - obstacle.radius * obstacle.radius;
+        const cv::Vec3d across = ray - obstacle.axis * obstacle.axis.dot(ray),
+                        from = offset - obstacle.axis * obstacle.axis.dot(offset);
+        const double a = across.dot(across), b = across.dot(from),
+                     c = from.dot(from) - obstacle.radius * obstacle.radius;
         const double discriminant = b * b - a * c;
         if (discriminant < 0)
             return false;
@@ -134,7 +140,8 @@ int Obstacles::cast(const cv::Vec3d& origin, const cv::Vec3d& ray, double& dista
     auto cellAt = [&](double at) { return int((origin[0] + ray[0] * at - from_) / CELL); };
     const int count = int(cells_.size()), step = ray[0] > 0 ? 1 : -1;
     int nearest = -1, last = cellAt(leave);
-    for (int c = std::max(0, std::min(count - 1, cellAt(enter))); c >= 0 && c < count && (last - c) * step >= 0; c += step)
+    for (int c = std::max(0, std::min(count - 1, cellAt(enter))); c >= 0 && c < count && (last - c) * step >= 0;
+         c += step)
         for (int i : cells_[c])
             if (meet(obstacles_[i], origin, ray, distance))
             {
@@ -153,7 +160,7 @@ cv::Vec3f Obstacles::sample(int obstacle, const cv::Vec3d& place, double footpri
     normal -= o.axis * o.axis.dot(normal);
     normal *= 1 / o.radius;
     cv::Vec3f colour = o.colour * (0.75 - 0.3 * normal[1]); // the light comes from the street
-    if (o.kind == TRUNK) // bark
+    if (o.kind == TRUNK)                                    // bark
     {
         const double grain = 0.03, around = std::atan2(normal[1], normal[0]) * o.radius;
         const int column = int(std::floor(around / grain)), row = int(std::floor(place[2] / (6 * grain)));

@@ -19,8 +19,8 @@ class Obstacles
 public:
     /** @param density number of obstacles on 100 m.
         @param from, to extent of the row along the street in metres.
-        @param room metres between the plane of the row and the camera's way. Cars park only if 2.8 m are there: they would
-        stand in the way otherwise.
+        @param room metres between the plane of the row and the camera's way. Cars park only if 2.8 m are there: they
+       would stand in the way otherwise.
         @param seed of the random numbers. */
     Obstacles(double density, double from, double to, double room, unsigned seed);
 
@@ -33,17 +33,12 @@ public:
     cv::Vec3f sample(int obstacle, const cv::Vec3d& place, double footprint) const;
 
 private:
-    enum Kind
-    {
-        CAR,
-        POST,
-        TRUNK
-    };
+    enum Kind { CAR, POST, TRUNK };
 
     struct Obstacle
     {
         Kind kind;
-        cv::Vec3d low, high; // corners of the box around it; a car fills its box
+        cv::Vec3d low, high;  // corners of the box around it; a car fills its box
         cv::Vec3d foot, axis; // of a post or trunk; the axis has length 1
         double radius;
         cv::Vec3f colour;
@@ -57,7 +52,7 @@ private:
     double from_;
     cv::Vec3d low_, high_; // corners of the box around all
     std::vector<Obstacle> obstacles_;
-    std::vector<std::vector<int> > cells_; // obstacles that touch a stretch of the street
+    std::vector<std::vector<int>> cells_; // obstacles that touch a stretch of the street
 };
 
 } // namespace street

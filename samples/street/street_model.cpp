@@ -10,7 +10,8 @@ using namespace cv::rsackermann;
 
 RollingShutterCamera libraryCamera(const street::StreetCamera& camera)
 {
-    RollingShutterCamera result(camera.size, cv::Matx33d(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1), camera.lens);
+    RollingShutterCamera result(camera.size, cv::Matx33d(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1),
+                                camera.lens);
     result.lineDelay = camera.lineDelay;
     result.scanDirection = camera.scan;
     result.referenceRow = camera.reference;

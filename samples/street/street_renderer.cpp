@@ -34,13 +34,14 @@ cv::Vec3d turned(double c, double s, const cv::Vec3d& v)
 } // namespace
 
 StreetCamera::StreetCamera(const cv::Size& imageSize, double focal, double delay, double metres)
-    : size(imageSize), fx(focal), fy(focal), cx((imageSize.width - 1) / 2.), cy((imageSize.height - 1) / 2.), lineDelay(delay), scan(0),
-      reference((imageSize.height - 1) / 2.), roll(0), pitch(0), heading(0), height(metres)
+    : size(imageSize), fx(focal), fy(focal), cx((imageSize.width - 1) / 2.), cy((imageSize.height - 1) / 2.),
+      lineDelay(delay), scan(0), reference((imageSize.height - 1) / 2.), roll(0), pitch(0), heading(0), height(metres)
 {
 }
 
 StreetScene::StreetScene()
-    : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), travelled(0), seed(0), clutter(0), stagger(0), obstacles(0), noise(1)
+    : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), travelled(0), seed(0), clutter(0), stagger(0),
+      obstacles(0), noise(1)
 {
 }
 
@@ -49,7 +50,8 @@ StreetRenderer::StreetRenderer(const StreetCamera& camera, const StreetScene& sc
       along_(std::sin(scene.wallDirection), 0, std::cos(scene.wallDirection)),
       across_(std::cos(scene.wallDirection), 0, -std::sin(scene.wallDirection)),
       left_(Facade(2 * scene.seed, scene.clutter, 1.05), scene.left, scene.stagger, scene.obstacles, 2 * scene.seed),
-      right_(Facade(2 * scene.seed + 1, scene.clutter, 0.85), scene.right, scene.stagger, scene.obstacles, 2 * scene.seed + 1)
+      right_(Facade(2 * scene.seed + 1, scene.clutter, 0.85), scene.right, scene.stagger, scene.obstacles,
+             2 * scene.seed + 1)
 {
     CV_Assert(scene.left >= 0 && scene.right >= 0 && camera.height > 0);
     CV_Assert(scene.stagger >= 0 && scene.obstacles >= 0);
@@ -69,7 +71,8 @@ StreetRenderer::Pose StreetRenderer::poseAt(double seconds) const
     const double yaw = scene_.yawRate * seconds, half = yaw / 2;
     const double arc = scene_.speed * seconds, chord = std::abs(half) < 1e-8 ? arc : arc * std::sin(half) / half;
     const double direction = half + camera_.heading;
-    const Pose pose = {std::cos(yaw), std::sin(yaw), cv::Vec3d(chord * std::sin(direction), 0, chord * std::cos(direction))};
+    const Pose pose = {std::cos(yaw), std::sin(yaw),
+                       cv::Vec3d(chord * std::sin(direction), 0, chord * std::cos(direction))};
     return pose;
 }
 
@@ -128,7 +131,8 @@ void StreetRenderer::castUneven(const cv::Vec3d& origin, const cv::Vec3d& ray, H
         nearest.plane = 2;
     if (nearest.plane)
         hit = nearest;
-    else // the sky counts as a part of the walls' planes here too, so that the true maps of both kinds of street compare
+    else // the sky counts as a part of the walls' planes here too, so that the true maps of both kinds of street
+         // compare
         hit.surface.kind = StreetSide::Surface::NOTHING;
 }
 
@@ -141,13 +145,15 @@ cv::Vec3d StreetRenderer::directionAt(int plane, const cv::Vec3d& v) const
 cv::Vec3d StreetRenderer::placeAt(int plane, const cv::Vec3d& v) const
 {
     const double side = across_.dot(v);
-    return cv::Vec3d(along_.dot(v) + scene_.travelled, plane == 1 ? -side - scene_.left : side - scene_.right, camera_.height - v[1]);
+    return cv::Vec3d(along_.dot(v) + scene_.travelled, plane == 1 ? -side - scene_.left : side - scene_.right,
+                     camera_.height - v[1]);
 }
 
 cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) const
 {
     const double elevation = -ray[1] / std::sqrt(ray[0] * ray[0] + ray[2] * ray[2]);
-    const cv::Vec3f sky = cv::Vec3f(235, 225, 215) - cv::Vec3f(20, 60, 90) * std::min(1., std::max(0., elevation * 1.5));
+    const cv::Vec3f sky =
+        cv::Vec3f(235, 225, 215) - cv::Vec3f(20, 60, 90) * std::min(1., std::max(0., elevation * 1.5));
     const Hit hit = cast(origin, ray);
     if (!hit.plane)
         return sky;
@@ -155,7 +161,8 @@ cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) 
     const double metres = hit.distance * cv::norm(ray), footprint = metres / camera_.fx;
     cv::Vec3f paint;
     if (hit.plane == 3)
-        paint = sampleRoad(along_.dot(place) + scene_.travelled, across_.dot(place) + scene_.left, scene_.left + scene_.right, footprint);
+        paint = sampleRoad(along_.dot(place) + scene_.travelled, across_.dot(place) + scene_.left,
+                           scene_.left + scene_.right, footprint);
     else if (!(hit.plane == 1 ? left_ : right_).sample(hit.surface, placeAt(hit.plane, place), footprint, paint))
         return sky;
     const double clear = std::exp(-metres / HAZE);
@@ -230,7 +237,7 @@ bool StreetRenderer::toRolling(const cv::Point2d& global, cv::Point2d& rolling) 
     };
     const double reach = 2. * std::max(camera_.size.width, camera_.size.height);
     double low = 0, high = 0, above = 0, below = 0;
-    for (double step = 2; ; step *= 2)
+    for (double step = 2;; step *= 2)
     {
         if (step > reach)
             return false;
@@ -274,7 +281,8 @@ void StreetRenderer::rectifyMap(cv::Mat& columns, cv::Mat& rows, cv::Mat& mask) 
                     p = cv::Point2d(-1e4, -1e4);
                 columns.at<float>(y, x) = float(p.x);
                 rows.at<float>(y, x) = float(p.y);
-                const bool inside = p.x >= 0 && p.y >= 0 && p.x <= camera_.size.width - 1 && p.y <= camera_.size.height - 1;
+                const bool inside =
+                    p.x >= 0 && p.y >= 0 && p.x <= camera_.size.width - 1 && p.y <= camera_.size.height - 1;
                 mask.at<uchar>(y, x) = inside ? 255 : 0;
             }
     });

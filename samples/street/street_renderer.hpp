@@ -14,13 +14,13 @@ struct StreetCamera
 {
     cv::Size size;
     double fx, fy, cx, cy;
-    std::vector<double> lens;  //!< 0, 4, 5 or 8 coefficients of the model of cv::projectPoints
-    double lineDelay;          //!< seconds between two lines
-    int scan;                  //!< 0 down, 1 up, 2 to the right, 3 to the left
-    double reference;          //!< line at whose instant the global-shutter image is taken
-    double roll, pitch;        //!< radians
-    double heading;            //!< radians from the optical axis to the direction of driving
-    double height;             //!< metres above the road
+    std::vector<double> lens; //!< 0, 4, 5 or 8 coefficients of the model of cv::projectPoints
+    double lineDelay;         //!< seconds between two lines
+    int scan;                 //!< 0 down, 1 up, 2 to the right, 3 to the left
+    double reference;         //!< line at whose instant the global-shutter image is taken
+    double roll, pitch;       //!< radians
+    double heading;           //!< radians from the optical axis to the direction of driving
+    double height;            //!< metres above the road
 
     //! A camera at a given height that looks ahead, with its principal point and reference at the image's centre.
     StreetCamera(const cv::Size& size, double focal, double lineDelay, double height);
@@ -29,24 +29,26 @@ struct StreetCamera
 //! Where the car drives and how.
 struct StreetScene
 {
-    double yawRate;            //!< radians per second, positive to the right
-    double speed;              //!< metres per second, negative in reverse
-    double left, right;        //!< metres to the walls, 0: there is none
-    double wallDirection;      //!< radians from the optical axis to the direction along the walls
-    double travelled;          //!< metres along the walls from where the street begins: frames of a drive have the same street
-    unsigned seed;             //!< of the facades and the noise
-    double clutter;            //!< share of slanted lines, 0..1
-    double stagger;            //!< metres: each house stands back from its wall by its own amount between 0 and this
-    double obstacles;          //!< cars, posts and trees on 100 m of each side
-    double noise;              //!< standard deviation of the image noise in grey levels
+    double yawRate;       //!< radians per second, positive to the right
+    double speed;         //!< metres per second, negative in reverse
+    double left, right;   //!< metres to the walls, 0: there is none
+    double wallDirection; //!< radians from the optical axis to the direction along the walls
+    //! Metres along the walls from where the street begins: frames of a drive have the same street
+    double travelled;
+    unsigned seed;    //!< of the facades and the noise
+    double clutter;   //!< share of slanted lines, 0..1
+    double stagger;   //!< metres: each house stands back from its wall by its own amount between 0 and this
+    double obstacles; //!< cars, posts and trees on 100 m of each side
+    double noise;     //!< standard deviation of the image noise in grey levels
 
     StreetScene();
 };
 
 /** Renders a street and knows the true correspondence of rolling and global shutter.
 
-Every line of the image is cast with the pose that the camera has at that line's instant: yaw 2 alpha t about the vertical,
-position on the chord of the circle that the car drives. Nothing here is shared with the library, which is measured by it.
+Every line of the image is cast with the pose that the camera has at that line's instant: yaw 2 alpha t about the
+vertical, position on the chord of the circle that the car drives. Nothing here is shared with the library, which is
+measured by it.
 */
 class StreetRenderer
 {
@@ -75,8 +77,8 @@ private:
 
     struct Hit
     {
-        int plane;       // 0 none, 1 left wall, 2 right wall, 3 road
-        double distance; // in lengths of the ray
+        int plane;                   // 0 none, 1 left wall, 2 right wall, 3 road
+        double distance;             // in lengths of the ray
         StreetSide::Surface surface; // if the plane is that of a wall
     };
 

@@ -20,12 +20,11 @@ public:
     //! The thing that is met at the side of the street.
     struct Surface
     {
-        enum Kind
-        {
-            FRONT,   // of a house
-            GABLE,   // side of a house
+        enum Kind {
+            FRONT, // of a house
+            GABLE, // side of a house
             OBSTACLE,
-            NOTHING  // the sky
+            NOTHING // the sky
         };
         Kind kind;
         int number; // of the house or obstacle

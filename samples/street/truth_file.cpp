@@ -74,7 +74,7 @@ try
     c.fy = json.at("fy");
     c.cx = json.at("cx");
     c.cy = json.at("cy");
-    c.lens = json.at("lens").get<std::vector<double> >();
+    c.lens = json.at("lens").get<std::vector<double>>();
     c.scan = int(inRange(path, json, "scan", 0, 3));
     c.reference = json.at("reference");
     c.roll = json.at("roll_deg").get<double>() * DEGREE;

@@ -26,8 +26,8 @@ struct Street
     AckermannMotion motion;
 
     Street(double speed, double yawRate)
-        : view(paperCamera()), scene(paperScene(speed, yawRate, 3)), renderer(view, scene), camera(rsackermann_samples::libraryCamera(view)),
-          motion(rsackermann_samples::libraryMotion(view, scene))
+        : view(paperCamera()), scene(paperScene(speed, yawRate, 3)), renderer(view, scene),
+          camera(rsackermann_samples::libraryCamera(view)), motion(rsackermann_samples::libraryMotion(view, scene))
     {
     }
 
@@ -53,7 +53,10 @@ TEST(Paper, exact_lines_are_vertical_after_the_true_motion)
     const cv::Mat lines = s.lines(200);
     ASSERT_EQ(200, lines.rows);
     for (int i = 0; i < lines.rows; i++)
-        EXPECT_NEAR(0, columnDifference(verticalSegment(s.camera, lines.at<cv::Vec4d>(i)), motion, 0) * s.camera.cameraMatrix(0, 0), 1e-5);
+        EXPECT_NEAR(0,
+                    columnDifference(verticalSegment(s.camera, lines.at<cv::Vec4d>(i)), motion, 0) *
+                        s.camera.cameraMatrix(0, 0),
+                    1e-5);
 }
 
 TEST(Paper, method_finds_a_turn)
@@ -76,7 +79,8 @@ TEST(Paper, method_finds_the_speed_of_a_car_that_drives_straight_ahead)
     params.model = MODEL_3LA;
     const MethodResult result = estimateAsPaper(s.camera, singlePrecision(s.lines(60, 0.3)), params);
     ASSERT_EQ(MOTION_OK, result.motion.status);
-    EXPECT_LT(DenseTruth(s.renderer, s.view.size).left(s.camera, result.motion), 0.5 * DenseTruth(s.renderer, s.view.size).raw());
+    EXPECT_LT(DenseTruth(s.renderer, s.view.size).left(s.camera, result.motion),
+              0.5 * DenseTruth(s.renderer, s.view.size).raw());
 }
 
 TEST(Paper, method_corrects_most_of_a_motion)
@@ -92,7 +96,8 @@ TEST(Paper, method_without_segments)
 {
     const Street s(80, 40);
     EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, estimateAsPaper(s.camera, cv::Mat(), MethodParams()).motion.status);
-    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, estimateAsPaper(s.camera, singlePrecision(s.lines(4)), MethodParams()).motion.status);
+    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS,
+              estimateAsPaper(s.camera, singlePrecision(s.lines(4)), MethodParams()).motion.status);
 }
 
 TEST(Paper, nothing_is_left_by_the_true_motion)
@@ -168,7 +173,8 @@ TEST(Paper, bound_follows_noise_and_number_of_lines)
     cv::Mat four;
     cv::repeat(lines, 4, 1, four);
     const InformationBound one = informationBound(s.camera, lines, s.motion, 2.5, 0.3);
-    const InformationBound noisy = informationBound(s.camera, lines, s.motion, 2.5, 0.6), many = informationBound(s.camera, four, s.motion, 2.5, 0.3);
+    const InformationBound noisy = informationBound(s.camera, lines, s.motion, 2.5, 0.6),
+                           many = informationBound(s.camera, four, s.motion, 2.5, 0.3);
     EXPECT_NEAR(2, noisy.yawRate / one.yawRate, 1e-6);
     EXPECT_NEAR(2, noisy.speed / one.speed, 1e-6);
     EXPECT_NEAR(0.5, many.yawRate / one.yawRate, 1e-6);

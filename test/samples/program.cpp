@@ -32,7 +32,8 @@ std::string quoted(const std::string& word)
 Outcome runCommand(const std::string& command)
 {
     const TemporaryFolder folder;
-    const std::string redirected = "{ " + command + "\n} >" + quoted(folder / "output") + " 2>" + quoted(folder / "messages") + " </dev/null";
+    const std::string redirected =
+        "{ " + command + "\n} >" + quoted(folder / "output") + " 2>" + quoted(folder / "messages") + " </dev/null";
     const int status = std::system(redirected.c_str());
     const bool exited = WIFEXITED(status) && WEXITSTATUS(status) < 126;
     return Outcome{exited ? WEXITSTATUS(status) : -1, contentOf(folder / "output"), contentOf(folder / "messages")};
@@ -135,7 +136,8 @@ void cutShort(const std::string& from, const std::string& to, double share)
 const std::string& streetFolder()
 {
     static const TemporaryFolder folder;
-    static const Outcome outcome = simulate({"--output=" + folder.path() + "/street", "--speed=60", "--yaw_rate=40", "--seed=3"});
+    static const Outcome outcome =
+        simulate({"--output=" + folder.path() + "/street", "--speed=60", "--yaw_rate=40", "--seed=3"});
     if (outcome.exitCode != 0)
         throw std::runtime_error("rsackermann_simulate has failed: " + outcome.messages);
     static const std::string path = folder.path() + "/street";

@@ -16,8 +16,14 @@
 
 // GoogleTest would take JSON for a container of JSON, without end.
 namespace nlohmann {
-inline void PrintTo(const json& value, std::ostream* stream) { *stream << value.dump(); }
-inline void PrintTo(const ordered_json& value, std::ostream* stream) { *stream << value.dump(); }
+inline void PrintTo(const json& value, std::ostream* stream)
+{
+    *stream << value.dump();
+}
+inline void PrintTo(const ordered_json& value, std::ostream* stream)
+{
+    *stream << value.dump();
+}
 } // namespace nlohmann
 
 namespace opencv_test {
@@ -34,9 +40,18 @@ struct Outcome
 //! Runs a command of the shell.
 Outcome runCommand(const std::string& command);
 Outcome runProgram(const std::string& program, const Arguments& arguments);
-inline Outcome correct(const Arguments& arguments) { return runProgram(CORRECT_PROGRAM, arguments); }
-inline Outcome simulate(const Arguments& arguments) { return runProgram(SIMULATE_PROGRAM, arguments); }
-inline Outcome evaluate(const Arguments& arguments) { return runProgram(EVALUATE_PROGRAM, arguments); }
+inline Outcome correct(const Arguments& arguments)
+{
+    return runProgram(CORRECT_PROGRAM, arguments);
+}
+inline Outcome simulate(const Arguments& arguments)
+{
+    return runProgram(SIMULATE_PROGRAM, arguments);
+}
+inline Outcome evaluate(const Arguments& arguments)
+{
+    return runProgram(EVALUATE_PROGRAM, arguments);
+}
 
 //! A program that runs beside the test; what it writes to the terminal is lost.
 class RunningProgram

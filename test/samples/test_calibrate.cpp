@@ -16,7 +16,10 @@ const double DEGREE = CV_PI / 180;
 const cv::Size SIZE(480, 300);
 const double FOCAL = 400, LINE_DELAY = 0.025 / 300, INTERVAL = 1 / 30.;
 
-Outcome calibrate(const Arguments& arguments) { return runProgram(CALIBRATE_PROGRAM, arguments); }
+Outcome calibrate(const Arguments& arguments)
+{
+    return runProgram(CALIBRATE_PROGRAM, arguments);
+}
 
 CameraSettings readCamera(const std::string& path)
 {
@@ -78,7 +81,8 @@ protected:
     {
         writeContent(folder_ / "log.csv", log_);
         Arguments arguments = inputs_;
-        for (const std::string& option : {"--camera=" + (folder_ / "camera.yml"), "--output=" + output_, "--log=" + (folder_ / "log.csv")})
+        for (const std::string& option :
+             {"--camera=" + (folder_ / "camera.yml"), "--output=" + output_, "--log=" + (folder_ / "log.csv")})
             arguments.push_back(option);
         arguments.insert(arguments.end(), options.begin(), options.end());
         return calibrate(arguments);
@@ -113,8 +117,14 @@ TEST_F(Calibrate, bends_tell_mount_and_line_delay)
 
     // rsackermann_correct reads it, and its options go before.
     const Outcome byFile = correct({inputs_[0], "--camera=" + output_, "--report=-", "--gravity_sigma=1"});
-    const Arguments options = {inputs_[0], "--camera=" + (folder_ / "camera.yml"), "--report=-", "--gravity_sigma=1", cv::format("--roll=%.17g", c.roll),
-                               cv::format("--pitch=%.17g", c.pitch), cv::format("--heading=%.17g", c.heading), cv::format("--line_delay=%.17g", c.lineDelay)};
+    const Arguments options = {inputs_[0],
+                               "--camera=" + (folder_ / "camera.yml"),
+                               "--report=-",
+                               "--gravity_sigma=1",
+                               cv::format("--roll=%.17g", c.roll),
+                               cv::format("--pitch=%.17g", c.pitch),
+                               cv::format("--heading=%.17g", c.heading),
+                               cv::format("--line_delay=%.17g", c.lineDelay)};
     const Outcome byOptions = correct(options);
     ASSERT_EQ(0, byFile.exitCode) << byFile.messages;
     ASSERT_EQ(0, byOptions.exitCode) << byOptions.messages;
@@ -145,7 +155,8 @@ TEST_F(Calibrate, mount_sigma_adds_to_the_vehicles)
         return nlohmann::json::parse(outcome.output)["alpha"].get<double>();
     };
     // With the vehicle's 1 and 0.3 degrees both are 3 degrees.
-    writeContent(folder_ / "vague.yml", camera + cv::format("roll_sigma: %.17g\npitch_sigma: %.17g\n", std::sqrt(9 - 1.), std::sqrt(9 - 0.09)));
+    writeContent(folder_ / "vague.yml", camera + cv::format("roll_sigma: %.17g\npitch_sigma: %.17g\n",
+                                                            std::sqrt(9 - 1.), std::sqrt(9 - 0.09)));
     const double sharp = alpha("camera.yml", {}), vague = alpha("vague.yml", {});
     EXPECT_NEAR(alpha("camera.yml", {"--gravity_sigma=3"}), vague, 1e-6 * std::abs(vague));
     EXPECT_GT(std::abs(vague - sharp), 1e-3 * std::abs(vague));
@@ -161,28 +172,31 @@ TEST_F(Calibrate, bad_arguments)
 {
     addBend(10, 0, 2);
     const std::string camera = "--camera=" + (folder_ / "camera.yml"), output = "--output=" + output_;
-    const std::pair<Arguments, const char*> usages[] = {{{camera, output}, "no input"},
-                                                        {{inputs_[0], output}, "--camera is missing"},
-                                                        {{inputs_[0], camera}, "--output is missing"},
-                                                        {{inputs_[0], camera, output, "--carry"}, "carry"},
-                                                        {{inputs_[0], camera, output, "--detector=canny"}, "canny"},
-                                                        {{inputs_[0], camera, output, "--scan=left_to_right"}, "columns"},
-                                                        {{inputs_[0], camera, output, "--log=" + (folder_ / "none.csv")}, "none.csv"},
-                                                        {{inputs_[0], camera, "--output=" + (folder_ / "camera.yml"), "--overwrite"}, "camera.yml"},
-                                                        {{inputs_[0], camera, "--output=" + inputs_[0], "--overwrite"}, "000.png"}};
+    const std::pair<Arguments, const char*> usages[] = {
+        {{camera, output}, "no input"},
+        {{inputs_[0], output}, "--camera is missing"},
+        {{inputs_[0], camera}, "--output is missing"},
+        {{inputs_[0], camera, output, "--carry"}, "carry"},
+        {{inputs_[0], camera, output, "--detector=canny"}, "canny"},
+        {{inputs_[0], camera, output, "--scan=left_to_right"}, "columns"},
+        {{inputs_[0], camera, output, "--log=" + (folder_ / "none.csv")}, "none.csv"},
+        {{inputs_[0], camera, "--output=" + (folder_ / "camera.yml"), "--overwrite"}, "camera.yml"},
+        {{inputs_[0], camera, "--output=" + inputs_[0], "--overwrite"}, "000.png"}};
     for (const std::pair<Arguments, const char*>& usage : usages)
     {
         const Outcome outcome = calibrate(usage.first);
         EXPECT_EQ(2, outcome.exitCode) << usage.second << outcome.messages;
         EXPECT_NE(std::string::npos, outcome.messages.find(usage.second)) << usage.second << ": " << outcome.messages;
     }
-    const std::pair<Arguments, const char*> failures[] = {{{inputs_[0], camera, output}, "no frame shows a car that moves"},
-                                                          {{folder_ / "none.png", camera, output}, "no frame can be read"}};
+    const std::pair<Arguments, const char*> failures[] = {
+        {{inputs_[0], camera, output}, "no frame shows a car that moves"},
+        {{folder_ / "none.png", camera, output}, "no frame can be read"}};
     for (const std::pair<Arguments, const char*>& failure : failures)
     {
         const Outcome outcome = calibrate(failure.first);
         EXPECT_EQ(1, outcome.exitCode) << failure.second;
-        EXPECT_NE(std::string::npos, outcome.messages.find(failure.second)) << failure.second << ": " << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.messages.find(failure.second))
+            << failure.second << ": " << outcome.messages;
         EXPECT_FALSE(std::ifstream(output_).good());
     }
     writeContent(output_, "mine");

@@ -40,8 +40,10 @@ bool isSame(const cv::Mat& a, const cv::Mat& b)
 TEST(Correct, street_with_known_motion)
 {
     const TemporaryFolder folder;
-    const Outcome outcome = correct(streetArguments() + Arguments{"--gravity_sigma=0", "--output=" + (folder / "out.png"), "--overlay=" + (folder / "overlay.png"),
-                                                                  "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
+    const Outcome outcome = correct(
+        streetArguments() + Arguments{"--gravity_sigma=0", "--output=" + (folder / "out.png"),
+                                      "--overlay=" + (folder / "overlay.png"), "--report=" + (folder / "report.jsonl"),
+                                      "--maps=" + (folder / "maps.yml")});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     EXPECT_EQ((std::vector<std::string>{"maps.yml", "out.png", "overlay.png", "report.jsonl"}), namesIn(folder.path()));
 
@@ -80,14 +82,40 @@ TEST(Correct, street_with_known_motion)
 
 TEST(Correct, report_keys)
 {
-    const char* const keys[] = {"input", "status", "model", "alpha", "beta", "delta", "wall_offset", "wall_ratio",
-                                "road_slope", "direction", "roll_correction_deg", "pitch_correction_deg", "wall_distance_m", "scale", "covariance",
-                                "roll_yaw_ambiguous", "yaw_rate_deg_s", "speed_km_h", "yaw_rate_sigma",
-                                "speed_sigma", "segments", "candidates", "inliers", "rms_px", "expected_px_raw",
-                                "expected_px_left", "mean_shift_px", "ms_detect", "ms_estimate", "ms_map",
+    const char* const keys[] = {"input",
+                                "status",
+                                "model",
+                                "alpha",
+                                "beta",
+                                "delta",
+                                "wall_offset",
+                                "wall_ratio",
+                                "road_slope",
+                                "direction",
+                                "roll_correction_deg",
+                                "pitch_correction_deg",
+                                "wall_distance_m",
+                                "scale",
+                                "covariance",
+                                "roll_yaw_ambiguous",
+                                "yaw_rate_deg_s",
+                                "speed_km_h",
+                                "yaw_rate_sigma",
+                                "speed_sigma",
+                                "segments",
+                                "candidates",
+                                "inliers",
+                                "rms_px",
+                                "expected_px_raw",
+                                "expected_px_left",
+                                "mean_shift_px",
+                                "ms_detect",
+                                "ms_estimate",
+                                "ms_map",
                                 "ms_remap"};
     const TemporaryFolder folder;
-    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--focal=816", "--report=" + (folder / "report.jsonl")}).exitCode);
+    ASSERT_EQ(
+        0, correct({streetFolder() + "/rolling.png", "--focal=816", "--report=" + (folder / "report.jsonl")}).exitCode);
     const Json report = reportOf(folder / "report.jsonl");
     size_t i = 0;
     ASSERT_EQ(sizeof keys / sizeof *keys, report.size());
@@ -126,9 +154,11 @@ TEST(Correct, same_result_whatever_the_number_of_threads)
     for (const char* threads : {"1", "1", "2", "8"})
     {
         const TemporaryFolder folder;
-        const Json report = resultOf(correct(streetArguments() + Arguments{"--report=-", "--seed=5", std::string("--threads=") + threads,
-                                                                           "--maps=" + (folder / "maps.yml"), "--output=" + (folder / "out.png")}));
-        const std::vector<std::string> results = {report.dump(), contentOf(folder / "maps.yml"), contentOf(folder / "out.png")};
+        const Json report = resultOf(correct(
+            streetArguments() + Arguments{"--report=-", "--seed=5", std::string("--threads=") + threads,
+                                          "--maps=" + (folder / "maps.yml"), "--output=" + (folder / "out.png")}));
+        const std::vector<std::string> results = {report.dump(), contentOf(folder / "maps.yml"),
+                                                  contentOf(folder / "out.png")};
         if (first.empty())
             first = results;
         for (size_t i = 0; i < results.size(); i++)
@@ -144,16 +174,18 @@ TEST(Correct, nearly_same_result_whatever_the_vectors)
     cv::rsackermann::detectSegments(streetImage(), segments);
     std::ostringstream lines;
     for (int i = 0; i < segments.rows; i++)
-        lines << segments.at<float>(i, 0) << " " << segments.at<float>(i, 1) << " " << segments.at<float>(i, 2) << " " << segments.at<float>(i, 3) << "\n";
+        lines << segments.at<float>(i, 0) << " " << segments.at<float>(i, 1) << " " << segments.at<float>(i, 2) << " "
+              << segments.at<float>(i, 3) << "\n";
     writeContent(folder / "lines.txt", lines.str());
 
     Json widest;
     cv::Mat widestMaps[2];
     for (const char* disabled : {"", "AVX512-SKX", "AVX512-SKX,AVX2"})
     {
-        const Json report = resultOf(runProgram("env", Arguments{std::string("OPENCV_CPU_DISABLE=") + disabled, CORRECT_PROGRAM} + streetArguments() +
-                                                           Arguments{"--report=-", "--lines=" + (folder / "lines.txt"), "--overwrite",
-                                                                     "--maps=" + (folder / "maps.yml")}));
+        const Json report = resultOf(runProgram(
+            "env", Arguments{std::string("OPENCV_CPU_DISABLE=") + disabled, CORRECT_PROGRAM} + streetArguments() +
+                       Arguments{"--report=-", "--lines=" + (folder / "lines.txt"), "--overwrite",
+                                 "--maps=" + (folder / "maps.yml")}));
         cv::Mat maps[2];
         const cv::FileStorage file(folder / "maps.yml", cv::FileStorage::READ);
         file["map1"] >> maps[0];
@@ -188,13 +220,15 @@ TEST(Correct, speed_and_yaw_rate_known_from_elsewhere)
     EXPECT_NEAR(40, yawRate["yaw_rate_deg_s"].get<double>(), 0.3);
     EXPECT_LE(yawRate["yaw_rate_sigma"].get<double>(), 0.1);
 
-    EXPECT_EQ(resultOf(correct(street + Arguments{"--speed=58", "--speed_sigma=2", "--yaw_rate=41", "--yaw_rate_sigma=1"})),
-              resultOf(correct(street + Arguments{"--speed=58", "--yaw_rate=41"})));
+    EXPECT_EQ(
+        resultOf(correct(street + Arguments{"--speed=58", "--speed_sigma=2", "--yaw_rate=41", "--yaw_rate_sigma=1"})),
+        resultOf(correct(street + Arguments{"--speed=58", "--yaw_rate=41"})));
 }
 
 TEST(Correct, scale_from_the_road)
 {
-    const Arguments image = {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--report=-"};
+    const Arguments image = {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",
+                             "--report=-"};
     EXPECT_TRUE(resultOf(correct(image + Arguments{"--height=1.2"}))["speed_km_h"].is_null());
     // The walls of the street are 2.5 m away, the camera is 1.2 m high.
     const Json withWall = resultOf(correct(image + Arguments{"--height=1.2", "--wall=2.5"}));
@@ -202,9 +236,11 @@ TEST(Correct, scale_from_the_road)
     const double speed = withWall["speed_km_h"].get<double>();
     EXPECT_NEAR(speed, fromRoad["speed_km_h"].get<double>(), 0.1 * speed);
 
-    const Outcome noHeight = correct({streetFolder() + "/rolling.png", "--focal=816", "--report=-", "--scale_from_road"});
+    const Outcome noHeight =
+        correct({streetFolder() + "/rolling.png", "--focal=816", "--report=-", "--scale_from_road"});
     EXPECT_EQ(0, noHeight.exitCode);
-    EXPECT_NE(std::string::npos, noHeight.messages.find("--scale_from_road is of no use without --height")) << noHeight.messages;
+    EXPECT_NE(std::string::npos, noHeight.messages.find("--scale_from_road is of no use without --height"))
+        << noHeight.messages;
     EXPECT_EQ(2, correct(image + Arguments{"--wall=2.5", "--scale_from_road"}).exitCode);
 }
 
@@ -214,8 +250,10 @@ TEST(Correct, what_is_known_but_of_no_use)
     const Json plain = resultOf(correct(image + Arguments{"--wall=2.5"}));
     const Outcome outcome = correct(image + Arguments{"--wall=2.5", "--speed=10", "--yaw_rate=-10"});
     EXPECT_EQ(plain["alpha"], resultOf(outcome)["alpha"]);
-    EXPECT_NE(std::string::npos, outcome.messages.find("--speed is of no use without the line delay")) << outcome.messages;
-    EXPECT_NE(std::string::npos, outcome.messages.find("--yaw_rate is of no use without the line delay")) << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.messages.find("--speed is of no use without the line delay"))
+        << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.messages.find("--yaw_rate is of no use without the line delay"))
+        << outcome.messages;
 
     EXPECT_EQ("", correct(image + Arguments{"--readout=0.0133", "--speed=10"}).messages);
     EXPECT_EQ("", correct(streetArguments() + Arguments{"--report=-", "--speed=60", "--yaw_rate=40"}).messages);
@@ -224,7 +262,8 @@ TEST(Correct, what_is_known_but_of_no_use)
 TEST(Correct, gravity_that_is_not_exact)
 {
     const Arguments tilted = streetArguments() + Arguments{"--report=-", "--roll=1"};
-    const Json trusted = resultOf(correct(tilted + Arguments{"--gravity_sigma=0"})), corrected = resultOf(correct(tilted + Arguments{"--gravity_sigma=1"}));
+    const Json trusted = resultOf(correct(tilted + Arguments{"--gravity_sigma=0"})),
+               corrected = resultOf(correct(tilted + Arguments{"--gravity_sigma=1"}));
     // The street was seen by a camera without roll.
     EXPECT_GT(std::abs(trusted["yaw_rate_deg_s"].get<double>() - 40), 20);
     EXPECT_NEAR(40, corrected["yaw_rate_deg_s"].get<double>(), 3 * corrected["yaw_rate_sigma"].get<double>());
@@ -235,7 +274,8 @@ TEST(Correct, segments_from_a_file)
 {
     const TemporaryFolder folder;
     writeContent(folder / "lines.txt", "# x1 y1 x2 y2\n10,20,11,90\n\n 300 100 302 180 # a comment\n");
-    const Json report = Json::parse(correct(streetArguments() + Arguments{"--report=-", "--lines=" + (folder / "lines.txt")}).output);
+    const Json report =
+        Json::parse(correct(streetArguments() + Arguments{"--report=-", "--lines=" + (folder / "lines.txt")}).output);
     EXPECT_EQ(2, report["segments"]);
     EXPECT_EQ("too_few_segments", report["status"]);
 }
@@ -243,7 +283,8 @@ TEST(Correct, segments_from_a_file)
 TEST(Correct, columnwise_shutter_is_not_observable)
 {
     const TemporaryFolder folder;
-    const Outcome outcome = correct({streetFolder() + "/rolling.png", "--scan=left_to_right", "--report=-", "--output=" + (folder / "out.png")});
+    const Outcome outcome = correct(
+        {streetFolder() + "/rolling.png", "--scan=left_to_right", "--report=-", "--output=" + (folder / "out.png")});
     EXPECT_EQ(0, outcome.exitCode);
     const Json report = Json::parse(outcome.output);
     EXPECT_EQ("not_observable", report["status"]);
@@ -303,7 +344,8 @@ TEST_P(CorrectDoesNoHarm, output_is_input)
 }
 
 INSTANTIATE_TEST_CASE_P(Correct, CorrectDoesNoHarm,
-                        testing::Values("black", "one_pixel", "one_row", "one_column", "horizontal_lines", "noise", "noise_16_bit"));
+                        testing::Values("black", "one_pixel", "one_row", "one_column", "horizontal_lines", "noise",
+                                        "noise_16_bit"));
 
 TEST(Correct, jpeg_without_motion_is_not_coded_again)
 {
@@ -321,10 +363,12 @@ TEST(Correct, without_motion_the_lens_is_corrected)
     const cv::Matx33d K(300, 0, 160, 0, 310, 118, 0, 0, 1);
     const cv::Mat lens = (cv::Mat_<double>(1, 5) << -0.28, 0.07, 1e-3, -5e-4, 0.01);
     cv::FileStorage fs(folder / "camera.yml", cv::FileStorage::WRITE);
-    fs << "image_width" << 320 << "image_height" << 240 << "camera_matrix" << cv::Mat(K) << "distortion_coefficients" << lens;
+    fs << "image_width" << 320 << "image_height" << 240 << "camera_matrix" << cv::Mat(K) << "distortion_coefficients"
+       << lens;
     fs.release();
-    const Outcome outcome = correct({folder / "in.png", "--camera=" + (folder / "camera.yml"), "--output=" + (folder / "out.png"), "--report=-",
-                                     "--maps=" + (folder / "maps.yml")});
+    const Outcome outcome =
+        correct({folder / "in.png", "--camera=" + (folder / "camera.yml"), "--output=" + (folder / "out.png"),
+                 "--report=-", "--maps=" + (folder / "maps.yml")});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     ASSERT_NE("ok", Json::parse(outcome.output)["status"]);
     EXPECT_EQ(0, Json::parse(outcome.output)["mean_shift_px"]);
@@ -359,8 +403,9 @@ TEST_P(CorrectKeeps, type)
     const TemporaryFolder folder;
     const cv::Mat image = convert(streetImage(), GetParam());
     cv::imwrite(folder / "in.png", image);
-    Arguments arguments = streetArguments() + Arguments{"--output=" + (folder / "out.png"), "--overlay=" + (folder / "overlay.png"), "--report=-",
-                                                        "--maps=" + (folder / "maps.yml")};
+    Arguments arguments =
+        streetArguments() + Arguments{"--output=" + (folder / "out.png"), "--overlay=" + (folder / "overlay.png"),
+                                      "--report=-", "--maps=" + (folder / "maps.yml")};
     arguments[0] = folder / "in.png";
     const Outcome outcome = correct(arguments);
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
@@ -374,7 +419,8 @@ TEST_P(CorrectKeeps, type)
     EXPECT_EQ(CV_8UC3, cv::imread(folder / "overlay.png", cv::IMREAD_UNCHANGED).type());
 }
 
-INSTANTIATE_TEST_CASE_P(Correct, CorrectKeeps, testing::Values(CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1, CV_16UC3, CV_16UC4));
+INSTANTIATE_TEST_CASE_P(Correct, CorrectKeeps,
+                        testing::Values(CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1, CV_16UC3, CV_16UC4));
 
 TEST(Correct, format_that_cannot_hold_the_type)
 {
@@ -388,8 +434,11 @@ TEST(Correct, format_that_cannot_hold_the_type)
 TEST(Evaluate, compares_with_the_truth)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(0, correct(streetArguments() + Arguments{"--gravity_sigma=0", "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")}).exitCode);
-    const Outcome outcome = evaluate({"--truth=" + streetFolder() + "/truth.json", "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
+    ASSERT_EQ(0, correct(streetArguments() + Arguments{"--gravity_sigma=0", "--report=" + (folder / "report.jsonl"),
+                                                       "--maps=" + (folder / "maps.yml")})
+                     .exitCode);
+    const Outcome outcome = evaluate({"--truth=" + streetFolder() + "/truth.json",
+                                      "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     double before = 0, after = 0;
     const size_t at = outcome.output.find("mean displacement, px");
@@ -398,8 +447,12 @@ TEST(Evaluate, compares_with_the_truth)
     EXPECT_GT(before, 2);
     EXPECT_LT(after, 0.45);
     EXPECT_EQ(2, evaluate({"--truth=x"}).exitCode);
-    EXPECT_EQ(1, evaluate({"--truth=/no/such", "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")}).exitCode);
-    EXPECT_EQ(1, evaluate({"--truth=" + streetFolder() + "/truth.json", "--report=" + (folder / "maps.yml"), "--maps=" + (folder / "maps.yml")}).exitCode);
+    EXPECT_EQ(1,
+              evaluate({"--truth=/no/such", "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")})
+                  .exitCode);
+    EXPECT_EQ(1, evaluate({"--truth=" + streetFolder() + "/truth.json", "--report=" + (folder / "maps.yml"),
+                           "--maps=" + (folder / "maps.yml")})
+                     .exitCode);
 }
 
 }} // namespace

@@ -44,8 +44,8 @@ TEST(CorrectInputs, files_that_cannot_be_read)
     cutShort(in / "good.tiff", in / "half.tiff", 0.5);
     writeContent(in / "text.png", "This is no image.\n");
     writeContent(in / "empty.png", "");
-    for (const char* name : {"half.png", "without_end.png", "half.jpg", "without_end.jpg", "half.bmp", "half.ppm", "half.tiff", "text.png",
-                             "empty.png", "missing.png"})
+    for (const char* name : {"half.png", "without_end.png", "half.jpg", "without_end.jpg", "half.bmp", "half.ppm",
+                             "half.tiff", "text.png", "empty.png", "missing.png"})
     {
         const Outcome outcome = correct({in / name, "--output=" + (out / "out.png")});
         EXPECT_EQ(1, outcome.exitCode) << name;
@@ -82,7 +82,8 @@ TEST(CorrectInputs, one_broken_image_among_good_ones)
     cutShort(in / "a.png", in / "c.png", 0.7);
     writeContent(in / "notes.txt", "no image\n");
     cv::utils::fs::createDirectories(in / "folder.png");
-    const Outcome outcome = correct({in.path(), "--output=" + (out / "results"), "--overlay=" + (out / "overlays"), "--report=" + (out / "report.jsonl")});
+    const Outcome outcome = correct({in.path(), "--output=" + (out / "results"), "--overlay=" + (out / "overlays"),
+                                     "--report=" + (out / "report.jsonl")});
     EXPECT_EQ(1, outcome.exitCode);
     EXPECT_NE(std::string::npos, outcome.messages.find("c.png"));
     const Names good = {"a.png", "b.png", "d.PNG", "e.jpg"};
@@ -159,8 +160,10 @@ TEST(CorrectInputs, inputs_are_never_replaced)
     const std::string before = contentOf(in / "a.png");
     ASSERT_EQ(0, symlink((in / "a.png").c_str(), (in / "link.png").c_str()));
     ASSERT_EQ(0, link((in / "a.png").c_str(), (in / "same.png").c_str()));
-    for (const std::string& target : {"--output=" + in.path(), "--output=" + (in / "a.png"), "--overlay=" + (in / "./a.png"), "--report=" + (in / "a.png"),
-                                      "--output=" + (in / "x/../a.png"), "--output=" + (in / "link.png"), "--report=" + (in / "same.png"), "--maps=" + (in / "same.png")})
+    for (const std::string& target :
+         {"--output=" + in.path(), "--output=" + (in / "a.png"), "--overlay=" + (in / "./a.png"),
+          "--report=" + (in / "a.png"), "--output=" + (in / "x/../a.png"), "--output=" + (in / "link.png"),
+          "--report=" + (in / "same.png"), "--maps=" + (in / "same.png")})
     {
         const Outcome outcome = correct({in / "a.png", target, "--overwrite"});
         EXPECT_EQ(2, outcome.exitCode) << target;
@@ -171,7 +174,8 @@ TEST(CorrectInputs, inputs_are_never_replaced)
     cv::imwrite(in / "b.png", streetImage());
     cv::utils::fs::createDirectories(in / "b");
     cv::imwrite(in / "b/a.png", streetImage());
-    EXPECT_EQ(2, correct({in / "b/a.png", in / "a.png", in / "b.png", "--output=" + in.path(), "--overwrite"}).exitCode);
+    EXPECT_EQ(2,
+              correct({in / "b/a.png", in / "a.png", in / "b.png", "--output=" + in.path(), "--overwrite"}).exitCode);
     EXPECT_EQ(before, contentOf(in / "a.png"));
     EXPECT_EQ((Names{"a.png", "b", "b.png", "link.png", "same.png"}), namesIn(in.path()));
 }

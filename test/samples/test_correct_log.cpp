@@ -18,7 +18,8 @@ protected:
 
     Outcome run(Arguments inputs, const Arguments& options) const
     {
-        for (const std::string& option : {"--camera=" + streetFolder() + "/camera.yml", std::string("--wall=2.5"), std::string("--report=-")})
+        for (const std::string& option :
+             {"--camera=" + streetFolder() + "/camera.yml", std::string("--wall=2.5"), std::string("--report=-")})
             inputs.push_back(option);
         inputs.insert(inputs.end(), options.begin(), options.end());
         return correct(inputs);
@@ -50,7 +51,8 @@ protected:
 
     void expectSame(const Arguments& options, const std::string& log) const
     {
-        const std::vector<Json> expected = resultsOf(run({image_}, options)), got = resultsOf(runWithLog(log, {image_}));
+        const std::vector<Json> expected = resultsOf(run({image_}, options)),
+                                got = resultsOf(runWithLog(log, {image_}));
         EXPECT_EQ(expected, got) << log;
     }
 
@@ -61,14 +63,15 @@ protected:
 TEST_F(CorrectLog, each_column)
 {
     const Json plain = resultsOf(run({image_}, {}))[0];
-    const std::pair<const char*, Arguments> columns[] = {{"speed_kmh\nrolling.png,55\n", {"--speed=55"}},
-                                                         {"speed_kmh,speed_sigma_kmh\nrolling.png,55,0.5\n", {"--speed=55", "--speed_sigma=0.5"}},
-                                                         {"yaw_rate_deg_s\nrolling.png,35\n", {"--yaw_rate=35"}},
-                                                         {"yaw_rate_deg_s,yaw_rate_sigma_deg_s\nrolling.png,35,3\n", {"--yaw_rate=35", "--yaw_rate_sigma=3"}},
-                                                         {"roll_deg\nrolling.png,0.7\n", {"--roll=0.7"}},
-                                                         {"pitch_deg\nrolling.png,-2\n", {"--pitch=-2"}},
-                                                         {"gravity_sigma_deg\nrolling.png,0.1\n", {"--gravity_sigma=0.1"}},
-                                                         {"gravity_sigma_deg\nrolling.png,0\n", {"--gravity_sigma=0"}}};
+    const std::pair<const char*, Arguments> columns[] = {
+        {"speed_kmh\nrolling.png,55\n", {"--speed=55"}},
+        {"speed_kmh,speed_sigma_kmh\nrolling.png,55,0.5\n", {"--speed=55", "--speed_sigma=0.5"}},
+        {"yaw_rate_deg_s\nrolling.png,35\n", {"--yaw_rate=35"}},
+        {"yaw_rate_deg_s,yaw_rate_sigma_deg_s\nrolling.png,35,3\n", {"--yaw_rate=35", "--yaw_rate_sigma=3"}},
+        {"roll_deg\nrolling.png,0.7\n", {"--roll=0.7"}},
+        {"pitch_deg\nrolling.png,-2\n", {"--pitch=-2"}},
+        {"gravity_sigma_deg\nrolling.png,0.1\n", {"--gravity_sigma=0.1"}},
+        {"gravity_sigma_deg\nrolling.png,0\n", {"--gravity_sigma=0"}}};
     for (const std::pair<const char*, Arguments>& column : columns)
     {
         expectSame(column.second, std::string("file,") + column.first);
@@ -83,20 +86,25 @@ TEST_F(CorrectLog, ways_to_name_an_image)
     expectSame(options, "speed_kmh,file\n55,rolling.png\n");
     expectSame(options, "frame,speed_kmh\n0,55\n");
     // As spreadsheets write it.
-    expectSame(options, "\xEF\xBB\xBF\"file\",\"speed_kmh\"\r\n\"other, \"\"one\"\".png\",10\r\n\r\n\"rolling.png\" , 55 \r\n");
+    expectSame(options,
+               "\xEF\xBB\xBF\"file\",\"speed_kmh\"\r\n\"other, \"\"one\"\".png\",10\r\n\r\n\"rolling.png\" , 55 \r\n");
 }
 
 TEST_F(CorrectLog, goes_before_the_options)
 {
     const std::vector<Json> expected = resultsOf(run({image_}, {"--speed=55", "--yaw_rate=38"}));
-    EXPECT_EQ(expected, resultsOf(runWithLog("file,speed_kmh\nrolling.png,55\n", {image_}, {"--speed=20", "--speed_sigma=9", "--yaw_rate=38"})));
-    EXPECT_EQ(expected, resultsOf(runWithLog("file,speed_kmh,yaw_rate_deg_s\nrolling.png,,38\n", {image_}, {"--speed=55", "--yaw_rate=20"})));
+    EXPECT_EQ(expected, resultsOf(runWithLog("file,speed_kmh\nrolling.png,55\n", {image_},
+                                             {"--speed=20", "--speed_sigma=9", "--yaw_rate=38"})));
+    EXPECT_EQ(expected, resultsOf(runWithLog("file,speed_kmh,yaw_rate_deg_s\nrolling.png,,38\n", {image_},
+                                             {"--speed=55", "--yaw_rate=20"})));
 }
 
 TEST_F(CorrectLog, samples_between_which_values_change_linearly)
 {
     expectSame({"--speed=55"}, "file,time_s,speed_kmh\nrolling.png,100.5,\n,100,50\n,101,60\n");
-    expectSame({"--speed=55", "--yaw_rate=40"}, "file,time_s,speed_kmh,yaw_rate_deg_s\n,99,,34\n,100,50,\n,100.5,,\n,101,60,\n,102,,46\nrolling.png,100.5,,\n");
+    expectSame(
+        {"--speed=55", "--yaw_rate=40"},
+        "file,time_s,speed_kmh,yaw_rate_deg_s\n,99,,34\n,100,50,\n,100.5,,\n,101,60,\n,102,,46\nrolling.png,100.5,,\n");
     expectSame({"--speed=60"}, "file,time_s,speed_kmh\nrolling.png,101,\n,100,50\n,101,60\n");
     // Neither before the first sample nor after the last one, nor for a frame without a time.
     expectSame({}, "file,time_s,speed_kmh\nrolling.png,99.9,\n,100,50\n,101,60\n");
@@ -112,13 +120,15 @@ TEST_F(CorrectLog, each_image_has_its_row)
     cv::imwrite(folder_ / "b.png", streetImage());
     cv::imwrite(folder_ / "c.png", streetImage());
     const Arguments inputs = {folder_ / "a.png", folder_ / "b.png", folder_ / "c.png"};
-    const Json a = resultsOf(run({image_}, {"--roll=0.5"}))[0], b = resultsOf(run({image_}, {"--speed=40"}))[0], c = resultsOf(run({image_}, {}))[0];
+    const Json a = resultsOf(run({image_}, {"--roll=0.5"}))[0], b = resultsOf(run({image_}, {"--speed=40"}))[0],
+               c = resultsOf(run({image_}, {}))[0];
     const std::string log = "file,roll_deg,speed_kmh\nb.png,,40\na.png,0.5,\n";
     const Outcome outcome = runWithLog(log, inputs);
     EXPECT_EQ((std::vector<Json>{a, b, c}), resultsOf(outcome));
     EXPECT_NE(std::string::npos, outcome.messages.find("doesn't name 1 of the 3 images")) << outcome.messages;
     // The number of an image is that in the list of inputs, whatever part of them is done.
-    EXPECT_EQ((std::vector<Json>{b}), resultsOf(runWithLog("frame,speed_kmh\n0,10\n1,40\n2,70\n", inputs, {"--shard=2/3"})));
+    EXPECT_EQ((std::vector<Json>{b}),
+              resultsOf(runWithLog("frame,speed_kmh\n0,10\n1,40\n2,70\n", inputs, {"--shard=2/3"})));
 }
 
 TEST_F(CorrectLog, time_between_frames_of_a_drive)
@@ -126,13 +136,15 @@ TEST_F(CorrectLog, time_between_frames_of_a_drive)
     // A picture that grows, as when the car drives on.
     cv::Mat nearer;
     const cv::Mat street = streetImage();
-    cv::warpAffine(street, nearer, cv::getRotationMatrix2D(cv::Point2f(320, 190), 0, 1.03), street.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+    cv::warpAffine(street, nearer, cv::getRotationMatrix2D(cv::Point2f(320, 190), 0, 1.03), street.size(),
+                   cv::INTER_CUBIC, cv::BORDER_REFLECT);
     cv::imwrite(folder_ / "a.png", street);
     cv::imwrite(folder_ / "b.png", nearer);
     const Arguments inputs = {folder_ / "a.png", folder_ / "b.png"};
     // 1/30 s is what is assumed without a log. The origin of the times doesn't matter.
     const std::vector<Json> untold = resultsOf(run(inputs, {"--carry"}));
-    const std::vector<Json> close = resultsOf(runWithLog("file,time_s\na.png,0\nb.png,0.033333333333333333\n", inputs, {"--carry"}));
+    const std::vector<Json> close =
+        resultsOf(runWithLog("file,time_s\na.png,0\nb.png,0.033333333333333333\n", inputs, {"--carry"}));
     const std::vector<Json> far = resultsOf(runWithLog("file,time_s\na.png,0\nb.png,0.1\n", inputs, {"--carry"}));
     ASSERT_EQ(2u, untold.size());
     EXPECT_EQ(untold, close);
@@ -146,7 +158,8 @@ TEST_F(CorrectLog, speed_without_line_delay)
     writeContent(folder_ / "log.csv", "file,speed_kmh\nrolling.png,55\n");
     const Outcome outcome = correct({image_, "--focal=816", "--report=-", "--log=" + (folder_ / "log.csv")});
     EXPECT_EQ(0, outcome.exitCode);
-    EXPECT_NE(std::string::npos, outcome.messages.find("speed_kmh in the log is of no use without the line delay")) << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.messages.find("speed_kmh in the log is of no use without the line delay"))
+        << outcome.messages;
 }
 
 // What isn't understood is refused with its place.

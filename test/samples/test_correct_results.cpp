@@ -75,7 +75,10 @@ TEST_F(CorrectResults, full_disk)
         cv::utils::fs::remove_all(path);
     }
     // All results or none.
-    EXPECT_EQ(1, correctOnFullDisk({image, "--overlay=" + (out_ / "a.png"), "--maps=" + (out_ / "b.yml"), "--output=" + (out_ / "c.png")}, 1000).exitCode);
+    EXPECT_EQ(1, correctOnFullDisk({image, "--overlay=" + (out_ / "a.png"), "--maps=" + (out_ / "b.yml"),
+                                    "--output=" + (out_ / "c.png")},
+                                   1000)
+                     .exitCode);
     EXPECT_TRUE(namesIn(out_.path()).empty());
     for (const char* target : {"--report=/dev/full", "--report=- >/dev/full"})
     {
@@ -104,8 +107,9 @@ TEST_F(CorrectResults, full_disk_and_the_report)
 TEST_F(CorrectResults, motion_can_be_made_from_a_line)
 {
     using namespace cv::rsackermann;
-    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--report=" + (out_ / "report.jsonl"),
-                          "--maps=" + (out_ / "maps.yml")}).exitCode);
+    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",
+                          "--report=" + (out_ / "report.jsonl"), "--maps=" + (out_ / "maps.yml")})
+                     .exitCode);
     const Json line = Json::parse(contentOf(out_ / "report.jsonl"));
     AckermannMotion motion;
     motion.status = MOTION_OK;
@@ -133,7 +137,8 @@ TEST_F(CorrectResults, motion_can_be_made_from_a_line)
     ASSERT_EQ(16u, line["covariance"].size());
     for (int i = 0; i < 16; i++)
         motion.covariance.val[i] = line["covariance"][size_t(i)];
-    EXPECT_NEAR(std::sqrt(motion.metricCovariance(camera)(0, 0)) * 180 / CV_PI, line["yaw_rate_sigma"].get<double>(), 1e-9);
+    EXPECT_NEAR(std::sqrt(motion.metricCovariance(camera)(0, 0)) * 180 / CV_PI, line["yaw_rate_sigma"].get<double>(),
+                1e-9);
 }
 
 TEST_F(CorrectResults, shards_that_share_a_report)
@@ -167,7 +172,8 @@ TEST_F(CorrectResults, going_on)
     ASSERT_EQ(1, correct(all).exitCode);
     const std::multiset<std::string> expected = reportLines();
     ASSERT_EQ(6u, expected.size());
-    const std::string image = contentOf(out_ / "o/01.png"), maps = contentOf(out_ / "m/01.yml.gz"), overlay = contentOf(out_ / "v/03.png");
+    const std::string image = contentOf(out_ / "o/01.png"), maps = contentOf(out_ / "m/01.yml.gz"),
+                      overlay = contentOf(out_ / "v/03.png");
 
     // Something of each kind is lost: an image, maps, an overlay, a line, the end of a line.
     std::remove((out_ / "o/01.png").c_str());
@@ -175,7 +181,8 @@ TEST_F(CorrectResults, going_on)
     std::remove((out_ / "v/03.png").c_str());
     writeContent(out_ / "o/02.png", "precious");
     Names lines = linesOf(out_ / "report.jsonl");
-    writeContent(out_ / "report.jsonl", lines[0] + "\n" + lines[1] + "\n" + lines[5] + "\n" + lines[3] + "\n" + lines[4].substr(0, 50));
+    writeContent(out_ / "report.jsonl",
+                 lines[0] + "\n" + lines[1] + "\n" + lines[5] + "\n" + lines[3] + "\n" + lines[4].substr(0, 50));
     Arguments more = all;
     more.push_back("--skip_existing");
     EXPECT_EQ(1, correct(more).exitCode);
@@ -191,7 +198,8 @@ TEST_F(CorrectResults, going_on_with_lines_of_another_kind)
 {
     putImages(2);
     const std::string report = out_ / "report.jsonl";
-    for (const std::string& line : {"{\"input\":\"" + (in_ / "00.png") + "\",\"status\":1}", "{\"input\":\"" + (in_ / "01.png") + "\",\"frames\":\"many\"}"})
+    for (const std::string& line : {"{\"input\":\"" + (in_ / "00.png") + "\",\"status\":1}",
+                                    "{\"input\":\"" + (in_ / "01.png") + "\",\"frames\":\"many\"}"})
     {
         writeContent(report, line + "\n");
         const Outcome outcome = correct(arguments({"--skip_existing"}));
@@ -245,7 +253,8 @@ TEST_P(CorrectInterrupted, ends_after_the_present_input)
 
 INSTANTIATE_TEST_CASE_P(Correct, CorrectInterrupted, testing::Values(SIGINT, SIGTERM));
 
-// A temporary file that a killed program has left goes with the next run, and isn't an input. One with a lock is still written.
+// A temporary file that a killed program has left goes with the next run, and isn't an input. One with a lock is still
+// written.
 TEST_F(CorrectResults, temporary_files)
 {
     putImages(1);
@@ -288,7 +297,9 @@ TEST_F(CorrectResults, memory_of_a_large_image)
     for (const char* name : {"report.jsonl", "out.jpg"})
     {
         // Gravity is exact, so that there is a motion to be corrected.
-        RunningProgram program(CORRECT_PROGRAM, {in_ / "large.jpg", (name[0] == 'r' ? "--report=" : "--output=") + (out_ / name), "--gravity_sigma=0"});
+        RunningProgram program(
+            CORRECT_PROGRAM,
+            {in_ / "large.jpg", (name[0] == 'r' ? "--report=" : "--output=") + (out_ / name), "--gravity_sigma=0"});
         ASSERT_EQ(0, program.wait());
         EXPECT_LE(program.peakMegabytes(), 300) << name;
     }

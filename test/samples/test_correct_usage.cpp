@@ -12,15 +12,18 @@ TEST(CorrectUsage, help_names_every_option)
 {
     const Outcome outcome = correct({"--help"});
     EXPECT_EQ(0, outcome.exitCode);
-    for (const char* name : {"camera", "focal", "line_delay", "readout", "scan", "reference", "roll", "pitch", "heading", "height", "gravity_sigma", "usual_yaw_rate", "wall", "scale_from_road",
-                             "speed", "speed_sigma", "yaw_rate", "yaw_rate_sigma", "log", "carry",
-                             "model", "detector", "lines", "seed", "threads", "output", "overlay", "report", "maps", "shard", "skip_existing",
-                             "overwrite"})
+    for (const char* name :
+         {"camera",        "focal",           "line_delay", "readout",     "scan",          "reference",
+          "roll",          "pitch",           "heading",    "height",      "gravity_sigma", "usual_yaw_rate",
+          "wall",          "scale_from_road", "speed",      "speed_sigma", "yaw_rate",      "yaw_rate_sigma",
+          "log",           "carry",           "model",      "detector",    "lines",         "seed",
+          "threads",       "output",          "overlay",    "report",      "maps",          "shard",
+          "skip_existing", "overwrite"})
         EXPECT_NE(std::string::npos, outcome.output.find(std::string("--") + name)) << name;
 }
 
 // Every command line here is refused: exit code 2, the message names what is wrong, nothing is written.
-class CorrectRefuses : public testing::TestWithParam<std::pair<const char*, const char*> >
+class CorrectRefuses : public testing::TestWithParam<std::pair<const char*, const char*>>
 {
 };
 
@@ -28,26 +31,60 @@ TEST_P(CorrectRefuses, command_line)
 {
     const TemporaryFolder folder;
     const std::string option = GetParam().first, named = GetParam().second;
-    const Outcome outcome = correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"), "--report=" + (folder / "report.jsonl"), option});
+    const Outcome outcome = correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"),
+                                     "--report=" + (folder / "report.jsonl"), option});
     EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
     EXPECT_NE(std::string::npos, outcome.messages.find(named)) << outcome.messages;
     EXPECT_TRUE(namesIn(folder.path()).empty());
 }
 
-const std::pair<const char*, const char*> refused[] = {
-    {"--outptu=x.png", "--outptu"}, {"--gravity=0", "--gravity"}, {"-v", "-v"}, {"-focal=500", "-focal"},
-    {"--focal=abc", "abc"}, {"--focal=500px", "500px"}, {"--focal=", "--focal"}, {"--focal", "--focal"}, {"--focal=nan", "nan"},
-    {"--focal=inf", "inf"}, {"--focal=0", "--focal"}, {"--focal=-816", "--focal"}, {"--focal=1e999", "1e999"},
-    {"--line_delay=0", "--line_delay"}, {"--readout=x", "--readout"}, {"--scan=sideways", "sideways"}, {"--reference=half", "half"},
-    {"--roll=1,5", "--roll"}, {"--roll=180", "--roll"}, {"--pitch=90", "--pitch"}, {"--heading=200", "--heading"}, {"--height=0", "--height"}, {"--wall=-1", "--wall"},
-    {"--gravity_sigma=-1", "--gravity_sigma"}, {"--gravity_sigma", "--gravity_sigma"}, {"--usual_yaw_rate=0", "--usual_yaw_rate"}, {"--speed=fast", "fast"}, {"--speed", "--speed"},
-    {"--speed_sigma=2", "--speed"}, {"--yaw_rate=1e4", "--yaw_rate"}, {"--yaw_rate=", "--yaw_rate"}, {"--yaw_rate_sigma=1", "--yaw_rate"},
-    {"--carry=perhaps", "--carry"},
-    {"--model=5la", "5la"}, {"--detector=canny", "canny"}, {"--seed=1.5", "--seed"}, {"--seed=-1", "--seed"}, {"--threads=0", "--threads"},
-    {"--shard=3", "--shard"}, {"--shard=5/4", "--shard"}, {"--shard=1/0", "--shard"}, {"--skip_existing=perhaps", "--skip_existing"},
-    {"--log=/no/such/file.csv", "/no/such/file.csv"}, {"--log", "--log"},
-    {"--camera=/no/such/file.yml", "/no/such/file.yml"}, {"--lines=/no/such/file.txt", "/no/such/file.txt"},
-    {"--output=again.png", "--output"}};
+const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--outptu"},
+                                                       {"--gravity=0", "--gravity"},
+                                                       {"-v", "-v"},
+                                                       {"-focal=500", "-focal"},
+                                                       {"--focal=abc", "abc"},
+                                                       {"--focal=500px", "500px"},
+                                                       {"--focal=", "--focal"},
+                                                       {"--focal", "--focal"},
+                                                       {"--focal=nan", "nan"},
+                                                       {"--focal=inf", "inf"},
+                                                       {"--focal=0", "--focal"},
+                                                       {"--focal=-816", "--focal"},
+                                                       {"--focal=1e999", "1e999"},
+                                                       {"--line_delay=0", "--line_delay"},
+                                                       {"--readout=x", "--readout"},
+                                                       {"--scan=sideways", "sideways"},
+                                                       {"--reference=half", "half"},
+                                                       {"--roll=1,5", "--roll"},
+                                                       {"--roll=180", "--roll"},
+                                                       {"--pitch=90", "--pitch"},
+                                                       {"--heading=200", "--heading"},
+                                                       {"--height=0", "--height"},
+                                                       {"--wall=-1", "--wall"},
+                                                       {"--gravity_sigma=-1", "--gravity_sigma"},
+                                                       {"--gravity_sigma", "--gravity_sigma"},
+                                                       {"--usual_yaw_rate=0", "--usual_yaw_rate"},
+                                                       {"--speed=fast", "fast"},
+                                                       {"--speed", "--speed"},
+                                                       {"--speed_sigma=2", "--speed"},
+                                                       {"--yaw_rate=1e4", "--yaw_rate"},
+                                                       {"--yaw_rate=", "--yaw_rate"},
+                                                       {"--yaw_rate_sigma=1", "--yaw_rate"},
+                                                       {"--carry=perhaps", "--carry"},
+                                                       {"--model=5la", "5la"},
+                                                       {"--detector=canny", "canny"},
+                                                       {"--seed=1.5", "--seed"},
+                                                       {"--seed=-1", "--seed"},
+                                                       {"--threads=0", "--threads"},
+                                                       {"--shard=3", "--shard"},
+                                                       {"--shard=5/4", "--shard"},
+                                                       {"--shard=1/0", "--shard"},
+                                                       {"--skip_existing=perhaps", "--skip_existing"},
+                                                       {"--log=/no/such/file.csv", "/no/such/file.csv"},
+                                                       {"--log", "--log"},
+                                                       {"--camera=/no/such/file.yml", "/no/such/file.yml"},
+                                                       {"--lines=/no/such/file.txt", "/no/such/file.txt"},
+                                                       {"--output=again.png", "--output"}};
 
 INSTANTIATE_TEST_CASE_P(Usage, CorrectRefuses, testing::ValuesIn(refused));
 
@@ -67,7 +104,8 @@ TEST(CorrectUsage, sigmas_of_what_is_known)
     for (const char* name : {"--speed", "--yaw_rate"})
         for (const char* sigma : {"_sigma", "_sigma=", "_sigma=0", "_sigma=-1", "_sigma=x"})
         {
-            const Outcome outcome = correct({image, "--report=-", std::string(name) + "=10", name + std::string(sigma)});
+            const Outcome outcome =
+                correct({image, "--report=-", std::string(name) + "=10", name + std::string(sigma)});
             EXPECT_EQ(2, outcome.exitCode) << name << sigma;
             EXPECT_NE(std::string::npos, outcome.messages.find(std::string(name) + "_sigma")) << outcome.messages;
         }
@@ -107,7 +145,8 @@ TEST(CorrectUsage, broken_lines_file)
     for (const char* content : {"1 2 3\n", "1 2 3 4 5\n", "1 2 3 x\n", "1 2 3 1e39\n", "1 2 -1e93 4\n"})
     {
         writeContent(folder / "lines.txt", content);
-        const Outcome outcome = correct({streetFolder() + "/rolling.png", "--report=-", "--lines=" + (folder / "lines.txt")});
+        const Outcome outcome =
+            correct({streetFolder() + "/rolling.png", "--report=-", "--lines=" + (folder / "lines.txt")});
         EXPECT_EQ(2, outcome.exitCode);
         EXPECT_NE(std::string::npos, outcome.messages.find("line 1 of")) << outcome.messages;
     }
@@ -116,8 +155,12 @@ TEST(CorrectUsage, broken_lines_file)
 TEST(CorrectUsage, results_of_the_same_name)
 {
     const TemporaryFolder folder;
-    EXPECT_EQ(2, correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"), "--overlay=" + (folder / "out.png")}).exitCode);
-    EXPECT_EQ(2, correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"), "--report=" + (folder / "out.png")}).exitCode);
+    EXPECT_EQ(2, correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"),
+                          "--overlay=" + (folder / "out.png")})
+                     .exitCode);
+    EXPECT_EQ(2, correct({streetFolder() + "/rolling.png", "--output=" + (folder / "out.png"),
+                          "--report=" + (folder / "out.png")})
+                     .exitCode);
     EXPECT_TRUE(namesIn(folder.path()).empty());
     cv::utils::fs::createDirectories(folder / "a");
     cv::utils::fs::createDirectories(folder / "b");
@@ -133,14 +176,18 @@ TEST(CorrectUsage, results_of_the_same_name)
     cv::imwrite(folder / "a/y.png", streetImage());
     cv::utils::fs::createDirectories(folder / "out");
     ASSERT_EQ(0, symlink((folder / "out").c_str(), (folder / "link").c_str()));
-    for (const std::string& other : {folder / "out", folder / "./out/", folder / "link", folder / "a/../out", folder / "b/../link"})
+    for (const std::string& other :
+         {folder / "out", folder / "./out/", folder / "link", folder / "a/../out", folder / "b/../link"})
     {
         const Outcome outcome = correct({folder / "a", "--output=" + (folder / "out"), "--overlay=" + other});
         EXPECT_EQ(2, outcome.exitCode) << other;
         EXPECT_NE(std::string::npos, outcome.messages.find("the same name")) << outcome.messages;
     }
-    EXPECT_EQ(2, correct({folder / "a", "--output=" + (folder / "new"), "--overlay=" + (folder / "x/../new")}).exitCode);
-    EXPECT_EQ(2, correct({folder / "a", "--output=" + (folder / "out"), "--report=" + (folder / "link/y.png"), "--overwrite"}).exitCode);
+    EXPECT_EQ(2,
+              correct({folder / "a", "--output=" + (folder / "new"), "--overlay=" + (folder / "x/../new")}).exitCode);
+    EXPECT_EQ(
+        2, correct({folder / "a", "--output=" + (folder / "out"), "--report=" + (folder / "link/y.png"), "--overwrite"})
+               .exitCode);
     EXPECT_TRUE(namesIn(folder / "out").empty());
     EXPECT_FALSE(cv::utils::fs::exists(folder / "new"));
     // Names that differ in their case are different here.

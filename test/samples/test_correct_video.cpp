@@ -55,10 +55,13 @@ protected:
 
 TEST_F(CorrectVideo, each_frame_is_corrected_as_an_image)
 {
-    ASSERT_EQ(0, correct(arguments() + Arguments{"--output=" + (out_ / "out.avi"), "--overlay=" + (out_ / "overlay.avi"),
-                                                 "--report=" + (out_ / "report.jsonl")}).exitCode);
+    ASSERT_EQ(0,
+              correct(arguments() + Arguments{"--output=" + (out_ / "out.avi"), "--overlay=" + (out_ / "overlay.avi"),
+                                              "--report=" + (out_ / "report.jsonl")})
+                  .exitCode);
     EXPECT_EQ((std::vector<std::string>{"out.avi", "overlay.avi", "report.jsonl"}), namesIn(out_.path()));
-    const std::vector<cv::Mat> before = framesOf(video_), after = framesOf(out_ / "out.avi"), overlay = framesOf(out_ / "overlay.avi");
+    const std::vector<cv::Mat> before = framesOf(video_), after = framesOf(out_ / "out.avi"),
+                               overlay = framesOf(out_ / "overlay.avi");
     const std::vector<std::string> lines = linesOf(out_ / "report.jsonl");
     ASSERT_EQ(size_t(FRAMES), before.size());
     ASSERT_EQ(size_t(FRAMES), after.size());
@@ -68,14 +71,15 @@ TEST_F(CorrectVideo, each_frame_is_corrected_as_an_image)
     for (int i = 0; i < FRAMES; i++)
     {
         cv::imwrite(out_ / "frame.png", before[i]);
-        const Outcome alone = correct({out_ / "frame.png", arguments()[1], arguments()[2], "--output=" + (out_ / "alone.png"), "--report=-",
-                                       "--overwrite"});
+        const Outcome alone = correct({out_ / "frame.png", arguments()[1], arguments()[2],
+                                       "--output=" + (out_ / "alone.png"), "--report=-", "--overwrite"});
         ASSERT_EQ(0, alone.exitCode);
         const Json expected = Json::parse(alone.output), got = Json::parse(lines[i]);
         EXPECT_EQ(video_, got["input"]);
         EXPECT_EQ(i, got["frame"]);
         EXPECT_EQ(i % 2 ? "too_few_segments" : "ok", got["status"]);
-        for (const char* key : {"status", "alpha", "beta", "delta", "wall_ratio", "segments", "inliers", "mean_shift_px"})
+        for (const char* key :
+             {"status", "alpha", "beta", "delta", "wall_ratio", "segments", "inliers", "mean_shift_px"})
             EXPECT_EQ(expected[key], got[key]) << key;
         // The codec loses some grey levels.
         const cv::Mat image = cv::imread(out_ / "alone.png");
@@ -95,7 +99,8 @@ void writeApproach(const std::string& path, int frames)
     for (int i = 0; i < frames; i++)
     {
         cv::Mat frame;
-        const cv::Mat larger = cv::getRotationMatrix2D(cv::Point2f(street.cols / 2.f, street.rows / 2.f), 0, 1 + 0.03 * i);
+        const cv::Mat larger =
+            cv::getRotationMatrix2D(cv::Point2f(street.cols / 2.f, street.rows / 2.f), 0, 1 + 0.03 * i);
         cv::warpAffine(street, frame, larger, street.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
         writer.write(frame);
     }
@@ -137,7 +142,9 @@ TEST_F(CorrectVideo, motion_is_carried_where_asked_for)
 TEST_F(CorrectVideo, images_and_videos_to_a_folder)
 {
     cv::imwrite(in_ / "image.png", streetImage());
-    EXPECT_EQ(0, correct({video_, in_ / "image.png", "--output=" + (out_ / "results"), "--report=" + (out_ / "report.jsonl")}).exitCode);
+    EXPECT_EQ(
+        0, correct({video_, in_ / "image.png", "--output=" + (out_ / "results"), "--report=" + (out_ / "report.jsonl")})
+               .exitCode);
     EXPECT_EQ((std::vector<std::string>{"drive.avi", "image.png"}), namesIn(out_ / "results"));
     EXPECT_EQ(size_t(FRAMES), framesOf(out_ / "results/drive.avi").size());
     EXPECT_EQ(size_t(FRAMES + 1), linesOf(out_ / "report.jsonl").size());
@@ -150,7 +157,8 @@ TEST_F(CorrectVideo, cut_short)
     const size_t left = framesOf(in_ / "cut.avi").size();
     ASSERT_LT(left, size_t(FRAMES - 1));
     ASSERT_GT(left, 0u);
-    const Outcome outcome = correct({in_ / "cut.avi", "--output=" + (out_ / "out.avi"), "--report=" + (out_ / "report.jsonl")});
+    const Outcome outcome =
+        correct({in_ / "cut.avi", "--output=" + (out_ / "out.avi"), "--report=" + (out_ / "report.jsonl")});
     EXPECT_EQ(1, outcome.exitCode);
     EXPECT_NE(std::string::npos, outcome.messages.find("cut short")) << outcome.messages;
     EXPECT_EQ(left, framesOf(out_ / "out.avi").size());
@@ -199,11 +207,13 @@ TEST_F(CorrectVideo, existing_results)
 TEST_F(CorrectVideo, maps_of_each_frame)
 {
     ASSERT_EQ(0, correct(arguments() + Arguments{"--maps=" + (out_ / "maps")}).exitCode);
-    EXPECT_EQ((std::vector<std::string>{"drive_000000.yml.gz", "drive_000001.yml.gz", "drive_000002.yml.gz", "drive_000003.yml.gz"}),
+    EXPECT_EQ((std::vector<std::string>{"drive_000000.yml.gz", "drive_000001.yml.gz", "drive_000002.yml.gz",
+                                        "drive_000003.yml.gz"}),
               namesIn(out_ / "maps"));
     const std::vector<cv::Mat> frames = framesOf(video_);
     cv::imwrite(out_ / "frame.png", frames[2]);
-    ASSERT_EQ(0, correct({out_ / "frame.png", arguments()[1], arguments()[2], "--maps=" + (out_ / "frame.yml.gz")}).exitCode);
+    ASSERT_EQ(
+        0, correct({out_ / "frame.png", arguments()[1], arguments()[2], "--maps=" + (out_ / "frame.yml.gz")}).exitCode);
     cv::Mat expected, got;
     cv::FileStorage(out_ / "frame.yml.gz", cv::FileStorage::READ)["map1"] >> expected;
     cv::FileStorage(out_ / "maps/drive_000002.yml.gz", cv::FileStorage::READ)["map1"] >> got;
@@ -224,13 +234,15 @@ TEST_F(CorrectVideo, log_by_frame_and_by_time)
         frames.resize(FRAMES);
         return frames;
     };
-    const std::vector<Json> told = framesOfReport(correct(plain + Arguments{"--speed=66"})), untold = framesOfReport(correct(plain));
+    const std::vector<Json> told = framesOfReport(correct(plain + Arguments{"--speed=66"})),
+                            untold = framesOfReport(correct(plain));
     const auto withLog = [&](const std::string& content) {
         writeContent(in_ / "log.csv", content);
         return framesOfReport(correct(plain + Arguments{"--log=" + (in_ / "log.csv")}));
     };
     ASSERT_NE(told[2]["alpha"], untold[2]["alpha"]);
-    const std::vector<Json> byNumber = withLog("frame,speed_kmh\n2,66\n"), byFile = withLog("file,frame,speed_kmh\ndrive.avi,2,66\nother.avi,0,66\n");
+    const std::vector<Json> byNumber = withLog("frame,speed_kmh\n2,66\n"),
+                            byFile = withLog("file,frame,speed_kmh\ndrive.avi,2,66\nother.avi,0,66\n");
     EXPECT_EQ(untold[0]["alpha"], byNumber[0]["alpha"]);
     EXPECT_EQ(told[2]["alpha"], byNumber[2]["alpha"]);
     EXPECT_EQ(untold[0]["alpha"], byFile[0]["alpha"]);
@@ -238,7 +250,8 @@ TEST_F(CorrectVideo, log_by_frame_and_by_time)
     // Frame 2 of 12 frames per second is at 1/6 s.
     const std::vector<Json> byTime = withLog("time_s,speed_kmh\n0.1,58\n0.2,70\n");
     EXPECT_EQ(untold[0]["alpha"], byTime[0]["alpha"]);
-    EXPECT_NEAR(told[2]["alpha"].get<double>(), byTime[2]["alpha"].get<double>(), 1e-4 * std::abs(told[2]["alpha"].get<double>()));
+    EXPECT_NEAR(told[2]["alpha"].get<double>(), byTime[2]["alpha"].get<double>(),
+                1e-4 * std::abs(told[2]["alpha"].get<double>()));
     const std::vector<Json> byTimeOfRow = withLog("frame,time_s,speed_kmh\n2,10,\n,9,50\n,11,82\n");
     EXPECT_EQ(told[2]["alpha"], byTimeOfRow[2]["alpha"]);
 }

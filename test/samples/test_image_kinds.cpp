@@ -11,7 +11,8 @@ namespace opencv_test { namespace {
 // Exif data with nothing but an orientation, in the byte order of Motorola.
 std::string exifWithOrientation(int orientation)
 {
-    const char tiff[] = {'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, char(orientation), 0, 0, 0, 0, 0, 0};
+    const char tiff[] = {'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, char(orientation),
+                         0,   0,   0, 0,  0, 0};
     return std::string(tiff, sizeof tiff);
 }
 
@@ -20,7 +21,8 @@ void addExif(const std::string& path, const std::string& exif)
 {
     std::string content = contentOf(path);
     const size_t length = 2 + 6 + exif.size();
-    content.insert(2, std::string("\xFF\xE1") + char(length >> 8) + char(length & 255) + std::string("Exif\0\0", 6) + exif);
+    content.insert(2, std::string("\xFF\xE1") + char(length >> 8) + char(length & 255) + std::string("Exif\0\0", 6) +
+                          exif);
     writeContent(path, content);
 }
 
@@ -45,10 +47,13 @@ TEST(ImageKinds, orientation)
     for (const char* format : {".jpg", ".png"})
         for (const char* name : {"street", "grey"})
         {
-            const std::string output = folder / (std::string("o_") + name + format), overlay = folder / (std::string("v_") + name + format);
-            const Outcome outcome = correct({folder / (std::string(name) + ".jpg"), "--output=" + output, "--overlay=" + overlay, "--report=-"});
+            const std::string output = folder / (std::string("o_") + name + format),
+                              overlay = folder / (std::string("v_") + name + format);
+            const Outcome outcome = correct(
+                {folder / (std::string(name) + ".jpg"), "--output=" + output, "--overlay=" + overlay, "--report=-"});
             ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
-            EXPECT_EQ(name == std::string("street"), nlohmann::json::parse(outcome.output)["status"] == "ok") << outcome.output;
+            EXPECT_EQ(name == std::string("street"), nlohmann::json::parse(outcome.output)["status"] == "ok")
+                << outcome.output;
             for (const std::string& path : {output, overlay})
             {
                 EXPECT_NE(std::string::npos, contentOf(path).find(exifWithOrientation(6))) << path;
@@ -75,7 +80,8 @@ TEST(ImageKinds, one_bit)
     ASSERT_EQ(1, contentOf(folder / "in.png")[24]); // bits of a sample
     for (const char* name : {"in.png", "in.pbm"})
     {
-        const Outcome outcome = correct({folder / name, "--report=-", "--output=" + (folder / "out.png"), "--overwrite"});
+        const Outcome outcome =
+            correct({folder / name, "--report=-", "--output=" + (folder / "out.png"), "--overwrite"});
         ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
         EXPECT_EQ("ok", nlohmann::json::parse(outcome.output)["status"]);
         EXPECT_EQ(CV_8UC1, cv::imread(folder / "out.png", cv::IMREAD_UNCHANGED).type());

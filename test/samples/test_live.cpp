@@ -8,7 +8,10 @@
 
 namespace opencv_test { namespace {
 
-Outcome live(const Arguments& arguments) { return runProgram(LIVE_PROGRAM, arguments); }
+Outcome live(const Arguments& arguments)
+{
+    return runProgram(LIVE_PROGRAM, arguments);
+}
 
 const cv::Size SIZE(480, 300);
 const double LINE_DELAY = 25e-3 / SIZE.height;
@@ -24,8 +27,9 @@ protected:
         {
             // A line far behind the image is the one at whose instant the car is where it is in the last frame.
             const double reference = (SIZE.height - 1) / 2. + before / 30. / LINE_DELAY;
-            simulate({"--output=" + street_.path(), "--overwrite", "--size=480x300", "--focal=400", cv::format("--line_delay=%.9g", LINE_DELAY),
-                      "--left=6", "--right=7", "--speed=54", "--yaw_rate=30", "--noise=0", cv::format("--reference=%.9g", reference)});
+            simulate({"--output=" + street_.path(), "--overwrite", "--size=480x300", "--focal=400",
+                      cv::format("--line_delay=%.9g", LINE_DELAY), "--left=6", "--right=7", "--speed=54",
+                      "--yaw_rate=30", "--noise=0", cv::format("--reference=%.9g", reference)});
             writer.write(cv::imread(street_ / "rolling.png"));
         }
         writer.write(cv::Mat(SIZE, CV_8UC3, cv::Scalar::all(90)));
@@ -40,7 +44,8 @@ TEST_F(Live, raw_and_corrected_image_are_side_by_side)
 {
     const Outcome outcome = live({video_, camera_, "--frames=4", "--picture=" + picture_});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
-    const cv::Mat picture = cv::imread(picture_), raw = cv::imread(street_ / "rolling.png"), truth = cv::imread(street_ / "global.png");
+    const cv::Mat picture = cv::imread(picture_), raw = cv::imread(street_ / "rolling.png"),
+                  truth = cv::imread(street_ / "global.png");
     ASSERT_EQ(cv::Size(2 * SIZE.width, SIZE.height), picture.size());
     const int numbers = SIZE.height / 6; // lines of numbers at the top
     const cv::Rect left(0, numbers, SIZE.width, SIZE.height - numbers), right(left + cv::Point(SIZE.width, 0));
@@ -52,7 +57,9 @@ TEST_F(Live, raw_and_corrected_image_are_side_by_side)
 TEST_F(Live, goes_on_to_the_end)
 {
     ASSERT_EQ(0, live({video_, camera_, "--picture=" + picture_}).exitCode);
-    EXPECT_LT(differenceInside(cv::Mat(SIZE, CV_8UC3, cv::Scalar::all(90)), cv::imread(picture_).colRange(SIZE.width, 2 * SIZE.width)), 1);
+    EXPECT_LT(differenceInside(cv::Mat(SIZE, CV_8UC3, cv::Scalar::all(90)),
+                               cv::imread(picture_).colRange(SIZE.width, 2 * SIZE.width)),
+              1);
 }
 
 TEST_F(Live, usage)

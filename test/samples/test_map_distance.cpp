@@ -15,8 +15,14 @@ using rsackermann_samples::meanDistance;
 const float NONE = -16384; // both coordinates of a pixel without a place
 
 // A row of a map or of a mask.
-cv::Mat map(const std::vector<float>& values) { return cv::Mat(values, true).reshape(1, 1); }
-cv::Mat mask(const std::vector<uchar>& values) { return cv::Mat(values, true).reshape(1, 1); }
+cv::Mat map(const std::vector<float>& values)
+{
+    return cv::Mat(values, true).reshape(1, 1);
+}
+cv::Mat mask(const std::vector<uchar>& values)
+{
+    return cv::Mat(values, true).reshape(1, 1);
+}
 
 TEST(MapDistance, is_the_mean_of_the_pixels_of_the_mask)
 {
@@ -28,7 +34,8 @@ TEST(MapDistance, is_the_mean_of_the_pixels_of_the_mask)
 
 TEST(MapDistance, pixels_without_a_place_do_not_count)
 {
-    const cv::Mat x1 = map({0, NONE, 2, NONE}), y1 = map({0, NONE, 0, NONE}), x2 = map({3, 1, NONE, NONE}), y2 = map({4, 0, NONE, NONE});
+    const cv::Mat x1 = map({0, NONE, 2, NONE}), y1 = map({0, NONE, 0, NONE}), x2 = map({3, 1, NONE, NONE}),
+                  y2 = map({4, 0, NONE, NONE});
     EXPECT_NEAR(5, meanDistance(x1, y1, x2, y2, mask({255, 255, 255, 255})), 1e-6);
     EXPECT_NEAR(5, meanDistance(x2, y2, x1, y1, mask({255, 255, 255, 255})), 1e-6);
     EXPECT_EQ(0, meanDistance(x1, y1, x2, y2, mask({0, 255, 255, 255})));
@@ -41,14 +48,17 @@ TEST(MapDistance, places)
     EXPECT_EQ(0, cv::norm(places, mask({255, 255, 0, 255}), cv::NORM_INF));
 }
 
-// Through this lens nothing is seen beyond 44 degrees: pixels near the border have no place, with a motion others than without.
+// Through this lens nothing is seen beyond 44 degrees: pixels near the border have no place, with a motion others than
+// without.
 TEST(Correct, mean_shift_with_a_strong_lens)
 {
     const TemporaryFolder folder;
     const std::string street = folder / "street";
-    ASSERT_EQ(0, simulate({"--output=" + street, "--lens=-0.36,0,0,0", "--focal=300", "--speed=60", "--yaw_rate=40"}).exitCode);
-    const Outcome outcome = correct({street + "/rolling.png", "--camera=" + street + "/camera.yml", "--wall=2.5", "--report=-",
-                                     "--maps=" + (folder / "maps.yml")});
+    ASSERT_EQ(
+        0,
+        simulate({"--output=" + street, "--lens=-0.36,0,0,0", "--focal=300", "--speed=60", "--yaw_rate=40"}).exitCode);
+    const Outcome outcome = correct({street + "/rolling.png", "--camera=" + street + "/camera.yml", "--wall=2.5",
+                                     "--report=-", "--maps=" + (folder / "maps.yml")});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     const nlohmann::json report = nlohmann::json::parse(outcome.output);
     ASSERT_EQ("ok", report["status"]);
@@ -64,7 +74,8 @@ TEST(Correct, mean_shift_with_a_strong_lens)
     for (int y = 0; y < map1.rows; y++)
         for (int x = 0; x < map1.cols; x++)
         {
-            const cv::Point2f p(map1.at<float>(y, x), map2.at<float>(y, x)), q(lens1.at<float>(y, x), lens2.at<float>(y, x));
+            const cv::Point2f p(map1.at<float>(y, x), map2.at<float>(y, x)),
+                q(lens1.at<float>(y, x), lens2.at<float>(y, x));
             if (p.x < 0 || p.y < 0 || p.x > 639 || p.y > 379)
                 continue;
             if (q.x == NONE)
@@ -103,8 +114,8 @@ public:
             cv::FileStorage fs(folder / "maps.yml", cv::FileStorage::WRITE);
             fs << "map1" << columns << "map2" << rows;
         }
-        const Outcome outcome = evaluate({"--truth=" + streetFolder() + "/truth.json", "--report=" + (folder / "report.jsonl"),
-                                          "--maps=" + (folder / "maps.yml")});
+        const Outcome outcome = evaluate({"--truth=" + streetFolder() + "/truth.json",
+                                          "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
         EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
         const size_t at = outcome.output.find("mean displacement, px");
         return at == std::string::npos ? outcome.output : outcome.output.substr(at);
@@ -135,7 +146,8 @@ TEST_F(EvaluateMaps, pixels_without_a_place_count_neither_before_nor_after)
     const cv::Rect gone(0, 0, 200, 380), left(200, 0, 440, 380);
     columns(gone) = NONE;
     rows(gone) = NONE;
-    expectDisplacements(meanDistance(identityColumns(left), identityRows(left), columns(left) - 1.5, rows(left) - 2, seen(left)), 2.5);
+    expectDisplacements(
+        meanDistance(identityColumns(left), identityRows(left), columns(left) - 1.5, rows(left) - 2, seen(left)), 2.5);
     const int all = cv::countNonZero(seen), lost = cv::countNonZero(seen(gone));
     EXPECT_NE(std::string::npos, evaluation().find(cv::format("%d of %d pixels have no place", lost, all)));
 }

@@ -12,7 +12,8 @@ namespace opencv_test { namespace {
 
 TEST(Simulate, writes_images_truth_and_camera)
 {
-    EXPECT_EQ((std::vector<std::string>{"camera.yml", "global.png", "rolling.png", "truth.json"}), namesIn(streetFolder()));
+    EXPECT_EQ((std::vector<std::string>{"camera.yml", "global.png", "rolling.png", "truth.json"}),
+              namesIn(streetFolder()));
     const rsackermann_samples::Truth truth = rsackermann_samples::readTruth(streetFolder() + "/truth.json");
     EXPECT_NEAR(60 / 3.6, truth.scene.speed, 1e-12);
     EXPECT_NEAR(40 * CV_PI / 180, truth.scene.yawRate, 1e-12);
@@ -24,8 +25,9 @@ TEST(Simulate, refuses_what_it_does_not_know)
 {
     const TemporaryFolder folder;
     const std::string output = "--output=" + (folder / "out");
-    for (const char* option : {"--sped=3", "--speed=fast", "--size=640", "--size=0x3", "--left=-1", "--lens=1,2", "--lens=1,2,x,4", "--clutter=2",
-                               "--stagger=-1", "--obstacles=101", "--samples=0", "--scan=x", "--line_delay=1e-5,", "street.png"})
+    for (const char* option : {"--sped=3", "--speed=fast", "--size=640", "--size=0x3", "--left=-1", "--lens=1,2",
+                               "--lens=1,2,x,4", "--clutter=2", "--stagger=-1", "--obstacles=101", "--samples=0",
+                               "--scan=x", "--line_delay=1e-5,", "street.png"})
         EXPECT_EQ(2, simulate({output, option}).exitCode) << option;
     EXPECT_EQ(2, simulate({}).exitCode);
     EXPECT_EQ(2, simulate({output, "--image=" + streetFolder() + "/global.png", "--clutter=1"}).exitCode);
@@ -63,25 +65,30 @@ TEST(Simulate, same_seed_same_picture)
 TEST(Simulate, at_rest_both_shutters_see_the_same)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(0, simulate({"--output=" + folder.path(), "--speed=0", "--yaw_rate=0", "--noise=0", "--size=128x76", "--focal=160"}).exitCode);
+    ASSERT_EQ(0, simulate({"--output=" + folder.path(), "--speed=0", "--yaw_rate=0", "--noise=0", "--size=128x76",
+                           "--focal=160"})
+                     .exitCode);
     EXPECT_EQ(0, cv::norm(cv::imread(folder / "rolling.png"), cv::imread(folder / "global.png"), cv::NORM_INF));
 }
 
 TEST(Simulate, camera_that_looks_to_the_right_at_one_wall)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(0, simulate({"--output=" + folder.path(), "--heading=-90", "--left=0", "--right=3", "--speed=40", "--yaw_rate=0"}).exitCode);
+    ASSERT_EQ(0, simulate({"--output=" + folder.path(), "--heading=-90", "--left=0", "--right=3", "--speed=40",
+                           "--yaw_rate=0"})
+                     .exitCode);
     const rsackermann_samples::Truth truth = rsackermann_samples::readTruth(folder / "truth.json");
     EXPECT_EQ(0, truth.scene.left);
     EXPECT_EQ(3, truth.scene.right);
-    const Outcome corrected = correct({folder / "rolling.png", "--camera=" + (folder / "camera.yml"), "--wall=3", "--report=" + (folder / "report.jsonl"),
-                                       "--maps=" + (folder / "maps.yml")});
+    const Outcome corrected = correct({folder / "rolling.png", "--camera=" + (folder / "camera.yml"), "--wall=3",
+                                       "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
     ASSERT_EQ(0, corrected.exitCode) << corrected.messages;
     const nlohmann::json report = nlohmann::json::parse(contentOf(folder / "report.jsonl"));
     EXPECT_EQ("ok", report["status"]);
     EXPECT_TRUE(report["wall_ratio"].is_null());
     EXPECT_NEAR(40, report["speed_km_h"].get<double>(), 4);
-    const Outcome evaluated = evaluate({"--truth=" + (folder / "truth.json"), "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
+    const Outcome evaluated = evaluate({"--truth=" + (folder / "truth.json"), "--report=" + (folder / "report.jsonl"),
+                                        "--maps=" + (folder / "maps.yml")});
     EXPECT_EQ(0, evaluated.exitCode);
     // There is neither a line at infinity in the image nor a second wall.
     for (const char* row : {"line at infinity", "wall distances"})
@@ -117,8 +124,8 @@ TEST(Simulate, truth_out_of_range_is_refused)
 TEST(Simulate, truth_knows_staggered_houses_and_obstacles)
 {
     const TemporaryFolder folder;
-    const Outcome outcome = simulate({"--output=" + folder.path(), "--stagger=1.5", "--obstacles=40", "--seed=7", "--left=5", "--right=6",
-                                      "--noise=0", "--size=128x76", "--focal=160"});
+    const Outcome outcome = simulate({"--output=" + folder.path(), "--stagger=1.5", "--obstacles=40", "--seed=7",
+                                      "--left=5", "--right=6", "--noise=0", "--size=128x76", "--focal=160"});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     const nlohmann::json json = nlohmann::json::parse(contentOf(folder / "truth.json"));
     EXPECT_EQ(1.5, json["stagger_m"]);
@@ -130,7 +137,8 @@ TEST(Simulate, truth_knows_staggered_houses_and_obstacles)
     truth.scene.noise = 0;
     const cv::Mat rolling = cv::imread(folder / "rolling.png");
     const auto isSame = [&](const street::StreetScene& scene) {
-        return cv::norm(rolling, street::StreetRenderer(truth.camera, scene).rollingShutter(), cv::NORM_INF) <= 1; // a grey level of rounding
+        // A grey level of rounding
+        return cv::norm(rolling, street::StreetRenderer(truth.camera, scene).rollingShutter(), cv::NORM_INF) <= 1;
     };
     EXPECT_TRUE(isSame(truth.scene));
     street::StreetScene inLine = truth.scene, empty = truth.scene, other = truth.scene;
@@ -151,13 +159,15 @@ TEST(Simulate, distorts_a_given_image)
     arguments.push_back("--image=" + streetFolder() + "/global.png");
     const Outcome outcome = simulate(arguments);
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
-    const cv::Mat global = cv::imread(streetFolder() + "/global.png"), rendered = streetImage(), distorted = cv::imread(folder / "again/rolling.png");
+    const cv::Mat global = cv::imread(streetFolder() + "/global.png"), rendered = streetImage(),
+                  distorted = cv::imread(folder / "again/rolling.png");
     nlohmann::json truth = nlohmann::json::parse(contentOf(streetFolder() + "/truth.json"));
     truth["seed"] = 0; // of a rendered street; a given image has none
     EXPECT_EQ(truth, nlohmann::json::parse(contentOf(folder / "again/truth.json")));
     // Away from the border both ways of simulation show the same.
     const cv::Rect inner(20, 20, global.cols - 40, global.rows - 40);
-    const double raw = cv::norm(rendered(inner), global(inner), cv::NORM_L1), left = cv::norm(rendered(inner), distorted(inner), cv::NORM_L1);
+    const double raw = cv::norm(rendered(inner), global(inner), cv::NORM_L1),
+                 left = cv::norm(rendered(inner), distorted(inner), cv::NORM_L1);
     EXPECT_LT(left, 0.4 * raw);
 }
 

@@ -13,12 +13,12 @@ namespace opencv_test { namespace {
 struct Setting
 {
     const char* name;
-    double yawRate, speed;              // deg/s, km/h
-    double heading, direction;          // degrees
-    double roll, pitch;                 // degrees
+    double yawRate, speed;     // deg/s, km/h
+    double heading, direction; // degrees
+    double roll, pitch;        // degrees
     int scan;
     std::vector<double> lens;
-    double left, right;                 // metres
+    double left, right; // metres
 };
 
 void PrintTo(const Setting& s, std::ostream* stream)
@@ -47,8 +47,10 @@ protected:
         scene.right = s.right;
     }
 
-    // Share of the difference between both pictures of a street that the map of a street leaves. No pixel counts more than the cap.
-    double differenceLeft(const street::StreetRenderer& shown, const street::StreetRenderer& mapped, double cap = 255) const
+    // Share of the difference between both pictures of a street that the map of a street leaves. No pixel counts more
+    // than the cap.
+    double differenceLeft(const street::StreetRenderer& shown, const street::StreetRenderer& mapped,
+                          double cap = 255) const
     {
         cv::Mat columns, rows, mask, rectified, difference;
         mapped.rectifyMap(columns, rows, mask);
@@ -104,7 +106,8 @@ TEST_P(Street, maps_of_the_library)
         for (int x = 0; x < mask.cols; x++)
         {
             const double u = columns.at<float>(y, x), v = rows.at<float>(y, x);
-            const double depth = std::min(std::min(u + slack, right - u), std::min(v + slack, bottom - v)); // within the image
+            // Within the image
+            const double depth = std::min(std::min(u + slack, right - u), std::min(v + slack, bottom - v));
             ASSERT_TRUE(std::abs(depth) < 2e-3 || (depth > 0) == (mask.at<uchar>(y, x) != 0)) << x << ", " << y;
         }
     EXPECT_GT(cv::countNonZero(inside), camera.size.area() * 3 / 4);
@@ -138,7 +141,8 @@ protected:
     }
 
     // Share of the pixels for which a condition holds.
-    template <class Condition> double share(Condition condition) const
+    template <class Condition>
+    double share(Condition condition) const
     {
         int count = 0, all = 0;
         for (int y = 0; y < camera.size.height; y += 3)
@@ -155,9 +159,11 @@ TEST_P(UnevenStreet, there_and_back)
     const street::StreetRenderer renderer(camera, scene);
     // What is hidden at the other instant can't come back: that is a stripe at the side of whatever stands in front.
     EXPECT_GT(share([&](const cv::Point2d& p) {
-        cv::Point2d rolling, back;
-        return renderer.toRolling(p, rolling) && renderer.toGlobal(rolling, back) && cv::norm(back - p) < 1e-5;
-    }), 0.97);
+                  cv::Point2d rolling, back;
+                  return renderer.toRolling(p, rolling) && renderer.toGlobal(rolling, back) &&
+                         cv::norm(back - p) < 1e-5;
+              }),
+              0.97);
 }
 
 TEST_P(UnevenStreet, depth_is_another_one)
@@ -184,10 +190,11 @@ TEST_P(UnevenStreet, houses_stand_within_the_setbacks)
     const street::StreetRenderer farther(camera, far);
     // Only the walls above the neighbours' roofs are behind the farther plane.
     EXPECT_GT(share([&](const cv::Point2d& p) {
-        cv::Point2d near, between, behind;
-        return !even.toRolling(p, near) || !renderer.toRolling(p, between) || !farther.toRolling(p, behind) ||
-               cv::norm(between - near) < 1.01 * cv::norm(behind - near) + 1e-6;
-    }), 0.97);
+                  cv::Point2d near, between, behind;
+                  return !even.toRolling(p, near) || !renderer.toRolling(p, between) || !farther.toRolling(p, behind) ||
+                         cv::norm(between - near) < 1.01 * cv::norm(behind - near) + 1e-6;
+              }),
+              0.97);
 }
 
 TEST_P(UnevenStreet, true_map_turns_one_picture_into_the_other)
@@ -228,7 +235,8 @@ TEST_P(UnevenStreet, even_where_nothing_is_uneven)
     EXPECT_LT(cv::countNonZero(different.reshape(1)), 0.001 * image.total());
 }
 
-const std::vector<double> barrel = {-0.28, 0.09, 1e-3, -5e-4, -0.01}, rational = {0.2, 0.05, 1e-3, 1e-3, 0.01, 0.5, 0.1, 0.02};
+const std::vector<double> barrel = {-0.28, 0.09, 1e-3, -5e-4, -0.01},
+                          rational = {0.2, 0.05, 1e-3, 1e-3, 0.01, 0.5, 0.1, 0.02};
 
 const Setting settings[] = {{"straight", 0, 100, 0, 0, 0, 0, 0, {}, 2.5, 3},
                             {"turn", 60, 0, 0, 0, 0, 0, 0, {}, 2.5, 3},
@@ -256,7 +264,8 @@ TEST(StreetLens, same_as_projectPoints)
             for (double y = -0.4; y <= 0.4; y += 0.2)
             {
                 std::vector<cv::Point2d> projected;
-                cv::projectPoints(std::vector<cv::Point3d>{cv::Point3d(x, y, 1)}, cv::Vec3d(), cv::Vec3d(), cv::Matx33d::eye(), lens, projected);
+                cv::projectPoints(std::vector<cv::Point3d>{cv::Point3d(x, y, 1)}, cv::Vec3d(), cv::Vec3d(),
+                                  cv::Matx33d::eye(), lens, projected);
                 EXPECT_LT(cv::norm(projected[0] - street::distortPoint(lens, cv::Point2d(x, y))), 1e-12);
                 EXPECT_LT(cv::norm(street::undistortPoint(lens, projected[0]) - cv::Point2d(x, y)), 1e-9);
             }

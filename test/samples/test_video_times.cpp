@@ -59,14 +59,17 @@ void writeMatroska(const std::string& path, const std::vector<int>& milliseconds
         const char head[] = {'\x81', char(milliseconds[i] >> 8), char(milliseconds[i]), '\x80'};
         blocks += element("\xA3", std::string(head, 4) + std::string(jpeg.begin(), jpeg.end()));
     }
-    const std::string header = number("\x42\x86", 1) + number("\x42\xF7", 1) + number("\x42\xF2", 4) + number("\x42\xF3", 8) +
-                               element("\x42\x82", "matroska") + number("\x42\x87", 2) + number("\x42\x85", 2);
+    const std::string header = number("\x42\x86", 1) + number("\x42\xF7", 1) + number("\x42\xF2", 4) +
+                               number("\x42\xF3", 8) + element("\x42\x82", "matroska") + number("\x42\x87", 2) +
+                               number("\x42\x85", 2);
     const std::string info = number("\x2A\xD7\xB1", 1000000) + duration(wholeDuration);
     const cv::Size size = streetImage().size();
-    const std::string track = number("\xD7", 1) + number("\x73\xC5", 1) + number("\x83", 1) + element("\x86", "V_MJPEG") +
-                              element("\xE0", number("\xB0", unsigned(size.width)) + number("\xBA", unsigned(size.height)));
+    const std::string track =
+        number("\xD7", 1) + number("\x73\xC5", 1) + number("\x83", 1) + element("\x86", "V_MJPEG") +
+        element("\xE0", number("\xB0", unsigned(size.width)) + number("\xBA", unsigned(size.height)));
     writeContent(path, element("\x1A\x45\xDF\xA3", header) +
-                           element("\x18\x53\x80\x67", element("\x15\x49\xA9\x66", info) + element("\x16\x54\xAE\x6B", element("\xAE", track)) +
+                           element("\x18\x53\x80\x67", element("\x15\x49\xA9\x66", info) +
+                                                           element("\x16\x54\xAE\x6B", element("\xAE", track)) +
                                                            element("\x1F\x43\xB6\x75", blocks)));
 }
 
@@ -84,7 +87,8 @@ class VideoTimes : public testing::Test
 protected:
     Outcome run(const Arguments& more = {}) const
     {
-        Arguments arguments = {in_ / "drive.mkv", "--camera=" + streetFolder() + "/camera.yml", "--report=" + (out_ / "report.jsonl"), "--overwrite"};
+        Arguments arguments = {in_ / "drive.mkv", "--camera=" + streetFolder() + "/camera.yml",
+                               "--report=" + (out_ / "report.jsonl"), "--overwrite"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return correct(arguments);
     }
@@ -162,7 +166,8 @@ TEST_F(VideoTimes, full_disk)
     for (const char* name : {"out.avi", "out.mkv", "out.mp4"})
         for (const char* target : {"--output=", "--overlay="})
         {
-            const Outcome outcome = runCommand("ulimit -f 80; '" CORRECT_PROGRAM "' '" + (in_ / "drive.mkv") + "' '" + target + (out_ / name) + "'");
+            const Outcome outcome = runCommand("ulimit -f 80; '" CORRECT_PROGRAM "' '" + (in_ / "drive.mkv") + "' '" +
+                                               target + (out_ / name) + "'");
             EXPECT_EQ(1, outcome.exitCode) << name;
             EXPECT_NE(std::string::npos, outcome.messages.find("can't be written")) << outcome.messages;
             EXPECT_TRUE(namesIn(out_.path()).empty()) << name;
@@ -175,7 +180,8 @@ TEST_F(VideoTimes, interrupted)
     for (int i = 0; i < 100; i++)
         times.push_back(40 * i);
     writeMatroska(in_ / "drive.mkv", times, 4000);
-    RunningProgram program(CORRECT_PROGRAM, {in_ / "drive.mkv", "--output=" + (out_ / "out.avi"), "--maps=" + (out_ / "m")});
+    RunningProgram program(CORRECT_PROGRAM,
+                           {in_ / "drive.mkv", "--output=" + (out_ / "out.avi"), "--maps=" + (out_ / "m")});
     while (namesIn(out_ / "m").size() < 3)
         usleep(1000);
     program.send(SIGTERM);

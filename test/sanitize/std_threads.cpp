@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-// cv::parallel_for_ with threads of the standard library, which ThreadSanitizer sees begin and end. It doesn't see how the TBB of Debian's
-// OpenCV hands work over, and takes that for a race.
+// cv::parallel_for_ with threads of the standard library, which ThreadSanitizer sees begin and end. It doesn't see how
+// the TBB of Debian's OpenCV hands work over, and takes that for a race.
 
 namespace {
 
@@ -24,7 +24,8 @@ public:
     {
         // Shared out in advance: a common counter would order what has to be found unordered.
         const int count = std::min(count_, tasks);
-        // A thread ends when all have done their work: its end takes locks of OpenCV, which would order its work before that of later ones.
+        // A thread ends when all have done their work: its end takes locks of OpenCV, which would order its work before
+        // that of later ones.
         std::atomic<int> working(count);
         std::vector<std::thread> threads;
         for (int number = 0; number < count; number++)

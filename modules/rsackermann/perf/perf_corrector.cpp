@@ -24,7 +24,8 @@ Mat streetImage(const RollingShutterCamera& camera, const AckermannMotion& motio
                 for (int i = 0; i < 4; i++)
                 {
                     const double depth = z - travelled - (i == 1 || i == 2 ? 1 : 0);
-                    corners[i] = Point(cvRound(16 * (cx + f * x / depth)), cvRound(16 * (cy + f * (y + (i > 1 ? 1.8 : 0)) / depth)));
+                    corners[i] = Point(cvRound(16 * (cx + f * x / depth)),
+                                       cvRound(16 * (cy + f * (y + (i > 1 ? 1.8 : 0)) / depth)));
                 }
                 fillConvexPoly(global, corners, 4, Scalar(60, 70, 80), LINE_AA, 4);
             }
@@ -35,14 +36,16 @@ Mat streetImage(const RollingShutterCamera& camera, const AckermannMotion& motio
     return raw;
 }
 
-typedef TestBaseWithParam<tuple<Size, int> > Corrector; // size, detector
+typedef TestBaseWithParam<tuple<Size, int>> Corrector; // size, detector
 
-PERF_TEST_P(Corrector, correct, testing::Combine(testing::Values(szVGA, sz720p, sz1080p), testing::Values(
-    (int)DETECTOR_LSD
+PERF_TEST_P(Corrector, correct,
+            testing::Combine(testing::Values(szVGA, sz720p, sz1080p),
+                             testing::Values((int)DETECTOR_LSD
 #ifdef HAVE_OPENCV_XIMGPROC
-    , (int)DETECTOR_FLD, (int)DETECTOR_EDLINES
+                                             ,
+                                             (int)DETECTOR_FLD, (int)DETECTOR_EDLINES
 #endif
-    )))
+                                             )))
 {
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(get<0>(GetParam()));
     camera.lineDelay = 0.4 / 30 / camera.imageSize.height;
@@ -84,14 +87,16 @@ PERF_TEST_P(Drive, carried, testing::Values(szVGA, sz720p, sz1080p))
     SANITY_CHECK_NOTHING();
 }
 
-typedef TestBaseWithParam<tuple<Size, int> > Detect; // size, detector
+typedef TestBaseWithParam<tuple<Size, int>> Detect; // size, detector
 
-PERF_TEST_P(Detect, detectSegments, testing::Combine(testing::Values(szVGA, sz720p, sz1080p), testing::Values(
-    (int)DETECTOR_LSD
+PERF_TEST_P(Detect, detectSegments,
+            testing::Combine(testing::Values(szVGA, sz720p, sz1080p),
+                             testing::Values((int)DETECTOR_LSD
 #ifdef HAVE_OPENCV_XIMGPROC
-    , (int)DETECTOR_FLD, (int)DETECTOR_EDLINES
+                                             ,
+                                             (int)DETECTOR_FLD, (int)DETECTOR_EDLINES
 #endif
-    )))
+                                             )))
 {
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(get<0>(GetParam()));
     const Mat src = streetImage(camera, AckermannMotion());

@@ -11,9 +11,11 @@ typedef tuple<int, int> SegmentsAndInliers;
 typedef TestBaseWithParam<SegmentsAndInliers> RSAckermann_Estimator;
 
 // Number of segments and percent of inliers.
-PERF_TEST_P(RSAckermann_Estimator, estimate, testing::Combine(testing::Values(50, 200, 1000, 10000), testing::Values(80, 40)))
+PERF_TEST_P(RSAckermann_Estimator, estimate,
+            testing::Combine(testing::Values(50, 200, 1000, 10000), testing::Values(80, 40)))
 {
-    const simulation::Simulator simulator = simulation::Simulator::fromMetric(simulation::paperCamera(), 0.7, 20, 2.5, 3, 0.02);
+    const simulation::Simulator simulator =
+        simulation::Simulator::fromMetric(simulation::paperCamera(), 0.7, 20, 2.5, 3, 0.02);
     simulation::SegmentOptions options;
     options.count = get<0>(GetParam());
     options.inlierRatio = get<1>(GetParam()) / 100.;

@@ -12,7 +12,8 @@ const int BATCH = 1000;
 //! Samples of three segments on the left and one on the right wall at the motion of the paper's experiments.
 std::vector<VerticalSegment> samples()
 {
-    const simulation::Simulator simulator = simulation::Simulator::fromMetric(simulation::paperCamera(), 0.7, 20, 2.5, 3, 0.02);
+    const simulation::Simulator simulator =
+        simulation::Simulator::fromMetric(simulation::paperCamera(), 0.7, 20, 2.5, 3, 0.02);
     RNG rng(1);
     std::vector<VerticalSegment> result;
     while (result.size() < 4 * BATCH)
@@ -47,10 +48,18 @@ PERF_TEST_P(RSAckermann_Solver, solve, MinimalSolver::all())
             MinimalSolution solutions[8];
             switch (solver)
             {
-            case ONE_LA: found += solve1LA(s[0], options, solutions); break;
-            case THREE_LA: found += solve3LA(s + 1, true, options, solutions); break;
-            case FOUR_LA: found += solve4LA(s, true, options, solutions); break;
-            default: found += solve4LAExact(s, true, options, solutions); break;
+            case ONE_LA:
+                found += solve1LA(s[0], options, solutions);
+                break;
+            case THREE_LA:
+                found += solve3LA(s + 1, true, options, solutions);
+                break;
+            case FOUR_LA:
+                found += solve4LA(s, true, options, solutions);
+                break;
+            default:
+                found += solve4LAExact(s, true, options, solutions);
+                break;
             }
         }
     }

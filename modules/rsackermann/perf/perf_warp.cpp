@@ -33,9 +33,10 @@ AckermannMotion makeMotion(const RollingShutterCamera& camera)
     return motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
 }
 
-typedef TestBaseWithParam<tuple<Size, LensType, MapType> > Maps;
+typedef TestBaseWithParam<tuple<Size, LensType, MapType>> Maps;
 
-PERF_TEST_P(Maps, initRectifyMap, testing::Combine(testing::Values(szVGA, sz720p, sz1080p), LensType::all(), MapType::all()))
+PERF_TEST_P(Maps, initRectifyMap,
+            testing::Combine(testing::Values(szVGA, sz720p, sz1080p), LensType::all(), MapType::all()))
 {
     const RollingShutterCamera camera = makeCamera(get<0>(GetParam()), get<1>(GetParam()));
     const AckermannMotion motion = makeMotion(camera);
@@ -49,19 +50,23 @@ PERF_TEST_P(Maps, initRectifyMap, testing::Combine(testing::Values(szVGA, sz720p
 }
 
 // What OpenCV needs for the lens alone: to compare with.
-PERF_TEST_P(Maps, initUndistortRectifyMap, testing::Combine(testing::Values(szVGA, sz720p, sz1080p), testing::Values(PINHOLE_0, PINHOLE_5, PINHOLE_8),
-                                                            testing::Values(CV_32FC1)))
+PERF_TEST_P(Maps, initUndistortRectifyMap,
+            testing::Combine(testing::Values(szVGA, sz720p, sz1080p), testing::Values(PINHOLE_0, PINHOLE_5, PINHOLE_8),
+                             testing::Values(CV_32FC1)))
 {
     const RollingShutterCamera camera = makeCamera(get<0>(GetParam()), get<1>(GetParam()));
     const int type = get<2>(GetParam());
     Mat map1, map2;
-    initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix, camera.imageSize, type, map1, map2);
+    initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix, camera.imageSize,
+                            type, map1, map2);
     declare.out(map1, map2);
-    TEST_CYCLE() initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix, camera.imageSize, type, map1, map2);
+    TEST_CYCLE()
+    initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix, camera.imageSize,
+                            type, map1, map2);
     SANITY_CHECK_NOTHING();
 }
 
-typedef TestBaseWithParam<tuple<Size, LensType> > Distort;
+typedef TestBaseWithParam<tuple<Size, LensType>> Distort;
 
 PERF_TEST_P(Distort, initDistortMap, testing::Combine(testing::Values(szVGA, sz1080p), LensType::all()))
 {
@@ -75,9 +80,10 @@ PERF_TEST_P(Distort, initDistortMap, testing::Combine(testing::Values(szVGA, sz1
     SANITY_CHECK_NOTHING();
 }
 
-typedef TestBaseWithParam<tuple<int, LensType, bool> > Points; // number, lens, whether they are corrected or distorted
+typedef TestBaseWithParam<tuple<int, LensType, bool>> Points; // number, lens, whether they are corrected or distorted
 
-typedef void (WarpMapGenerator::*MovePoints)(const AckermannMotion&, InputArray, OutputArray, InputArray, OutputArray) const;
+typedef void (WarpMapGenerator::*MovePoints)(const AckermannMotion&, InputArray, OutputArray, InputArray,
+                                             OutputArray) const;
 
 PERF_TEST_P(Points, move, testing::Combine(testing::Values(100, 2000), LensType::all(), testing::Bool()))
 {

@@ -17,16 +17,15 @@
 
 using namespace cv;
 
-static const char* const KEYS =
-    "{help h     |           | print this message}"
-    "{@image     |           | raw image}"
-    "{@corrected | corrected.png | corrected image}"
-    "{@overlay   | overlay.png   | segments on the raw image}"
-    "{focal      | 0         | focal length in pixels; 0: 0.9 times the longer side}"
-    "{line_delay | 3.5e-5    | seconds between two rows}"
-    "{wall       | 2.5       | metres to the wall on the left}"
-    "{speed      | 60        | km/h, of the car's bus}"
-    "{yaw_rate   | 0         | deg/s, of the gyro}";
+static const char* const KEYS = "{help h     |           | print this message}"
+                                "{@image     |           | raw image}"
+                                "{@corrected | corrected.png | corrected image}"
+                                "{@overlay   | overlay.png   | segments on the raw image}"
+                                "{focal      | 0         | focal length in pixels; 0: 0.9 times the longer side}"
+                                "{line_delay | 3.5e-5    | seconds between two rows}"
+                                "{wall       | 2.5       | metres to the wall on the left}"
+                                "{speed      | 60        | km/h, of the car's bus}"
+                                "{yaw_rate   | 0         | deg/s, of the gyro}";
 
 //! [correct]
 static rsackermann::AckermannMotion correctFrame(const Mat& image, double focal, double lineDelay, Mat& corrected)
@@ -39,8 +38,10 @@ static rsackermann::AckermannMotion correctFrame(const Mat& image, double focal,
 //! [correct]
 
 //! [prior]
-static rsackermann::AckermannMotion correctWithSensors(const Mat& image, const rsackermann::RollingShutterCamera& camera,
-                                                       double wallDistance, double speed, double yawRate, Mat& corrected)
+static rsackermann::AckermannMotion correctWithSensors(const Mat& image,
+                                                       const rsackermann::RollingShutterCamera& camera,
+                                                       double wallDistance, double speed, double yawRate,
+                                                       Mat& corrected)
 {
     rsackermann::RollingShutterCorrector::Params params;
     params.estimator.wallDistance = wallDistance; // metres; without a length there is no speed in m/s
@@ -57,7 +58,8 @@ static rsackermann::AckermannMotion correctWithSensors(const Mat& image, const r
 //! [prior]
 
 //! [steps]
-static void correctStepByStep(const Mat& image, const rsackermann::RollingShutterCamera& camera, Mat& corrected, Mat& overlay)
+static void correctStepByStep(const Mat& image, const rsackermann::RollingShutterCamera& camera, Mat& corrected,
+                              Mat& overlay)
 {
     Mat segments, labels;
     const rsackermann::AckermannMotion motion =
@@ -85,11 +87,13 @@ static std::vector<Point2f> correctCorners(const Mat& image, const rsackermann::
 }
 //! [points]
 
-static void print(const char* title, const rsackermann::AckermannMotion& motion, const rsackermann::RollingShutterCamera& camera)
+static void print(const char* title, const rsackermann::AckermannMotion& motion,
+                  const rsackermann::RollingShutterCamera& camera)
 {
     //! [metric]
     double yawRate = 0, speed = 0;
-    std::cout << title << ": status " << motion.status << ", " << motion.inliers << " of " << motion.candidates << " candidates agree";
+    std::cout << title << ": status " << motion.status << ", " << motion.inliers << " of " << motion.candidates
+              << " candidates agree";
     if (motion.yawRate(camera, yawRate))
         std::cout << ", " << yawRate * 180 / CV_PI << " deg/s";
     if (motion.speed(camera, speed))
@@ -129,7 +133,8 @@ int main(int argc, const char** argv)
     double sum = 0;
     for (size_t i = 0; i < raw.size(); i++)
         sum += norm(moved[i] - raw[i]);
-    std::cout << raw.size() << " corners moved by " << (raw.empty() ? 0 : sum / double(raw.size())) << " px in the mean" << std::endl;
+    std::cout << raw.size() << " corners moved by " << (raw.empty() ? 0 : sum / double(raw.size())) << " px in the mean"
+              << std::endl;
 
     imwrite(parser.get<String>("@corrected"), corrected);
     imwrite(parser.get<String>("@overlay"), overlay);

@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// The method of P. Purkait and C. Zach, "Minimal Solvers for Monocular Rolling Shutter Compensation under Ackermann Motion" (WACV 2018), by
-// the minimal solvers alone: four vertical segments tell a motion, and the motion with which most segments agree is taken. The camera is upright.
+// The method of P. Purkait and C. Zach, "Minimal Solvers for Monocular Rolling Shutter Compensation under Ackermann
+// Motion" (WACV 2018), by the minimal solvers alone: four vertical segments tell a motion, and the motion with which
+// most segments agree is taken. The camera is upright.
 
 #include "opencv2/rsackermann.hpp"
 #include "opencv2/core/utility.hpp"
@@ -15,13 +16,12 @@
 using namespace cv;
 using namespace cv::rsackermann;
 
-static const char* const KEYS =
-    "{help h     |           | print this message}"
-    "{@image     |           | raw image of an upright camera}"
-    "{@corrected | corrected.png | corrected image}"
-    "{focal      | 0         | focal length in pixels; 0: 0.9 times the longer side}"
-    "{line_delay | 3.5e-5    | seconds between two rows}"
-    "{samples    | 500       | number of samples}";
+static const char* const KEYS = "{help h     |           | print this message}"
+                                "{@image     |           | raw image of an upright camera}"
+                                "{@corrected | corrected.png | corrected image}"
+                                "{focal      | 0         | focal length in pixels; 0: 0.9 times the longer side}"
+                                "{line_delay | 3.5e-5    | seconds between two rows}"
+                                "{samples    | 500       | number of samples}";
 
 //! [bearing]
 // Where the ends of a segment are seen in the horizontal plane, and when.
@@ -54,7 +54,8 @@ static AckermannMotion motionOf(const MinimalSolution& solution)
 
 //! [score]
 // How many segments a motion makes upright: both of their ends have the same column then.
-static int countUpright(const Ptr<WarpMapGenerator>& generator, const AckermannMotion& motion, const std::vector<Point2d>& ends)
+static int countUpright(const Ptr<WarpMapGenerator>& generator, const AckermannMotion& motion,
+                        const std::vector<Point2d>& ends)
 {
     const double threshold = 0.5; // pixels
     std::vector<Point2d> corrected;
@@ -95,7 +96,8 @@ int main(int argc, char** argv)
         std::cerr << "there are " << segments.size() << " vertical segments; 5 are needed" << std::endl;
         return 1;
     }
-    std::sort(segments.begin(), segments.end(), [](const Vec4f& a, const Vec4f& b) { return a[0] + a[2] < b[0] + b[2]; });
+    std::sort(segments.begin(), segments.end(),
+              [](const Vec4f& a, const Vec4f& b) { return a[0] + a[2] < b[0] + b[2]; });
     std::vector<Point2d> ends;
     for (size_t i = 0; i < segments.size(); i++)
     {
@@ -131,7 +133,8 @@ int main(int argc, char** argv)
 
     double yawRate = 0;
     best.yawRate(camera, yawRate);
-    std::cout << best.inliers << " of " << segments.size() << " segments agree, yaw rate " << yawRate * 180 / CV_PI << " deg/s" << std::endl;
+    std::cout << best.inliers << " of " << segments.size() << " segments agree, yaw rate " << yawRate * 180 / CV_PI
+              << " deg/s" << std::endl;
     Mat map1, map2, corrected;
     generator->initRectifyMap(best, map1, map2);
     remap(image, corrected, map1, map2, INTER_LINEAR);

@@ -7,8 +7,7 @@
 
 #include "opencv2/core.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Of what a caller tells: its powers, and quotients of two of them, are finite.
 const double LARGEST_VALUE = 1e30;
@@ -17,22 +16,24 @@ const double LARGEST_VALUE = 1e30;
 inline void checkFinite(double value, const char* name)
 {
     if (!(std::abs(value) <= LARGEST_VALUE))
-        CV_Error(Error::StsBadArg, format("%s is %g; a finite number up to %g is expected", name, value, LARGEST_VALUE));
+        CV_Error(Error::StsBadArg,
+                 format("%s is %g; a finite number up to %g is expected", name, value, LARGEST_VALUE));
 }
 
 //! Throws unless the value is finite and greater than 0.
 inline void checkPositive(double value, const char* name)
 {
     if (!(value >= 1 / LARGEST_VALUE && value <= LARGEST_VALUE))
-        CV_Error(Error::StsBadArg, format("%s is %g; a positive number up to %g is expected", name, value, LARGEST_VALUE));
+        CV_Error(Error::StsBadArg,
+                 format("%s is %g; a positive number up to %g is expected", name, value, LARGEST_VALUE));
 }
 
 //! Throws unless the value is finite and 0 or greater; 0 has the given meaning.
 inline void checkNotNegative(double value, const char* name, const char* meaningOfZero)
 {
     if (value != 0 && !(value >= 1 / LARGEST_VALUE && value <= LARGEST_VALUE))
-        CV_Error(Error::StsBadArg,
-                 format("%s is %g; a positive number up to %g, or 0 for %s, is expected", name, value, LARGEST_VALUE, meaningOfZero));
+        CV_Error(Error::StsBadArg, format("%s is %g; a positive number up to %g, or 0 for %s, is expected", name, value,
+                                          LARGEST_VALUE, meaningOfZero));
 }
 
 //! Throws unless the value is finite and within the limits, which belong to the range.

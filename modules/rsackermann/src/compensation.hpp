@@ -8,22 +8,24 @@
 #include "opencv2/rsackermann/solvers.hpp"
 #include <cmath>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-// A row turns the camera by a small angle, for which series are exact to double precision: up to this limit the first terms
-// left out are below x^12/13!, x^12/12! and x^11/13!, 1e-17, 1.3e-16 and 4e-17. T is double or a vector of them.
+// A row turns the camera by a small angle, for which series are exact to double precision: up to this limit the first
+// terms left out are below x^12/13!, x^12/12! and x^11/13!, 1e-17, 1.3e-16 and 4e-17. T is double or a vector of them.
 const double LARGEST_IN_SERIES = 0.25;
 
-template <class T> void sincAndCosSeries(const T& x, T& sincX, T& cosX)
+template <class T>
+void sincAndCosSeries(const T& x, T& sincX, T& cosX)
 {
     const T q = x * x;
-    sincX = T(1) + q * (T(-1. / 6) + q * (T(1. / 120) + q * (T(-1. / 5040) + q * (T(1. / 362880) - q * (1. / 39916800)))));
+    sincX =
+        T(1) + q * (T(-1. / 6) + q * (T(1. / 120) + q * (T(-1. / 5040) + q * (T(1. / 362880) - q * (1. / 39916800)))));
     cosX = T(1) + q * (T(-1. / 2) + q * (T(1. / 24) + q * (T(-1. / 720) + q * (T(1. / 40320) - q * (1. / 3628800)))));
 }
 
 //! Derivative of sinc.
-template <class T> T sincDerivativeSeries(const T& x)
+template <class T>
+T sincDerivativeSeries(const T& x)
 {
     const T q = x * x;
     return x * (T(-1. / 3) + q * (T(1. / 30) + q * (T(-1. / 840) + q * (T(1. / 45360) - q * (1. / 3991680)))));
@@ -56,7 +58,8 @@ struct Heading
 
 Yaw theta = 2 alpha t; position beta tau (s2, 0, c2) with tau = t sinc(theta/2).
 */
-template <class T> struct RowMotionOf
+template <class T>
+struct RowMotionOf
 {
     T c, s;   // cos, sin of theta
     T c2, s2; // cos, sin of theta/2 + heading
@@ -102,9 +105,9 @@ typedef RowMotionOf<double> RowMotion;
 
 /** A bearing turned into the reference frame, and how it shifts with the scaled inverse depth.
 
-With the direction (N, M) of the rotated bearing in the horizontal plane, X = N/M and g = gamma/M, the compensated column on the
-wall w = D - B x is p1 = (X + g D) / (1 + g B) = (N + gamma D) / (M + gamma B) (doc/theory.md, "Compensation"). This form has no
-poles, and (N, M, gamma) scale with the length of the bearing.
+With the direction (N, M) of the rotated bearing in the horizontal plane, X = N/M and g = gamma/M, the compensated
+column on the wall w = D - B x is p1 = (X + g D) / (1 + g B) = (N + gamma D) / (M + gamma B) (doc/theory.md,
+"Compensation"). This form has no poles, and (N, M, gamma) scale with the length of the bearing.
 */
 struct RotatedBearing
 {

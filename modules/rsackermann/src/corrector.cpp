@@ -11,10 +11,10 @@
 #include "segments.hpp"
 #include "storage.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-RollingShutterCorrector::Params::Params() : interpolation(INTER_LINEAR), carryMotion(false), trackPoints(true), frameInterval(1. / 30)
+RollingShutterCorrector::Params::Params()
+    : interpolation(INTER_LINEAR), carryMotion(false), trackPoints(true), frameInterval(1. / 30)
 {
 }
 
@@ -40,11 +40,13 @@ WarpMapGenerator::Params RollingShutterCorrector::Params::getWarpParams() const
 
 void RollingShutterCorrector::Params::write(FileStorage& fs) const
 {
-    fs << "estimator" << "{";
+    fs.startWriteStruct("estimator", FileNode::MAP);
     estimator.write(fs);
-    fs << "}" << "warp" << "{";
+    fs.endWriteStruct();
+    fs.startWriteStruct("warp", FileNode::MAP);
     warp.write(fs);
-    fs << "}" << "interpolation" << interpolation << "carry_motion" << carryMotion << "track_points" << trackPoints
+    fs.endWriteStruct();
+    fs << "interpolation" << interpolation << "carry_motion" << carryMotion << "track_points" << trackPoints
        << "frame_interval" << frameInterval;
 }
 
@@ -62,11 +64,18 @@ void RollingShutterCorrector::Params::check() const
 {
     estimator.check();
     warp.check();
-    if (interpolation != INTER_NEAREST && interpolation != INTER_LINEAR && interpolation != INTER_CUBIC && interpolation != INTER_LANCZOS4)
-        CV_Error(Error::StsBadArg, format("interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) "
-                                          "is expected", interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4));
+    if (interpolation != INTER_NEAREST && interpolation != INTER_LINEAR && interpolation != INTER_CUBIC &&
+        interpolation != INTER_LANCZOS4)
+        CV_Error(
+            Error::StsBadArg,
+            format(
+                "interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) "
+                "is expected",
+                interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4));
     if (!(frameInterval > 0 && frameInterval <= 3600))
-        CV_Error(Error::StsBadArg, format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval));
+        CV_Error(
+            Error::StsBadArg,
+            format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval));
 }
 
 // Whether a camera at rest already gives the global-shutter image.
@@ -81,9 +90,9 @@ static bool isIdentity(const RollingShutterCamera& camera, const WarpMapGenerato
 
 static bool isSameButForGravity(const RollingShutterCamera& a, const RollingShutterCamera& b)
 {
-    return a.imageSize == b.imageSize && a.cameraMatrix == b.cameraMatrix && a.distCoeffs == b.distCoeffs && a.lensModel == b.lensModel &&
-           a.scanDirection == b.scanDirection && a.lineDelay == b.lineDelay && a.referenceRow == b.referenceRow && a.heading == b.heading &&
-           a.height == b.height;
+    return a.imageSize == b.imageSize && a.cameraMatrix == b.cameraMatrix && a.distCoeffs == b.distCoeffs &&
+           a.lensModel == b.lensModel && a.scanDirection == b.scanDirection && a.lineDelay == b.lineDelay &&
+           a.referenceRow == b.referenceRow && a.heading == b.heading && a.height == b.height;
 }
 
 namespace {
@@ -110,8 +119,9 @@ class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
 {
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
-        : estimator(AckermannEstimator::create(camera, params_.estimator)), generator(WarpMapGenerator::create(camera, params_.warp)),
-          drive(camera, params_.estimator), time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
+        : estimator(AckermannEstimator::create(camera, params_.estimator)),
+          generator(WarpMapGenerator::create(camera, params_.warp)), drive(camera, params_.estimator), time(0),
+          timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
     {
         params_.check();
         params = params_;
@@ -176,7 +186,8 @@ public:
         return estimateAndWarp(src, dst, mask);
     }
 
-    AckermannMotion correctWithSegments(InputArray src, InputArray segments_, OutputArray dst, OutputArray mask) CV_OVERRIDE
+    AckermannMotion correctWithSegments(InputArray src, InputArray segments_, OutputArray dst,
+                                        OutputArray mask) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         checkSource(src);
@@ -238,8 +249,8 @@ private:
     {
         const Size expected = generator->getCamera().imageSize;
         if (src.size() != expected)
-            CV_Error(Error::StsBadArg, format("%s is %d x %d; the camera's size %d x %d is expected", name, src.cols(), src.rows(), expected.width,
-                                              expected.height));
+            CV_Error(Error::StsBadArg, format("%s is %d x %d; the camera's size %d x %d is expected", name, src.cols(),
+                                              src.rows(), expected.width, expected.height));
     }
 
     // The motion of a frame that follows from the one before.
@@ -297,8 +308,8 @@ private:
         timings[3] = watch.lap();
     }
 
-    void warp(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask, InputOutputArray columns,
-              InputOutputArray rows, Stopwatch& watch)
+    void warp(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,
+              InputOutputArray columns, InputOutputArray rows, Stopwatch& watch)
     {
         generator->initRectifyMap(motion, columns, rows, CV_32FC1, mask);
         timings[2] = watch.lap();
@@ -326,9 +337,9 @@ private:
     SegmentFinder finder;
     MotionPrior prior;
     DriveEstimator drive;
-    GrayFrame next;          // what is known of the image after the next one
+    GrayFrame next; // what is known of the image after the next one
     double time;
-    double timestamp;        // of the next image; not finite: not told
+    double timestamp; // of the next image; not finite: not told
 
     // of the last image
     Mat segments, labels;

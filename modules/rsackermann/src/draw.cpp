@@ -10,8 +10,7 @@
 #include "segments.hpp"
 #include "warp/points.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const int SHIFT = 4; // fractional bits of drawn coordinates
 
@@ -22,12 +21,14 @@ static void drawLine(Mat& image, const Point2d& a, const Point2d& b, const Scala
     if (!(std::abs(a.x) < limit && std::abs(a.y) < limit && std::abs(b.x) < limit && std::abs(b.y) < limit))
         return;
     const double scale = 1 << SHIFT;
-    line(image, Point(cvRound(a.x * scale), cvRound(a.y * scale)), Point(cvRound(b.x * scale), cvRound(b.y * scale)), colour, thickness,
-         LINE_AA, SHIFT);
+    line(image, Point(cvRound(a.x * scale), cvRound(a.y * scale)), Point(cvRound(b.x * scale), cvRound(b.y * scale)),
+         colour, thickness, LINE_AA, SHIFT);
 }
 
-/** |w| of inlier segments at the compensated columns of their middles (doc/theory.md, "Compensation"); 0 for the others. */
-static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels, const RollingShutterCamera& camera, const AckermannMotion& motion)
+/** |w| of inlier segments at the compensated columns of their middles (doc/theory.md, "Compensation"); 0 for the
+ * others. */
+static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels, const RollingShutterCamera& camera,
+                                         const AckermannMotion& motion)
 {
     std::vector<Point2d> middles, rays;
     for (int i = 0; i < segments.rows; i++)
@@ -53,7 +54,8 @@ static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels,
     return w;
 }
 
-static void drawSegments(Mat& image, const Mat& segments, const Mat& labels, const std::vector<double>& w, int thickness)
+static void drawSegments(Mat& image, const Mat& segments, const Mat& labels, const std::vector<double>& w,
+                         int thickness)
 {
     const Scalar grey(160, 160, 160), black(0, 0, 0);
     const double nearest = w.empty() ? 0 : *std::max_element(w.begin(), w.end());
@@ -65,15 +67,19 @@ static void drawSegments(Mat& image, const Mat& segments, const Mat& labels, con
             if (label != pass)
                 continue;
             const double nearness = nearest > 0 ? w[(size_t)i] / nearest : 0;
-            const Scalar colour = label == SEGMENT_REJECTED ? grey : label == SEGMENT_OUTLIER ? black : Scalar(255 * nearness, 0, 255 * (1 - nearness));
+            const Scalar colour = label == SEGMENT_REJECTED  ? grey
+                                  : label == SEGMENT_OUTLIER ? black
+                                                             : Scalar(255 * nearness, 0, 255 * (1 - nearness));
             const double* s = segments.ptr<double>(i);
-            drawLine(image, Point2d(s[0], s[1]), Point2d(s[2], s[3]), colour, label == SEGMENT_REJECTED ? 1 : thickness);
+            drawLine(image, Point2d(s[0], s[1]), Point2d(s[2], s[3]), colour,
+                     label == SEGMENT_REJECTED ? 1 : thickness);
         }
 }
 
-/** The line on which a wall w = D - B x meets the road w = G y, as pixels of the global-shutter camera from left to right
-(doc/theory.md, "Depth"). */
-static std::vector<Point2d> roadBorder(double B, double D, const RollingShutterCamera& camera, const AckermannMotion& motion)
+/** The line on which a wall w = D - B x meets the road w = G y, as pixels of the global-shutter camera from left to
+right (doc/theory.md, "Depth"). */
+static std::vector<Point2d> roadBorder(double B, double D, const RollingShutterCamera& camera,
+                                       const AckermannMotion& motion)
 {
     const int steps = 1000;
     const double maxAzimuth = 1.4;
@@ -89,7 +95,8 @@ static std::vector<Point2d> roadBorder(double B, double D, const RollingShutterC
     return pixels;
 }
 
-static void drawBorder(Mat& image, const std::vector<Point2d>& pixels, const RollingShutterCamera& camera, const AckermannMotion& motion, int thickness)
+static void drawBorder(Mat& image, const std::vector<Point2d>& pixels, const RollingShutterCamera& camera,
+                       const AckermannMotion& motion, int thickness)
 {
     std::vector<Place> places;
     distortPoints(camera, camera.cameraMatrix, motion, pixels, std::vector<double>(), places);
@@ -105,20 +112,26 @@ void drawMotion(InputOutputArray image_, InputArray segments_, InputArray labels
     camera.check();
     Mat image = image_.getMat();
     if (image.type() != CV_8UC3 || image.size() != camera.imageSize)
-        CV_Error(Error::StsBadArg, format("image is a %d x %d matrix of type %s; CV_8UC3 of the camera's size %d x %d is expected", image.cols,
-                                          image.rows, typeToString(image.type()).c_str(), camera.imageSize.width, camera.imageSize.height));
+        CV_Error(Error::StsBadArg,
+                 format("image is a %d x %d matrix of type %s; CV_8UC3 of the camera's size %d x %d is expected",
+                        image.cols, image.rows, typeToString(image.type()).c_str(), camera.imageSize.width,
+                        camera.imageSize.height));
     if (thickness < 1 || thickness > 255)
         CV_Error(Error::StsBadArg, format("thickness is %d; 1 to 255 is expected", thickness));
     const Mat segments = segmentRows(segments_), labels = labels_.getMat();
     if ((int)labels.total() != segments.rows || (segments.rows > 0 && labels.type() != CV_8U))
-        CV_Error(Error::StsBadArg, format("labels has %d elements of type %s; %d of CV_8U, one for each segment, are expected", (int)labels.total(),
-                                          typeToString(labels.type()).c_str(), segments.rows));
+        CV_Error(Error::StsBadArg,
+                 format("labels has %d elements of type %s; %d of CV_8U, one for each segment, are expected",
+                        (int)labels.total(), typeToString(labels.type()).c_str(), segments.rows));
 
     if (motion.status == MOTION_OK && motion.roadSlope != 0)
     {
         drawBorder(image, roadBorder(motion.wallSlope, motion.wallOffset, camera, motion), camera, motion, thickness);
         if (motion.wallRatio > 0)
-            drawBorder(image, roadBorder(-motion.wallRatio * motion.wallSlope, -motion.wallRatio * motion.wallOffset, camera, motion), camera, motion, thickness);
+            drawBorder(
+                image,
+                roadBorder(-motion.wallRatio * motion.wallSlope, -motion.wallRatio * motion.wallOffset, camera, motion),
+                camera, motion, thickness);
     }
     drawSegments(image, segments, labels, inverseDepths(segments, labels, camera, motion), thickness);
 }

@@ -35,15 +35,51 @@ struct VTraits
     enum { max_nlanes = V::nlanes };
 };
 
-template <typename V> inline V v_add(const V& a, const V& b) { return a + b; }
-template <typename V> inline V v_sub(const V& a, const V& b) { return a - b; }
-template <typename V> inline V v_mul(const V& a, const V& b) { return a * b; }
-template <typename V> inline V v_div(const V& a, const V& b) { return a / b; }
-template <typename V> inline V v_and(const V& a, const V& b) { return a & b; }
-template <typename V> inline V v_lt(const V& a, const V& b) { return a < b; }
-template <typename V> inline V v_gt(const V& a, const V& b) { return a > b; }
-template <typename V> inline V v_ge(const V& a, const V& b) { return a >= b; }
-template <typename V> inline V v_le(const V& a, const V& b) { return a <= b; }
+template <typename V>
+inline V v_add(const V& a, const V& b)
+{
+    return a + b;
+}
+template <typename V>
+inline V v_sub(const V& a, const V& b)
+{
+    return a - b;
+}
+template <typename V>
+inline V v_mul(const V& a, const V& b)
+{
+    return a * b;
+}
+template <typename V>
+inline V v_div(const V& a, const V& b)
+{
+    return a / b;
+}
+template <typename V>
+inline V v_and(const V& a, const V& b)
+{
+    return a & b;
+}
+template <typename V>
+inline V v_lt(const V& a, const V& b)
+{
+    return a < b;
+}
+template <typename V>
+inline V v_gt(const V& a, const V& b)
+{
+    return a > b;
+}
+template <typename V>
+inline V v_ge(const V& a, const V& b)
+{
+    return a >= b;
+}
+template <typename V>
+inline V v_le(const V& a, const V& b)
+{
+    return a <= b;
+}
 
 CV_CPU_OPTIMIZATION_HAL_NAMESPACE_END
 } // namespace cv
@@ -67,7 +103,8 @@ inline const NoLineSegmentDetector* createLineSegmentDetector(NoLineSegmentDetec
 }
 
 namespace cv {
-namespace ximgproc {}
+namespace ximgproc {
+}
 namespace rsackermann {
 
 /** LSD of the module that has it, with its own coordinates.
@@ -81,6 +118,7 @@ inline void detectLSDSegments(const Mat& gray, double scale, std::vector<Vec4f>&
     createLineSegmentDetector(LSD_REFINE_STD, scale)->detect(gray, segments);
 }
 
-}} // namespace cv::rsackermann
+}
+} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_OPENCV_VERSIONS_HPP

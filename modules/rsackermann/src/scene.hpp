@@ -7,8 +7,7 @@
 
 #include "opencv2/rsackermann/motion.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** The three planes of the scene (doc/theory.md, "Depth"): scaled inverse depth w, linear on every plane.
 
@@ -22,7 +21,10 @@ struct Scene
     double direction; // 1 forward, -1 reverse
 
     Scene() : B(0), D(0), lambda(0), G(0), direction(1) {}
-    explicit Scene(const AckermannMotion& m) : B(m.wallSlope), D(m.wallOffset), lambda(m.wallRatio), G(m.roadSlope), direction(m.direction < 0 ? -1 : 1) {}
+    explicit Scene(const AckermannMotion& m)
+        : B(m.wallSlope), D(m.wallOffset), lambda(m.wallRatio), G(m.roadSlope), direction(m.direction < 0 ? -1 : 1)
+    {
+    }
 
     /** w z of the nearest plane in the direction (x, y, z) of the global-shutter camera.
 

@@ -7,11 +7,10 @@
 
 #include "opencv2/rsackermann/camera.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** Reads a matrix; it keeps its values if there is none. One of another size is refused before OpenCV takes the memory for the size that the file
-tells, whatever elements there are.
+/** Reads a matrix; it keeps its values if there is none. One of another size is refused before OpenCV takes the memory
+for the size that the file tells, whatever elements there are.
 */
 template <int rows, int cols>
 void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& matrix)
@@ -26,11 +25,13 @@ void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& m
         cv::read(node["cols"], toldCols, -1);
     }
     if (toldRows != rows || toldCols != cols)
-        CV_Error(Error::StsBadArg, format("%s is %d x %d; a matrix of %d x %d is expected", key, toldRows, toldCols, rows, cols));
+        CV_Error(Error::StsBadArg,
+                 format("%s is %d x %d; a matrix of %d x %d is expected", key, toldRows, toldCols, rows, cols));
     cv::read(node, matrix, matrix);
 }
 
-/** Storage of the algorithms, each made from a camera and parameters: the keys of the parameters and a map with the camera.
+/** Storage of the algorithms, each made from a camera and parameters: the keys of the parameters and a map with the
+camera.
 @tparam Algorithm AckermannEstimator, WarpMapGenerator or RollingShutterCorrector.
 */
 template <class Algorithm>
@@ -38,9 +39,9 @@ struct AlgorithmStorage
 {
     static void write(const Algorithm& algorithm, FileStorage& fs)
     {
-        fs << "camera" << "{";
+        fs.startWriteStruct("camera", FileNode::MAP);
         algorithm.getCamera().write(fs);
-        fs << "}";
+        fs.endWriteStruct();
         algorithm.getParams().write(fs);
     }
 
@@ -61,11 +62,15 @@ struct AlgorithmStorage
     {
         const FileStorage fs(filename, FileStorage::READ);
         if (!fs.isOpened())
-            CV_Error(Error::StsBadArg, format("filename is \"%s\"; a file that save() has written is expected", filename.c_str()));
+            CV_Error(Error::StsBadArg,
+                     format("filename is \"%s\"; a file that save() has written is expected", filename.c_str()));
         const FileNode fn = objname.empty() ? fs.getFirstTopLevelNode() : fs[objname];
         if (fn["camera"].empty())
-            CV_Error(Error::StsBadArg, format("objname is \"%s\"; the name that save() has given an object in \"%s\", or an empty one for the "
-                                              "first object, is expected", objname.c_str(), filename.c_str()));
+            CV_Error(
+                Error::StsBadArg,
+                format("objname is \"%s\"; the name that save() has given an object in \"%s\", or an empty one for the "
+                       "first object, is expected",
+                       objname.c_str(), filename.c_str()));
         RollingShutterCamera camera;
         camera.read(fn["camera"]);
         typename Algorithm::Params params;

@@ -66,7 +66,8 @@ TEST_P(CalibrationScans, mount_and_line_delay_are_found)
         {
             const RollingShutterCamera truth = mounted(i % 2 ? 1.3 : 0.7, GetParam());
             const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess(GetParam()));
-            EXPECT_GT(drive(*calibrator, StreetDrive(truth, ROLL, PITCH, StreetDrive::Options(), i), 300, logged[l]), 250);
+            EXPECT_GT(drive(*calibrator, StreetDrive(truth, ROLL, PITCH, StreetDrive::Options(), i), 300, logged[l]),
+                      250);
             const MountCalibration c = calibrator->calibrate();
             EXPECT_TRUE(c.rollObserved && c.pitchObserved && c.headingObserved && c.lineDelayObserved) << i;
             roll.push_back(std::abs(c.roll - ROLL) / degree);
@@ -81,7 +82,8 @@ TEST_P(CalibrationScans, mount_and_line_delay_are_found)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(RSAckermann_Calibration, CalibrationScans, testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
+INSTANTIATE_TEST_CASE_P(RSAckermann_Calibration, CalibrationScans,
+                        testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
 
 TEST(RSAckermann_Calibration, sigmas_cover_the_errors)
 {
@@ -178,10 +180,10 @@ TEST(RSAckermann_Calibration, only_frames_that_follow_are_used)
     const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
     StreetDrive street(mounted(1), ROLL, PITCH, StreetDrive::Options(), 5);
     const StreetDrive::Frame f = street.frame(0, 1 / 30.);
-    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 10));             // the first one
+    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 10)); // the first one
     EXPECT_TRUE(calibrator->addPoints(f.points, f.segments, 10 + 1 / 30.));
-    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 20));             // after a gap
-    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 19));             // of another drive
+    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 20));            // after a gap
+    EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 19));            // of another drive
     EXPECT_FALSE(calibrator->addPoints(noArray(), f.segments, 19 + 1 / 30.)); // nothing tracked
     EXPECT_EQ(1, calibrator->calibrate().frames);
     calibrator->clear();
@@ -212,9 +214,10 @@ TEST(RSAckermann_Calibration, bad_arguments)
     columns.scanDirection = SCAN_LEFT_TO_RIGHT;
     EXPECT_THROW(MountCalibrator::create(columns), cv::Exception);
     EXPECT_THROW(MountCalibrator::create(RollingShutterCamera()), cv::Exception);
-    double MountCalibrator::Params::*const fields[] = {&MountCalibrator::Params::tiltSigma, &MountCalibrator::Params::headingSigma,
-                                                       &MountCalibrator::Params::lineDelaySigma, &MountCalibrator::Params::suspensionSigma,
-                                                       &MountCalibrator::Params::suspensionTime};
+    double MountCalibrator::Params::*const fields[] = {
+        &MountCalibrator::Params::tiltSigma, &MountCalibrator::Params::headingSigma,
+        &MountCalibrator::Params::lineDelaySigma, &MountCalibrator::Params::suspensionSigma,
+        &MountCalibrator::Params::suspensionTime};
     const double bad[] = {0, -1, NaN, infinity};
     for (size_t f = 0; f < 5; f++)
         for (size_t v = 0; v < 4; v++)

@@ -155,7 +155,8 @@ TEST(RSAckermann_Camera, seconds_per_unit_time)
     camera.lineDelay = 2e-5;
     EXPECT_DOUBLE_EQ(0.01, camera.secondsPerUnitTime());
     // a line takes the line delay
-    EXPECT_NEAR(2e-5, (camera.rowTime(Point2d(0, 11)) - camera.rowTime(Point2d(0, 10))) * camera.secondsPerUnitTime(), 1e-18);
+    EXPECT_NEAR(2e-5, (camera.rowTime(Point2d(0, 11)) - camera.rowTime(Point2d(0, 10))) * camera.secondsPerUnitTime(),
+                1e-18);
 }
 
 TEST(RSAckermann_Camera, lens_coefficients)
@@ -173,7 +174,9 @@ TEST(RSAckermann_Camera, lens_coefficients)
 
 typedef void (*Spoil)(RollingShutterCamera&);
 typedef std::pair<const char*, Spoil> BadField;
-class RSAckermann_CameraCheck : public testing::TestWithParam<BadField> {};
+class RSAckermann_CameraCheck : public testing::TestWithParam<BadField>
+{
+};
 
 TEST_P(RSAckermann_CameraCheck, names_the_field)
 {

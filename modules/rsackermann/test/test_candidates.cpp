@@ -27,7 +27,8 @@ double slantOf(const Simulator& simulator, double x, double distance)
     return (after[0] / after[2] - before[0] / before[2]) / (2 * t);
 }
 
-// A vertical at the least distance, seen by a car as fast and turning as fast as it may, is what the gate just lets through.
+// A vertical at the least distance, seen by a car as fast and turning as fast as it may, is what the gate just lets
+// through.
 TEST(RSAckermann_Candidates, largest_slant)
 {
     const AckermannEstimator::Params params = paramsWithWall(2.5);
@@ -42,8 +43,10 @@ TEST(RSAckermann_Candidates, largest_slant)
             double largest = 0;
             // A wall seen at the azimuth of x is nearest if it is square to the line of sight.
             for (int sign = 0; sign < 4; sign++)
-                largest = std::max(largest, std::abs(slantOf(Simulator::fromMetric(camera, (sign % 2 ? 1 : -1) * params.maxYawRate,
-                                                                                   (sign / 2 ? 1 : -1) * params.maxSpeed, 2.5, 0, 0), x, 2.5)));
+                largest = std::max(
+                    largest, std::abs(slantOf(Simulator::fromMetric(camera, (sign % 2 ? 1 : -1) * params.maxYawRate,
+                                                                    (sign / 2 ? 1 : -1) * params.maxSpeed, 2.5, 0, 0),
+                                              x, 2.5)));
             EXPECT_NEAR(largest, limits.maxSlant(x, camera.heading), 1e-5) << k << " " << column;
         }
     }
@@ -112,7 +115,9 @@ TEST(RSAckermann_Candidates, sorts_segments)
     ASSERT_EQ(3u, others.size());
     for (int i = 0; i < 3; i++)
         EXPECT_EQ(2 + i, others[i].index);
-    EXPECT_NEAR(0.19 * 100 / 816., std::abs(verticals[0].u[0] - verticals[0].v[0]) + std::abs(verticals[1].u[0] - verticals[1].v[0]), 1e-9);
+    EXPECT_NEAR(0.19 * 100 / 816.,
+                std::abs(verticals[0].u[0] - verticals[0].v[0]) + std::abs(verticals[1].u[0] - verticals[1].v[0]),
+                1e-9);
     EXPECT_NEAR(100 / 816., verticals[0].timeV - verticals[0].timeU, 1e-9);
 }
 
@@ -123,7 +128,8 @@ TEST(RSAckermann_Candidates, what_is_nearly_vertical_is_neither)
     AckermannEstimator::Params params = paramsWithWall(50);
     params.maxYawRate = 0.1;
     params.slantTolerance = 0.02;
-    const double x = camera.cameraMatrix(0, 2), steepest = MotionLimits(camera, params).maxSlant(0, 0) + params.slantTolerance;
+    const double x = camera.cameraMatrix(0, 2),
+                 steepest = MotionLimits(camera, params).maxSlant(0, 0) + params.slantTolerance;
     ASSERT_LT(steepest, 0.1);
     const double slants[] = {0.9 * steepest, 1.1 * steepest, 0.9 * params.maxSlant, 1.1 * params.maxSlant};
     Mat segments(4, 4, CV_64F);

@@ -23,7 +23,7 @@ template <class T, class Value>
 void expectSameFields(const T& a, const T& b, std::initializer_list<Value T::*> fields)
 {
     int number = 0;
-    for (Value T::* const field : fields)
+    for (Value T::*const field : fields)
         EXPECT_EQ(a.*field, b.*field) << "field " << number++;
 }
 
@@ -46,7 +46,8 @@ inline RollingShutterCamera exampleCamera()
 inline void expectSame(const RollingShutterCamera& a, const RollingShutterCamera& b)
 {
     typedef RollingShutterCamera T;
-    expectSameFields(a, b, {&T::lineDelay, &T::referenceRow, &T::heading, &T::height, &T::focalSigma, &T::lineDelaySigma});
+    expectSameFields(a, b,
+                     {&T::lineDelay, &T::referenceRow, &T::heading, &T::height, &T::focalSigma, &T::lineDelaySigma});
     expectSameFields(a, b, {&T::lensModel, &T::scanDirection});
     EXPECT_EQ(a.imageSize, b.imageSize);
     EXPECT_EQ(a.cameraMatrix, b.cameraMatrix);
@@ -84,8 +85,9 @@ inline AckermannMotion exampleMotion()
 inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
 {
     typedef AckermannMotion T;
-    expectSameFields(a, b, {&T::alpha, &T::wallSlope, &T::wallOffset, &T::wallRatio, &T::roadSlope, &T::rollCorrection,
-                            &T::pitchCorrection, &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedLeft});
+    expectSameFields(a, b,
+                     {&T::alpha, &T::wallSlope, &T::wallOffset, &T::wallRatio, &T::roadSlope, &T::rollCorrection,
+                      &T::pitchCorrection, &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedLeft});
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
     EXPECT_EQ(a.covariance, b.covariance);
@@ -106,7 +108,8 @@ inline MotionPrior examplePrior()
 inline void expectSame(const MotionPrior& a, const MotionPrior& b)
 {
     typedef MotionPrior T;
-    expectSameFields(a, b, {&T::speed, &T::speedSigma, &T::yawRate, &T::yawRateSigma, &T::wallDirection, &T::wallDirectionSigma});
+    expectSameFields(
+        a, b, {&T::speed, &T::speedSigma, &T::yawRate, &T::yawRateSigma, &T::wallDirection, &T::wallDirectionSigma});
 }
 
 //! Parameters none of which has its default; the same holds for the other ones below.
@@ -139,9 +142,10 @@ inline AckermannEstimator::Params exampleEstimatorParams()
 inline void expectSame(const AckermannEstimator::Params& a, const AckermannEstimator::Params& b)
 {
     typedef AckermannEstimator::Params T;
-    expectSameFields(a, b, {&T::minLength, &T::maxSlant, &T::slantTolerance, &T::threshold, &T::confidence, &T::maxYawRate, &T::maxSpeed,
-                            &T::wallDistance, &T::roadRatio, &T::gravitySigma, &T::vehiclePitchSigma, &T::wallDeviationSigma,
-                            &T::usualYawRate, &T::reverseProbability});
+    expectSameFields(a, b,
+                     {&T::minLength, &T::maxSlant, &T::slantTolerance, &T::threshold, &T::confidence, &T::maxYawRate,
+                      &T::maxSpeed, &T::wallDistance, &T::roadRatio, &T::gravitySigma, &T::vehiclePitchSigma,
+                      &T::wallDeviationSigma, &T::usualYawRate, &T::reverseProbability});
     expectSameFields(a, b, {&T::model, &T::detector, &T::minCandidates, &T::maxIterations, &T::seed});
     EXPECT_EQ(a.scaleFromRoad, b.scaleFromRoad);
 }

@@ -47,7 +47,8 @@ struct RandomScene
 UprightSegment randomCandidate(RNG& rng)
 {
     UprightSegment c;
-    const Point2d u = uniformPoint(rng, Point2d(-0.6, -0.4), Point2d(0.6, 0.4)), v = uniformPoint(rng, Point2d(-0.03, -0.4), Point2d(0.03, 0.4));
+    const Point2d u = uniformPoint(rng, Point2d(-0.6, -0.4), Point2d(0.6, 0.4)),
+                  v = uniformPoint(rng, Point2d(-0.03, -0.4), Point2d(0.03, 0.4));
     c.u = Vec3d(u.x, u.y, 1);
     c.v = Vec3d(u.x + v.x, v.y, 1);
     c.timeU = rng.uniform(-0.25, 0.25);
@@ -114,7 +115,8 @@ TEST(RSAckermann_Compensation, row_motion_agrees_with_integration)
         const RowMotion row(alpha, heading, t);
         const Drive drive(2 * alpha, 1, heading);
         ASSERT_LT(cv::norm(drive.position(t) - row.tau * Vec3d(row.s2, 0, row.c2)), 1e-13);
-        ASSERT_LT(cv::norm(drive.turn(Vec3d(0.3, 0.1, 1), t) - Vec3d(0.3 * row.c + row.s, 0.1, row.c - 0.3 * row.s)), 1e-15);
+        ASSERT_LT(cv::norm(drive.turn(Vec3d(0.3, 0.1, 1), t) - Vec3d(0.3 * row.c + row.s, 0.1, row.c - 0.3 * row.s)),
+                  1e-15);
     }
 }
 
@@ -136,7 +138,8 @@ TEST(RSAckermann_Compensation, column_agrees_with_ray_casting)
                 continue;
             const double scale = plane == simulation::LEFT ? 1 : -scene.model[P_LAMBDA];
             const double length = rng.uniform(0.5, 2.);
-            const RotatedBearing rotated(HorizontalBearing(length * bearing[0], length * bearing[2]), RowMotion(scene.model[P_ALPHA], scene.heading, t));
+            const RotatedBearing rotated(HorizontalBearing(length * bearing[0], length * bearing[2]),
+                                         RowMotion(scene.model[P_ALPHA], scene.heading, t));
             const double B = scale * scene.model[P_B], D = scale * scene.model[P_D];
             ASSERT_NEAR(expected, rotated.column(B, D), 1e-12 * (1 + expected * expected));
             compared++;
@@ -162,7 +165,8 @@ TEST(RSAckermann_Compensation, residual_agrees_with_ray_casting)
         for (int plane = simulation::LEFT; plane <= simulation::RIGHT; plane++)
         {
             double a, b;
-            if (!trueColumn(scene, Surface(plane), u, candidate.timeU, a) || !trueColumn(scene, Surface(plane), v, candidate.timeV, b))
+            if (!trueColumn(scene, Surface(plane), u, candidate.timeU, a) ||
+                !trueColumn(scene, Surface(plane), v, candidate.timeV, b))
                 continue;
             int wall = -1;
             const double residual = verticalResidual(candidate, scene.model, scene.heading, wall, 0);
@@ -242,7 +246,8 @@ TEST(RSAckermann_Compensation, residual_at_infinity)
         if (wall != simulation::NOTHING)
             continue;
         const double a = scene.model[P_ALPHA];
-        ASSERT_NEAR(std::tan(std::atan(c.u[0]) + 2 * a * c.timeU) - std::tan(std::atan(c.v[0]) + 2 * a * c.timeV), residual, 1e-14);
+        ASSERT_NEAR(std::tan(std::atan(c.u[0]) + 2 * a * c.timeU) - std::tan(std::atan(c.v[0]) + 2 * a * c.timeV),
+                    residual, 1e-14);
         ASSERT_EQ(0, jacobian[P_B]);
         ASSERT_EQ(0, jacobian[P_D]);
         seen++;

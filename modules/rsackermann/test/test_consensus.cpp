@@ -48,7 +48,8 @@ TEST(RSAckermann_Consensus, samples_and_their_mirror_images)
     const double speeds[] = {20, -15}, directions[] = {0, 4};
     for (int k = 0; k < 2; k++)
     {
-        const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.5, speeds[k], 2.5, 3, directions[k] * degree);
+        const Simulator street =
+            Simulator::fromMetric(simulation::paperCamera(), 0.5, speeds[k], 2.5, 3, directions[k] * degree);
         AckermannEstimator::Params params;
         params.wallDistance = 2.5;
         int left;
@@ -98,8 +99,11 @@ TEST(RSAckermann_Consensus, what_is_known_saves_a_segment)
         {
             MotionPrior& prior = v ? vague : exact;
             (k == 0 ? prior.yawRate : k == 1 ? prior.speed : prior.wallDirection) = k == 0 ? 0.5 : k == 1 ? 20 : 0;
-            (k == 0 ? prior.yawRateSigma : k == 1 ? prior.speedSigma : prior.wallDirectionSigma) =
-                k == 0 ? (v ? 0.3 : 0.01) * problem.limits.maxAlpha * 2 / unit : k == 1 ? (v ? 6 : 0.2) : (v ? 0.1 : 0.001);
+            (k == 0   ? prior.yawRateSigma
+             : k == 1 ? prior.speedSigma
+                      : prior.wallDirectionSigma) = k == 0   ? (v ? 0.3 : 0.01) * problem.limits.maxAlpha * 2 / unit
+                                                    : k == 1 ? (v ? 6 : 0.2)
+                                                             : (v ? 0.1 : 0.001);
         }
         problem.prior = PriorTerms(vague, street.camera, params, problem.limits);
         EXPECT_EQ(4, CandidateConsensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5).sampleSize()) << k;

@@ -190,7 +190,8 @@ TEST(RSAckermann_Corrector, column_shutter_is_not_observable)
     camera.scanDirection = SCAN_LEFT_TO_RIGHT;
     const Mat src = noiseImage(camera.imageSize, CV_8UC1);
     Mat dst;
-    EXPECT_EQ(MOTION_NOT_OBSERVABLE, RollingShutterCorrector::create(camera)->correctWithSegments(src, segments, dst).status);
+    EXPECT_EQ(MOTION_NOT_OBSERVABLE,
+              RollingShutterCorrector::create(camera)->correctWithSegments(src, segments, dst).status);
     EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
 }
 
@@ -201,7 +202,8 @@ TEST(RSAckermann_Corrector, tiny_images)
     {
         const Mat src = noiseImage(sizes[i], CV_8UC3);
         Mat dst, mask;
-        const AckermannMotion motion = RollingShutterCorrector::create(RollingShutterCamera::fromFocal(sizes[i]))->correct(src, dst, mask);
+        const AckermannMotion motion =
+            RollingShutterCorrector::create(RollingShutterCamera::fromFocal(sizes[i]))->correct(src, dst, mask);
         EXPECT_NE(MOTION_OK, motion.status);
         EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
         EXPECT_EQ(sizes[i].area(), cv::countNonZero(mask));
@@ -343,7 +345,8 @@ TEST(RSAckermann_Corrector, bad_segments_change_nothing)
 
 TEST(RSAckermann_Corrector, setters_are_all_or_nothing)
 {
-    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(exampleCamera(), exampleCorrectorParams());
+    const Ptr<RollingShutterCorrector> corrector =
+        RollingShutterCorrector::create(exampleCamera(), exampleCorrectorParams());
     const RollingShutterCorrector::Params example = exampleCorrectorParams();
     for (int i = 0; i < 3; i++)
     {
@@ -372,7 +375,8 @@ TEST(RSAckermann_Corrector, every_type_that_remap_takes)
     {
         Mat converted, dst;
         src.convertTo(converted, depths[i]);
-        EXPECT_EQ(MOTION_OK, RollingShutterCorrector::create(camera)->correctWithSegments(converted, segments, dst).status);
+        EXPECT_EQ(MOTION_OK,
+                  RollingShutterCorrector::create(camera)->correctWithSegments(converted, segments, dst).status);
         EXPECT_EQ(converted.type(), dst.type());
     }
 }
@@ -383,12 +387,15 @@ Mat noisySegments(const RollingShutterCamera& camera, double yawRate, double spe
     RNG rng(seed);
     simulation::SegmentOptions options;
     options.noise = 0.3;
-    return simulation::randomSegments(Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, camera.heading), options, rng).ends;
+    return simulation::randomSegments(Simulator::fromMetric(camera, yawRate, speed, 2.5, 3, camera.heading), options,
+                                      rng)
+        .ends;
 }
 
 const double INTERVAL = 0.05; // seconds between two frames
 
-//! A corrector for motions, whose images don't show a point that could be tracked, beside an estimator of the same settings.
+//! A corrector for motions, whose images don't show a point that could be tracked, beside an estimator of the same
+//! settings.
 class CorrectorOfFrames
 {
 public:
@@ -419,7 +426,8 @@ public:
         MotionPrior prior;
         before.yawRate(camera, prior.yawRate);
         prior.yawRate *= kept;
-        prior.yawRateSigma = std::sqrt(kept * kept * before.metricCovariance(camera)(0, 0) + (1 - kept * kept) * usual * usual);
+        prior.yawRateSigma =
+            std::sqrt(kept * kept * before.metricCovariance(camera)(0, 0) + (1 - kept * kept) * usual * usual);
         return alone(segments, prior);
     }
 
@@ -531,7 +539,8 @@ TEST(RSAckermann_Corrector, another_scene_is_recognised)
     for (int i = 0; i < 3; i++)
         c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst);
     const AckermannMotion known = c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst);
-    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, known.status) << "an image that stays the same is one of a camera at rest, whatever the segments say";
+    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, known.status)
+        << "an image that stays the same is one of a camera at rest, whatever the segments say";
     expectSame(c.alone(b), c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 2), b, dst));
 }
 
@@ -543,7 +552,8 @@ TEST(RSAckermann_Corrector, points_arent_tracked_unless_asked_for)
     const Mat a = noisySegments(c.camera, 0.6, 20, 3);
     Mat dst;
     for (int i = 0; i < 3; i++)
-        EXPECT_EQ(MOTION_OK, c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst).status) << i;
+        EXPECT_EQ(MOTION_OK, c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst).status)
+            << i;
 }
 
 TEST(RSAckermann_Corrector, next_frame)
@@ -575,7 +585,8 @@ TEST(RSAckermann_Corrector, carrying_pays_in_a_steady_drive)
             double yawRate = 0;
             motion.yawRate(c.camera, yawRate);
             if (i >= skipped)
-                error[carried] += Vec2d(std::abs(yawRate - trueYawRate), truth.meanDisplacement(Simulator::fromMotion(c.camera, motion)));
+                error[carried] += Vec2d(std::abs(yawRate - trueYawRate),
+                                        truth.meanDisplacement(Simulator::fromMotion(c.camera, motion)));
         }
     }
     for (int k = 0; k < 2; k++)
@@ -591,7 +602,9 @@ TEST(RSAckermann_Corrector, bad_arguments)
     EXPECT_THROW(corrector->correct(Mat(), dst), cv::Exception);
     EXPECT_THROW(corrector->correct(noiseImage(Size(380, 640), CV_8UC1), dst), cv::Exception);
     EXPECT_THROW(corrector->correct(Mat(camera.imageSize, CV_8UC2, Scalar(0)), dst), cv::Exception);
-    EXPECT_THROW(corrector->correctWithSegments(noiseImage(camera.imageSize, CV_8UC1), Mat(5, 3, CV_32F, Scalar(1)), dst), cv::Exception);
+    EXPECT_THROW(
+        corrector->correctWithSegments(noiseImage(camera.imageSize, CV_8UC1), Mat(5, 3, CV_32F, Scalar(1)), dst),
+        cv::Exception);
 
     RollingShutterCorrector::Params params;
     params.interpolation = INTER_AREA;

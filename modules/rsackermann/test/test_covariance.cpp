@@ -18,10 +18,14 @@ struct Knowledge
     double speedSigma;   // m/s, of the error of a known speed; 0: it isn't known
     double focalNoise;   // standard deviation of the relative error of the focal length, which the estimator knows of
     double delayNoise;   // the same of the line delay
-    double within2[4], within3[4]; // least shares within two and three sigma: yaw rate, speed, line at infinity, ratio of the walls
+    // Least shares within two and three sigma: yaw rate, speed, line at infinity, ratio of the walls
+    double within2[4], within3[4];
 };
 
-void PrintTo(const Knowledge& knowledge, std::ostream* out) { *out << knowledge.name; }
+void PrintTo(const Knowledge& knowledge, std::ostream* out)
+{
+    *out << knowledge.name;
+}
 
 //! The image of a line along the street on one of the planes.
 bool randomStreetLine(const Simulator& simulator, const Vec3d& along, RNG& rng, Vec4d& segment)
@@ -81,10 +85,12 @@ struct Coverage
     }
 };
 
-class RSAckermann_Covariance : public testing::TestWithParam<Knowledge> {};
+class RSAckermann_Covariance : public testing::TestWithParam<Knowledge>
+{
+};
 
-// For standard deviations that are those of the errors a share of 95.4 % is expected within two and 99.7 % within three of
-// them. Larger ones would pass, too, if they weren't bounded: at most 99 % may lie within two.
+// For standard deviations that are those of the errors a share of 95.4 % is expected within two and 99.7 % within three
+// of them. Larger ones would pass, too, if they weren't bounded: at most 99 % may lie within two.
 TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
 {
     const Knowledge& knowledge = GetParam();
@@ -95,9 +101,12 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
     for (int i = 0; i < frames; i++)
     {
         // With uncertain gravity the yaw rate is what the estimator takes for usual, and can't be tested at others.
-        const double any = rng.uniform(-70., 70.), usual = 5 * usually.gaussian(1) / std::sqrt(-std::log(usually.uniform(1e-6, 1.)));
-        const double yawRate = (knowledge.gravityNoise > 0 ? std::min(std::max(usual, -80.), 80.) : any) * degree, speed = rng.uniform(10., 140.) / 3.6;
-        const double left = rng.uniform(2., 4.), right = rng.uniform(2., 4.), wallDirection = rng.uniform(-3., 3.) * degree;
+        const double any = rng.uniform(-70., 70.),
+                     usual = 5 * usually.gaussian(1) / std::sqrt(-std::log(usually.uniform(1e-6, 1.)));
+        const double yawRate = (knowledge.gravityNoise > 0 ? std::min(std::max(usual, -80.), 80.) : any) * degree,
+                     speed = rng.uniform(10., 140.) / 3.6;
+        const double left = rng.uniform(2., 4.), right = rng.uniform(2., 4.),
+                     wallDirection = rng.uniform(-3., 3.) * degree;
         RollingShutterCamera camera = simulation::paperCamera();
         const Simulator simulator = Simulator::fromMetric(camera, yawRate, speed, left, right, wallDirection);
         const Mat segments = randomFrame(simulator, wallDirection, knowledge.streetLines, rng);
@@ -105,7 +114,8 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
         const double tilt = knowledge.gravityNoise * degree;
         const Point2d rollPitch = gaussianPoint(rng, tilt);
         camera.setRollPitch(rollPitch.x, rollPitch.y);
-        const double focalScale = 1 + cameraErrors.gaussian(knowledge.focalNoise), delayScale = 1 + cameraErrors.gaussian(knowledge.delayNoise);
+        const double focalScale = 1 + cameraErrors.gaussian(knowledge.focalNoise),
+                     delayScale = 1 + cameraErrors.gaussian(knowledge.delayNoise);
         camera.cameraMatrix(0, 0) *= focalScale;
         camera.cameraMatrix(1, 1) *= focalScale;
         camera.focalSigma = knowledge.focalNoise * camera.cameraMatrix(0, 0);
@@ -124,7 +134,8 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
         double gotYawRate = 0, gotSpeed = 0;
         motion.yawRate(camera, gotYawRate);
         motion.speed(camera, gotSpeed);
-        const double errors[4] = {gotYawRate - yawRate, gotSpeed - speed, motion.delta() - std::tan(wallDirection), motion.wallRatio - left / right};
+        const double errors[4] = {gotYawRate - yawRate, gotSpeed - speed, motion.delta() - std::tan(wallDirection),
+                                  motion.wallRatio - left / right};
         for (int k = 0; k < 4; k++)
             coverage[k].add(errors[k], covariance(k, k));
     }
@@ -143,16 +154,18 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
 }
 
 // The posterior of uncertain gravity is described by one covariance only, which its tails of speed and walls exceed.
-const Knowledge knowledges[] = {{"verticals", 0, 0, 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-                                {"street_lines", 40, 0, 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-                                {"speed", 40, 0, 0.5, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-                                {"focal_length_off_by_10_percent", 40, 0, 0, 0.1, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-                                {"line_delay_off_by_10_percent", 40, 0, 0, 0, 0.1, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-                                {"gravity_off_by_1_degree", 40, 1, 0, 0, 0, {0.9, 0.85, 0.8, 0.85}, {0.97, 0.93, 0.87, 0.95}}};
+const Knowledge knowledges[] = {
+    {"verticals", 0, 0, 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+    {"street_lines", 40, 0, 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+    {"speed", 40, 0, 0.5, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+    {"focal_length_off_by_10_percent", 40, 0, 0, 0.1, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+    {"line_delay_off_by_10_percent", 40, 0, 0, 0, 0.1, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
+    {"gravity_off_by_1_degree", 40, 1, 0, 0, 0, {0.9, 0.85, 0.8, 0.85}, {0.97, 0.93, 0.87, 0.95}}};
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, RSAckermann_Covariance, testing::ValuesIn(knowledges));
 
-// Mean absolute logarithm of the ratio of the yaw rate's standard deviations from two equivalent descriptions of frames.
+// Mean absolute logarithm of the ratio of the yaw rate's standard deviations from two equivalent descriptions of
+// frames.
 double inequality(const RollingShutterCamera& other, double speed)
 {
     RNG rng(3);
@@ -188,7 +201,8 @@ TEST(RSAckermann_CovarianceOfEquivalents, mirrored_street)
     EXPECT_LT(inequality(simulation::paperCamera(), 15), 0.05);
 }
 
-// Rows read from below are those of a drive backward in time, whose forward direction is behind the camera: azimuths near half a turn.
+// Rows read from below are those of a drive backward in time, whose forward direction is behind the camera: azimuths
+// near half a turn.
 TEST(RSAckermann_CovarianceOfEquivalents, rear_camera)
 {
     RollingShutterCamera rear = simulation::paperCamera();

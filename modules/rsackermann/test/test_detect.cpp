@@ -12,11 +12,13 @@ Mat quadrilateral(int type)
 {
     Mat image(240, 320, CV_8U, Scalar(60));
     const int shift = 4, one = 1 << shift;
-    const Point corners[] = {Point(80 * one, 40 * one), Point(220 * one, 45 * one), Point(230 * one, 200 * one), Point(90 * one, 195 * one)};
+    const Point corners[] = {Point(80 * one, 40 * one), Point(220 * one, 45 * one), Point(230 * one, 200 * one),
+                             Point(90 * one, 195 * one)};
     fillConvexPoly(image, corners, 4, Scalar(180), LINE_AA, shift);
     Mat blurred, result;
     GaussianBlur(image, blurred, Size(5, 5), 0.8);
-    blurred.convertTo(result, CV_MAT_DEPTH(type), CV_MAT_DEPTH(type) == CV_16U ? 20 : 1, CV_MAT_DEPTH(type) == CV_16U ? 3000 : 0);
+    blurred.convertTo(result, CV_MAT_DEPTH(type), CV_MAT_DEPTH(type) == CV_16U ? 20 : 1,
+                      CV_MAT_DEPTH(type) == CV_16U ? 3000 : 0);
     if (CV_MAT_CN(type) > 1)
         cvtColor(result, result, CV_MAT_CN(type) == 3 ? COLOR_GRAY2BGR : COLOR_GRAY2BGRA);
     return result;
@@ -30,7 +32,8 @@ bool covers(const Mat& segments, const Point2d& a, const Point2d& b)
     {
         const float* s = segments.ptr<float>(i);
         const Point2d p = Point2d(s[0], s[1]) - a, q = Point2d(s[2], s[3]) - a;
-        if (std::abs(along.cross(p)) < 1 && std::abs(along.cross(q)) < 1 && std::abs(along.dot(p - q)) > 0.8 * cv::norm(b - a))
+        if (std::abs(along.cross(p)) < 1 && std::abs(along.cross(q)) < 1 &&
+            std::abs(along.dot(p - q)) > 0.8 * cv::norm(b - a))
             return true;
     }
     return false;
@@ -69,14 +72,16 @@ TEST_P(Detectors, segments_of_the_caller_s_type)
     EXPECT_EQ(0u, list.size());
 }
 
-//! Facades with noise as a 16-bit camera sees them: levels from low to high, noise with a hundredth of that as its deviation.
+//! Facades with noise as a 16-bit camera sees them: levels from low to high, noise with a hundredth of that as its
+//! deviation.
 Mat facades16(double low, double high, int seed = 5)
 {
     Mat image(380, 640, CV_32F, Scalar(0)), blurred, result;
     RNG rng(seed);
     for (int i = 0; i < 60; i++)
     {
-        const int height = rng.uniform(40, 160), width = rng.uniform(15, 60), y = rng.uniform(0, 300), x = rng.uniform(0, 600);
+        const int height = rng.uniform(40, 160), width = rng.uniform(15, 60), y = rng.uniform(0, 300),
+                  x = rng.uniform(0, 600);
         const Rect window(x, y, width, height);
         rectangle(image, window, Scalar(rng.uniform(0., 1.)), FILLED);
     }
@@ -98,9 +103,11 @@ int countFound(const Mat& segments, const Mat& others)
         for (int j = 0; j < others.rows && !isFound; j++)
         {
             const Vec4f other = *others.ptr<Vec4f>(j);
-            const Point2d a(other[0], other[1]), b(other[2], other[3]), p(s[0], s[1]), q(s[2], s[3]), along = (b - a) / cv::norm(b - a);
+            const Point2d a(other[0], other[1]), b(other[2], other[3]), p(s[0], s[1]), q(s[2], s[3]),
+                along = (b - a) / cv::norm(b - a);
             const double middle = along.dot((p + q) / 2 - a);
-            isFound = std::abs(along.cross(p - a)) < 1 && std::abs(along.cross(q - a)) < 1 && middle > 0 && middle < cv::norm(b - a);
+            isFound = std::abs(along.cross(p - a)) < 1 && std::abs(along.cross(q - a)) < 1 && middle > 0 &&
+                      middle < cv::norm(b - a);
         }
         found += isFound;
     }
@@ -132,8 +139,9 @@ TEST_P(Detectors, one_bright_or_dark_pixel_in_16_bit_images)
     }
 }
 
-// A lamp of half a percent of the pixels moves the range of the rest by less than a hundredth. A change of the contrast by that much makes detectors cut many
-// segments elsewhere, in smooth images most: no more than that may be lost to the lamp, but for what is chance.
+// A lamp of half a percent of the pixels moves the range of the rest by less than a hundredth. A change of the contrast
+// by that much makes detectors cut many segments elsewhere, in smooth images most: no more than that may be lost to the
+// lamp, but for what is chance.
 TEST_P(Detectors, lamps_in_16_bit_images)
 {
     const int low = 3000, high = 6000, values[] = {65535, 0};
@@ -165,7 +173,8 @@ TEST_P(Detectors, lamps_in_16_bit_images)
         }
         ASSERT_GE(all, 200);
         ASSERT_GE(all8Bit, 200);
-        const double share = withOtherContrast / double(all8Bit), sigma = std::sqrt(share * (1 - share) * (1. / all + 1. / all8Bit));
+        const double share = withOtherContrast / double(all8Bit),
+                     sigma = std::sqrt(share * (1 - share) * (1. / all + 1. / all8Bit));
         for (int i = 0; i < 2; i++)
             EXPECT_GE(withLamp[i] / double(all), share - 3 * sigma) << values[i] << ", scale " << scale;
     }
@@ -209,7 +218,8 @@ Mat edge(double x, double slope, bool brightRight)
         {
             double covered = 0;
             for (int k = 0; k < samples; k++)
-                covered += std::min(std::max(u + 0.5 - x - slope * (v - 0.5 + (k + 0.5) / samples - 120), 0.), 1.) / samples;
+                covered +=
+                    std::min(std::max(u + 0.5 - x - slope * (v - 0.5 + (k + 0.5) / samples - 120), 0.), 1.) / samples;
             image.at<uchar>(v, u) = saturate_cast<uchar>(60 + 120 * (brightRight ? covered : 1 - covered));
         }
     GaussianBlur(image, blurred, Size(), 0.6);
@@ -280,7 +290,8 @@ TEST_P(Detectors, large_images)
                 if (std::abs(s[0] - x[j]) < std::abs(s[0] - x[nearest]))
                     nearest = j;
             for (int end = 0; end < 4; end += 2)
-                EXPECT_NEAR(x[nearest] + slope * (s[end + 1] - size.height / 2), s[end], 0.15) << size << ", edge " << nearest;
+                EXPECT_NEAR(x[nearest] + slope * (s[end + 1] - size.height / 2), s[end], 0.15)
+                    << size << ", edge " << nearest;
             lengths[nearest] += std::abs(s[3] - s[1]);
         }
         for (size_t j = 0; j < x.size(); j++)
@@ -310,7 +321,8 @@ TEST_P(Detectors, ends_in_large_images_are_exact)
                 double error = 10;
                 for (size_t j = 0; j < x.size(); j++)
                 {
-                    const double e = segments.at<float>(k, end) - x[j] - slope * (segments.at<float>(k, end + 1) - size.height / 2);
+                    const double e =
+                        segments.at<float>(k, end) - x[j] - slope * (segments.at<float>(k, end + 1) - size.height / 2);
                     error = std::abs(e) < std::abs(error) ? e : error;
                 }
                 EXPECT_NEAR(0, error, 0.04) << slope << ", segment " << k;
@@ -388,7 +400,9 @@ TEST_P(Detectors, minimum_length)
     EXPECT_GE(all.rows, lengthy.rows);
     EXPECT_GE(lengthy.rows, 2);
     for (int i = 0; i < lengthy.rows; i++)
-        EXPECT_GE(std::hypot(lengthy.at<float>(i, 2) - lengthy.at<float>(i, 0), lengthy.at<float>(i, 3) - lengthy.at<float>(i, 1)), 100);
+        EXPECT_GE(std::hypot(lengthy.at<float>(i, 2) - lengthy.at<float>(i, 0),
+                             lengthy.at<float>(i, 3) - lengthy.at<float>(i, 1)),
+                  100);
     EXPECT_EQ(0, none.rows);
     EXPECT_EQ(4, none.cols);
     EXPECT_EQ(CV_32FC1, none.type());
@@ -438,12 +452,13 @@ TEST_P(Detectors, serpentine)
     EXPECT_GE(segments.rows, 30);
 }
 
-INSTANTIATE_TEST_CASE_P(RSAckermann, Detectors, testing::Values(
-    DETECTOR_LSD
+INSTANTIATE_TEST_CASE_P(RSAckermann, Detectors,
+                        testing::Values(DETECTOR_LSD
 #ifdef HAVE_OPENCV_XIMGPROC
-    , DETECTOR_FLD, DETECTOR_EDLINES
+                                        ,
+                                        DETECTOR_FLD, DETECTOR_EDLINES
 #endif
-));
+                                        ));
 
 TEST(RSAckermann_Detect, bad_arguments)
 {
@@ -456,7 +471,8 @@ TEST(RSAckermann_Detect, bad_arguments)
     EXPECT_THROW(detectSegments(image, segments, 3), cv::Exception);
     EXPECT_THROW(detectSegments(image, segments, -1), cv::Exception);
     EXPECT_THROW(detectSegments(image, segments, DETECTOR_LSD, -1), cv::Exception);
-    EXPECT_THROW(detectSegments(image, segments, DETECTOR_LSD, std::numeric_limits<double>::quiet_NaN()), cv::Exception);
+    EXPECT_THROW(detectSegments(image, segments, DETECTOR_LSD, std::numeric_limits<double>::quiet_NaN()),
+                 cv::Exception);
 }
 
 #ifndef HAVE_OPENCV_XIMGPROC

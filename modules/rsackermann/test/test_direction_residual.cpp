@@ -45,7 +45,10 @@ struct RoadScene
         tilt = motion.uprightRotation(RollingShutterCamera::fromFocal(Size(640, 380)));
     }
 
-    PreparedModel prepare(const Model& m, bool translates) const { return PreparedModel(m, heading, roadRatio, translates); }
+    PreparedModel prepare(const Model& m, bool translates) const
+    {
+        return PreparedModel(m, heading, roadRatio, translates);
+    }
 
     //! The plane that shows a point at a time and its bearing in the tilted camera.
     Surface see(const Vec3d& P, double t, Vec3d& bearing) const
@@ -53,11 +56,12 @@ struct RoadScene
         const Vec3d inCamera = drive.toCamera(P, t);
         const Vec3d tilted = tilt.t() * inCamera;
         bearing = tilted * (1 / tilted[2]);
-        return inCamera[2] > 0.1 && tilted[2] > 0.1 ? street.first(drive.position(t), drive.turn(inCamera, t)) : simulation::NOTHING;
+        return inCamera[2] > 0.1 && tilted[2] > 0.1 ? street.first(drive.position(t), drive.turn(inCamera, t))
+                                                    : simulation::NOTHING;
     }
 
-    /** The image of a line along (or, on the road, across) the street. Returns false if it isn't seen, or near the border of
-    two planes. */
+    /** The image of a line along (or, on the road, across) the street. Returns false if it isn't seen, or near the
+    border of two planes. */
     bool randomLine(RNG& rng, bool across, UprightSegment& c, Surface& plane) const
     {
         const Point2d point = uniformPoint(rng, Point2d(-0.5, -0.3), Point2d(0.5, 0.3));
@@ -78,7 +82,8 @@ struct RoadScene
         for (int k = 0; k < 2; k++)
             for (int i = -1; i <= 1; i++)
                 for (int j = -1; j <= 1; j++)
-                    if (street.first(Vec3d(), (k ? Q : P) * (1 / (k ? Q : P)[2]) + Vec3d(i * margin, j * margin, 0)) != plane)
+                    if (street.first(Vec3d(), (k ? Q : P) * (1 / (k ? Q : P)[2]) + Vec3d(i * margin, j * margin, 0)) !=
+                        plane)
                         return false;
         return true;
     }
@@ -130,7 +135,8 @@ TEST(RSAckermann_DirectionResidual, pure_rotation)
 }
 
 // Fourth-order difference quotient with a step that is a fraction of a small change of the parameter.
-double differenceQuotient(const UprightSegment& c, Model model, const RoadScene& scene, Parameter p, bool translates, double fraction)
+double differenceQuotient(const UprightSegment& c, Model model, const RoadScene& scene, Parameter p, bool translates,
+                          double fraction)
 {
     const double h = fraction * (p == P_B || p == P_D ? std::hypot(model[P_B], model[P_D]) : 0.1);
     const double at = model[p], weights[] = {1. / 12, -2. / 3, 0, 2. / 3, -1. / 12};
@@ -171,7 +177,8 @@ TEST(RSAckermann_DirectionResidual, jacobian_agrees_with_differences)
             // the residual jumps where the plane changes, so that the step matters
             if (std::abs(expected - other) > 1e-6 * std::abs(expected) + 1e-9)
                 continue;
-            ASSERT_NEAR(expected, jacobian[p], 1e-5 * std::abs(expected) + 1e-8) << "parameter " << p << ", plane " << plane;
+            ASSERT_NEAR(expected, jacobian[p], 1e-5 * std::abs(expected) + 1e-8)
+                << "parameter " << p << ", plane " << plane;
             compared[plane][p]++;
         }
     }

@@ -28,7 +28,11 @@ const int CAMERAS = 6;
 //! A motion so small that squares don't count.
 AckermannMotion smallMotion(const RollingShutterCamera& camera, int k)
 {
-    AckermannMotion m = motionFromMetric(camera, k % 3 == 1 ? 0 : -0.002, k % 3 == 2 ? 0 : k % 2 ? -0.05 : 0.05, 2.5, 3, camera.heading + 0.1);
+    AckermannMotion m = motionFromMetric(camera, k % 3 == 1 ? 0 : -0.002,
+                                         k % 3 == 2 ? 0
+                                         : k % 2    ? -0.05
+                                                    : 0.05,
+                                         2.5, 3, camera.heading + 0.1);
     m.status = MOTION_OK;
     return m;
 }
@@ -59,7 +63,8 @@ TEST(RSAckermann_DisplacementField, is_that_of_the_simulator)
             for (int i = 0; i < ROWS; i++)
                 for (int j = 0; j < COLUMNS; j++)
                 {
-                    const Point2d raw((j + 0.5) / COLUMNS * camera.imageSize.width - 0.5, (i + 0.5) / ROWS * camera.imageSize.height - 0.5);
+                    const Point2d raw((j + 0.5) / COLUMNS * camera.imageSize.width - 0.5,
+                                      (i + 0.5) / ROWS * camera.imageSize.height - 0.5);
                     Point2d global;
                     ASSERT_TRUE(simulator.globalPixel(raw, global));
                     const int n = 2 * (i * COLUMNS + j);

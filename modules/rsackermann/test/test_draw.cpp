@@ -29,16 +29,18 @@ TEST(Draw, colours_tell_labels_and_distance)
 {
     RollingShutterCamera camera = makeCamera();
     camera.height = 0; // no road
-    const std::vector<Vec4f> segments = {Vec4f(40, 60, 40, 160), Vec4f(280, 60, 280, 160), Vec4f(600, 60, 600, 160), Vec4f(350, 60, 350, 160),
-                                         Vec4f(200, 60, 200, 160), Vec4f(450, 60, 450, 160)};
-    const std::vector<uchar> labels = {SEGMENT_LEFT_WALL, SEGMENT_LEFT_WALL, SEGMENT_RIGHT_WALL, SEGMENT_RIGHT_WALL, SEGMENT_OUTLIER, SEGMENT_REJECTED};
+    const std::vector<Vec4f> segments = {Vec4f(40, 60, 40, 160),   Vec4f(280, 60, 280, 160), Vec4f(600, 60, 600, 160),
+                                         Vec4f(350, 60, 350, 160), Vec4f(200, 60, 200, 160), Vec4f(450, 60, 450, 160)};
+    const std::vector<uchar> labels = {SEGMENT_LEFT_WALL,  SEGMENT_LEFT_WALL, SEGMENT_RIGHT_WALL,
+                                       SEGMENT_RIGHT_WALL, SEGMENT_OUTLIER,   SEGMENT_REJECTED};
     Mat image(camera.imageSize, CV_8UC3, Scalar::all(255));
     drawMotion(image, segments, labels, camera, makeMotion(camera), 3);
 
     const Vec3b nearLeft = colourAt(image, segments[0]), farLeft = colourAt(image, segments[1]);
     const Vec3b nearRight = colourAt(image, segments[2]), farRight = colourAt(image, segments[3]);
     EXPECT_EQ(Vec3b(255, 0, 0), nearLeft); // the nearest of all
-    // From far to near red fades into blue; on the straight left wall w is proportional to the distance from the centre.
+    // From far to near red fades into blue; on the straight left wall w is proportional to the distance from the
+    // centre.
     for (const Vec3b& c : {farLeft, nearRight, farRight})
     {
         EXPECT_EQ(0, c[1]);
@@ -59,7 +61,8 @@ TEST(Draw, colours_tell_labels_and_distance)
 // Where the walls meet the road, by an exact simulation of points there.
 std::vector<Point2d> borderPoints(const RollingShutterCamera& camera, double wallDirection)
 {
-    const simulation::Simulator simulator = simulation::Simulator::fromMetric(camera, 40 * CV_PI / 180, 80 / 3.6, 2.5, 3, wallDirection);
+    const simulation::Simulator simulator =
+        simulation::Simulator::fromMetric(camera, 40 * CV_PI / 180, 80 / 3.6, 2.5, 3, wallDirection);
     std::vector<Point2d> points;
     for (double side : {-2.5, 3.})
         for (double x = -1.57; x < 1.57; x += 2e-4)
@@ -129,7 +132,8 @@ TEST(Draw, segments_at_rest_are_far)
     const RollingShutterCamera camera = makeCamera();
     Mat image(camera.imageSize, CV_8UC3, Scalar::all(255));
     const Vec4f segment(40, 60, 40, 160);
-    drawMotion(image, std::vector<Vec4f>(1, segment), std::vector<uchar>(1, SEGMENT_LEFT_WALL), camera, AckermannMotion());
+    drawMotion(image, std::vector<Vec4f>(1, segment), std::vector<uchar>(1, SEGMENT_LEFT_WALL), camera,
+               AckermannMotion());
     EXPECT_EQ(Vec3b(0, 0, 255), colourAt(image, segment));
 }
 
@@ -138,7 +142,8 @@ TEST(Draw, coordinates_that_make_no_sense)
     const RollingShutterCamera camera = makeCamera();
     Mat image(camera.imageSize, CV_8UC3, Scalar::all(255));
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-    const std::vector<Vec4f> segments = {Vec4f(nan, 0, 1, 1), Vec4f(0, inf, 10, 10), Vec4f(1e30f, 5, -1e30f, 7), Vec4f(40, 60, 40, 160)};
+    const std::vector<Vec4f> segments = {Vec4f(nan, 0, 1, 1), Vec4f(0, inf, 10, 10), Vec4f(1e30f, 5, -1e30f, 7),
+                                         Vec4f(40, 60, 40, 160)};
     EXPECT_NO_THROW(drawMotion(image, segments, std::vector<uchar>(4, SEGMENT_LEFT_WALL), camera, makeMotion(camera)));
     EXPECT_GT(colourAt(image, segments[3])[0], 200);
 }
@@ -149,7 +154,8 @@ TEST(Draw, bad_arguments)
     const AckermannMotion motion = makeMotion(camera);
     const std::vector<Vec4f> segments(2, Vec4f(1, 2, 3, 4));
     const std::vector<uchar> labels(2, SEGMENT_OUTLIER);
-    Mat image(camera.imageSize, CV_8UC3, Scalar::all(0)), grey(camera.imageSize, CV_8UC1, Scalar(0)), small(10, 10, CV_8UC3, Scalar::all(0)), empty;
+    Mat image(camera.imageSize, CV_8UC3, Scalar::all(0)), grey(camera.imageSize, CV_8UC1, Scalar(0)),
+        small(10, 10, CV_8UC3, Scalar::all(0)), empty;
     EXPECT_NO_THROW(drawMotion(image, segments, labels, camera, motion));
     EXPECT_THROW(drawMotion(grey, segments, labels, camera, motion), cv::Exception);
     EXPECT_THROW(drawMotion(small, segments, labels, camera, motion), cv::Exception);

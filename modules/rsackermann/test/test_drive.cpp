@@ -49,10 +49,12 @@ bool randomPair(const Simulator& s, double seconds, RNG& rng, PointPair& pair)
     // The same motion brought the car here: its frame before is at the reference row of that time.
     Simulator other = s;
     other.drive.yaw -= T * s.drive.yawChange;
-    return other.project(s.drive.toCamera(P, -T), pair.other) && pair.other.x > 0 && pair.other.x < s.camera.imageSize.width;
+    return other.project(s.drive.toCamera(P, -T), pair.other) && pair.other.x > 0 &&
+           pair.other.x < s.camera.imageSize.width;
 }
 
-std::vector<PointPair> randomPairs(const Simulator& s, double seconds, int count, double noise, double outliers, RNG& rng)
+std::vector<PointPair> randomPairs(const Simulator& s, double seconds, int count, double noise, double outliers,
+                                   RNG& rng)
 {
     std::vector<PointPair> pairs;
     for (int tries = 0; int(pairs.size()) < count && tries < 100 * count; tries++)
@@ -90,8 +92,9 @@ DriveState stateOf(const RollingShutterCamera& camera, const Truth& truth)
 Truth randomTruth(RNG& rng)
 {
     const int walls = rng.uniform(0, 3);
-    const Truth truth = {rng.uniform(-0.5, 0.5), rng.uniform(0., 1.) < 0.2 ? rng.uniform(-4., -1.) : rng.uniform(2., 25.),
-                         walls == 1 ? 0 : rng.uniform(4., 15.), walls == 2 ? 0 : rng.uniform(4., 15.), rng.uniform(-0.2, 0.2)};
+    const Truth truth = {
+        rng.uniform(-0.5, 0.5), rng.uniform(0., 1.) < 0.2 ? rng.uniform(-4., -1.) : rng.uniform(2., 25.),
+        walls == 1 ? 0 : rng.uniform(4., 15.), walls == 2 ? 0 : rng.uniform(4., 15.), rng.uniform(-0.2, 0.2)};
     return truth;
 }
 
@@ -112,7 +115,8 @@ TEST_P(Scans, points_move_as_the_simulated_motion_moves_them)
         std::copy(value.val, value.val + DRIVE_VALUES, values);
         const std::vector<Sight> sights = sightsOf(camera, pairs, seconds);
         for (size_t k = 0; k < sights.size(); k++, count++)
-            ASSERT_LT(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)), 1e-6) << "motion " << i << ", point " << k;
+            ASSERT_LT(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)), 1e-6)
+                << "motion " << i << ", point " << k;
     }
     EXPECT_GT(count, 8000);
 }
@@ -157,7 +161,8 @@ TEST_P(Scans, derivatives_are_those_of_slow_motions)
         Truth truth = randomTruth(rng);
         truth.yawRate *= 0.1;
         truth.speed *= 0.1;
-        const std::vector<Sight> sights = sightsOf(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
+        const std::vector<Sight> sights =
+            sightsOf(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
         double values[FLOW_VALUES] = {0}, jacobian[2][FLOW_VALUES];
         const DriveVector value = stateOf(camera, truth).value;
         std::copy(value.val, value.val + DRIVE_VALUES, values);
@@ -195,7 +200,8 @@ TEST_P(Scans, motion_is_found)
         const std::vector<Sight> sights = sightsOf(camera, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
         if (sights.size() < 100)
             continue;
-        const DriveFit fit = fitDrive(camera, sights, std::vector<UprightSegment>(), DriveState(camera, AckermannEstimator::Params()), true);
+        const DriveFit fit = fitDrive(camera, sights, std::vector<UprightSegment>(),
+                                      DriveState(camera, AckermannEstimator::Params()), true);
         EXPECT_TRUE(fit.moves) << i;
         EXPECT_LT(fit.left, 0.5) << i;
         EXPECT_GT(fit.agreeing, 0.7) << i;
@@ -225,13 +231,15 @@ TEST(RSAckermann_Drive, rest_is_rest)
         std::vector<PointPair> pairs = randomPairs(simulate(camera, moving), 0.05, 200, 0, 0, rng);
         for (size_t k = 0; k < pairs.size(); k++)
             pairs[k].other = pairs[k].now + gaussianPoint(rng, 0.2);
-        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<UprightSegment>(), DriveState(camera, AckermannEstimator::Params()), true);
+        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
+                                      DriveState(camera, AckermannEstimator::Params()), true);
         EXPECT_FALSE(fit.moves) << i;
         EXPECT_LT(std::abs(fit.state.value[DRIVE_YAW_RATE]), 0.5 * DEGREE) << i;
     }
 }
 
-//! Median error in degrees of the roll that verticals tell, with the motion known from points, or else from the frames before.
+//! Median error in degrees of the roll that verticals tell, with the motion known from points, or else from the frames
+//! before.
 double rollError(bool hasPoints)
 {
     std::vector<double> errors;
@@ -300,7 +308,8 @@ TEST(RSAckermann_Drive, measurement_is_weighed)
     state.measure(DRIVE_SPEED, 20, sigma);
     EXPECT_NEAR((before.value[DRIVE_SPEED] * sigma * sigma + 20 * variance) / total, state.value[DRIVE_SPEED], 1e-9);
     EXPECT_NEAR(variance * sigma * sigma / total, state.covariance(DRIVE_SPEED, DRIVE_SPEED), 1e-9);
-    EXPECT_NEAR(before.value[DRIVE_ROAD] + 0.5 * (20 - before.value[DRIVE_SPEED]) / total, state.value[DRIVE_ROAD], 1e-9);
+    EXPECT_NEAR(before.value[DRIVE_ROAD] + 0.5 * (20 - before.value[DRIVE_SPEED]) / total, state.value[DRIVE_ROAD],
+                1e-9);
     const DriveState same = state;
     state.measure(DRIVE_SPEED, 5, 0);
     EXPECT_EQ(same.value[DRIVE_SPEED], state.value[DRIVE_SPEED]);
@@ -313,7 +322,8 @@ TEST(RSAckermann_Drive, state_is_a_motion)
     for (int i = 0; i < 200; i++)
     {
         const Truth truth = randomTruth(rng);
-        const AckermannMotion expected = motionFromMetric(camera, truth.yawRate, truth.speed, truth.left, truth.right, truth.direction);
+        const AckermannMotion expected =
+            motionFromMetric(camera, truth.yawRate, truth.speed, truth.left, truth.right, truth.direction);
         AckermannMotion got;
         stateOf(camera, truth).toMotion(camera.secondsPerUnitTime(), got);
         EXPECT_NEAR(expected.alpha, got.alpha, 1e-12);
@@ -344,7 +354,8 @@ TEST(RSAckermann_Drive, derivatives_of_the_model)
             high[v] += h;
             const Model a = toModel(low, unit, 0), b = toModel(high, unit, 0);
             for (int p = 0; p < PARAMETERS; p++)
-                EXPECT_NEAR((b.value[p] - a.value[p]) / (2 * h), J(p, v), 1e-5 * (1 + std::abs(J(p, v)))) << "parameter " << p << " by value " << v;
+                EXPECT_NEAR((b.value[p] - a.value[p]) / (2 * h), J(p, v), 1e-5 * (1 + std::abs(J(p, v))))
+                    << "parameter " << p << " by value " << v;
         }
     }
 }

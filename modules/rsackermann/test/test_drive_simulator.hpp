@@ -7,8 +7,7 @@
 
 #include "test_simulator.hpp"
 
-namespace opencv_test {
-namespace simulation {
+namespace opencv_test { namespace simulation {
 
 //! A sum of oscillations with random phases.
 class Oscillation
@@ -45,12 +44,16 @@ class StreetDrive
 public:
     struct Options
     {
-        Options() : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), points(150), segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1) {}
-        double yawRate;        // rad/s, standard deviation
-        double tilt;           // radians, the same of roll and pitch of the suspension
-        int points, segments;  // of each frame
-        double noise;          // pixels, of a tracked point
-        double endNoise;       // pixels, of the ends of a segment
+        Options()
+            : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), points(150), segments(40), noise(0.3), endNoise(0.3),
+              outliers(0.1), clutter(0.1)
+        {
+        }
+        double yawRate;           // rad/s, standard deviation
+        double tilt;              // radians, the same of roll and pitch of the suspension
+        int points, segments;     // of each frame
+        double noise;             // pixels, of a tracked point
+        double endNoise;          // pixels, of the ends of a segment
         double outliers, clutter; // shares of points and of segments
     };
 
@@ -62,9 +65,11 @@ public:
         double yawRate, speed; // true ones
     };
 
-    StreetDrive(const cv::rsackermann::RollingShutterCamera& camera_, double roll_, double pitch_, const Options& options_, int seed)
-        : camera(camera_), roll(roll_), pitch(pitch_), options(options_), rng(seed), yawRate(options.yawRate, 3, 10, rng), speed(2, 4, 20, rng),
-          swayRoll(options.tilt, 0.8, 4, rng), swayPitch(options.tilt, 0.8, 4, rng), left(2, 4, 20, rng), right(2, 4, 20, rng), direction(0.05, 4, 20, rng)
+    StreetDrive(const cv::rsackermann::RollingShutterCamera& camera_, double roll_, double pitch_,
+                const Options& options_, int seed)
+        : camera(camera_), roll(roll_), pitch(pitch_), options(options_), rng(seed),
+          yawRate(options.yawRate, 3, 10, rng), speed(2, 4, 20, rng), swayRoll(options.tilt, 0.8, 4, rng),
+          swayPitch(options.tilt, 0.8, 4, rng), left(2, 4, 20, rng), right(2, 4, 20, rng), direction(0.05, 4, 20, rng)
     {
     }
 
@@ -104,8 +109,8 @@ private:
     Simulator simulator(double seconds) const
     {
         const cv::rsackermann::RollingShutterCamera c = tilted(seconds);
-        Simulator s = Simulator::fromMetric(c, yawRate.at(seconds), speedAt(seconds), 8 + left.at(seconds), 8 + right.at(seconds),
-                                            camera.heading + direction.at(seconds));
+        Simulator s = Simulator::fromMetric(c, yawRate.at(seconds), speedAt(seconds), 8 + left.at(seconds),
+                                            8 + right.at(seconds), camera.heading + direction.at(seconds));
         const double unit = c.secondsPerUnitTime(), h = 1e-3;
         s.drive.yawChange = (yawRate.at(seconds + h) - yawRate.at(seconds - h)) / (2 * h) * unit * unit;
         return s;
@@ -114,12 +119,14 @@ private:
     bool randomPoint(const Simulator& now, const Simulator& before, double interval, Vec4d& pair)
     {
         const double T = interval / now.camera.secondsPerUnitTime();
-        const Point2d pixel = uniformPoint(rng, Point2d(0, 0), Point2d(camera.imageSize.width - 1, camera.imageSize.height - 1));
+        const Point2d pixel =
+            uniformPoint(rng, Point2d(0, 0), Point2d(camera.imageSize.width - 1, camera.imageSize.height - 1));
         const double t = now.time(pixel);
         const Vec3d place = now.drive.position(t), ray = now.drive.turn(now.bearing(pixel), t);
         const Surface surface = now.street.first(place, ray);
         Point2d past;
-        if (surface == NOTHING || !before.project(now.drive.toCamera(place + now.street.distance(surface, place, ray) * ray, -T), past))
+        if (surface == NOTHING ||
+            !before.project(now.drive.toCamera(place + now.street.distance(surface, place, ray) * ray, -T), past))
             return false;
         past += gaussianPoint(rng, options.noise);
         if (rng.uniform(0., 1.) < options.outliers)

@@ -18,14 +18,14 @@ typedef AckermannEstimator::Params Params;
 struct Passage
 {
     const char* name;
-    double yawRate;       // deg/s
-    double speed;         // m/s
-    double left, right;   // m
-    double heading;       // deg, also the direction of the walls
-    double roll, pitch;   // deg
+    double yawRate;     // deg/s
+    double speed;       // m/s
+    double left, right; // m
+    double heading;     // deg, also the direction of the walls
+    double roll, pitch; // deg
     int scanDirection;
     bool distorted;
-    double pixelRatio;    // fx / fy
+    double pixelRatio; // fx / fy
 
     Simulator simulator() const
     {
@@ -40,7 +40,10 @@ struct Passage
     }
 };
 
-void PrintTo(const Passage& passage, std::ostream* out) { *out << passage.name; }
+void PrintTo(const Passage& passage, std::ostream* out)
+{
+    *out << passage.name;
+}
 
 const Passage passages[] = {
     {"two walls", 40, 20, 2.5, 3, 0, 0, 0, SCAN_TOP_TO_BOTTOM, false, 1},
@@ -110,12 +113,13 @@ Vec4d trueUnknowns(const Simulator& truth)
     return Vec4d(truth.drive.yaw / 2, -wall[0], wall[2], cv::norm(left) > 0 ? cv::norm(right) / cv::norm(left) : 0);
 }
 
-/** The least-squares fit on the true inliers, from the truth on, with the simulator's geometry and numerical derivatives:
-what an estimator without outliers, without selection and with the right start can do.
+/** The least-squares fit on the true inliers, from the truth on, with the simulator's geometry and numerical
+derivatives: what an estimator without outliers, without selection and with the right start can do.
  */
 AckermannMotion oracle(const Simulator& truth, const Segments& segments)
 {
-    const bool both = cv::norm(truth.street.normal[simulation::LEFT]) > 0 && cv::norm(truth.street.normal[simulation::RIGHT]) > 0;
+    const bool both =
+        cv::norm(truth.street.normal[simulation::LEFT]) > 0 && cv::norm(truth.street.normal[simulation::RIGHT]) > 0;
     const int unknowns = both ? 4 : 3;
     const simulation::Surface first = firstWall(truth);
 
@@ -171,11 +175,14 @@ int expectedLabel(const Simulator& truth, simulation::Surface plane)
     return plane == simulation::LEFT || onlyRight ? SEGMENT_LEFT_WALL : SEGMENT_RIGHT_WALL;
 }
 
-class RSAckermann_EstimatorPassage : public testing::TestWithParam<Passage> {};
+class RSAckermann_EstimatorPassage : public testing::TestWithParam<Passage>
+{
+};
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorPassage, testing::ValuesIn(passages));
 
-/** Only the priors keep the estimate from the truth. They are so wide, 45 deg/s for the yaw rate, that they pull by a small part of the standard deviation, in which
-exact segments still have the least noise that is assumed, and with a distorted lens the error that straight segments of bent images have.
+/** Only the priors keep the estimate from the truth. They are so wide, 45 deg/s for the yaw rate, that they pull by a
+small part of the standard deviation, in which exact segments still have the least noise that is assumed, and with a
+distorted lens the error that straight segments of bent images have.
 */
 TEST_P(RSAckermann_EstimatorPassage, exact_segments)
 {
@@ -196,13 +203,15 @@ TEST_P(RSAckermann_EstimatorPassage, exact_segments)
         EXPECT_EQ(60, m.inliers);
         EXPECT_EQ(truth.drive.speed < 0 ? -1 : 1, m.direction);
         for (int i = 0; i < 60; i++)
-            EXPECT_EQ(expectedLabel(truth, segments.truth[i]), labels.at<uchar>(i)) << "seed " << seed << ", segment " << i;
+            EXPECT_EQ(expectedLabel(truth, segments.truth[i]), labels.at<uchar>(i))
+                << "seed " << seed << ", segment " << i;
         double yawRate = 0, speed = 0;
         EXPECT_TRUE(m.yawRate(truth.camera, yawRate));
         EXPECT_TRUE(m.speed(truth.camera, speed));
         const Vec4d unknowns = trueUnknowns(truth), found(m.alpha, m.wallSlope, m.wallOffset, m.wallRatio);
         for (int i = 0; i < 4; i++)
-            EXPECT_NEAR(unknowns[i], found[i], 0.1 * std::sqrt(m.covariance(i, i))) << "seed " << seed << ", unknown " << i;
+            EXPECT_NEAR(unknowns[i], found[i], 0.1 * std::sqrt(m.covariance(i, i)))
+                << "seed " << seed << ", unknown " << i;
         if (GetParam().distorted)
             continue;
         EXPECT_NEAR(GetParam().yawRate * degree, yawRate, 0.01 * degree) << "seed " << seed;
@@ -256,7 +265,8 @@ TEST(RSAckermann_Estimator, rms_is_in_columns)
             const int label = labels.at<uchar>(i);
             if (label != SEGMENT_LEFT_WALL && label != SEGMENT_RIGHT_WALL)
                 continue;
-            const double r = found.residual(segments.at(i), label == SEGMENT_LEFT_WALL ? simulation::LEFT : simulation::RIGHT);
+            const double r =
+                found.residual(segments.at(i), label == SEGMENT_LEFT_WALL ? simulation::LEFT : simulation::RIGHT);
             EXPECT_LT(std::abs(r), Params().threshold) << ratios[k];
             sum += r * r;
             inliers++;
@@ -267,7 +277,9 @@ TEST(RSAckermann_Estimator, rms_is_in_columns)
     }
 }
 
-class RSAckermann_EstimatorInliers : public testing::TestWithParam<int /* percent */> {};
+class RSAckermann_EstimatorInliers : public testing::TestWithParam<int /* percent */>
+{
+};
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorInliers, testing::Values(100, 90, 80, 70, 60, 50, 40, 30));
 
 TEST_P(RSAckermann_EstimatorInliers, finds_the_motion)
@@ -304,7 +316,8 @@ TEST_P(RSAckermann_EstimatorInliers, finds_the_motion)
         }
         EXPECT_EQ(reported, m.inliers);
         EXPECT_EQ(candidates, m.candidates);
-        successes += m.status == MOTION_OK && found >= 0.75 * inliers && wrong == 0 && left.back() < 0.25 * truth.meanDisplacement();
+        successes += m.status == MOTION_OK && found >= 0.75 * inliers && wrong == 0 &&
+                     left.back() < 0.25 * truth.meanDisplacement();
     }
     RecordProperty("successes", successes);
     RecordProperty("displacement_left", format("%.3f", median(left)));
@@ -369,10 +382,13 @@ TEST(RSAckermann_Estimator, one_object_serves_many_threads)
         segments.push_back(makeSegments(truth, 60, 0.7, 0.2, i));
         expected.push_back(estimator->estimate(segments[i].ends));
     }
-    parallel_for_(Range(0, 16), [&](const Range& range) {
-        for (int i = range.start; i < range.end; i++)
-            motions[i] = estimator->estimate(segments[i].ends);
-    }, 16);
+    parallel_for_(
+        Range(0, 16),
+        [&](const Range& range) {
+            for (int i = range.start; i < range.end; i++)
+                motions[i] = estimator->estimate(segments[i].ends);
+        },
+        16);
     for (int i = 0; i < 16; i++)
         expectSame(expected[i], motions[i]);
 }
@@ -389,7 +405,9 @@ TEST(RSAckermann_Estimator, seeds_agree)
     {
         const AckermannMotion other = AckermannEstimator::create(truth.camera, p)->estimate(segments.ends);
         ASSERT_EQ(MOTION_OK, other.status) << "seed " << p.seed;
-        EXPECT_LT(Simulator::fromMotion(truth.camera, m).meanDisplacement(Simulator::fromMotion(truth.camera, other)), 0.1) << "seed " << p.seed;
+        EXPECT_LT(Simulator::fromMotion(truth.camera, m).meanDisplacement(Simulator::fromMotion(truth.camera, other)),
+                  0.1)
+            << "seed " << p.seed;
     }
 }
 
@@ -445,13 +463,16 @@ TEST(RSAckermann_Estimator, bad_segments_are_ignored)
 
     Mat all = segments.ends.clone();
     const double bad[][4] = {
-        {320, 100, 320, 130},           // short
-        {320, 100, 320, 100},           // a point
-        {NaN, 100, 320, 200}, {320, NaN, 320, 200}, {320, 100, NaN, 200}, {320, 100, 320, NaN},
-        {infinity, 100, 320, 200}, {320, -infinity, 320, 200}, {320, 100, -infinity, 200}, {320, 100, 320, infinity},
-        {NaN, NaN, NaN, NaN}, {infinity, infinity, infinity, infinity},
-        {1e300, 0, 1e300, 1e300}, {-1e300, -1e300, 1e300, 1e300}, // outside of the image
-        {5000, 0, 5000, 300}, {-100, 0, -100, 300}, {320, -1000, 320, 0}, {320, 0, 320, 1e6},
+        {320, 100, 320, 130}, // short
+        {320, 100, 320, 100}, // a point
+        {NaN, 100, 320, 200},       {320, NaN, 320, 200},
+        {320, 100, NaN, 200},       {320, 100, 320, NaN},
+        {infinity, 100, 320, 200},  {320, -infinity, 320, 200},
+        {320, 100, -infinity, 200}, {320, 100, 320, infinity},
+        {NaN, NaN, NaN, NaN},       {infinity, infinity, infinity, infinity},
+        {1e300, 0, 1e300, 1e300},   {-1e300, -1e300, 1e300, 1e300}, // outside of the image
+        {5000, 0, 5000, 300},       {-100, 0, -100, 300},
+        {320, -1000, 320, 0},       {320, 0, 320, 1e6},
     };
     const int count = int(sizeof(bad) / sizeof(bad[0]));
     all.push_back(Mat(count, 4, CV_64F, const_cast<double*>(bad[0])));
@@ -622,10 +643,20 @@ TEST(RSAckermann_Estimator, unknown_line_delay)
     EXPECT_LT(displacementLeft(truth, m), 0.3 * truth.meanDisplacement());
 }
 
-struct Choice { double yawRate, speed; int model; };
-class RSAckermann_EstimatorModel : public testing::TestWithParam<Choice> {};
-void PrintTo(const Choice& choice, std::ostream* out) { *out << choice.yawRate << " deg/s, " << choice.speed << " m/s"; }
-const Choice choices[] = {{40, 0, MODEL_1LA}, {-25, 0, MODEL_1LA}, {0, 20, MODEL_3LA}, {0, -10, MODEL_3LA}, {40, 20, MODEL_4LA}, {-30, 25, MODEL_4LA}};
+struct Choice
+{
+    double yawRate, speed;
+    int model;
+};
+class RSAckermann_EstimatorModel : public testing::TestWithParam<Choice>
+{
+};
+void PrintTo(const Choice& choice, std::ostream* out)
+{
+    *out << choice.yawRate << " deg/s, " << choice.speed << " m/s";
+}
+const Choice choices[] = {{40, 0, MODEL_1LA},  {-25, 0, MODEL_1LA}, {0, 20, MODEL_3LA},
+                          {0, -10, MODEL_3LA}, {40, 20, MODEL_4LA}, {-30, 25, MODEL_4LA}};
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_EstimatorModel, testing::ValuesIn(choices));
 
 TEST_P(RSAckermann_EstimatorModel, is_chosen)
@@ -714,7 +745,8 @@ TEST(RSAckermann_Estimator, black_image)
 {
     const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
     Mat segments, labels;
-    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, estimator->estimateFromImage(Mat::zeros(380, 640, CV_8UC3), segments, labels).status);
+    EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS,
+              estimator->estimateFromImage(Mat::zeros(380, 640, CV_8UC3), segments, labels).status);
     EXPECT_EQ(0, segments.rows);
     EXPECT_EQ(0, labels.rows);
 }
@@ -740,10 +772,12 @@ TEST(RSAckermann_Estimator, drawn_image)
         const double x[] = {s[0], s[0] + width, s[2] + width, s[2]}, y[] = {s[1], s[1], s[3], s[3]};
         for (int k = 0; k < 4; k++)
             quad[k] = Point(cvRound(x[k] * scale), cvRound(y[k] * scale));
-        cv::fillConvexPoly(image, quad, 4, Scalar(rng.uniform(0, 2) ? rng.uniform(0, 60) : rng.uniform(150, 255)), LINE_AA, 8);
+        cv::fillConvexPoly(image, quad, 4, Scalar(rng.uniform(0, 2) ? rng.uniform(0, 60) : rng.uniform(150, 255)),
+                           LINE_AA, 8);
     }
     Mat segments, labels;
-    const AckermannMotion m = AckermannEstimator::create(truth.camera, params(truth))->estimateFromImage(image, segments, labels);
+    const AckermannMotion m =
+        AckermannEstimator::create(truth.camera, params(truth))->estimateFromImage(image, segments, labels);
     EXPECT_EQ(MOTION_OK, m.status);
     EXPECT_LT(displacementLeft(truth, m), 0.5 * truth.meanDisplacement());
     EXPECT_EQ(CV_32FC1, segments.type());
@@ -781,7 +815,9 @@ TEST(RSAckermann_EstimatorParams, set_and_get)
 
 typedef void (*Spoil)(Params&);
 typedef std::pair<const char*, Spoil> BadField;
-class RSAckermann_EstimatorParamsCheck : public testing::TestWithParam<BadField> {};
+class RSAckermann_EstimatorParamsCheck : public testing::TestWithParam<BadField>
+{
+};
 const BadField badFields[] = {
     BadField("model", [](Params& p) { p.model = 2; }),
     BadField("model", [](Params& p) { p.model = -2; }),

@@ -5,7 +5,8 @@
 #ifndef OPENCV_RSACKERMANN_TEST_LENS_MODELS_HPP
 #define OPENCV_RSACKERMANN_TEST_LENS_MODELS_HPP
 
-// cv::projectPoints, cv::fisheye and cv::initUndistortRectifyMap, which the tests compare with. OpenCV 5 has split calib3d.
+// cv::projectPoints, cv::fisheye and cv::initUndistortRectifyMap, which the tests compare with. OpenCV 5 has split
+// calib3d.
 
 #include "opencv2/imgproc.hpp"
 #include "opencv2/opencv_modules.hpp"

@@ -136,7 +136,11 @@ TEST(RSAckermann_LoRansac, samples_are_uniform)
         Counter() { memset(counts, 0, sizeof(counts)); }
         int size() const { return 6; }
         int sampleSize() const { return 2; }
-        int generate(const int* sample, int*) { counts[sample[0]][sample[1]]++; return 0; }
+        int generate(const int* sample, int*)
+        {
+            counts[sample[0]][sample[1]]++;
+            return 0;
+        }
         double score(const int&, double, int&) const { return 0; }
         void optimize(int&) {}
     } counter;
@@ -173,7 +177,8 @@ TEST(RSAckermann_LoRansac, requiredIterations)
         EXPECT_LE(needed, requiredIterations(inliers, 100, 4, 0.999, most));
         EXPECT_EQ(std::min(needed, 77), requiredIterations(inliers, 100, 4, 0.99, 77));
         // at least the textbook's number for samples that are all useful
-        EXPECT_GE(needed, std::min(double(most), std::floor(std::log(0.01) / std::log(1 - std::pow(inliers / 100., 4)))));
+        EXPECT_GE(needed,
+                  std::min(double(most), std::floor(std::log(0.01) / std::log(1 - std::pow(inliers / 100., 4)))));
     }
     EXPECT_LE(requiredIterations(100, 100, 4, 1, most), most) << "certainty isn't to be had";
 }

@@ -10,8 +10,9 @@
 namespace opencv_test {
 
 //! AckermannMotion::fromMetric in one line.
-inline cv::rsackermann::AckermannMotion motionFromMetric(const cv::rsackermann::RollingShutterCamera& camera, double yawRate, double speed,
-                                                         double left, double right, double wallDirection)
+inline cv::rsackermann::AckermannMotion motionFromMetric(const cv::rsackermann::RollingShutterCamera& camera,
+                                                         double yawRate, double speed, double left, double right,
+                                                         double wallDirection)
 {
     cv::rsackermann::MetricMotion metric;
     metric.yawRate = yawRate;

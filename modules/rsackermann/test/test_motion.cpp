@@ -130,14 +130,15 @@ TEST(RSAckermann_Motion, metric_covariance)
     const RollingShutterCamera camera = simulation::paperCamera();
     for (int round = 0; round < 20; round++)
     {
-        const double wallDirection = rng.uniform(-1., 1.), speed = rng.uniform(5., 30.) * (round % 2 ? 1 : -1), yawRate = rng.uniform(-1., 1.);
+        const double wallDirection = rng.uniform(-1., 1.), speed = rng.uniform(5., 30.) * (round % 2 ? 1 : -1),
+                     yawRate = rng.uniform(-1., 1.);
         AckermannMotion m = motionFromMetric(camera, yawRate, speed, 2.5, 3, wallDirection);
         Matx44d root, J;
         for (int i = 0; i < 16; i++)
             root.val[i] = rng.uniform(-0.01, 0.01);
         m.covariance = root * root.t();
-        double AckermannMotion::*const unknowns[] = {&AckermannMotion::alpha, &AckermannMotion::wallSlope, &AckermannMotion::wallOffset,
-                                                     &AckermannMotion::wallRatio};
+        double AckermannMotion::*const unknowns[] = {&AckermannMotion::alpha, &AckermannMotion::wallSlope,
+                                                     &AckermannMotion::wallOffset, &AckermannMotion::wallRatio};
         for (int j = 0; j < 4; j++)
         {
             Vec4d at[2];
@@ -156,7 +157,8 @@ TEST(RSAckermann_Motion, metric_covariance)
         const Matx44d expected = J * m.covariance * J.t(), got = m.metricCovariance(camera);
         for (int i = 0; i < 4; i++)
             for (int j = 0; j < 4; j++)
-                EXPECT_NEAR(expected(i, j), got(i, j), 1e-5 * std::sqrt(expected(i, i) * expected(j, j))) << i << " " << j;
+                EXPECT_NEAR(expected(i, j), got(i, j), 1e-5 * std::sqrt(expected(i, i) * expected(j, j)))
+                    << i << " " << j;
     }
 }
 
@@ -200,16 +202,19 @@ TEST(RSAckermann_Motion, depth_agrees_with_ray_casting)
         const double speed = rng.uniform(1., 40.) * (rng.uniform(0, 2) ? 1 : -1);
         const double left = rng.uniform(1., 10.), right = rng.uniform(1., 10.);
         const AckermannMotion m = motionFromMetric(camera, 0.5, speed, left, right, camera.heading);
-        const simulation::Simulator truth = simulation::Simulator::fromMetric(camera, 0.5, speed, left, right, camera.heading);
+        const simulation::Simulator truth =
+            simulation::Simulator::fromMetric(camera, 0.5, speed, left, right, camera.heading);
         const double x = rng.uniform(-0.6, 0.6), y = rng.uniform(-0.4, 0.4);
         const Vec3d ray(x, y, 1);
         const simulation::Surface plane = truth.street.first(Vec3d(), ray);
         const double depth = truth.street.distance(plane, Vec3d(), ray);
-        const double w[] = {0, m.wallOffset - m.wallSlope * x, m.wallRatio * (m.wallSlope * x - m.wallOffset), m.roadSlope * y};
+        const double w[] = {0, m.wallOffset - m.wallSlope * x, m.wallRatio * (m.wallSlope * x - m.wallOffset),
+                            m.roadSlope * y};
         const double beta = speed * camera.secondsPerUnitTime();
         ASSERT_NEAR(beta / depth, w[plane], 1e-12 * std::abs(beta));
         for (int j = 0; j < 4; j++)
-            ASSERT_LE(m.direction * w[j], m.direction * w[plane] + 1e-12) << "the nearest plane has the largest inverse depth";
+            ASSERT_LE(m.direction * w[j], m.direction * w[plane] + 1e-12)
+                << "the nearest plane has the largest inverse depth";
         seen[plane]++;
     }
     for (int j = simulation::LEFT; j <= simulation::ROAD; j++)

@@ -14,7 +14,7 @@ class MixtureOfMotions : public testing::Test
 protected:
     MixtureOfMotions()
         : camera(simulation::paperCamera()), field(camera), usual(MotionPrior(), camera, AckermannEstimator::Params(),
-                                                                 MotionLimits(camera, AckermannEstimator::Params())),
+                                                                  MotionLimits(camera, AckermannEstimator::Params())),
           mixture(field, usual)
     {
     }
@@ -65,7 +65,8 @@ TEST_F(MixtureOfMotions, of_one_is_that_one)
     EXPECT_NEAR(std::sqrt(2 / CV_PI) * displacement(0.001), best.expectedLeft, 1e-9);
 }
 
-// Along one line the geometric median is the median: what has more than half of the probability wins, whatever the others are.
+// Along one line the geometric median is the median: what has more than half of the probability wins, whatever the
+// others are.
 TEST_F(MixtureOfMotions, the_majority_decides)
 {
     add(turning(0.01), 0.6);
@@ -96,14 +97,15 @@ TEST_F(MixtureOfMotions, rest_with_the_majority_leaves_the_image)
     EXPECT_NEAR(0.3 * displacement(0.04), best.expectedRaw, 1e-9);
 }
 
-// Usual values alone make a correction that is expected to help, since cars mostly move. It is applied if the image speaks against rest, or if
-// a motion is told.
+// Usual values alone make a correction that is expected to help, since cars mostly move. It is applied if the image
+// speaks against rest, or if a motion is told.
 TEST_F(MixtureOfMotions, usual_values_alone_correct_nothing)
 {
     MotionPrior prior;
     prior.speed = 10;
     prior.speedSigma = 1;
-    const UsualDrive told(prior, camera, AckermannEstimator::Params(), MotionLimits(camera, AckermannEstimator::Params()));
+    const UsualDrive told(prior, camera, AckermannEstimator::Params(),
+                          MotionLimits(camera, AckermannEstimator::Params()));
     const double rests[] = {0.3, 0.36};
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++)
@@ -112,7 +114,8 @@ TEST_F(MixtureOfMotions, usual_values_alone_correct_nothing)
             two.add(Fit(MotionHypothesis(MODEL_NONE, 0)), MotionHypothesis(MODEL_NONE, 0), std::log(rests[i]));
             two.add(turning(0.04), turning(0.04).hypothesis, std::log(1 - rests[i]));
             const Posterior best = two.best();
-            EXPECT_NEAR(k ? 0 : 3 * rests[i], best.restRatio, 1e-9); // rest has a probability of 1/3 before anything is seen
+            // Rest has a probability of 1/3 before anything is seen
+            EXPECT_NEAR(k ? 0 : 3 * rests[i], best.restRatio, 1e-9);
             EXPECT_LT(best.expectedLeft, best.expectedRaw);
             EXPECT_EQ(i == 0 || k == 1, best.helps()) << i << " " << k;
         }

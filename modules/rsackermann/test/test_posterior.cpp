@@ -28,7 +28,8 @@ Mat leaningSegments(const RollingShutterCamera& camera, int count, double sigma,
     Mat segments(count, 4, CV_64F);
     for (int i = 0; i < count; i++)
     {
-        const double length = rng.uniform(0.15, 0.4) * height, x = rng.uniform(0.1, 0.9) * width, y = rng.uniform(0.02, 0.98) * (height - length);
+        const double length = rng.uniform(0.15, 0.4) * height, x = rng.uniform(0.1, 0.9) * width,
+                     y = rng.uniform(0.02, 0.98) * (height - length);
         const double lean = length * std::tan(rng.gaussian(sigma));
         double* s = segments.ptr<double>(i);
         s[0] = x - lean / 2;
@@ -39,14 +40,16 @@ Mat leaningSegments(const RollingShutterCamera& camera, int count, double sigma,
     return segments;
 }
 
-//! Lines on the walls of a street, seen by a camera at rest, none of which is upright: each leans along its wall, by up to the slant.
+//! Lines on the walls of a street, seen by a camera at rest, none of which is upright: each leans along its wall, by up
+//! to the slant.
 Mat slantedSegments(const RollingShutterCamera& camera, int count, double slant, RNG& rng)
 {
     Mat segments = leaningSegments(camera, count, 0, rng);
     for (int i = 0; i < count; i++)
     {
         double* s = segments.ptr<double>(i);
-        // A line that moves away by the slant for each metre of its height moves towards the vanishing point by that part of its column.
+        // A line that moves away by the slant for each metre of its height moves towards the vanishing point by that
+        // part of its column.
         const double column = (s[0] - camera.cameraMatrix(0, 2)) / camera.cameraMatrix(0, 0);
         const double shift = (rng.uniform(0, 2) ? 1 : -1) * rng.uniform(slant / 2, slant) * column * (s[3] - s[1]);
         s[0] -= shift / 2;
@@ -77,7 +80,8 @@ Mat streetSegments(const Simulator& street, RNG& rng)
 }
 
 //! Mean distance of the maps of two motions where both have a place.
-double mapDistance(const RollingShutterCamera& camera1, const AckermannMotion& motion1, const RollingShutterCamera& camera2, const AckermannMotion& motion2)
+double mapDistance(const RollingShutterCamera& camera1, const AckermannMotion& motion1,
+                   const RollingShutterCamera& camera2, const AckermannMotion& motion2)
 {
     Mat x1, y1, x2, y2, mask1, mask2, distance;
     WarpMapGenerator::create(camera1)->initRectifyMap(motion1, x1, y1, CV_32FC1, mask1);
@@ -99,7 +103,8 @@ RollingShutterCamera tiltedAtRandom(RNG& rng)
     return tilted(carCamera(), roll, pitch);
 }
 
-AckermannMotion estimate(const RollingShutterCamera& camera, const Mat& segments, const MotionPrior& prior = MotionPrior(),
+AckermannMotion estimate(const RollingShutterCamera& camera, const Mat& segments,
+                         const MotionPrior& prior = MotionPrior(),
                          const AckermannEstimator::Params& params = AckermannEstimator::Params())
 {
     return AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
@@ -198,10 +203,13 @@ TEST(RSAckermann_Posterior, a_guess_is_no_scale)
     EXPECT_FALSE(motion.speed(carCamera(), found));
     EXPECT_EQ(0, found);
     Mat corrected;
-    EXPECT_THROW(WarpMapGenerator::create(carCamera())->correctPoints(motion, Mat1d(Matx12d(300, 200)), corrected, Mat1d(1, 1, 10.)), cv::Exception);
+    EXPECT_THROW(WarpMapGenerator::create(carCamera())
+                     ->correctPoints(motion, Mat1d(Matx12d(300, 200)), corrected, Mat1d(1, 1, 10.)),
+                 cv::Exception);
 }
 
-// Frames drawn from what is usual, with verticals that lean and gravity that is off: what the estimator expects is what happens.
+// Frames drawn from what is usual, with verticals that lean and gravity that is off: what the estimator expects is what
+// happens.
 TEST(RSAckermann_Posterior, improves_what_it_expects_to_improve)
 {
     RNG rng(6);
@@ -301,7 +309,8 @@ TEST(RSAckermann_Posterior, one_wall_of_two)
         const double yawRate = rng.gaussian(4 * degree), speed = rng.uniform(8., 20.), wall = rng.uniform(4., 10.);
         const double leftWall = i % 2 ? wall : 0, rightWall = i % 2 ? 0 : wall;
         const AckermannMotion truth = motionFromMetric(carCamera(), yawRate, speed, leftWall, rightWall, 0);
-        const Mat segments = streetSegments(Simulator::fromMetric(carCamera(), yawRate, speed, leftWall, rightWall, 0), rng);
+        const Mat segments =
+            streetSegments(Simulator::fromMetric(carCamera(), yawRate, speed, leftWall, rightWall, 0), rng);
         MotionPrior prior;
         prior.speed = speed;
         prior.speedSigma = 0.5;
@@ -314,7 +323,8 @@ TEST(RSAckermann_Posterior, one_wall_of_two)
     EXPECT_LT(left, 0.2 * raw);
 }
 
-// A camera that isn't told how a shutter's rows are timed has no yaw rate, and neither has a motion of which nothing is known.
+// A camera that isn't told how a shutter's rows are timed has no yaw rate, and neither has a motion of which nothing is
+// known.
 TEST(RSAckermann_Posterior, nothing_is_known_without_segments)
 {
     const AckermannMotion motion = estimate(carCamera(), Mat(0, 4, CV_64F));

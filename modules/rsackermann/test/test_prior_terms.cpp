@@ -77,7 +77,8 @@ TEST(RSAckermann_PriorTerms, each_piece_in_units_of_its_sigma)
     params.wallDistance = 2.5;
     const MotionHypothesis hypothesis(MODEL_4LA, 1);
     const Model m = exampleModel();
-    const double azimuth = std::atan2(m[P_D], m[P_B]), speed = std::hypot(m[P_B], m[P_D]) * 2.5 / unit, yawRate = 2 * m[P_ALPHA] / unit;
+    const double azimuth = std::atan2(m[P_D], m[P_B]), speed = std::hypot(m[P_B], m[P_D]) * 2.5 / unit,
+                 yawRate = 2 * m[P_ALPHA] / unit;
     const double none = costOf(makeTerms(MotionPrior(), params), m, hypothesis);
     MotionPrior prior;
     prior.speed = speed - 1.5;
@@ -97,7 +98,8 @@ TEST(RSAckermann_PriorTerms, each_piece_in_units_of_its_sigma)
     const double free = costOf(makeTerms(MotionPrior(), params), m, hypothesis);
     params.wallDeviationSigma = 0.1;
     for (double heading = -1.5; heading < 2; heading++)
-        EXPECT_NEAR(std::pow(std::sin(azimuth - heading) / 0.1, 2), costOf(makeTerms(MotionPrior(), params, heading), m, hypothesis) - free, 1e-9);
+        EXPECT_NEAR(std::pow(std::sin(azimuth - heading) / 0.1, 2),
+                    costOf(makeTerms(MotionPrior(), params, heading), m, hypothesis) - free, 1e-9);
 }
 
 }} // namespace

@@ -18,7 +18,10 @@ struct Errors
     std::vector<double> yawRate, speed, direction, displacement;
 };
 
-double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+double largest(const std::vector<double>& values)
+{
+    return *std::max_element(values.begin(), values.end());
+}
 
 Simulator street()
 {
@@ -34,7 +37,8 @@ AckermannMotion estimate(const Simulator& truth, int seed, const MotionPrior& pr
     options.inlierRatio = 0.8;
     options.noise = 0.15;
     RNG rng(seed + 1);
-    return AckermannEstimator::create(truth.camera, params)->estimate(simulation::randomSegments(truth, options, rng).ends, noArray(), prior);
+    return AckermannEstimator::create(truth.camera, params)
+        ->estimate(simulation::randomSegments(truth, options, rng).ends, noArray(), prior);
 }
 
 Errors errors(const MotionPrior& prior)
@@ -136,7 +140,9 @@ TEST(RSAckermann_Prior, without_scale)
 
 typedef void (*Spoil)(MotionPrior&);
 typedef std::pair<const char*, Spoil> BadField;
-class RSAckermann_PriorCheck : public testing::TestWithParam<BadField> {};
+class RSAckermann_PriorCheck : public testing::TestWithParam<BadField>
+{
+};
 const BadField badFields[] = {
     BadField("speed", [](MotionPrior& p) { p.speed = NaN; }),
     BadField("speedSigma", [](MotionPrior& p) { p.speedSigma = -1; }),

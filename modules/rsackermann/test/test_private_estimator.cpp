@@ -4,8 +4,8 @@
 
 #include "test_precomp.hpp"
 
-// The library doesn't export its internals: the test program has a part of the sources a second time, for direct tests; see the other
-// test_private_*.cpp, too.
+// The library doesn't export its internals: the test program has a part of the sources a second time, for direct tests;
+// see the other test_private_*.cpp, too.
 
 #include "../src/estimator/account.cpp"
 #include "../src/estimator/consensus.cpp"

@@ -11,7 +11,8 @@
 namespace opencv_test {
 
 //! What the estimator makes of segments before it fits anything, with nothing but the segments to go by.
-inline RefinementProblem makeProblem(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const Mat& segments)
+inline RefinementProblem makeProblem(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                                     const Mat& segments)
 {
     const MotionLimits limits(camera, params);
     RefinementProblem problem(limits);
@@ -29,7 +30,8 @@ inline RefinementProblem makeProblem(const RollingShutterCamera& camera, const A
 //! The motion of a simulator in terms of the estimation.
 inline Model modelOf(const simulation::Simulator& simulator)
 {
-    const Vec3d left = simulator.street.normal[simulation::LEFT] * simulator.drive.speed, right = simulator.street.normal[simulation::RIGHT] * simulator.drive.speed;
+    const Vec3d left = simulator.street.normal[simulation::LEFT] * simulator.drive.speed,
+                right = simulator.street.normal[simulation::RIGHT] * simulator.drive.speed;
     const bool one = cv::norm(left) == 0;
     const Vec3d& first = one ? right : left;
     Model m;

@@ -9,7 +9,8 @@
 
 namespace opencv_test {
 
-// In which order the arguments of a call are evaluated is the compiler's choice: two random numbers among them would make other data with each.
+// In which order the arguments of a call are evaluated is the compiler's choice: two random numbers among them would
+// make other data with each.
 
 //! A point of a rectangle; y is drawn first.
 inline cv::Point2d uniformPoint(cv::RNG& rng, const cv::Point2d& low, const cv::Point2d& high)

@@ -20,7 +20,8 @@ AckermannEstimator::Params exactGravity()
     return params;
 }
 
-RefinementProblem streetProblem(const Simulator& street, double noise, int count, const AckermannEstimator::Params& params, int seed)
+RefinementProblem streetProblem(const Simulator& street, double noise, int count,
+                                const AckermannEstimator::Params& params, int seed)
 {
     RNG rng(seed);
     simulation::SegmentOptions options;
@@ -29,7 +30,8 @@ RefinementProblem streetProblem(const Simulator& street, double noise, int count
     return makeProblem(street.camera, params, simulation::randomSegments(street, options, rng).ends);
 }
 
-// Without segments the covariance of gravity is what is known of it: of the vehicle's roll and pitch, not of the camera's.
+// Without segments the covariance of gravity is what is known of it: of the vehicle's roll and pitch, not of the
+// camera's.
 TEST(RSAckermann_Refinement, covariance_of_gravity_alone)
 {
     for (int k = 0; k < 3; k++)
@@ -51,8 +53,8 @@ TEST(RSAckermann_Refinement, covariance_of_gravity_alone)
     }
 }
 
-// If the loss is quadratic: the least-squares estimate of the noise, with the unknowns taken off, and the covariance of dense
-// normal equations with derivatives by differences.
+// If the loss is quadratic: the least-squares estimate of the noise, with the unknowns taken off, and the covariance of
+// dense normal equations with derivatives by differences.
 TEST(RSAckermann_Refinement, covariance_of_least_squares)
 {
     const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.5, 20, 2.5, 3, 0);
@@ -82,17 +84,22 @@ TEST(RSAckermann_Refinement, covariance_of_least_squares)
             Model up = model, down = model;
             up.value[j] += h;
             down.value[j] -= h;
-            J(i, j) = scale * (verticalResidual(c, up, problem.heading, wall, 0) - verticalResidual(c, down, problem.heading, wall, 0)) / (2 * h);
+            J(i, j) = scale *
+                      (verticalResidual(c, up, problem.heading, wall, 0) -
+                       verticalResidual(c, down, problem.heading, wall, 0)) /
+                      (2 * h);
         }
     }
     EXPECT_NEAR(squares / (count - n), inflation, 0.01 * inflation);
     EXPECT_GT(inflation, 2);
     Mat1d normal = J.t() * J / inflation;
-    normal(P_LAMBDA, P_LAMBDA) += std::pow(1 / (0.8 * model[P_LAMBDA]), 2); // that of the ratio of the walls, which is always there
+    // That of the ratio of the walls, which is always there
+    normal(P_LAMBDA, P_LAMBDA) += std::pow(1 / (0.8 * model[P_LAMBDA]), 2);
     const Mat1d expected = normal.inv();
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
-            EXPECT_NEAR(expected(i, j), covariance(i, j), 0.02 * std::sqrt(expected(i, i) * expected(j, j))) << i << " " << j;
+            EXPECT_NEAR(expected(i, j), covariance(i, j), 0.02 * std::sqrt(expected(i, i) * expected(j, j)))
+                << i << " " << j;
 }
 
 // doc/theory.md, "Estimation": 1.5 ln N an unknown.
@@ -105,8 +112,10 @@ TEST(RSAckermann_Fit, criterion)
     Model turning, oneWall = start;
     turning[P_ALPHA] = start[P_ALPHA];
     oneWall[P_LAMBDA] = 0;
-    const Fit none = refineFrom(problem, Model(), MotionHypothesis(MODEL_NONE, 0)), rotation = refineFrom(problem, turning, MotionHypothesis(MODEL_1LA, 0));
-    const Fit translation = refineFrom(problem, oneWall, MotionHypothesis(MODEL_3LA, 1)), both = refineFrom(problem, oneWall, MotionHypothesis(MODEL_4LA, 1));
+    const Fit none = refineFrom(problem, Model(), MotionHypothesis(MODEL_NONE, 0)),
+              rotation = refineFrom(problem, turning, MotionHypothesis(MODEL_1LA, 0));
+    const Fit translation = refineFrom(problem, oneWall, MotionHypothesis(MODEL_3LA, 1)),
+              both = refineFrom(problem, oneWall, MotionHypothesis(MODEL_4LA, 1));
     EXPECT_NEAR(0, none.criterion - none.cost, 1e-9);
     EXPECT_NEAR(each, rotation.criterion - rotation.cost, 1e-9);
     EXPECT_NEAR(2 * each, translation.criterion - translation.cost, 1e-9);

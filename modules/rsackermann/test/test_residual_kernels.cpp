@@ -24,22 +24,22 @@
 #include "../src/estimator/residuals/vertical_residual.hpp"
 
 // The kernels of the estimator that test_private_evidence.cpp has, without dispatch.
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                  ResidualSums& sums)
+void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                  const FreeParameters& unknowns, ResidualSums& sums)
 {
     tested::addVerticals(segments, model, loss, unknowns, sums);
 }
 
-void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                   ResidualSums& sums)
+void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                   const FreeParameters& unknowns, ResidualSums& sums)
 {
     tested::addDirections(segments, model, loss, unknowns, sums);
 }
 
-double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold, double best, int& inliers)
+double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
+                      double best, int& inliers)
 {
     return tested::scoreVerticals(segments, model, focal, threshold, best, inliers);
 }
@@ -83,7 +83,8 @@ std::vector<UprightSegment> randomSegments(RNG& rng, int count, double slant, do
     for (int i = 0; i < count; i++)
     {
         UprightSegment& c = segments[i];
-        const Point2d u = uniformPoint(rng, Point2d(-0.6, -0.4), Point2d(0.6, 0.4)), v = uniformPoint(rng, Point2d(-slant, -0.4), Point2d(slant, 0.4));
+        const Point2d u = uniformPoint(rng, Point2d(-0.6, -0.4), Point2d(0.6, 0.4)),
+                      v = uniformPoint(rng, Point2d(-slant, -0.4), Point2d(slant, 0.4));
         c.u = Vec3d(u.x, u.y, 1);
         c.v = Vec3d(u.x + v.x, v.y, 1);
         c.timeU = rng.uniform(-largestTime, largestTime);
@@ -111,8 +112,8 @@ double vertical(const UprightSegment& c, const PreparedModel& m, double* jacobia
 }
 
 // The sums over the residuals one by one.
-ResidualSums expectedSums(const std::vector<UprightSegment>& segments, const PreparedModel& m, const RobustLoss& loss, const FreeParameters& unknowns,
-                          Residual residual)
+ResidualSums expectedSums(const std::vector<UprightSegment>& segments, const PreparedModel& m, const RobustLoss& loss,
+                          const FreeParameters& unknowns, Residual residual)
 {
     ResidualSums sums;
     for (size_t i = 0; i < segments.size(); i++)
@@ -130,7 +131,8 @@ ResidualSums expectedSums(const std::vector<UprightSegment>& segments, const Pre
         {
             sums.gradient[k] += weight * scale * jacobian[unknowns.index[k]] * r;
             for (int l = 0; l <= k; l++)
-                sums.hessian[k][l] += weight * scale * scale * jacobian[unknowns.index[k]] * jacobian[unknowns.index[l]];
+                sums.hessian[k][l] +=
+                    weight * scale * scale * jacobian[unknowns.index[k]] * jacobian[unknowns.index[l]];
         }
     }
     return sums;
@@ -149,10 +151,10 @@ double farthestEnd(const SegmentArrays& segments, const PreparedModel& model)
     return farthest;
 }
 
-/** Rounding errors of a derivative grow with the distance of the ends from the centre of the global-shutter image: what a moving end and the middle that
-moves with it contribute nearly cancels if the end is close to infinity. A compiler that fuses multiplications with additions rounds each description
-of a formula in a way of its own: with FMA 360000 sets of segments took up to a tenth of what is allowed. Without it there is only the order of the addition,
-1e-15.
+/** Rounding errors of a derivative grow with the distance of the ends from the centre of the global-shutter image: what
+a moving end and the middle that moves with it contribute nearly cancels if the end is close to infinity. A compiler
+that fuses multiplications with additions rounds each description of a formula in a way of its own: with FMA 360000 sets
+of segments took up to a tenth of what is allowed. Without it there is only the order of the addition, 1e-15.
 @param farthest end.
 */
 void compare(const ResidualSums& expected, const ResidualSums& sums, const FreeParameters& unknowns, double farthest)
@@ -164,13 +166,18 @@ void compare(const ResidualSums& expected, const ResidualSums& sums, const FreeP
     ASSERT_NEAR(expected.slopes, sums.slopes, eps * (1 + expected.weights));
     for (int k = 0; k < unknowns.count; k++)
     {
-        ASSERT_NEAR(expected.gradient[k], sums.gradient[k], eps * (1 + std::sqrt(expected.hessian[k][k] * expected.cost))) << k;
+        ASSERT_NEAR(expected.gradient[k], sums.gradient[k],
+                    eps * (1 + std::sqrt(expected.hessian[k][k] * expected.cost)))
+            << k;
         for (int l = 0; l <= k; l++)
-            ASSERT_NEAR(expected.hessian[k][l], sums.hessian[k][l], eps * (1 + std::sqrt(expected.hessian[k][k] * expected.hessian[l][l]))) << k;
+            ASSERT_NEAR(expected.hessian[k][l], sums.hessian[k][l],
+                        eps * (1 + std::sqrt(expected.hessian[k][k] * expected.hessian[l][l])))
+                << k;
     }
 }
 
-typedef void (*AddSegments)(const SegmentArrays&, const PreparedModel&, const RobustLoss&, const FreeParameters&, ResidualSums&);
+typedef void (*AddSegments)(const SegmentArrays&, const PreparedModel&, const RobustLoss&, const FreeParameters&,
+                            ResidualSums&);
 
 // Any number of segments, any unknowns, and row times within and beyond what the series serve.
 void testSums(AddSegments add, Residual residual, double slant)
@@ -180,7 +187,8 @@ void testSums(AddSegments add, Residual residual, double slant)
     {
         const Model model = randomModel(rng);
         const bool translates = rng.uniform(0, 2) == 1;
-        const double roadRatio = rng.uniform(1., 3.), heading = rng.uniform(-CV_PI, CV_PI), largestTime = rng.uniform(0, 5) ? 0.5 : 5.;
+        const double roadRatio = rng.uniform(1., 3.), heading = rng.uniform(-CV_PI, CV_PI),
+                     largestTime = rng.uniform(0, 5) ? 0.5 : 5.;
         const PreparedModel prepared(model, heading, roadRatio, translates);
         const std::vector<UprightSegment> segments = randomSegments(rng, rng.uniform(0, 20), slant, largestTime);
         const FreeParameters unknowns = randomParameters(rng);
@@ -192,7 +200,9 @@ void testSums(AddSegments add, Residual residual, double slant)
         ResidualSums sums;
         add(arrays, prepared, loss, unknowns, sums);
         const double farthest = farthestEnd(arrays, prepared);
-        ASSERT_NO_FATAL_FAILURE(compare(expectedSums(segments, prepared, loss, unknowns, residual), sums, unknowns, farthest)) << i;
+        ASSERT_NO_FATAL_FAILURE(
+            compare(expectedSums(segments, prepared, loss, unknowns, residual), sums, unknowns, farthest))
+            << i;
     }
 }
 

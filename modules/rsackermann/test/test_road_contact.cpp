@@ -23,8 +23,8 @@ void addContacts(const Simulator& simulator, double height, int count, RNG& rng,
         foot[1] = height;
         const Vec3d top = foot - Vec3d(0, rng.uniform(1., 3.), 0);
         Point2d low, high;
-        if (!simulator.project(foot, low) || !simulator.project(top, high) || cv::norm(low - high) < 40 || !Rect(Point(), size).contains(low) ||
-            !Rect(Point(), size).contains(high))
+        if (!simulator.project(foot, low) || !simulator.project(top, high) || cv::norm(low - high) < 40 ||
+            !Rect(Point(), size).contains(low) || !Rect(Point(), size).contains(high))
             continue;
         Mat row = (Mat_<double>(1, 4) << low.x, low.y, high.x, high.y);
         for (int j = 0; j < 4; j++)
@@ -60,7 +60,8 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
         const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
         ASSERT_EQ(MOTION_OK, motion.status);
         ASSERT_GT(motion.wallDistance, 0);
-        EXPECT_NEAR(motion.roadSlope * camera.height, motion.direction * std::hypot(motion.wallSlope, motion.wallOffset) * motion.wallDistance, 1e-12);
+        EXPECT_NEAR(motion.roadSlope * camera.height,
+                    motion.direction * std::hypot(motion.wallSlope, motion.wallOffset) * motion.wallDistance, 1e-12);
         distanceErrors.push_back(std::abs(motion.wallDistance / left - 1));
         double found = 0;
         EXPECT_TRUE(motion.speed(camera, found));

@@ -89,9 +89,11 @@ TEST(RSAckermann_StreetDirection, is_found_at_every_angle)
             for (int side = 0; side < 2; side++)
             {
                 // beside the car on the road, and above it on a wall
-                const Vec3d offset = side ? Vec3d(across * (i < 0 ? -3. : 3.) + Vec3d(0, -0.4 * (std::abs(i) + 1), 0)) : Vec3d(across * (0.8 * i) + Vec3d(0, 1.2, 0));
+                const Vec3d offset = side ? Vec3d(across * (i < 0 ? -3. : 3.) + Vec3d(0, -0.4 * (std::abs(i) + 1), 0))
+                                          : Vec3d(across * (0.8 * i) + Vec3d(0, 1.2, 0));
                 Point2d u, v;
-                if (!still.projectAt(offset + along * 5, 0, u) || !still.projectAt(offset + along * 12, 0, v) || !still.inside(u) || !still.inside(v))
+                if (!still.projectAt(offset + along * 5, 0, u) || !still.projectAt(offset + along * 12, 0, v) ||
+                    !still.inside(u) || !still.inside(v))
                     continue;
                 Mat row = (Mat1d(1, 4) << u.x, u.y, v.x, v.y);
                 segments.push_back(row);
@@ -122,7 +124,8 @@ TEST(RSAckermann_Significance, number_of_false_alarms)
 {
     // N - m sizes, (N over k) sets, (k over m) samples, each of the other k - m inliers by chance
     EXPECT_NEAR(std::log(7. * 252 * 10 * 0.1 * 0.1), logFalseAlarms(10, 5, 3, 0.1), 1e-9);
-    EXPECT_NEAR(std::log(19.) + std::log(20.) + std::log(19.) + 18 * std::log(0.25), logFalseAlarms(20, 19, 1, 0.25), 1e-9);
+    EXPECT_NEAR(std::log(19.) + std::log(20.) + std::log(19.) + 18 * std::log(0.25), logFalseAlarms(20, 19, 1, 0.25),
+                1e-9);
     EXPECT_EQ(DBL_MAX, logFalseAlarms(20, 3, 3, 0.1));
     EXPECT_EQ(DBL_MAX, logFalseAlarms(20, 0, 1, 0.1));
 }

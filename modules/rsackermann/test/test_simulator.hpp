@@ -16,17 +16,17 @@ namespace opencv_test {
 /** A rolling-shutter camera in a street, by three-dimensional geometry: the truth of the tests.
 
 Nothing here uses the closed forms of the library: the motion is integrated numerically, points are projected by root
-finding on the row, depths come from intersections of rays and planes. All points are in the upright frame (gravity along
-+y, optical axis projected to the horizontal along +z).
+finding on the row, depths come from intersections of rays and planes. All points are in the upright frame (gravity
+along +y, optical axis projected to the horizontal along +z).
 */
 namespace simulation {
 
 //! The car's motion, circular but for a change of the yaw rate; time is row time, 0 at the reference row.
 struct Drive
 {
-    double yaw;     // radians per unit of time, positive to the right
-    double speed;   // length per unit of time, negative in reverse
-    double heading; // radians from the optical axis to the forward direction at time 0
+    double yaw;       // radians per unit of time, positive to the right
+    double speed;     // length per unit of time, negative in reverse
+    double heading;   // radians from the optical axis to the forward direction at time 0
     double yawChange; // of yaw per unit of time
 
     Drive() : yaw(0), speed(0), heading(0), yawChange(0) {}
@@ -51,16 +51,10 @@ struct Drive
     }
 
     //! A direction in the camera at time t as one in the camera at time 0.
-    Vec3d turn(const Vec3d& d, double t) const
-    {
-        return rotated(d, turned(t));
-    }
+    Vec3d turn(const Vec3d& d, double t) const { return rotated(d, turned(t)); }
 
     //! A point at rest as the camera at time t has it.
-    Vec3d toCamera(const Vec3d& P, double t) const
-    {
-        return rotated(P - position(t), -turned(t));
-    }
+    Vec3d toCamera(const Vec3d& P, double t) const { return rotated(P - position(t), -turned(t)); }
 
 private:
     static Vec3d rotated(const Vec3d& d, double angle)
@@ -80,7 +74,8 @@ struct Street
 
     Street() {}
 
-    //! Distances to the planes, 0: absent. The walls run along the direction (radians to the right of the optical axis).
+    //! Distances to the planes, 0: absent. The walls run along the direction (radians to the right of the optical
+    //! axis).
     Street(double left, double right, double height, double direction)
     {
         const Vec3d toTheRight(std::cos(direction), 0, -std::sin(direction));
@@ -122,18 +117,22 @@ class Simulator
 {
 public:
     Simulator(const cv::rsackermann::RollingShutterCamera& camera_, const Drive& drive_, const Street& street_)
-        : camera(camera_), drive(drive_), street(street_) {}
+        : camera(camera_), drive(drive_), street(street_)
+    {
+    }
 
     //! Metric values; see AckermannMotion::fromMetric.
-    static Simulator fromMetric(const cv::rsackermann::RollingShutterCamera& camera, double yawRate, double speed, double left,
-                                double right, double wallDirection)
+    static Simulator fromMetric(const cv::rsackermann::RollingShutterCamera& camera, double yawRate, double speed,
+                                double left, double right, double wallDirection)
     {
         const double unit = camera.cameraMatrix(1, 1) * camera.lineDelay;
-        return Simulator(camera, Drive(yawRate * unit, speed * unit, camera.heading), Street(left, right, camera.height, wallDirection));
+        return Simulator(camera, Drive(yawRate * unit, speed * unit, camera.heading),
+                         Street(left, right, camera.height, wallDirection));
     }
 
     //! What a motion says about the camera and the scene; at rest if the motion isn't OK.
-    static Simulator fromMotion(const cv::rsackermann::RollingShutterCamera& camera, const cv::rsackermann::AckermannMotion& m)
+    static Simulator fromMotion(const cv::rsackermann::RollingShutterCamera& camera,
+                                const cv::rsackermann::AckermannMotion& m)
     {
         if (m.status != cv::rsackermann::MOTION_OK)
             return Simulator(camera, Drive(), Street());
@@ -166,7 +165,8 @@ public:
             Point2d p = want;
             for (int i = 0; i < 20; i++)
             {
-                std::vector<Point2d> f = {p, p + Point2d(h, 0), p - Point2d(h, 0), p + Point2d(0, h), p - Point2d(0, h)};
+                std::vector<Point2d> f = {p, p + Point2d(h, 0), p - Point2d(h, 0), p + Point2d(0, h),
+                                          p - Point2d(0, h)};
                 lens(f);
                 const Point2d error = f[0] - want, dx = (f[1] - f[2]) * (0.5 / h), dy = (f[3] - f[4]) * (0.5 / h);
                 const double det = dx.x * dy.y - dx.y * dy.x;
@@ -215,7 +215,8 @@ public:
 
     bool inside(const Point2d& pixel) const
     {
-        return pixel.x >= 0 && pixel.y >= 0 && pixel.x <= camera.imageSize.width - 1 && pixel.y <= camera.imageSize.height - 1;
+        return pixel.x >= 0 && pixel.y >= 0 && pixel.x <= camera.imageSize.width - 1 &&
+               pixel.y <= camera.imageSize.height - 1;
     }
 
     //! Plane that a raw pixel shows.
@@ -248,7 +249,8 @@ public:
         return camera.cameraMatrix(0, 0) * (P[0] / P[2] - Q[0] / Q[2]);
     }
 
-    //! Mean pixels between the global-shutter pixels of another simulation and the true ones, over the raw pixels of walls.
+    //! Mean pixels between the global-shutter pixels of another simulation and the true ones, over the raw pixels of
+    //! walls.
     double meanDisplacement(const Simulator& other) const
     {
         double sum = 0;
@@ -256,7 +258,8 @@ public:
         for (int y = 0; y < 20; y++)
             for (int x = 0; x < 20; x++)
             {
-                const Point2d pixel((x + 0.5) / 20 * (camera.imageSize.width - 1), (y + 0.5) / 20 * (camera.imageSize.height - 1));
+                const Point2d pixel((x + 0.5) / 20 * (camera.imageSize.width - 1),
+                                    (y + 0.5) / 20 * (camera.imageSize.height - 1));
                 const Surface plane = surface(pixel);
                 Point2d a, b;
                 if ((plane != LEFT && plane != RIGHT) || !globalPixel(pixel, a) || !other.globalPixel(pixel, b))
@@ -277,7 +280,8 @@ public:
 private:
     bool scansRows() const
     {
-        return camera.scanDirection == cv::rsackermann::SCAN_TOP_TO_BOTTOM || camera.scanDirection == cv::rsackermann::SCAN_BOTTOM_TO_TOP;
+        return camera.scanDirection == cv::rsackermann::SCAN_TOP_TO_BOTTOM ||
+               camera.scanDirection == cv::rsackermann::SCAN_BOTTOM_TO_TOP;
     }
 
     Vec3d worldRay(const Point2d& pixel) const { return drive.turn(bearing(pixel), time(pixel)); }
@@ -311,12 +315,12 @@ private:
 struct SegmentOptions
 {
     SegmentOptions() : count(60), inlierRatio(1), noise(0), minLength(40), maxLength(150), maxSlant(0.3) {}
-    int count;           // segments in all
-    double inlierRatio;  // share of images of vertical lines
-    double noise;        // pixels, standard deviation at every end
-    double minLength;    // pixels
-    double maxLength;    // pixels
-    double maxSlant;     // largest tangent of the angle between an outlier and the vertical
+    int count;          // segments in all
+    double inlierRatio; // share of images of vertical lines
+    double noise;       // pixels, standard deviation at every end
+    double minLength;   // pixels
+    double maxLength;   // pixels
+    double maxSlant;    // largest tangent of the angle between an outlier and the vertical
 };
 
 //! Segments with the plane on which each lies; NOTHING for outliers.
@@ -329,7 +333,8 @@ struct Segments
 };
 
 //! The rolling-shutter image of a vertical line on a wall, with its midpoint near a random pixel.
-inline bool randomVertical(const Simulator& simulator, const SegmentOptions& options, RNG& rng, Vec4d& segment, Surface& plane)
+inline bool randomVertical(const Simulator& simulator, const SegmentOptions& options, RNG& rng, Vec4d& segment,
+                           Surface& plane)
 {
     const Size size = simulator.camera.imageSize;
     const Point2d middle = uniformPoint(rng, Point2d(0, 0), Point2d(size.width - 1, size.height - 1));
@@ -337,10 +342,12 @@ inline bool randomVertical(const Simulator& simulator, const SegmentOptions& opt
     Vec3d P;
     if ((plane != LEFT && plane != RIGHT) || !simulator.locate(middle, plane, P))
         return false;
-    const double half = 0.5 * rng.uniform(options.minLength, options.maxLength) / simulator.camera.cameraMatrix(1, 1) * cv::norm(P);
+    const double half =
+        0.5 * rng.uniform(options.minLength, options.maxLength) / simulator.camera.cameraMatrix(1, 1) * cv::norm(P);
     Point2d top, bottom;
     if (!simulator.project(P - Vec3d(0, half, 0), top) || !simulator.project(P + Vec3d(0, half, 0), bottom) ||
-        simulator.surface(top) != plane || simulator.surface(bottom) != plane || cv::norm(top - bottom) < options.minLength)
+        simulator.surface(top) != plane || simulator.surface(bottom) != plane ||
+        cv::norm(top - bottom) < options.minLength)
         return false;
     segment = Vec4d(top.x, top.y, bottom.x, bottom.y);
     return true;
@@ -375,7 +382,8 @@ inline Segments randomSegments(const Simulator& simulator, const SegmentOptions&
         {
             const double height = 0.5 * rng.uniform(options.minLength, options.maxLength);
             const double width = height * rng.uniform(-options.maxSlant, options.maxSlant);
-            const double x = rng.uniform(std::abs(width), size.width - 1 - std::abs(width)), y = rng.uniform(height, size.height - 1 - height);
+            const double x = rng.uniform(std::abs(width), size.width - 1 - std::abs(width)),
+                         y = rng.uniform(height, size.height - 1 - height);
             segment = Vec4d(x - width, y - height, x + width, y + height);
         }
         for (int j = 0; j < 4; j++)
@@ -402,7 +410,8 @@ inline cv::rsackermann::VerticalSegment toVerticalSegment(const Simulator& simul
 //! The camera of the paper's experiments: 640 x 380, f = 816, height 1.2 m, 30 frames/s of which 40 % is read-out.
 inline cv::rsackermann::RollingShutterCamera paperCamera()
 {
-    cv::rsackermann::RollingShutterCamera camera = cv::rsackermann::RollingShutterCamera::fromFocal(Size(640, 380), 816);
+    cv::rsackermann::RollingShutterCamera camera =
+        cv::rsackermann::RollingShutterCamera::fromFocal(Size(640, 380), 816);
     camera.lineDelay = 0.4 / 30 / 380;
     camera.height = 1.2;
     return camera;

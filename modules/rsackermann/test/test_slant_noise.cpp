@@ -32,7 +32,8 @@ void addSlant(double slant, double pixels, double column, Slants& slants)
     slants.column.push_back(column);
 }
 
-//! Slants of verticals that lean by student() * lean and are placed to student() * pixels, among others; so that no two are neighbours.
+//! Slants of verticals that lean by student() * lean and are placed to student() * pixels, among others; so that no two
+//! are neighbours.
 Slants drawSlants(int count, double lean, double pixels, double share, RNG& rng)
 {
     Slants slants = noSlants();
@@ -84,8 +85,10 @@ TEST(RSAckermann_SlantNoise, likelihood)
     double expected = -0.5 * unusual * unusual;
     for (size_t i = 0; i < slants.size(); i++)
     {
-        const double scale = std::hypot(noise.lean, noise.pixels / (FOCAL * slants.length[i])), t = slants.slant[i] / scale;
-        const double density = std::tgamma(2.) / (std::tgamma(1.5) * std::sqrt(3 * CV_PI)) * std::pow(1 + t * t / 3, -2);
+        const double scale = std::hypot(noise.lean, noise.pixels / (FOCAL * slants.length[i])),
+                     t = slants.slant[i] / scale;
+        const double density =
+            std::tgamma(2.) / (std::tgamma(1.5) * std::sqrt(3 * CV_PI)) * std::pow(1 + t * t / 3, -2);
         expected += std::log((1 - noise.share) * density / scale + noise.share / (2 * GATE));
     }
     EXPECT_NEAR(expected, noise.logLikelihood, 1e-8);
@@ -102,7 +105,8 @@ TEST(RSAckermann_SlantNoise, dependence)
     EXPECT_EQ(0, neighbours);
     EXPECT_EQ(1, dependenceOf(noSlants(), noise, FOCAL, neighbours));
 
-    // Facades, 0.03 wide, of several verticals: those that lean independently say as much as their number, those that lean alike as one.
+    // Facades, 0.03 wide, of several verticals: those that lean independently say as much as their number, those that
+    // lean alike as one.
     const int facades = 500, verticals = 4;
     Slants independent = noSlants(), alike = noSlants();
     for (int i = 0; i < facades; i++)

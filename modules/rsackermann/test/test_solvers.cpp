@@ -36,7 +36,8 @@ void randomTimes(VerticalSegment& segment, RNG& rng)
     {
         segment.timeU = rng.uniform(-0.25, 0.25);
         segment.timeV = rng.uniform(-0.25, 0.25);
-    } while (std::abs(segment.timeU - segment.timeV) < 0.05);
+    }
+    while (std::abs(segment.timeU - segment.timeV) < 0.05);
 }
 
 //! Any positive length is a bearing.
@@ -61,7 +62,9 @@ public:
     Problem problem(Motion motion, bool twoWalls, RNG& rng)
     {
         Problem result;
-        while (!tryProblem(motion, twoWalls, rng, result)) {}
+        while (!tryProblem(motion, twoWalls, rng, result))
+        {
+        }
         return result;
     }
 
@@ -74,12 +77,14 @@ protected:
 private:
     bool tryProblem(Motion motion, bool twoWalls, RNG& rng, Problem& result)
     {
-        const double alpha = motion == TRANSLATION ? 0 : rng.uniform(leastAlpha, mostAlpha) * (rng.uniform(0, 2) ? 1 : -1);
+        const double alpha =
+            motion == TRANSLATION ? 0 : rng.uniform(leastAlpha, mostAlpha) * (rng.uniform(0, 2) ? 1 : -1);
         // the left wall is at distance 1
         const double beta = motion == ROTATION ? 0 : rng.uniform(0.02, 0.6) * (rng.uniform(0, 2) ? 1 : -1);
         const double lambda = twoWalls ? rng.uniform(0.4, 2.5) : 0;
         // both walls are seen if their line at infinity is in the image
-        const double direction = twoWalls ? rng.uniform(-0.4, 0.4) + (rng.uniform(0, 2) ? CV_PI : 0) : rng.uniform(-CV_PI, CV_PI);
+        const double direction =
+            twoWalls ? rng.uniform(-0.4, 0.4) + (rng.uniform(0, 2) ? CV_PI : 0) : rng.uniform(-CV_PI, CV_PI);
         result.options.heading = randomHeading(rng);
         result.truth.alpha = alpha;
         result.truth.wallSlope = beta * std::cos(direction);
@@ -112,7 +117,8 @@ class ExactGenerator : public Generator
 {
     bool simulate(const Problem&, Surface wall, VerticalSegment& segment) const CV_OVERRIDE
     {
-        const Vec3d origin = drive.position(segment.timeU), ray = drive.turn(Vec3d(segment.u.x, 0, segment.u.z), segment.timeU);
+        const Vec3d origin = drive.position(segment.timeU),
+                    ray = drive.turn(Vec3d(segment.u.x, 0, segment.u.z), segment.timeU);
         const double distance = street.distance(wall, origin, ray);
         if (!(distance < 1e6))
             return false;
@@ -127,7 +133,8 @@ class CubicGenerator : public Generator
 {
     static double compensated(const Problem& problem, Surface wall, double x, double t)
     {
-        const double a = problem.truth.alpha, c = std::cos(problem.options.heading), s = std::sin(problem.options.heading);
+        const double a = problem.truth.alpha, c = std::cos(problem.options.heading),
+                     s = std::sin(problem.options.heading);
         const double scale = wall == simulation::LEFT ? 1 : -problem.truth.wallRatio;
         const double w = scale * (problem.truth.wallOffset - problem.truth.wallSlope * x);
         const double X = x + 2 * a * t * (1 + x * x);
@@ -139,7 +146,8 @@ class CubicGenerator : public Generator
     {
         const double target = compensated(problem, wall, segment.u.x, segment.timeU);
         double low = -3, high = 3;
-        if (compensated(problem, wall, low, segment.timeV) > target || compensated(problem, wall, high, segment.timeV) < target)
+        if (compensated(problem, wall, low, segment.timeV) > target ||
+            compensated(problem, wall, high, segment.timeV) < target)
             return false;
         for (int i = 0; i < 100; i++)
         {
@@ -155,7 +163,10 @@ class CubicGenerator : public Generator
 
 typedef int (*Solver)(const Problem&, bool twoWalls, MinimalSolution* solutions);
 
-int run1LA(const Problem& p, bool, MinimalSolution* s) { return solve1LA(p.segments[0], p.options, s); }
+int run1LA(const Problem& p, bool, MinimalSolution* s)
+{
+    return solve1LA(p.segments[0], p.options, s);
+}
 
 int run3LA(const Problem& p, bool twoWalls, MinimalSolution* s)
 {
@@ -163,7 +174,10 @@ int run3LA(const Problem& p, bool twoWalls, MinimalSolution* s)
     return solve3LA(segments, twoWalls, p.options, s);
 }
 
-int run4LA(const Problem& p, bool twoWalls, MinimalSolution* s) { return solve4LA(p.segments, twoWalls, p.options, s); }
+int run4LA(const Problem& p, bool twoWalls, MinimalSolution* s)
+{
+    return solve4LA(p.segments, twoWalls, p.options, s);
+}
 
 int run4LAAsPaper(const Problem& p, bool twoWalls, MinimalSolution* s)
 {
@@ -172,7 +186,10 @@ int run4LAAsPaper(const Problem& p, bool twoWalls, MinimalSolution* s)
     return solve4LA(p.segments, twoWalls, options, s);
 }
 
-int run4LAExact(const Problem& p, bool twoWalls, MinimalSolution* s) { return solve4LAExact(p.segments, twoWalls, p.options, s); }
+int run4LAExact(const Problem& p, bool twoWalls, MinimalSolution* s)
+{
+    return solve4LAExact(p.segments, twoWalls, p.options, s);
+}
 
 int runKnownYawRate(const Problem& p, bool twoWalls, MinimalSolution* s)
 {
@@ -196,7 +213,8 @@ int runKnownWallDirection(const Problem& p, bool twoWalls, MinimalSolution* s)
 int runKnownOppositeDirection(const Problem& p, bool twoWalls, MinimalSolution* s)
 {
     const VerticalSegment segments[] = {p.segments[0], p.segments[1], p.segments[3]};
-    return solveKnownWallDirection(segments, twoWalls, std::atan2(-p.truth.wallOffset, -p.truth.wallSlope), p.options, s);
+    return solveKnownWallDirection(segments, twoWalls, std::atan2(-p.truth.wallOffset, -p.truth.wallSlope), p.options,
+                                   s);
 }
 
 //! Largest relative difference of yaw, walls and their ratio.
@@ -219,12 +237,16 @@ double difference(const MinimalSolution& a, const MinimalSolution& truth)
     return worst;
 }
 
-bool isFinite(double value) { return !cvIsNaN(value) && !cvIsInf(value); }
+bool isFinite(double value)
+{
+    return !cvIsNaN(value) && !cvIsInf(value);
+}
 
 //! Whether a solution is finite and within the limits of the options.
 bool admissible(const MinimalSolution& s, const SolverOptions& options)
 {
-    return isFinite(s.alpha) && isFinite(s.wallSlope) && isFinite(s.wallOffset) && isFinite(s.wallRatio) && std::abs(s.alpha) <= options.maxAlpha &&
+    return isFinite(s.alpha) && isFinite(s.wallSlope) && isFinite(s.wallOffset) && isFinite(s.wallRatio) &&
+           std::abs(s.alpha) <= options.maxAlpha &&
            std::hypot(s.wallSlope, s.wallOffset) <= options.maxScaledSpeed * (1 + 1e-12) && s.wallRatio >= 0;
 }
 
@@ -259,7 +281,9 @@ double shareBelow(const std::vector<double>& errors, double limit)
     return double(n) / errors.size();
 }
 
-class RSAckermann_WallSolvers : public testing::TestWithParam<bool /* two walls */> {};
+class RSAckermann_WallSolvers : public testing::TestWithParam<bool /* two walls */>
+{
+};
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_WallSolvers, testing::Bool());
 
 TEST(RSAckermann_Solvers, solve1LA_finds_pure_rotation)
@@ -270,7 +294,8 @@ TEST(RSAckermann_Solvers, solve1LA_finds_pure_rotation)
 }
 
 // At least the given share of random problems has the true motion among its solutions.
-template <class Generator> void expectFound(Generator generator, Solver solver, Motion motion, bool twoWalls, int maxSolutions, double least)
+template <class Generator>
+void expectFound(Generator generator, Solver solver, Motion motion, bool twoWalls, int maxSolutions, double least)
 {
     const double share = shareBelow(bestErrors(generator, solver, motion, twoWalls, maxSolutions), 1e-6);
     testing::Test::RecordProperty("share", format("%.4f", share));
@@ -324,7 +349,8 @@ Problem paperProblem(RNG& rng)
 {
     const double yawRate = rng.uniform(10., 70.) * CV_PI / 180 * (rng.uniform(0, 2) ? 1 : -1);
     const double speed = rng.uniform(10., 140.) / 3.6, left = 2.5, right = 3, direction = rng.uniform(-0.05, 0.05);
-    const simulation::Simulator simulator = simulation::Simulator::fromMetric(simulation::paperCamera(), yawRate, speed, left, right, direction);
+    const simulation::Simulator simulator =
+        simulation::Simulator::fromMetric(simulation::paperCamera(), yawRate, speed, left, right, direction);
     const double w = simulator.drive.speed / left;
     Problem result;
     result.truth.alpha = simulator.drive.yaw / 2;
@@ -336,13 +362,17 @@ Problem paperProblem(RNG& rng)
         Vec4d segment;
         Surface wall = simulation::NOTHING;
         const Surface wanted = i < 3 ? simulation::LEFT : simulation::RIGHT;
-        while (!simulation::randomVertical(simulator, simulation::SegmentOptions(), rng, segment, wall) || wall != wanted) {}
+        while (!simulation::randomVertical(simulator, simulation::SegmentOptions(), rng, segment, wall) ||
+               wall != wanted)
+        {
+        }
         result.segments[i] = simulation::toVerticalSegment(simulator, segment);
     }
     return result;
 }
 
-//! Median over the paper's motions of the larger relative error of yaw rate and speed; a problem without solution counts as infinite.
+//! Median over the paper's motions of the larger relative error of yaw rate and speed; a problem without solution
+//! counts as infinite.
 double medianPaperError(Solver solver)
 {
     RNG rng(3);
@@ -356,7 +386,9 @@ double medianPaperError(Solver solver)
         double best = std::numeric_limits<double>::infinity();
         for (int j = 0; j < n; j++)
             best = std::min(best, std::max(std::abs(solutions[j].alpha / truth.alpha - 1),
-                                           std::abs(std::hypot(solutions[j].wallSlope, solutions[j].wallOffset) / std::hypot(truth.wallSlope, truth.wallOffset) - 1)));
+                                           std::abs(std::hypot(solutions[j].wallSlope, solutions[j].wallOffset) /
+                                                        std::hypot(truth.wallSlope, truth.wallOffset) -
+                                                    1)));
         errors.push_back(best);
     }
     return median(errors);
@@ -364,7 +396,8 @@ double medianPaperError(Solver solver)
 
 TEST(RSAckermann_Solvers, median_errors_at_the_papers_motions)
 {
-    const double cubic = medianPaperError(run4LAAsPaper), globalDepth = medianPaperError(run4LA), exact = medianPaperError(run4LAExact);
+    const double cubic = medianPaperError(run4LAAsPaper), globalDepth = medianPaperError(run4LA),
+                 exact = medianPaperError(run4LAExact);
     RecordProperty("cubic", format("%.3g", cubic));
     RecordProperty("cubic_with_global_shutter_depth", format("%.3g", globalDepth));
     RecordProperty("exact", format("%.3g", exact));
@@ -429,11 +462,14 @@ void expectNoSolution(const VerticalSegment segments[4], const char* what, bool 
         const VerticalSegment three[] = {segments[0], segments[1], segments[3]};
         MinimalSolution solutions[8];
         EXPECT_EQ(0, solve3LA(three, twoWalls, options, solutions)) << what << ", heading " << options.heading;
-        EXPECT_EQ(0, solveKnownYawRate(three, twoWalls, 0, options, solutions)) << what << ", heading " << options.heading;
+        EXPECT_EQ(0, solveKnownYawRate(three, twoWalls, 0, options, solutions))
+            << what << ", heading " << options.heading;
         if (knownSpeedIsDegenerate)
         {
-            EXPECT_EQ(0, solveKnownWallDirection(three, twoWalls, 0.2, options, solutions)) << what << ", heading " << options.heading;
-            EXPECT_EQ(0, solveKnownSpeed(three, twoWalls, 0.2, options, solutions)) << what << ", heading " << options.heading;
+            EXPECT_EQ(0, solveKnownWallDirection(three, twoWalls, 0.2, options, solutions))
+                << what << ", heading " << options.heading;
+            EXPECT_EQ(0, solveKnownSpeed(three, twoWalls, 0.2, options, solutions))
+                << what << ", heading " << options.heading;
         }
         EXPECT_EQ(0, solve4LA(segments, twoWalls, options, solutions)) << what << ", heading " << options.heading;
         EXPECT_EQ(0, solve4LAExact(segments, twoWalls, options, solutions)) << what << ", heading " << options.heading;
@@ -463,7 +499,8 @@ TEST(RSAckermann_Solvers, degenerate_identical)
 TEST(RSAckermann_Solvers, degenerate_zero_length)
 {
     const VerticalSegment point = slanted(0.2, 0.1, 0.1, 0.1);
-    const VerticalSegment good[] = {slanted(0.3, 0.1, -0.2, 0.1), slanted(-0.1, 0.04, -0.1, 0.2), slanted(0.1, 0.02, 0.05, 0.2), slanted(-0.3, 0.03, -0.1, 0.2)};
+    const VerticalSegment good[] = {slanted(0.3, 0.1, -0.2, 0.1), slanted(-0.1, 0.04, -0.1, 0.2),
+                                    slanted(0.1, 0.02, 0.05, 0.2), slanted(-0.3, 0.03, -0.1, 0.2)};
     for (int i = 0; i < 3; i++)
     {
         VerticalSegment segments[] = {good[0], good[1], good[2], good[3]};
@@ -520,10 +557,12 @@ Every segment has one of the values in each of its six places; every other segme
 TEST(RSAckermann_Solvers, special_values)
 {
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-    const double values[] = {0, -0., 1, -1, 0.1, -0.1, 0.25, 1e-9, -1e-9, 1e-17, 1e-160, 1e-300, DBL_MIN, 4.9e-324, DBL_EPSILON, 1e9, -1e9,
-                             1e160, -1e160, DBL_MAX, -DBL_MAX, infinity, -infinity, nan, CV_PI / 2, -CV_PI / 2, CV_PI};
+    const double values[] = {0,      -0.,     1,        -1,       0.1,       -0.1,        0.25,      1e-9,       -1e-9,
+                             1e-17,  1e-160,  1e-300,   DBL_MIN,  4.9e-324,  DBL_EPSILON, 1e9,       -1e9,       1e160,
+                             -1e160, DBL_MAX, -DBL_MAX, infinity, -infinity, nan,         CV_PI / 2, -CV_PI / 2, CV_PI};
     const int count = int(sizeof(values) / sizeof(values[0]));
-    const Solver solvers[] = {run1LA, run3LA, run4LA, run4LAExact, runKnownYawRate, runKnownSpeed, runKnownWallDirection};
+    const Solver solvers[] = {
+        run1LA, run3LA, run4LA, run4LAExact, runKnownYawRate, runKnownSpeed, runKnownWallDirection};
     const int most[] = {1, 1, 3, 8, 1, 8, 6};
     const int solverCount = int(sizeof(solvers) / sizeof(solvers[0]));
     ExactGenerator generator;

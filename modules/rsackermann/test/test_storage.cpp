@@ -11,7 +11,8 @@ template <class Struct>
 std::string written(const Struct& value, const char* format)
 {
     FileStorage out(format, FileStorage::WRITE | FileStorage::MEMORY);
-    out << "value" << "{";
+    out << "value"
+        << "{";
     value.write(out);
     out << "}";
     return out.releaseAndGetString();
@@ -131,9 +132,12 @@ TEST(RSAckermann_Storage, save_and_load)
 template <class Struct>
 void checkSizeOfMatrix(const char* key)
 {
-    for (const char* size : {"rows: 80000\n   cols: 80000", "rows: -1\n   cols: -1\n   sizes: [ 80000, 80000 ]", "rows: 1\n   cols: 9"})
+    for (const char* size :
+         {"rows: 80000\n   cols: 80000", "rows: -1\n   cols: -1\n   sizes: [ 80000, 80000 ]", "rows: 1\n   cols: 9"})
     {
-        const FileStorage in(format("%%YAML:1.0\n---\n%s: !!opencv-matrix\n   %s\n   dt: d\n   data: [ 1. ]\n", key, size), FileStorage::READ | FileStorage::MEMORY);
+        const FileStorage in(
+            format("%%YAML:1.0\n---\n%s: !!opencv-matrix\n   %s\n   dt: d\n   data: [ 1. ]\n", key, size),
+            FileStorage::READ | FileStorage::MEMORY);
         try
         {
             Struct().read(in.root());
@@ -168,9 +172,12 @@ void checkAllOrNothing(const typename Algorithm::Params& example, const char* te
 TEST(RSAckermann_Storage, reading_is_all_or_nothing)
 {
     checkAllOrNothing<AckermannEstimator>(exampleEstimatorParams(), "threshold: -1\nseed: 9\ncamera:\n   height: 2\n");
-    checkAllOrNothing<AckermannEstimator>(exampleEstimatorParams(), "seed: 9\ncamera:\n   height: -2\n   heading: 0.1\n");
-    checkAllOrNothing<WarpMapGenerator>(exampleWarpParams(), "tolerance: -1\nmax_iterations: 9\ncamera:\n   height: 2\n");
-    checkAllOrNothing<RollingShutterCorrector>(exampleCorrectorParams(), "warp:\n   tolerance: -1\nestimator:\n   seed: 9\n");
+    checkAllOrNothing<AckermannEstimator>(exampleEstimatorParams(),
+                                          "seed: 9\ncamera:\n   height: -2\n   heading: 0.1\n");
+    checkAllOrNothing<WarpMapGenerator>(exampleWarpParams(),
+                                        "tolerance: -1\nmax_iterations: 9\ncamera:\n   height: 2\n");
+    checkAllOrNothing<RollingShutterCorrector>(exampleCorrectorParams(),
+                                               "warp:\n   tolerance: -1\nestimator:\n   seed: 9\n");
 }
 
 }} // namespace

@@ -48,7 +48,8 @@ Mat streetImage(int i)
     for (int k = 0; k < segments.rows; k++)
     {
         const double* s = segments.ptr<double>(k);
-        line(image, Point(cvRound(16 * s[0]), cvRound(16 * s[1])), Point(cvRound(16 * s[2]), cvRound(16 * s[3])), Scalar(230), 3, LINE_AA, 4);
+        line(image, Point(cvRound(16 * s[0]), cvRound(16 * s[1])), Point(cvRound(16 * s[2]), cvRound(16 * s[3])),
+             Scalar(230), 3, LINE_AA, 4);
     }
     return image;
 }

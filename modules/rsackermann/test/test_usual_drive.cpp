@@ -15,7 +15,8 @@ typedef AckermannEstimator::Params Params;
 
 const double USUAL_WALL = 8, USUAL_SPEED = 12, USUAL_REVERSE_SPEED = 1.5;
 
-UsualDrive makeDrive(const RollingShutterCamera& camera, const MotionPrior& prior = MotionPrior(), const Params& params = Params())
+UsualDrive makeDrive(const RollingShutterCamera& camera, const MotionPrior& prior = MotionPrior(),
+                     const Params& params = Params())
 {
     return UsualDrive(prior, camera, params, MotionLimits(camera, params));
 }
@@ -69,7 +70,8 @@ TEST(RSAckermann_UsualDrive, density_of_the_yaw_rate)
     EXPECT_NEAR(0.01 * camera.secondsPerUnitTime() / 2, told.alphaScale(), 1e-12);
     RollingShutterCamera uncertain = camera;
     uncertain.lineDelaySigma = 0.1 * camera.lineDelay;
-    EXPECT_NEAR(std::hypot(0.01, 0.1 * 0.2) * camera.secondsPerUnitTime() / 2, makeDrive(uncertain, gyro).alphaScale(), 1e-12);
+    EXPECT_NEAR(std::hypot(0.01, 0.1 * 0.2) * camera.secondsPerUnitTime() / 2, makeDrive(uncertain, gyro).alphaScale(),
+                1e-12);
     EXPECT_NEAR(-std::log(told.alphaScale() * std::sqrt(2 * CV_PI)), told.logYawDensity(0.3), 1e-12);
 }
 
@@ -81,15 +83,18 @@ TEST(RSAckermann_UsualDrive, residual_of_the_yaw_rate_is_its_density)
     for (int i = -20; i <= 20; i++)
     {
         m[P_ALPHA] = 0.3 * i * drive.alphaScale();
-        ASSERT_EQ(2, drive.evaluate(m, MotionHypothesis(MODEL_1LA, 0), r)); // the other one is that of the street's direction
+        // The other one is that of the street's direction
+        ASSERT_EQ(2, drive.evaluate(m, MotionHypothesis(MODEL_1LA, 0), r));
         EXPECT_NEAR(drive.logYawDensity(0) - drive.logYawDensity(m[P_ALPHA]), 0.5 * r[0].value * r[0].value, 1e-9) << i;
     }
 }
 
 TEST(RSAckermann_UsualDrive, derivatives)
 {
-    const UsualDrive drives[] = {makeDrive(simulation::paperCamera()), makeDrive(simulation::paperCamera(), toldSpeed(15, 1))};
-    const MotionHypothesis structures[] = {MotionHypothesis(MODEL_1LA, 0), MotionHypothesis(MODEL_3LA, 1), MotionHypothesis(MODEL_4LA, 1), MotionHypothesis(MODEL_4LA, 2)};
+    const UsualDrive drives[] = {makeDrive(simulation::paperCamera()),
+                                 makeDrive(simulation::paperCamera(), toldSpeed(15, 1))};
+    const MotionHypothesis structures[] = {MotionHypothesis(MODEL_1LA, 0), MotionHypothesis(MODEL_3LA, 1),
+                                           MotionHypothesis(MODEL_4LA, 1), MotionHypothesis(MODEL_4LA, 2)};
     for (int d = 0; d < 2; d++)
         for (int s = 0; s < 4; s++)
         {
@@ -108,7 +113,8 @@ TEST(RSAckermann_UsualDrive, derivatives)
                 for (int i = 0; i < n; i++)
                 {
                     const double expected = (up[i].value - down[i].value) / (2 * h);
-                    EXPECT_NEAR(expected, r[i].derivative[p], 1e-5 * (1 + std::abs(expected))) << d << " " << s << " " << i << " " << p;
+                    EXPECT_NEAR(expected, r[i].derivative[p], 1e-5 * (1 + std::abs(expected)))
+                        << d << " " << s << " " << i << " " << p;
                 }
             }
         }
@@ -158,8 +164,10 @@ TEST(RSAckermann_UsualDrive, volume)
     const RollingShutterCamera camera = simulation::paperCamera();
     const double street = std::log(0.4);
     EXPECT_NEAR(street, makeDrive(camera).logVolume(MotionHypothesis(MODEL_1LA, 0)), 1e-9);
-    EXPECT_NEAR(street + std::log(std::hypot(0.8, 0.6)), makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 1)), 1e-9);
-    EXPECT_NEAR(street + 0.5 * std::log(0.8 * 0.8 + 0.6 * 0.6 / 2) + std::log(0.8), makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 2)), 1e-9);
+    EXPECT_NEAR(street + std::log(std::hypot(0.8, 0.6)), makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 1)),
+                1e-9);
+    EXPECT_NEAR(street + 0.5 * std::log(0.8 * 0.8 + 0.6 * 0.6 / 2) + std::log(0.8),
+                makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 2)), 1e-9);
 }
 
 // Speeds and walls as they are usual, of which only those count that a camera would see pass in this way.
@@ -177,8 +185,10 @@ TEST(RSAckermann_UsualDrive, road_of_walls_that_pass)
             int count = 0;
             for (int i = 0; i < 2000000; i++)
             {
-                // A right wall 2.5 times as far away: the mean of the logarithms varies less than that of a single wall.
-                const double wall = USUAL_WALL * std::exp(rng.gaussian(walls == 2 ? 0.6 / std::sqrt(2.) : 0.6)) * (walls == 2 ? std::sqrt(0.4) : 1);
+                // A right wall 2.5 times as far away: the mean of the logarithms varies less than that of a single
+                // wall.
+                const double wall = USUAL_WALL * std::exp(rng.gaussian(walls == 2 ? 0.6 / std::sqrt(2.) : 0.6)) *
+                                    (walls == 2 ? std::sqrt(0.4) : 1);
                 const double speed = 12 * std::exp(rng.gaussian(0.8));
                 if (std::abs(std::log(speed * unit / wall / B)) > width)
                     continue;
@@ -188,7 +198,8 @@ TEST(RSAckermann_UsualDrive, road_of_walls_that_pass)
                 count++;
             }
             ASSERT_GT(count, 1000);
-            const double mean = sum / count, sigma = std::sqrt(squares / count - mean * mean), error = 4 * sigma / std::sqrt(double(count));
+            const double mean = sum / count, sigma = std::sqrt(squares / count - mean * mean),
+                         error = 4 * sigma / std::sqrt(double(count));
             double G, variance;
             makeDrive(camera).road(model, G, variance);
             EXPECT_NEAR(mean, std::log(G), error);

@@ -39,7 +39,8 @@ float interpolate(const Mat& map, int i, int j, float u, float v)
     return (1 - v) * ((1 - u) * m0[0] + u * m0[1]) + v * ((1 - u) * m1[0] + u * m1[1]);
 }
 
-//! Whether the corners of a pixel cell show different planes; there the distort map has a crease that isn't interpolated well.
+//! Whether the corners of a pixel cell show different planes; there the distort map has a crease that isn't
+//! interpolated well.
 bool isCrease(const simulation::Simulator& simulator, int i, int j)
 {
     const simulation::Surface first = simulator.surface(Point2d(i, j));
@@ -93,7 +94,8 @@ TEST_P(WarpLens, rectify_then_distort_is_identity)
             {
                 ASSERT_EQ(255, found.at<uchar>(i));
                 const Vec2f p = back.at<Vec2f>(i);
-                worstPoint = std::max(worstPoint, std::max(std::abs((double)p[0] - i % mask.cols), std::abs((double)p[1] - i / mask.cols)));
+                worstPoint = std::max(worstPoint, std::max(std::abs((double)p[0] - i % mask.cols),
+                                                           std::abs((double)p[1] - i / mask.cols)));
             }
         EXPECT_LE(worstPoint, 0.01) << "round " << round;
     }
@@ -117,11 +119,11 @@ TEST_P(WarpLens, no_motion_equals_OpenCV)
             Mat map1, map2, expected1, expected2;
             WarpMapGenerator::create(camera, params)->initRectifyMap(motion, map1, map2);
             if (GetParam() == FISHEYE_LENS)
-                cv::fisheye::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), newMatrices[i], size, CV_32FC1,
-                                                     expected1, expected2);
+                cv::fisheye::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), newMatrices[i],
+                                                     size, CV_32FC1, expected1, expected2);
             else
-                cv::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), newMatrices[i], size, CV_32FC1, expected1,
-                                            expected2);
+                cv::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), newMatrices[i], size,
+                                            CV_32FC1, expected1, expected2);
             EXPECT_LE(maxDifference(map1, expected1), 1e-3);
             EXPECT_LE(maxDifference(map2, expected2), 1e-3);
         }
@@ -221,7 +223,8 @@ TEST_P(WarpLens, mask_tells_what_remap_shows)
             else
                 generator->initRectifyMap(motion, map1, map2, CV_32FC1, mask);
             ASSERT_EQ(CV_8UC1, mask.type());
-            cv::remap(Mat(camera.imageSize, CV_8U, Scalar(200)), shown, map1, map2, INTER_LINEAR, BORDER_CONSTANT, Scalar(0));
+            cv::remap(Mat(camera.imageSize, CV_8U, Scalar(200)), shown, map1, map2, INTER_LINEAR, BORDER_CONSTANT,
+                      Scalar(0));
             EXPECT_EQ(0, maxDifference(mask == 255, shown == 200)) << "round " << round << ", distort " << distort;
             // beyond the frame there is nothing, but for the pixel in which the border is blended
             EXPECT_EQ(0, cv::countNonZero(shown & (map1 <= -1))) << "round " << round << ", distort " << distort;
@@ -292,7 +295,8 @@ TEST(RSAckermann_Warp, rows_beyond_a_wall_beside_show_nothing)
 
 TEST(RSAckermann_Warp, nearest_plane_is_seen)
 {
-    // Where two planes meet their depths agree: the distort map is continuous there and follows the nearer one elsewhere.
+    // Where two planes meet their depths agree: the distort map is continuous there and follows the nearer one
+    // elsewhere.
     const RollingShutterCamera camera = simulation::paperCamera();
     const AckermannMotion motion = exampleMotion(camera);
     AckermannMotion onlyLeft = motion;
@@ -426,8 +430,10 @@ TEST(RSAckermann_Warp, bad_arguments)
 
     Mat map1, map2;
     AckermannMotion motion = exampleMotion(camera);
-    double AckermannMotion::*const fields[] = {&AckermannMotion::alpha, &AckermannMotion::wallSlope, &AckermannMotion::wallOffset, &AckermannMotion::wallRatio,
-                                               &AckermannMotion::roadSlope, &AckermannMotion::rollCorrection, &AckermannMotion::pitchCorrection};
+    double AckermannMotion::*const fields[] = {&AckermannMotion::alpha,          &AckermannMotion::wallSlope,
+                                               &AckermannMotion::wallOffset,     &AckermannMotion::wallRatio,
+                                               &AckermannMotion::roadSlope,      &AckermannMotion::rollCorrection,
+                                               &AckermannMotion::pitchCorrection};
     for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++)
     {
         AckermannMotion bad = motion;

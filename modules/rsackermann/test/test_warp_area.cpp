@@ -19,7 +19,9 @@ int largestArea(const Mat& mask)
                 for (int x1 = x0 + 1; x1 <= mask.cols; x1++)
                 {
                     const int area = (x1 - x0) * (y1 - y0);
-                    if (area > best && sums.at<int>(y1, x1) - sums.at<int>(y0, x1) - sums.at<int>(y1, x0) + sums.at<int>(y0, x0) == area)
+                    if (area > best &&
+                        sums.at<int>(y1, x1) - sums.at<int>(y0, x1) - sums.at<int>(y1, x0) + sums.at<int>(y0, x0) ==
+                            area)
                         best = area;
                 }
     return best;
@@ -103,10 +105,12 @@ TEST(RSAckermann_WarpArea, lens_alone_is_like_OpenCV)
         for (double alpha = 0; alpha <= 1; alpha += 0.25)
         {
             const Size size(700, 400);
-            const Mat K = cv::getOptimalNewCameraMatrix(camera.cameraMatrix, camera.distCoeffs, camera.imageSize, alpha, size);
+            const Mat K =
+                cv::getOptimalNewCameraMatrix(camera.cameraMatrix, camera.distCoeffs, camera.imageSize, alpha, size);
             const Matx33d got = generator->optimalNewCameraMatrix(AckermannMotion(), alpha, size);
             for (int k = 0; k < 9; k++)
-                EXPECT_NEAR(K.at<double>(k / 3, k % 3), got.val[k], 0.005 * size.width) << "entry " << k << ", alpha " << alpha;
+                EXPECT_NEAR(K.at<double>(k / 3, k % 3), got.val[k], 0.005 * size.width)
+                    << "entry " << k << ", alpha " << alpha;
         }
     }
 }
@@ -139,7 +143,8 @@ TEST(RSAckermann_WarpArea, bad_arguments)
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(simulation::paperCamera());
     EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), -0.1), cv::Exception);
     EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), 1.1), cv::Exception);
-    EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), std::numeric_limits<double>::quiet_NaN()), cv::Exception);
+    EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), std::numeric_limits<double>::quiet_NaN()),
+                 cv::Exception);
     EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), 0, Size(-1, 5)), cv::Exception);
 }
 
@@ -150,7 +155,8 @@ TEST(RSAckermann_WarpArea, sizes_of_few_pixels)
     const Size tooSmall[] = {Size(1, 1), Size(1, 100), Size(100, 1)};
     for (int i = 0; i < 3; i++)
     {
-        EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), 0, tooSmall[i]), cv::Exception) << tooSmall[i];
+        EXPECT_THROW(generator->optimalNewCameraMatrix(AckermannMotion(), 0, tooSmall[i]), cv::Exception)
+            << tooSmall[i];
         WarpMapGenerator::Params params;
         params.newSize = tooSmall[i];
         const Ptr<WarpMapGenerator> ofThatSize = WarpMapGenerator::create(generator->getCamera(), params);
@@ -176,7 +182,8 @@ TEST(RSAckermann_WarpArea, sizes_of_few_pixels)
             params.newCameraMatrix = generator->optimalNewCameraMatrix(AckermannMotion(), alpha, smallest[i]);
             EXPECT_GT(params.newCameraMatrix(0, 0), 0) << smallest[i] << ", alpha " << alpha;
             EXPECT_GT(params.newCameraMatrix(1, 1), 0) << smallest[i] << ", alpha " << alpha;
-            EXPECT_NO_THROW(WarpMapGenerator::create(generator->getCamera(), params)) << smallest[i] << ", alpha " << alpha;
+            EXPECT_NO_THROW(WarpMapGenerator::create(generator->getCamera(), params))
+                << smallest[i] << ", alpha " << alpha;
         }
 }
 

@@ -17,10 +17,12 @@ enum TestLens { NO_LENS = 0, BROWN_4 = 4, BROWN_5 = 5, BROWN_8 = 8, BROWN_12 = 1
 //! A camera with the timing of the paper's and a lens of the model.
 inline cv::rsackermann::RollingShutterCamera lensCamera(int lens)
 {
-    static const double brown[14] = {-0.28, 0.09, 8e-4, -6e-4, -0.012, 0.11, -0.04, 0.01, 1.5e-3, -8e-4, -1.2e-3, 9e-4, 0.012, -0.017};
+    static const double brown[14] = {-0.28, 0.09,   8e-4,  -6e-4,   -0.012, 0.11,  -0.04,
+                                     0.01,  1.5e-3, -8e-4, -1.2e-3, 9e-4,   0.012, -0.017};
     static const double fisheye[4] = {-0.03, 0.012, -0.006, 0.001};
     cv::rsackermann::RollingShutterCamera camera = simulation::paperCamera();
-    camera.cameraMatrix = lens == FISHEYE_LENS ? Matx33d(350, 0, 325, 0, 352, 184, 0, 0, 1) : Matx33d(816, 0, 313, 0, 809, 194, 0, 0, 1);
+    camera.cameraMatrix =
+        lens == FISHEYE_LENS ? Matx33d(350, 0, 325, 0, 352, 184, 0, 0, 1) : Matx33d(816, 0, 313, 0, 809, 194, 0, 0, 1);
     if (lens == FISHEYE_LENS)
     {
         camera.lensModel = cv::rsackermann::LENS_FISHEYE;
@@ -31,8 +33,10 @@ inline cv::rsackermann::RollingShutterCamera lensCamera(int lens)
     return camera;
 }
 
-//! A motion towards a wall across the road, as the left or the right one, that is reached at a row if the first one is the reference row.
-inline cv::rsackermann::AckermannMotion motionThroughWall(const cv::rsackermann::RollingShutterCamera& camera, double row, bool isRight)
+//! A motion towards a wall across the road, as the left or the right one, that is reached at a row if the first one is
+//! the reference row.
+inline cv::rsackermann::AckermannMotion motionThroughWall(const cv::rsackermann::RollingShutterCamera& camera,
+                                                          double row, bool isRight)
 {
     const double nearness = 1 / camera.rowTime(Point2d(0, row));
     cv::rsackermann::AckermannMotion motion;
@@ -43,7 +47,8 @@ inline cv::rsackermann::AckermannMotion motionThroughWall(const cv::rsackermann:
 }
 
 //! A motion sideways through the wall on one side, at that row, while the other wall and the road stay in sight.
-inline cv::rsackermann::AckermannMotion motionSideways(cv::rsackermann::RollingShutterCamera& camera, double row, bool toTheRight)
+inline cv::rsackermann::AckermannMotion motionSideways(cv::rsackermann::RollingShutterCamera& camera, double row,
+                                                       bool toTheRight)
 {
     const double speed = 20, near = speed * row * camera.lineDelay, far = 3;
     camera.referenceRow = 0;
@@ -54,8 +59,9 @@ inline cv::rsackermann::AckermannMotion motionSideways(cv::rsackermann::RollingS
 //! A motion within the paper's limits, 10-140 km/h and up to 70 deg/s to either side, in a street of random width.
 inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::RollingShutterCamera& camera, RNG& rng)
 {
-    const double sign = rng.uniform(0, 8) == 0 ? -1 : 1, wallDirection = camera.heading + rng.uniform(-0.05, 0.05), right = rng.uniform(2., 4.),
-                 left = rng.uniform(2., 4.), speed = sign * rng.uniform(10., 140.) / 3.6, yawRate = rng.uniform(-70., 70.) * CV_PI / 180;
+    const double sign = rng.uniform(0, 8) == 0 ? -1 : 1, wallDirection = camera.heading + rng.uniform(-0.05, 0.05),
+                 right = rng.uniform(2., 4.), left = rng.uniform(2., 4.), speed = sign * rng.uniform(10., 140.) / 3.6,
+                 yawRate = rng.uniform(-70., 70.) * CV_PI / 180;
     return motionFromMetric(camera, yawRate, speed, left, right, wallDirection);
 }
 

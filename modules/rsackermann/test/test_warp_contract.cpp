@@ -9,12 +9,13 @@
 
 namespace opencv_test { namespace {
 
-typedef testing::TestWithParam<std::tuple<int, bool> > WarpContract; // TestLens, whether to distort
+typedef testing::TestWithParam<std::tuple<int, bool>> WarpContract; // TestLens, whether to distort
 
 class Maps
 {
 public:
-    explicit Maps(const std::tuple<int, bool>& param, const Size& size = Size()) : distort(std::get<1>(param)), camera(lensCamera(std::get<0>(param)))
+    explicit Maps(const std::tuple<int, bool>& param, const Size& size = Size())
+        : distort(std::get<1>(param)), camera(lensCamera(std::get<0>(param)))
     {
         if (size != Size())
         {
@@ -73,8 +74,8 @@ void roundMaps(const Mat& columns, const Mat& rows, Mat& whole, Mat& fraction)
 
 TEST_P(WarpContract, sizes)
 {
-    // The pixels of a small image are those of a large one with the same camera matrix. The motions are one of a car, such as
-    // move the image out of the frame or beyond the range of a short, and such as leave pixels without a place.
+    // The pixels of a small image are those of a large one with the same camera matrix. The motions are one of a car,
+    // such as move the image out of the frame or beyond the range of a short, and such as leave pixels without a place.
     const double factors[] = {1, 300, 1e4};
     for (int k = 0; k < 3; k++)
     {
@@ -186,7 +187,8 @@ TEST_P(WarpContract, parts_of_larger_matrices)
     // rows of the same and of different length
     for (int extra = 0; extra < 2; extra++)
     {
-        Mat large1(size.height + 4, size.width + 6, CV_32F, Scalar(1)), large2(size.height + 4, size.width + 6 + extra, CV_32F, Scalar(1));
+        Mat large1(size.height + 4, size.width + 6, CV_32F, Scalar(1)),
+            large2(size.height + 4, size.width + 6 + extra, CV_32F, Scalar(1));
         Mat part1 = large1(Rect(Point(2, 3), size)), part2 = large2(Rect(Point(2, 3), size));
         maps.make(part1, part2);
         EXPECT_EQ(0, maxDifference(map1, large1(Rect(Point(2, 3), size))));

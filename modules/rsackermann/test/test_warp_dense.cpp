@@ -5,23 +5,25 @@
 #include "test_precomp.hpp"
 #include "test_warp_cameras.hpp"
 
-// Maps are interpolated between few places. Here all their pixels are compared with points, which are solved one by one in
-// double precision to 1e-9 pixel (test_warp_points.cpp compares those with the simulator).
+// Maps are interpolated between few places. Here all their pixels are compared with points, which are solved one by one
+// in double precision to 1e-9 pixel (test_warp_points.cpp compares those with the simulator).
 
 namespace opencv_test { namespace {
 
-typedef testing::TestWithParam<std::tuple<int, bool> > WarpDense; // TestLens, whether to distort
+typedef testing::TestWithParam<std::tuple<int, bool>> WarpDense; // TestLens, whether to distort
 
-//! Motions up to the largest of a car, at any distance of walls and road at which the image is slower than the shutter; if it
-//! is faster a point may be seen several times or never.
+//! Motions up to the largest of a car, at any distance of walls and road at which the image is slower than the shutter;
+//! if it is faster a point may be seen several times or never.
 AckermannMotion anyMotion(const RollingShutterCamera& camera, RNG& rng)
 {
     for (;;)
     {
-        const double sign = rng.uniform(0, 4) == 0 ? -1 : 1, wallDirection = camera.heading + rng.uniform(-0.3, 0.3), right = rng.uniform(1., 10.),
-                     left = rng.uniform(1., 10.), speed = sign * rng.uniform(0., 200.) / 3.6, yawRate = rng.uniform(-90., 90.) * CV_PI / 180;
+        const double sign = rng.uniform(0, 4) == 0 ? -1 : 1, wallDirection = camera.heading + rng.uniform(-0.3, 0.3),
+                     right = rng.uniform(1., 10.), left = rng.uniform(1., 10.),
+                     speed = sign * rng.uniform(0., 200.) / 3.6, yawRate = rng.uniform(-90., 90.) * CV_PI / 180;
         const AckermannMotion motion = motionFromMetric(camera, yawRate, speed, left, right, wallDirection);
-        if (std::max(0.5 * std::abs(motion.roadSlope), std::hypot(motion.wallSlope, motion.wallOffset) * std::max(1., motion.wallRatio)) < 0.7)
+        if (std::max(0.5 * std::abs(motion.roadSlope),
+                     std::hypot(motion.wallSlope, motion.wallOffset) * std::max(1., motion.wallRatio)) < 0.7)
             return motion;
     }
 }

@@ -31,8 +31,8 @@ double maxDifference(const UMat& a, const Mat& b, const Mat& mask = Mat())
 }
 
 //! The map of either direction.
-void initMap(const Ptr<WarpMapGenerator>& generator, bool distort, const AckermannMotion& motion, OutputArray map1, OutputArray map2,
-             int m1type = CV_32FC1, OutputArray mask = noArray())
+void initMap(const Ptr<WarpMapGenerator>& generator, bool distort, const AckermannMotion& motion, OutputArray map1,
+             OutputArray map2, int m1type = CV_32FC1, OutputArray mask = noArray())
 {
     if (distort)
         generator->initDistortMap(motion, map1, map2, m1type, mask);
@@ -40,7 +40,7 @@ void initMap(const Ptr<WarpMapGenerator>& generator, bool distort, const Ackerma
         generator->initRectifyMap(motion, map1, map2, m1type, mask);
 }
 
-typedef testing::TestWithParam<std::tuple<int, int, bool> > WarpOpenCL; // TestLens, ScanDirection, whether to distort
+typedef testing::TestWithParam<std::tuple<int, int, bool>> WarpOpenCL; // TestLens, ScanDirection, whether to distort
 
 RollingShutterCamera scannedCamera(const WarpOpenCL::ParamType& param)
 {
@@ -126,21 +126,25 @@ TEST_P(WarpOpenCL, preallocated_outputs_are_reused)
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     Mat expected1, expected2, expectedMask;
     UMat large(camera.imageSize.height + 2, camera.imageSize.width + 3, CV_32FC1, Scalar(5));
-    UMat map1 = large(Rect(Point(2, 1), camera.imageSize)), map2(camera.imageSize, CV_32FC1), mask(camera.imageSize, CV_8U);
+    UMat map1 = large(Rect(Point(2, 1), camera.imageSize)), map2(camera.imageSize, CV_32FC1),
+         mask(camera.imageSize, CV_8U);
     const void* const handles[] = {map2.handle(ACCESS_READ), mask.handle(ACCESS_READ)};
     initMap(generator, distort, motion, map1, map2, CV_32FC1, mask);
     EXPECT_EQ(handles[0], map2.handle(ACCESS_READ));
     EXPECT_EQ(handles[1], mask.handle(ACCESS_READ));
     initMap(generator, distort, motion, expected1, expected2, CV_32FC1, expectedMask);
     const Mat written = large.getMat(ACCESS_READ);
-    EXPECT_LE(cvtest::norm(written(Rect(Point(2, 1), camera.imageSize)), expected1, NORM_INF, expectedMask & mask.getMat(ACCESS_READ)), 1e-3);
+    EXPECT_LE(cvtest::norm(written(Rect(Point(2, 1), camera.imageSize)), expected1, NORM_INF,
+                           expectedMask & mask.getMat(ACCESS_READ)),
+              1e-3);
     EXPECT_EQ(written.cols, cv::countNonZero(written.row(0) == 5));
     EXPECT_EQ(written.rows, cv::countNonZero(written.col(1) == 5));
 }
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, WarpOpenCL,
                         testing::Combine(testing::Values(ALL_LENSES),
-                                         testing::Values(SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP, SCAN_LEFT_TO_RIGHT, SCAN_RIGHT_TO_LEFT),
+                                         testing::Values(SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP, SCAN_LEFT_TO_RIGHT,
+                                                         SCAN_RIGHT_TO_LEFT),
                                          testing::Bool()));
 
 TEST(RSAckermann_WarpOpenCL, absurd_motion_gives_no_NaN)
@@ -185,7 +189,8 @@ TEST(RSAckermann_WarpOpenCL, walls_that_are_passed_show_nothing)
         const Mat columns = map1.getMat(ACCESS_READ);
         EXPECT_EQ(0, cv::countNonZero(columns.rowRange(0, passedRow - 1) == -16384)) << right;
         EXPECT_EQ((camera.imageSize.height - passedRow - 2) * columns.cols,
-                  cv::countNonZero(columns.rowRange(passedRow + 2, columns.rows) == -16384)) << right;
+                  cv::countNonZero(columns.rowRange(passedRow + 2, columns.rows) == -16384))
+            << right;
         initMap(WarpMapGenerator::create(camera), false, motion, map1, map2, CV_32FC1, mask);
         double last;
         cv::minMaxLoc(map2.getMat(ACCESS_READ), 0, &last);

@@ -157,7 +157,8 @@ TEST_P(WarpPoints, no_motion_equals_OpenCV)
     const Mat raw = randomPixels(camera.imageSize, 100, rng);
     std::vector<Point2d> points = raw.reshape(2), expected;
     if (GetParam() == FISHEYE_LENS)
-        cv::fisheye::undistortPoints(points, expected, camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix);
+        cv::fisheye::undistortPoints(points, expected, camera.cameraMatrix, camera.distCoeffs, noArray(),
+                                     camera.cameraMatrix);
     else
         cv::undistortPoints(points, expected, camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix,
                             TermCriteria(TermCriteria::COUNT + TermCriteria::EPS, 100, 1e-12));
@@ -192,7 +193,8 @@ TEST(RSAckermann_WarpPoints, strong_lenses)
         EXPECT_EQ(raw.rows, cv::countNonZero(mask)) << "camera " << i;
         std::vector<Point3d> rays;
         for (int j = 0; j < raw.rows; j++)
-            rays.push_back(Point3d((pointOf(global, j).x - K(0, 2)) / K(0, 0), (pointOf(global, j).y - K(1, 2)) / K(1, 1), 1));
+            rays.push_back(
+                Point3d((pointOf(global, j).x - K(0, 2)) / K(0, 0), (pointOf(global, j).y - K(1, 2)) / K(1, 1), 1));
         std::vector<Point2d> back;
         const Mat zero = Mat::zeros(3, 1, CV_64F);
         if (i == 2)
@@ -295,8 +297,8 @@ TEST(RSAckermann_WarpPoints, points_without_a_place)
     const RollingShutterCamera camera = simulation::paperCamera();
     const AckermannMotion motion = exampleMotion(camera);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
-    const std::vector<Point2d> points = {Point2d(NaN, 100), Point2d(100, NaN), Point2d(infinity, 3), Point2d(1e300, -1e300),
-                                         Point2d(100, 100)};
+    const std::vector<Point2d> points = {Point2d(NaN, 100), Point2d(100, NaN), Point2d(infinity, 3),
+                                         Point2d(1e300, -1e300), Point2d(100, 100)};
     for (int distort = 0; distort < 2; distort++)
     {
         std::vector<Point2d> got;
@@ -314,13 +316,15 @@ TEST(RSAckermann_WarpPoints, points_without_a_place)
     }
 }
 
-// Where cv::remap finds nothing there is no place, and just before it there is one. Of points and of maps the same is said.
+// Where cv::remap finds nothing there is no place, and just before it there is one. Of points and of maps the same is
+// said.
 TEST(RSAckermann_WarpPoints, places_at_the_limit_of_maps)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
-    const std::vector<Point2d> points = {Point2d(32766, 100),  Point2d(32768, 100),  Point2d(100, 32766),  Point2d(100, 32768),
-                                         Point2d(-32766, 100), Point2d(-32768, 100), Point2d(100, -32766), Point2d(100, -32768)};
+    const std::vector<Point2d> points = {Point2d(32766, 100),  Point2d(32768, 100),  Point2d(100, 32766),
+                                         Point2d(100, 32768),  Point2d(-32766, 100), Point2d(-32768, 100),
+                                         Point2d(100, -32766), Point2d(100, -32768)};
     for (int distort = 0; distort < 2; distort++)
     {
         std::vector<Point2d> got;
@@ -341,7 +345,8 @@ TEST(RSAckermann_WarpPoints, places_at_the_limit_of_maps)
     WarpMapGenerator::Params params;
     const Matx33d& K = camera.cameraMatrix;
     const double step = 2, middle = 190;
-    params.newCameraMatrix = Matx33d(K(0, 0), 0, K(0, 2), 0, K(1, 1) / step, middle - (32766 - K(1, 2)) / step, 0, 0, 1);
+    params.newCameraMatrix =
+        Matx33d(K(0, 0), 0, K(0, 2), 0, K(1, 1) / step, middle - (32766 - K(1, 2)) / step, 0, 0, 1);
     const Ptr<WarpMapGenerator> far = WarpMapGenerator::create(camera, params);
     Mat map1, map2;
     far->initRectifyMap(AckermannMotion(), map1, map2);
@@ -381,7 +386,8 @@ TEST(RSAckermann_WarpPoints, poses_of_rows)
             const Vec3d seen = R.t() * (P - T * metresPerUnit);
             std::vector<Point2d> expected;
             const Mat zero = Mat::zeros(3, 1, CV_64F);
-            cv::projectPoints(std::vector<Point3d>(1, Point3d(seen)), zero, zero, camera.cameraMatrix, camera.distCoeffs, expected);
+            cv::projectPoints(std::vector<Point3d>(1, Point3d(seen)), zero, zero, camera.cameraMatrix,
+                              camera.distCoeffs, expected);
             EXPECT_LE(cv::norm(expected[0] - pointOf(raw, i)), 1e-6) << "round " << round << ", point " << i;
         }
     }

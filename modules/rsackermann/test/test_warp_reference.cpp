@@ -11,7 +11,7 @@ namespace opencv_test { namespace {
 
 using simulation::Simulator;
 
-typedef testing::TestWithParam<std::tuple<int, int> > WarpReference; // TestLens, ScanDirection
+typedef testing::TestWithParam<std::tuple<int, int>> WarpReference; // TestLens, ScanDirection
 
 //! The point in the scene that a pixel of the global-shutter camera shows; directions at infinity are a far point.
 Vec3d pointAt(const Simulator& simulator, const Matx33d& newCameraMatrix, const Point2d& pixel)
@@ -82,7 +82,8 @@ TEST_P(WarpReference, distort_map)
             P = camera.uprightRotation.t() * P;
             ASSERT_GT(P[2], 0);
             const Point2d truth(K(0, 0) * P[0] / P[2] + K(0, 2), K(1, 1) * P[1] / P[2] + K(1, 2));
-            EXPECT_LE(cv::norm(got - truth), 1e-3) << "pixel " << pixel << ", surface " << surface << ", round " << round;
+            EXPECT_LE(cv::norm(got - truth), 1e-3)
+                << "pixel " << pixel << ", surface " << surface << ", round " << round;
             seen[surface]++;
         }
     }
@@ -120,6 +121,7 @@ TEST_P(WarpReference, tilt_corrections)
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, WarpReference,
                         testing::Combine(testing::Values(ALL_LENSES),
-                                         testing::Values(SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP, SCAN_LEFT_TO_RIGHT, SCAN_RIGHT_TO_LEFT)));
+                                         testing::Values(SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP, SCAN_LEFT_TO_RIGHT,
+                                                         SCAN_RIGHT_TO_LEFT)));
 
 }} // namespace opencv_test::

@@ -14,7 +14,8 @@ using simulation::Simulator;
 //! Brightness of a street with a smooth pattern on its planes at a pixel of the global-shutter camera.
 float brightness(const Simulator& simulator, const Point2d& pixel)
 {
-    const Vec3d b = simulator.camera.uprightRotation * (simulator.camera.cameraMatrix.inv() * Vec3d(pixel.x, pixel.y, 1));
+    const Vec3d b =
+        simulator.camera.uprightRotation * (simulator.camera.cameraMatrix.inv() * Vec3d(pixel.x, pixel.y, 1));
     const simulation::Surface plane = simulator.street.first(Vec3d(), b);
     if (plane == simulation::NOTHING)
         return float(150 + 50 * std::sin(120 * b[0] / b[2]) * std::sin(90 * b[1] / b[2]));
@@ -78,7 +79,8 @@ TEST_P(WarpSplat, forward_mapping_agrees)
         Mat raw(camera.imageSize, CV_32F), truth = raw.clone();
         for (int i = 0; i < pixels.rows; i++)
         {
-            raw.at<float>(i / raw.cols, i % raw.cols) = brightness(simulator, Point2d(places.at<double>(i, 0), places.at<double>(i, 1)));
+            raw.at<float>(i / raw.cols, i % raw.cols) =
+                brightness(simulator, Point2d(places.at<double>(i, 0), places.at<double>(i, 1)));
             truth.at<float>(i / raw.cols, i % raw.cols) = brightness(simulator, Point2d(i % raw.cols, i / raw.cols));
         }
 

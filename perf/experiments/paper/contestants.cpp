@@ -13,32 +13,35 @@ using namespace cv::rsackermann;
 Contestant paperContestant(const std::string& name, int model, int depthModel)
 {
     return {name, [model, depthModel](const Problem& problem) {
-        MethodParams params;
-        params.model = model;
-        params.depthModel = depthModel;
-        params.wallDistance = problem.wallDistance;
-        params.seed = problem.seed;
-        const MethodResult result = estimateAsPaper(problem.camera, problem.segments, params);
-        return Answer{result.motion, result.iterations};
-    }};
+                MethodParams params;
+                params.model = model;
+                params.depthModel = depthModel;
+                params.wallDistance = problem.wallDistance;
+                params.seed = problem.seed;
+                const MethodResult result = estimateAsPaper(problem.camera, problem.segments, params);
+                return Answer{result.motion, result.iterations};
+            }};
 }
 
 Contestant libraryContestant(const std::string& name, int model, bool exactGravity)
 {
     return {name, [model, exactGravity](const Problem& problem) {
-        AckermannEstimator::Params params;
-        params.model = model;
-        params.wallDistance = problem.wallDistance;
-        params.seed = problem.seed;
-        if (exactGravity)
-            params.gravitySigma = 0;
-        return Answer{AckermannEstimator::create(problem.camera, params)->estimate(problem.segments, cv::noArray(), problem.prior), -1};
-    }};
+                AckermannEstimator::Params params;
+                params.model = model;
+                params.wallDistance = problem.wallDistance;
+                params.seed = problem.seed;
+                if (exactGravity)
+                    params.gravitySigma = 0;
+                return Answer{AckermannEstimator::create(problem.camera, params)
+                                  ->estimate(problem.segments, cv::noArray(), problem.prior),
+                              -1};
+            }};
 }
 
 std::vector<Contestant> mainContestants()
 {
-    return {paperContestant("paper", MODEL_4LA), libraryContestant("ours", MODEL_AUTO, false), libraryContestant("ours_gravity", MODEL_AUTO, true)};
+    return {paperContestant("paper", MODEL_4LA), libraryContestant("ours", MODEL_AUTO, false),
+            libraryContestant("ours_gravity", MODEL_AUTO, true)};
 }
 
 std::vector<Contestant> allContestants()

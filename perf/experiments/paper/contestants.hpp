@@ -41,7 +41,8 @@ Contestant libraryContestant(const std::string& name, int model, bool exactGravi
 
 //! paper, ours and ours_gravity.
 std::vector<Contestant> mainContestants();
-//! These, the paper's method with its smaller models and with the better cubic, and the library with exact gravity and each model.
+//! These, the paper's method with its smaller models and with the better cubic, and the library with exact gravity and
+//! each model.
 std::vector<Contestant> allContestants();
 
 //! Yaw rate in deg/s and speed in km/h, 0 if the status says that nothing is corrected.

@@ -43,7 +43,8 @@ void fillHoles(const cv::Mat& sum, const cv::Mat& weight, cv::Mat& colour, cv::M
 
 } // namespace
 
-cv::Mat correctBySplatting(const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Mat& image, cv::Mat& mask)
+cv::Mat correctBySplatting(const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Mat& image,
+                           cv::Mat& mask)
 {
     CV_Assert(image.type() == CV_8UC3 && image.size() == camera.imageSize);
     cv::Mat known;

@@ -9,12 +9,12 @@
 
 namespace paper {
 
-/** Corrects an image as the paper does: each pixel of the rolling-shutter image is added to the four pixels around its place in the
-global-shutter image, and holes are filled from their neighbours.
+/** Corrects an image as the paper does: each pixel of the rolling-shutter image is added to the four pixels around its
+place in the global-shutter image, and holes are filled from their neighbours.
 @param image CV_8UC3.
 @param mask receives 255 where the result has a source. */
-cv::Mat correctBySplatting(const cv::rsackermann::RollingShutterCamera& camera, const cv::rsackermann::AckermannMotion& motion, const cv::Mat& image,
-                           cv::Mat& mask);
+cv::Mat correctBySplatting(const cv::rsackermann::RollingShutterCamera& camera,
+                           const cv::rsackermann::AckermannMotion& motion, const cv::Mat& image, cv::Mat& mask);
 
 } // namespace paper
 

@@ -38,21 +38,24 @@ cv::Vec4d gradient(const cv::Vec4d& at, double step, const Function& function)
 
 } // namespace
 
-InformationBound informationBound(const RollingShutterCamera& camera, const cv::Mat& lines, const AckermannMotion& motion, double wallDistance,
-                                  double noise)
+InformationBound informationBound(const RollingShutterCamera& camera, const cv::Mat& lines,
+                                  const AckermannMotion& motion, double wallDistance, double noise)
 {
     const cv::Vec4d values(motion.alpha, motion.wallSlope, motion.wallOffset, motion.wallRatio);
     cv::Matx44d information = cv::Matx44d::zeros();
     for (int i = 0; i < lines.rows; i++)
     {
         const cv::Vec4d ends = lines.at<cv::Vec4d>(i);
-        const cv::Vec4d byEnds = gradient(ends, STEP * 1e3, [&](const cv::Vec4d& e) { return difference(camera, e, values); });
-        const cv::Vec4d byMotion = gradient(values, STEP, [&](const cv::Vec4d& m) { return difference(camera, ends, m); });
+        const cv::Vec4d byEnds =
+            gradient(ends, STEP * 1e3, [&](const cv::Vec4d& e) { return difference(camera, e, values); });
+        const cv::Vec4d byMotion =
+            gradient(values, STEP, [&](const cv::Vec4d& m) { return difference(camera, ends, m); });
         information += byMotion * byMotion.t() * (1 / (noise * noise * byEnds.dot(byEnds)));
     }
     const cv::Matx44d covariance = information.inv(cv::DECOMP_SVD);
     const double unit = camera.secondsPerUnitTime(), size = std::hypot(motion.wallSlope, motion.wallOffset);
-    const cv::Vec4d bySpeed(0, motion.wallSlope / size * wallDistance / unit, motion.wallOffset / size * wallDistance / unit, 0);
+    const cv::Vec4d bySpeed(0, motion.wallSlope / size * wallDistance / unit,
+                            motion.wallOffset / size * wallDistance / unit, 0);
     return {2 * std::sqrt(covariance(0, 0)) / unit, std::sqrt(bySpeed.dot(covariance * bySpeed))};
 }
 

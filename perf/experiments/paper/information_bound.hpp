@@ -16,8 +16,8 @@ struct InformationBound
 
 /** Cramer-Rao bound of a motion between two walls from vertical lines, with gravity and the wall's distance known.
 
-Each line gives one equation, that its compensated ends have the same column; its variance follows from that of the ends. The columns of the
-lines themselves are unknown.
+Each line gives one equation, that its compensated ends have the same column; its variance follows from that of the
+ends. The columns of the lines themselves are unknown.
 @param lines N x 4 matrix CV_64F without noise.
 @param noise standard deviation of the coordinates of their ends, pixels. */
 InformationBound informationBound(const cv::rsackermann::RollingShutterCamera& camera, const cv::Mat& lines,

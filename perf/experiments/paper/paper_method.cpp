@@ -68,8 +68,8 @@ int samplesNeeded(double inlierRatio, int size, const MethodParams& params)
 } // namespace
 
 MethodParams::MethodParams()
-    : model(MODEL_4LA), wallDistance(2.5), threshold(0.5), confidence(0.99), maxIterations(5000), depthModel(DEPTH_ROLLING_SHUTTER),
-      maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), seed(0)
+    : model(MODEL_4LA), wallDistance(2.5), threshold(0.5), confidence(0.99), maxIterations(5000),
+      depthModel(DEPTH_ROLLING_SHUTTER), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), seed(0)
 {
 }
 

@@ -33,10 +33,12 @@ struct MethodResult
 
 /** Algorithm 2 of the paper, from the public minimal solvers.
 
-Segments whose ends are nowhere near the same column are left out, which hardly leaves out any. Samples are ordered from left to right, all but the
-rightmost segment on the left wall. The motion with the most inliers wins. It isn't refined, and nothing besides the segments is used.
+Segments whose ends are nowhere near the same column are left out, which hardly leaves out any. Samples are ordered from
+left to right, all but the rightmost segment on the left wall. The motion with the most inliers wins. It isn't refined,
+and nothing besides the segments is used.
 @param segments N x 4 matrix CV_32F. */
-MethodResult estimateAsPaper(const cv::rsackermann::RollingShutterCamera& camera, const cv::Mat& segments, const MethodParams& params);
+MethodResult estimateAsPaper(const cv::rsackermann::RollingShutterCamera& camera, const cv::Mat& segments,
+                             const MethodParams& params);
 
 } // namespace paper
 

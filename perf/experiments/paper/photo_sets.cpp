@@ -37,7 +37,8 @@ PhotoSet distortedPhotographs(const std::string& folder)
     const auto at = [cases](int i) {
         const experiments::Case c = cases[i];
         PhotoCase result;
-        result.name = cv::format("%s %.0f km/h %.0f deg/s", c.name.c_str(), c.scene.speed * 3.6, c.scene.yawRate * 180 / CV_PI);
+        result.name =
+            cv::format("%s %.0f km/h %.0f deg/s", c.name.c_str(), c.scene.speed * 3.6, c.scene.yawRate * 180 / CV_PI);
         result.camera = libraryCamera(c.camera);
         result.wallDistance = c.scene.left;
         result.image = experiments::makeImage(c);
@@ -56,7 +57,7 @@ PhotoSet distortedPhotographs(const std::string& folder)
 
 PhotoSet framesWithTruth(const std::string& folder)
 {
-    const std::vector<std::vector<std::string> > table =
+    const std::vector<std::vector<std::string>> table =
         experiments::readTable(folder + "/frames.csv", {"name", "focal_px", "roll_deg", "pitch_deg", "heading_deg"});
     const auto at = [folder, table](int i) {
         double values[4];

@@ -19,7 +19,7 @@ struct PhotoCase
     cv::rsackermann::RollingShutterCamera camera;
     double wallDistance; //!< metres to the left wall; 0: unknown
     cv::Mat image;
-    cv::Mat global;      //!< image of a global shutter; empty: there is none
+    cv::Mat global; //!< image of a global shutter; empty: there is none
     //! Measures a correction by maps of cv::remap: what it says of the raw image and of the corrected one.
     std::function<void(const cv::Mat& columns, const cv::Mat& rows, double& before, double& after)> measure;
 };
@@ -34,8 +34,9 @@ struct PhotoSet
     std::function<PhotoCase(int)> at;
 };
 
-/** The sets of a folder and of the folders in it. By the columns of frames.csv: global-shutter photographs of streets, which are distorted with
-known motion; rolling-shutter frames with their global-shutter images; consecutive frames of a drive, of which every sixth is taken. */
+/** The sets of a folder and of the folders in it. By the columns of frames.csv: global-shutter photographs of streets,
+which are distorted with known motion; rolling-shutter frames with their global-shutter images; consecutive frames of a
+drive, of which every sixth is taken. */
 std::vector<PhotoSet> findPhotoSets(const std::string& folder);
 
 } // namespace paper

@@ -14,15 +14,16 @@ using namespace rsackermann_samples;
 
 namespace {
 
-const char* const ABOUT = "Measures what the paper reports, and more, by the paper's method and by the library. Writes a table for each\n"
-                          "study, which is skipped if its table is there already.\n"
-                          "usage: rsackermann_reproduce_paper STUDY... --output=FOLDER [--option=value]...\n";
+const char* const ABOUT =
+    "Measures what the paper reports, and more, by the paper's method and by the library. Writes a table for each\n"
+    "study, which is skipped if its table is there already.\n"
+    "usage: rsackermann_reproduce_paper STUDY... --output=FOLDER [--option=value]...\n";
 
 const char* const KEYS =
     "{help       |        | print this message}"
     "{output     |        | folder for the tables}"
-    "{photos     |        | for the study photos: folder with a frames.csv of street photographs, of frames with global-shutter images or of a "
-    "drive, or folder of such folders}"
+    "{photos     |        | for the study photos: folder with a frames.csv of street photographs, of frames with "
+    "global-shutter images or of a drive, or folder of such folders}"
     "{quick      |        | a part of the cases}"
     "{seed       | 0      | of streets, noise and samples}"
     "{threads    |        | number of threads}";
@@ -33,15 +34,9 @@ struct Study
     void (*make)(const StudyOptions&);
 };
 
-const Study STUDIES[] = {{"motion", studyMotion},
-                         {"patches", studyPatches},
-                         {"gravity", studyGravity},
-                         {"distances", studyDistances},
-                         {"time", studyTime},
-                         {"solver_time", studySolverTime},
-                         {"solvers", studySolvers},
-                         {"bound", studyBound},
-                         {"conditions", studyConditions},
+const Study STUDIES[] = {{"motion", studyMotion},       {"patches", studyPatches}, {"gravity", studyGravity},
+                         {"distances", studyDistances}, {"time", studyTime},       {"solver_time", studySolverTime},
+                         {"solvers", studySolvers},     {"bound", studyBound},     {"conditions", studyConditions},
                          {"photos", studyPhotos}};
 
 const Study& findStudy(const std::string& name)
@@ -62,8 +57,8 @@ int run(const Options& options)
         throw UsageError("STUDY and --output=FOLDER are expected");
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
-    const StudyOptions study = {options.text("output"), options.given("photos") ? options.text("photos") : "", options.flag("quick"),
-                                options.integer("seed", 0, 1 << 20)};
+    const StudyOptions study = {options.text("output"), options.given("photos") ? options.text("photos") : "",
+                                options.flag("quick"), options.integer("seed", 0, 1 << 20)};
     for (const std::string& name : options.arguments())
         findStudy(name);
     for (const std::string& name : options.arguments())

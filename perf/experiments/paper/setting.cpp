@@ -23,8 +23,8 @@ street::StreetScene paperScene(double speed, double yawRate, unsigned seed)
     return scene;
 }
 
-cv::Mat verticalLines(const street::StreetRenderer& renderer, const street::StreetCamera& camera, int count, double noise, double outliers,
-                      cv::RNG& rng, std::vector<int>& walls)
+cv::Mat verticalLines(const street::StreetRenderer& renderer, const street::StreetCamera& camera, int count,
+                      double noise, double outliers, cv::RNG& rng, std::vector<int>& walls)
 {
     // Above the horizon there are only walls, and vertical lines of an upright camera are columns.
     const double minLength = 0.1 * camera.size.height, horizon = camera.cy, slope = 0.25;

@@ -24,8 +24,8 @@ street::StreetScene paperScene(double speed, double yawRate, unsigned seed);
 @param outliers share of segments that lean by up to 14 degrees instead.
 @param walls receives -1 (left) or 1 (right) for each segment.
 @return N x 4 matrix CV_64F. */
-cv::Mat verticalLines(const street::StreetRenderer& renderer, const street::StreetCamera& camera, int count, double noise, double outliers,
-                      cv::RNG& rng, std::vector<int>& walls);
+cv::Mat verticalLines(const street::StreetRenderer& renderer, const street::StreetCamera& camera, int count,
+                      double noise, double outliers, cv::RNG& rng, std::vector<int>& walls);
 
 } // namespace paper
 

@@ -33,24 +33,27 @@ std::string number(double value, int decimals)
     return cv::format("%.*f", decimals, value);
 }
 
-std::vector<std::vector<Row> > makeRows(const std::string& title, int items, int tables,
-                                        const std::function<void(int, std::vector<std::vector<Row> >&)>& make)
+std::vector<std::vector<Row>> makeRows(const std::string& title, int items, int tables,
+                                       const std::function<void(int, std::vector<std::vector<Row>>&)>& make)
 {
-    std::vector<std::vector<std::vector<Row> > > made(items, std::vector<std::vector<Row> >(tables));
+    std::vector<std::vector<std::vector<Row>>> made(items, std::vector<std::vector<Row>>(tables));
     cv::Mutex mutex;
     int done = 0;
-    cv::parallel_for_(cv::Range(0, items), [&](const cv::Range& range) {
-        for (int i = range.start; i < range.end; i++)
-        {
-            make(i, made[i]);
-            cv::AutoLock lock(mutex);
-            done++;
-            if (done * 20 / items != (done - 1) * 20 / items)
-                std::fprintf(stderr, "%s: %d of %d\n", title.c_str(), done, items);
-        }
-    }, items);
-    std::vector<std::vector<Row> > rows(tables);
-    for (const std::vector<std::vector<Row> >& item : made)
+    cv::parallel_for_(
+        cv::Range(0, items),
+        [&](const cv::Range& range) {
+            for (int i = range.start; i < range.end; i++)
+            {
+                make(i, made[i]);
+                cv::AutoLock lock(mutex);
+                done++;
+                if (done * 20 / items != (done - 1) * 20 / items)
+                    std::fprintf(stderr, "%s: %d of %d\n", title.c_str(), done, items);
+            }
+        },
+        items);
+    std::vector<std::vector<Row>> rows(tables);
+    for (const std::vector<std::vector<Row>>& item : made)
         for (int k = 0; k < tables; k++)
             rows[k].insert(rows[k].end(), item[k].begin(), item[k].end());
     return rows;

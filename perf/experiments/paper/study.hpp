@@ -30,20 +30,20 @@ std::string number(double value, int decimals = 4);
 
 /** Makes the rows of all items in parallel, in the order of the items, with progress on the error output.
 @param make rows of an item; each item's rows go to several tables. */
-std::vector<std::vector<Row> > makeRows(const std::string& title, int items, int tables,
-                                        const std::function<void(int, std::vector<std::vector<Row> >&)>& make);
+std::vector<std::vector<Row>> makeRows(const std::string& title, int items, int tables,
+                                       const std::function<void(int, std::vector<std::vector<Row>>&)>& make);
 
 // The studies. Each writes the tables of its name and what else the comment says.
-void studyMotion(const StudyOptions& options);       // and displacement
+void studyMotion(const StudyOptions& options); // and displacement
 void studyPatches(const StudyOptions& options);
 void studyGravity(const StudyOptions& options);
 void studyDistances(const StudyOptions& options);
 void studyTime(const StudyOptions& options);
-void studySolvers(const StudyOptions& options);      // and solver_condition
+void studySolvers(const StudyOptions& options); // and solver_condition
 void studySolverTime(const StudyOptions& options);
 void studyBound(const StudyOptions& options);
 void studyConditions(const StudyOptions& options);
-void studyPhotos(const StudyOptions& options);       // and strips
+void studyPhotos(const StudyOptions& options); // and strips
 
 } // namespace paper
 

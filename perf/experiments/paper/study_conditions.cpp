@@ -25,7 +25,8 @@ struct Condition
     int known; // Knowledge
 
     Condition(const std::string& name, double v)
-        : factor(name), value(v), segments(60), outliers(0.2), readOut(READ_OUT), focalError(0), width(520), known(NOTHING)
+        : factor(name), value(v), segments(60), outliers(0.2), readOut(READ_OUT), focalError(0), width(520),
+          known(NOTHING)
     {
     }
 };
@@ -33,7 +34,8 @@ struct Condition
 std::vector<Condition> makeConditions(bool quick)
 {
     std::vector<Condition> conditions;
-    const auto sweep = [&](const char* factor, const std::vector<double>& values, const std::function<void(Condition&, double)>& set) {
+    const auto sweep = [&](const char* factor, const std::vector<double>& values,
+                           const std::function<void(Condition&, double)>& set) {
         for (size_t i = 0; i < values.size(); i++)
             if (!quick || i % 2 == 1)
             {
@@ -70,7 +72,7 @@ void studyConditions(const StudyOptions& options)
     const std::vector<Condition> conditions = makeConditions(options.quick);
     const int cases = options.quick ? 4 : 40;
     const std::vector<Contestant> contestants = mainContestants();
-    const auto make = [&](int item, std::vector<std::vector<Row> >& tables) {
+    const auto make = [&](int item, std::vector<std::vector<Row>>& tables) {
         const Condition& c = conditions[item / cases];
         cv::RNG rng(uint64(options.seed) * 1013 + uint64(item % cases) + 7); // the same motions under all conditions
         const double speed = rng.uniform(20., 140.), yawRate = rng.uniform(10., 70.) * (item % 2 ? 1 : -1);
@@ -81,19 +83,22 @@ void studyConditions(const StudyOptions& options)
         street::StreetCamera told = view;
         told.fx *= 1 + c.focalError;
         told.fy *= 1 + c.focalError;
-        Problem problem = {rsackermann_samples::libraryCamera(told), cv::Mat(), scene.left, makePrior(c.known, scene, rng), options.seed + item};
+        Problem problem = {rsackermann_samples::libraryCamera(told), cv::Mat(), scene.left,
+                           makePrior(c.known, scene, rng), options.seed + item};
         std::vector<int> walls;
         verticalLines(renderer, view, c.segments, 0.3, c.outliers, rng, walls).convertTo(problem.segments, CV_32F);
         for (const Contestant& contestant : contestants)
         {
             const AckermannMotion motion = contestant.estimate(problem).motion;
             const MetricEstimate metric(motion, problem.camera);
-            tables[0].push_back({contestant.name, c.factor, number(c.value, 1), std::to_string(item % cases), number(speed), number(yawRate),
-                                 number(metric.yawRate - yawRate), number(metric.speed - speed), number(truth.raw()),
+            tables[0].push_back({contestant.name, c.factor, number(c.value, 1), std::to_string(item % cases),
+                                 number(speed), number(yawRate), number(metric.yawRate - yawRate),
+                                 number(metric.speed - speed), number(truth.raw()),
                                  number(truth.left(problem.camera, motion)), std::to_string(motion.status)});
         }
     };
-    writeTable(options.folder + "/conditions.csv", "contestant,factor,value,case,speed,yaw_rate,yaw_rate_error,speed_error,raw_px,left_px,status",
+    writeTable(options.folder + "/conditions.csv",
+               "contestant,factor,value,case,speed,yaw_rate,yaw_rate_error,speed_error,raw_px,left_px,status",
                makeRows("conditions", int(conditions.size()) * cases, 1, make)[0]);
 }
 

@@ -19,8 +19,10 @@ void studyDistances(const StudyOptions& options)
         const char* of;
         double wall, height; // metres
     };
-    const std::vector<Mistake> mistakes = {{"none", 0, 0}, {"wall", -0.1, 0}, {"wall", 0.1, 0}, {"height", 0, -0.1}, {"height", 0, 0.1}};
-    const std::vector<double> speeds = options.quick ? std::vector<double>{20, 100} : std::vector<double>{20, 60, 100, 140};
+    const std::vector<Mistake> mistakes = {
+        {"none", 0, 0}, {"wall", -0.1, 0}, {"wall", 0.1, 0}, {"height", 0, -0.1}, {"height", 0, 0.1}};
+    const std::vector<double> speeds =
+        options.quick ? std::vector<double>{20, 100} : std::vector<double>{20, 60, 100, 140};
     const std::vector<double> yawRates = options.quick ? std::vector<double>{40} : std::vector<double>{10, 40, 70};
     std::vector<cv::Vec3d> cases;
     for (int street = 0; street < (options.quick ? 1 : 2); street++)
@@ -29,8 +31,9 @@ void studyDistances(const StudyOptions& options)
                 cases.push_back(cv::Vec3d(street, speed, yawRate));
     const std::vector<Contestant> contestants = mainContestants();
     const street::StreetCamera view = paperCamera();
-    const auto make = [&](int i, std::vector<std::vector<Row> >& tables) {
-        const street::StreetScene scene = paperScene(cases[i][1], cases[i][2], unsigned(options.seed + int(cases[i][0])));
+    const auto make = [&](int i, std::vector<std::vector<Row>>& tables) {
+        const street::StreetScene scene =
+            paperScene(cases[i][1], cases[i][2], unsigned(options.seed + int(cases[i][0])));
         const street::StreetRenderer renderer(view, scene);
         const DenseTruth truth(renderer, view.size);
         cv::Mat segments;
@@ -39,18 +42,21 @@ void studyDistances(const StudyOptions& options)
         {
             street::StreetCamera told = view;
             told.height += mistake.height;
-            const Problem problem = {rsackermann_samples::libraryCamera(told), segments, scene.left + mistake.wall, MotionPrior(), options.seed + i};
+            const Problem problem = {rsackermann_samples::libraryCamera(told), segments, scene.left + mistake.wall,
+                                     MotionPrior(), options.seed + i};
             for (const Contestant& contestant : contestants)
             {
                 const AckermannMotion motion = contestant.estimate(problem).motion;
                 const MetricEstimate metric(motion, problem.camera);
-                tables[0].push_back({contestant.name, mistake.of, number((mistake.wall + mistake.height) * 100, 0), number(cases[i][0], 0),
-                                     number(cases[i][1], 0), number(cases[i][2], 0), number(metric.yawRate - cases[i][2]),
-                                     number(metric.speed - cases[i][1]), number(truth.raw()), number(truth.left(problem.camera, motion))});
+                tables[0].push_back({contestant.name, mistake.of, number((mistake.wall + mistake.height) * 100, 0),
+                                     number(cases[i][0], 0), number(cases[i][1], 0), number(cases[i][2], 0),
+                                     number(metric.yawRate - cases[i][2]), number(metric.speed - cases[i][1]),
+                                     number(truth.raw()), number(truth.left(problem.camera, motion))});
             }
         }
     };
-    writeTable(options.folder + "/distances.csv", "contestant,mistake,error_cm,street,speed,yaw_rate,yaw_rate_error,speed_error,raw_px,left_px",
+    writeTable(options.folder + "/distances.csv",
+               "contestant,mistake,error_cm,street,speed,yaw_rate,yaw_rate_error,speed_error,raw_px,left_px",
                makeRows("distances", int(cases.size()), 1, make)[0]);
 }
 

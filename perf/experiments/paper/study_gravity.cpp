@@ -15,7 +15,7 @@ namespace {
 
 struct Tilt
 {
-    const char* kind; // roll, pitch or both
+    const char* kind;   // roll, pitch or both
     double roll, pitch; // degrees by which the camera is said to be tilted while it is upright
 };
 
@@ -46,7 +46,7 @@ void studyGravity(const StudyOptions& options)
     const std::vector<Tilt> tilts = makeTilts(options);
     const std::vector<Contestant> contestants = mainContestants();
     const int parts = 10; // of the draws, for the sake of threads
-    const auto make = [&](int item, std::vector<std::vector<Row> >& tables) {
+    const auto make = [&](int item, std::vector<std::vector<Row>>& tables) {
         const double readOut = readOuts[item / parts];
         const street::StreetCamera view = paperCamera(readOut);
         const street::StreetScene scene = paperScene(60, 40, unsigned(options.seed));
@@ -59,18 +59,21 @@ void studyGravity(const StudyOptions& options)
             street::StreetCamera told = view;
             told.roll = tilts[k].roll * DEGREE;
             told.pitch = tilts[k].pitch * DEGREE;
-            const Problem problem = {rsackermann_samples::libraryCamera(told), segments, scene.left, MotionPrior(), options.seed + int(k)};
+            const Problem problem = {rsackermann_samples::libraryCamera(told), segments, scene.left, MotionPrior(),
+                                     options.seed + int(k)};
             for (const Contestant& contestant : contestants)
             {
                 const AckermannMotion motion = contestant.estimate(problem).motion;
                 const MetricEstimate metric(motion, problem.camera);
-                tables[0].push_back({contestant.name, number(readOut * 1e3, 2), tilts[k].kind, number(tilts[k].roll), number(tilts[k].pitch),
-                                     number(metric.yawRate - scene.yawRate / DEGREE), number(metric.speed - scene.speed / KMH), number(truth.raw()),
+                tables[0].push_back({contestant.name, number(readOut * 1e3, 2), tilts[k].kind, number(tilts[k].roll),
+                                     number(tilts[k].pitch), number(metric.yawRate - scene.yawRate / DEGREE),
+                                     number(metric.speed - scene.speed / KMH), number(truth.raw()),
                                      number(truth.left(problem.camera, motion)), std::to_string(motion.status)});
             }
         }
     };
-    writeTable(options.folder + "/gravity.csv", "contestant,readout_ms,kind,roll_deg,pitch_deg,yaw_rate_error,speed_error,raw_px,left_px,status",
+    writeTable(options.folder + "/gravity.csv",
+               "contestant,readout_ms,kind,roll_deg,pitch_deg,yaw_rate_error,speed_error,raw_px,left_px,status",
                makeRows("gravity", int(readOuts.size()) * parts, 1, make)[0]);
 }
 

@@ -27,8 +27,10 @@ struct Motion
 
 std::vector<Motion> makeMotions(const StudyOptions& options)
 {
-    const std::vector<double> speeds = options.quick ? std::vector<double>{20, 100} : std::vector<double>{20, 60, 100, 140};
-    const std::vector<double> yawRates = options.quick ? std::vector<double>{10, 40, 70} : std::vector<double>{10, 20, 30, 40, 50, 60, 70};
+    const std::vector<double> speeds =
+        options.quick ? std::vector<double>{20, 100} : std::vector<double>{20, 60, 100, 140};
+    const std::vector<double> yawRates =
+        options.quick ? std::vector<double>{10, 40, 70} : std::vector<double>{10, 20, 30, 40, 50, 60, 70};
     const int streets = options.quick ? 1 : 10;
     cv::RNG rng(uint64(options.seed) + 1);
     rng.next(); // the first normal deviate of a small seed is 0
@@ -50,7 +52,8 @@ std::vector<Motion> makeMotions(const StudyOptions& options)
     return motions;
 }
 
-// The segments whose ends the true motion brings into one column to half a pixel, as it does those of images of vertical lines.
+// The segments whose ends the true motion brings into one column to half a pixel, as it does those of images of
+// vertical lines.
 int countInliers(const RollingShutterCamera& camera, const cv::Mat& segments, const AckermannMotion& motion)
 {
     const MinimalSolution truth = {motion.alpha, motion.wallSlope, motion.wallOffset, motion.wallRatio};
@@ -71,26 +74,30 @@ void studyMotion(const StudyOptions& options)
     const std::vector<Contestant> contestants = allContestants();
     const Contestant withGyro = libraryContestant("ours_gyro", MODEL_AUTO, false);
     const street::StreetCamera view = paperCamera();
-    const auto make = [&](int i, std::vector<std::vector<Row> >& tables) {
+    const auto make = [&](int i, std::vector<std::vector<Row>>& tables) {
         const Motion& m = motions[i];
         const street::StreetScene scene = paperScene(m.noisySpeed, m.noisyYawRate, unsigned(options.seed + m.street));
         const street::StreetRenderer renderer(view, scene);
         const DenseTruth truth(renderer, view.size);
-        Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(), options.seed + i};
+        Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(),
+                           options.seed + i};
         detectSegments(renderer.rollingShutter(), problem.segments);
-        const int inliers = countInliers(problem.camera, problem.segments, rsackermann_samples::libraryMotion(view, scene));
+        const int inliers =
+            countInliers(problem.camera, problem.segments, rsackermann_samples::libraryMotion(view, scene));
         const std::string image = cv::format("street_%d_%s_%.0f_%.0f", m.street, m.part, m.speed, m.yawRate);
         const auto add = [&](const Contestant& contestant) {
             const Answer answer = contestant.estimate(problem);
             const MetricEstimate metric(answer.motion, problem.camera);
             const double delta = answer.motion.wallSlope != 0 ? answer.motion.delta() * view.fx : 0;
             const std::string left = number(truth.left(problem.camera, answer.motion)), raw = number(truth.raw());
-            tables[0].push_back({contestant.name, image, m.part, number(m.speed, 0), number(m.yawRate, 0), number(m.noisySpeed),
-                                 number(m.noisyYawRate), number(metric.speed), number(metric.yawRate), raw, left,
-                                 std::to_string(answer.motion.status), std::to_string(answer.motion.inliers), std::to_string(answer.iterations),
+            tables[0].push_back({contestant.name, image, m.part, number(m.speed, 0), number(m.yawRate, 0),
+                                 number(m.noisySpeed), number(m.noisyYawRate), number(metric.speed),
+                                 number(metric.yawRate), raw, left, std::to_string(answer.motion.status),
+                                 std::to_string(answer.motion.inliers), std::to_string(answer.iterations),
                                  std::to_string(inliers), number(delta, 1), number(answer.motion.wallRatio)});
             if (std::string(m.part) == "4la")
-                tables[1].push_back({contestant.name, image, number(m.noisySpeed, 2), number(m.noisyYawRate, 2), raw, left});
+                tables[1].push_back(
+                    {contestant.name, image, number(m.noisySpeed, 2), number(m.noisyYawRate, 2), raw, left});
         };
         for (const Contestant& contestant : contestants)
             add(contestant);
@@ -98,11 +105,14 @@ void studyMotion(const StudyOptions& options)
         problem.prior.yawRateSigma = 1 * DEGREE;
         add(withGyro);
     };
-    const std::vector<std::vector<Row> > tables = makeRows("motion", int(motions.size()), 2, make);
-    writeTable(options.folder + "/displacement.csv", "contestant,image,speed_kmh,yaw_rate_deg_s,raw_px,left_px", tables[1]);
+    const std::vector<std::vector<Row>> tables = makeRows("motion", int(motions.size()), 2, make);
+    writeTable(options.folder + "/displacement.csv", "contestant,image,speed_kmh,yaw_rate_deg_s,raw_px,left_px",
+               tables[1]);
     writeTable(options.folder + "/motion.csv",
-               "contestant,image,part,set_speed,set_yaw_rate,speed,yaw_rate,estimated_speed,estimated_yaw_rate,raw_px,left_px,status,"
-               "inliers,iterations,true_inliers,line_at_infinity_px,wall_ratio", tables[0]);
+               "contestant,image,part,set_speed,set_yaw_rate,speed,yaw_rate,estimated_speed,"
+               "estimated_yaw_rate,raw_px,left_px,status,"
+               "inliers,iterations,true_inliers,line_at_infinity_px,wall_ratio",
+               tables[0]);
 }
 
 } // namespace paper

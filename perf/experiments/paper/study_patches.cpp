@@ -17,7 +17,8 @@ using namespace cv::rsackermann;
 namespace {
 
 // The paper's method splats, the library maps.
-cv::Mat correct(const Contestant& contestant, const RollingShutterCamera& camera, const AckermannMotion& motion, const cv::Mat& image, cv::Mat& mask)
+cv::Mat correct(const Contestant& contestant, const RollingShutterCamera& camera, const AckermannMotion& motion,
+                const cv::Mat& image, cv::Mat& mask)
 {
     if (contestant.name.compare(0, 5, "paper") == 0)
         return correctBySplatting(camera, motion, image, mask);
@@ -43,12 +44,14 @@ void studyPatches(const StudyOptions& options)
     contestants.push_back(paperContestant("paper_3la", MODEL_3LA));
     contestants.push_back(paperContestant("paper_1la", MODEL_1LA));
     const street::StreetCamera view = paperCamera();
-    const auto make = [&](int i, std::vector<std::vector<Row> >& tables) {
-        const street::StreetScene scene = paperScene(cases[i][1], cases[i][2], unsigned(options.seed + int(cases[i][0])));
+    const auto make = [&](int i, std::vector<std::vector<Row>>& tables) {
+        const street::StreetScene scene =
+            paperScene(cases[i][1], cases[i][2], unsigned(options.seed + int(cases[i][0])));
         const street::StreetRenderer renderer(view, scene);
         const DenseTruth truth(renderer, view.size);
         const cv::Mat rolling = renderer.rollingShutter(), global = renderer.globalShutter();
-        Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(), options.seed + i};
+        Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(),
+                           options.seed + i};
         detectSegments(rolling, problem.segments);
         const double raw = patchDisplacement(global, rolling, cv::Mat());
         for (const Contestant& contestant : contestants)
@@ -56,11 +59,14 @@ void studyPatches(const StudyOptions& options)
             const AckermannMotion motion = contestant.estimate(problem).motion;
             cv::Mat mask;
             const cv::Mat corrected = correct(contestant, problem.camera, motion, rolling, mask);
-            tables[0].push_back({contestant.name, number(cases[i][0], 0), number(cases[i][1], 0), number(cases[i][2], 0), number(truth.raw()),
-                                 number(truth.left(problem.camera, motion)), number(raw), number(patchDisplacement(global, corrected, mask))});
+            tables[0].push_back({contestant.name, number(cases[i][0], 0), number(cases[i][1], 0),
+                                 number(cases[i][2], 0), number(truth.raw()),
+                                 number(truth.left(problem.camera, motion)), number(raw),
+                                 number(patchDisplacement(global, corrected, mask))});
         }
     };
-    writeTable(options.folder + "/patches.csv", "contestant,street,speed,yaw_rate,raw_px,left_px,raw_patches_px,left_patches_px",
+    writeTable(options.folder + "/patches.csv",
+               "contestant,street,speed,yaw_rate,raw_px,left_px,raw_patches_px,left_patches_px",
                makeRows("patches", int(cases.size()), 1, make)[0]);
 }
 

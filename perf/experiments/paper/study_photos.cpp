@@ -35,13 +35,13 @@ cv::Mat tile(const cv::Mat& image, const std::string& caption)
 void studyPhotos(const StudyOptions& options)
 {
     const std::vector<PhotoSet> sets = findPhotoSets(options.photos);
-    std::vector<std::pair<int, int> > cases; // number of the set and in the set
+    std::vector<std::pair<int, int>> cases; // number of the set and in the set
     for (size_t s = 0; s < sets.size(); s++)
         for (int i = 0; i < (options.quick ? 1 : sets[s].size); i++)
             cases.push_back(std::make_pair(int(s), i));
     const std::string strips = options.folder + "/strips";
     cv::utils::fs::createDirectories(strips);
-    const auto make = [&](int k, std::vector<std::vector<Row> >& tables) {
+    const auto make = [&](int k, std::vector<std::vector<Row>>& tables) {
         const PhotoSet& set = sets[cases[k].first];
         const PhotoCase c = set.at(cases[k].second);
         Problem problem = {c.camera, cv::Mat(), c.wallDistance, MotionPrior(), options.seed + k};

@@ -27,9 +27,18 @@ struct Solver
     int (*solve)(const VerticalSegment*, SolverOptions, MinimalSolution*);
 };
 
-int solve1(const VerticalSegment* s, SolverOptions o, MinimalSolution* r) { return solve1LA(s[0], o, r); }
-int solve3(const VerticalSegment* s, SolverOptions o, MinimalSolution* r) { return solve3LA(s, true, o, r); }
-int solve4Global(const VerticalSegment* s, SolverOptions o, MinimalSolution* r) { return solve4LA(s, true, o, r); }
+int solve1(const VerticalSegment* s, SolverOptions o, MinimalSolution* r)
+{
+    return solve1LA(s[0], o, r);
+}
+int solve3(const VerticalSegment* s, SolverOptions o, MinimalSolution* r)
+{
+    return solve3LA(s, true, o, r);
+}
+int solve4Global(const VerticalSegment* s, SolverOptions o, MinimalSolution* r)
+{
+    return solve4LA(s, true, o, r);
+}
 
 int solve4Rolling(const VerticalSegment* s, SolverOptions o, MinimalSolution* r)
 {
@@ -37,7 +46,10 @@ int solve4Rolling(const VerticalSegment* s, SolverOptions o, MinimalSolution* r)
     return solve4LA(s, true, o, r);
 }
 
-int solve4Exact(const VerticalSegment* s, SolverOptions o, MinimalSolution* r) { return solve4LAExact(s, true, o, r); }
+int solve4Exact(const VerticalSegment* s, SolverOptions o, MinimalSolution* r)
+{
+    return solve4LAExact(s, true, o, r);
+}
 
 const Solver SOLVERS[] = {{"1la", TURN, 1, solve1},
                           {"3la", STRAIGHT, 3, solve3},
@@ -45,7 +57,10 @@ const Solver SOLVERS[] = {{"1la", TURN, 1, solve1},
                           {"4la_global", BOTH, 4, solve4Global},
                           {"4la_exact", BOTH, 4, solve4Exact}};
 
-double wallSpeed(const MinimalSolution& s) { return std::hypot(s.wallSlope, s.wallOffset); }
+double wallSpeed(const MinimalSolution& s)
+{
+    return std::hypot(s.wallSlope, s.wallOffset);
+}
 
 struct Errors
 {
@@ -64,8 +79,8 @@ Errors errorsOf(Kind kind, const MinimalSolution& solution, const MinimalSolutio
 }
 
 // The solution that is nearest to the truth; false if there is none.
-bool solveNearest(const Solver& solver, const RollingShutterCamera& camera, const cv::Mat& lines, const SolverOptions& limits,
-                  const MinimalSolution& truth, int& count, MinimalSolution& nearest)
+bool solveNearest(const Solver& solver, const RollingShutterCamera& camera, const cv::Mat& lines,
+                  const SolverOptions& limits, const MinimalSolution& truth, int& count, MinimalSolution& nearest)
 {
     std::vector<VerticalSegment> segments;
     for (int i = 0; i < lines.rows; i++)
@@ -73,14 +88,15 @@ bool solveNearest(const Solver& solver, const RollingShutterCamera& camera, cons
     MinimalSolution solutions[8];
     count = solver.solve(&segments[0], limits, solutions);
     for (int i = 0; i < count; i++)
-        if (i == 0 || errorsOf(solver.kind, solutions[i], truth).worse() < errorsOf(solver.kind, nearest, truth).worse())
+        if (i == 0 ||
+            errorsOf(solver.kind, solutions[i], truth).worse() < errorsOf(solver.kind, nearest, truth).worse())
             nearest = solutions[i];
     return count > 0;
 }
 
 // What an error of one pixel in each coordinate of the ends makes of the result, to first order.
-Errors sensitivity(const Solver& solver, const RollingShutterCamera& camera, const cv::Mat& lines, const SolverOptions& limits,
-                   const MinimalSolution& exact)
+Errors sensitivity(const Solver& solver, const RollingShutterCamera& camera, const cv::Mat& lines,
+                   const SolverOptions& limits, const MinimalSolution& exact)
 {
     const double step = 1e-4;
     Errors sum = {0, 0};
@@ -120,12 +136,13 @@ void studySolvers(const StudyOptions& options)
     const std::vector<double> noises = {0, 0.1, 0.25, 0.5, 1, 2};
     const street::StreetCamera view = paperCamera();
     const RollingShutterCamera camera = rsackermann_samples::libraryCamera(view);
-    const auto make = [&](int i, std::vector<std::vector<Row> >& tables) {
+    const auto make = [&](int i, std::vector<std::vector<Row>>& tables) {
         cv::RNG rng(uint64(options.seed) * 100003 + uint64(i) + 4);
         const double speed = rng.uniform(20., 140.), yawRate = rng.uniform(10., 70.) * (i % 2 ? 1 : -1);
         for (const Solver& solver : SOLVERS)
         {
-            const street::StreetScene scene = paperScene(solver.kind == TURN ? 0 : speed, solver.kind == STRAIGHT ? 0 : yawRate, 0);
+            const street::StreetScene scene =
+                paperScene(solver.kind == TURN ? 0 : speed, solver.kind == STRAIGHT ? 0 : yawRate, 0);
             const street::StreetRenderer renderer(view, scene);
             const AckermannMotion motion = rsackermann_samples::libraryMotion(view, scene);
             const MinimalSolution truth = {motion.alpha, motion.wallSlope, motion.wallOffset, motion.wallRatio};
@@ -140,20 +157,24 @@ void studySolvers(const StudyOptions& options)
             {
                 MinimalSolution solution = MinimalSolution();
                 int count = 0;
-                const bool solved = solveNearest(solver, camera, cv::Mat(lines + noise * errors), limits, truth, count, solution);
+                const bool solved =
+                    solveNearest(solver, camera, cv::Mat(lines + noise * errors), limits, truth, count, solution);
                 const Errors e = solved ? errorsOf(solver.kind, solution, truth) : Errors{NONE, NONE};
-                tables[0].push_back({solver.name, number(noise, 2), std::to_string(i), std::to_string(count), cv::format("%.3e", e.yawRate),
-                                     cv::format("%.3e", e.speed), cv::format("%.3e", solved ? e.worse() : NONE)});
+                tables[0].push_back({solver.name, number(noise, 2), std::to_string(i), std::to_string(count),
+                                     cv::format("%.3e", e.yawRate), cv::format("%.3e", e.speed),
+                                     cv::format("%.3e", solved ? e.worse() : NONE)});
                 if (noise > 0 || !solved)
                     continue;
                 const Errors s = sensitivity(solver, camera, lines, limits, solution);
-                tables[1].push_back({solver.name, std::to_string(i), cv::format("%.3e", s.yawRate), cv::format("%.3e", s.speed)});
+                tables[1].push_back(
+                    {solver.name, std::to_string(i), cv::format("%.3e", s.yawRate), cv::format("%.3e", s.speed)});
             }
         }
     };
-    const std::vector<std::vector<Row> > tables = makeRows("solvers", problems, 2, make);
+    const std::vector<std::vector<Row>> tables = makeRows("solvers", problems, 2, make);
     writeTable(options.folder + "/solver_condition.csv", "solver,problem,yaw_rate_per_px,speed_per_px", tables[1]);
-    writeTable(options.folder + "/solvers.csv", "solver,noise_px,problem,solutions,yaw_rate_error,speed_error,error", tables[0]);
+    writeTable(options.folder + "/solvers.csv", "solver,noise_px,problem,solutions,yaw_rate_error,speed_error,error",
+               tables[0]);
 }
 
 } // namespace paper

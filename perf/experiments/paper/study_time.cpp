@@ -59,18 +59,20 @@ void studyTime(const StudyOptions& options)
         {
             const street::StreetScene scene = paperScene(speed, yawRate, unsigned(options.seed));
             const cv::Mat image = street::StreetRenderer(view, scene).rollingShutter();
-            Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(), options.seed};
+            Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(),
+                               options.seed};
             const double detection = secondsOf(rounds, [&]() { detectSegments(image, problem.segments); });
             for (const Contestant& contestant : allContestants())
             {
                 Answer answer;
                 const double estimation = secondsOf(rounds, [&]() { answer = contestant.estimate(problem); });
-                rows.push_back({contestant.name, number(speed, 0), number(yawRate, 0), std::to_string(problem.segments.rows),
-                                std::to_string(answer.motion.candidates), std::to_string(answer.iterations), number(detection * 1e3),
-                                number(estimation * 1e3)});
+                rows.push_back({contestant.name, number(speed, 0), number(yawRate, 0),
+                                std::to_string(problem.segments.rows), std::to_string(answer.motion.candidates),
+                                std::to_string(answer.iterations), number(detection * 1e3), number(estimation * 1e3)});
             }
         }
-    writeTable(options.folder + "/time.csv", "contestant,speed,yaw_rate,segments,candidates,iterations,detection_ms,estimation_ms", rows);
+    writeTable(options.folder + "/time.csv",
+               "contestant,speed,yaw_rate,segments,candidates,iterations,detection_ms,estimation_ms", rows);
 }
 
 // Time of the minimal solvers alone.

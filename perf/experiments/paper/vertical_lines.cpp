@@ -21,7 +21,8 @@ HorizontalBearing horizontalBearing(const RollingShutterCamera& camera, const cv
 }
 
 // On a wall of the scaled inverse depth D - B x.
-double compensatedColumn(const HorizontalBearing& bearing, double time, double alpha, double B, double D, double heading)
+double compensatedColumn(const HorizontalBearing& bearing, double time, double alpha, double B, double D,
+                         double heading)
 {
     const double yaw = 2 * alpha * time, c = std::cos(yaw), s = std::sin(yaw);
     const double N = c * bearing.x + s * bearing.z, M = c * bearing.z - s * bearing.x;

@@ -10,16 +10,19 @@
 namespace paper {
 
 //! The two ends of a segment as the minimal solvers take them.
-cv::rsackermann::VerticalSegment verticalSegment(const cv::rsackermann::RollingShutterCamera& camera, const cv::Vec4d& ends);
+cv::rsackermann::VerticalSegment verticalSegment(const cv::rsackermann::RollingShutterCamera& camera,
+                                                 const cv::Vec4d& ends);
 
-/** Difference of the compensated columns of the ends of a vertical's image in units of the focal length; 0 for exact lines.
+/** Difference of the compensated columns of the ends of a vertical's image in units of the focal length; 0 for exact
+lines.
 
 The wall is the one on whose side of the line at infinity the segment is. See doc/theory.md, "Compensation". */
-double columnDifference(const cv::rsackermann::VerticalSegment& segment, const cv::rsackermann::MinimalSolution& motion, double heading);
+double columnDifference(const cv::rsackermann::VerticalSegment& segment, const cv::rsackermann::MinimalSolution& motion,
+                        double heading);
 
 //! Largest |alpha| and sqrt(B^2 + D^2) of motions within the limits in radians and metres per second.
-cv::rsackermann::SolverOptions solverLimits(const cv::rsackermann::RollingShutterCamera& camera, double maxYawRate, double maxSpeed,
-                                            double wallDistance);
+cv::rsackermann::SolverOptions solverLimits(const cv::rsackermann::RollingShutterCamera& camera, double maxYawRate,
+                                            double maxSpeed, double wallDistance);
 
 } // namespace paper
 

@@ -26,24 +26,25 @@ The way from a raw image to a corrected one:
 -   find the motion with cv::rsackermann::AckermannEstimator,
 -   make the maps with cv::rsackermann::WarpMapGenerator and call cv::remap,
 
-or let cv::rsackermann::RollingShutterCorrector do all of it in one call. cv::rsackermann::MountCalibrator finds from a drive how the camera is
-mounted.
+or let cv::rsackermann::RollingShutterCorrector do all of it in one call. cv::rsackermann::MountCalibrator finds from a
+drive how the camera is mounted.
 
 Conventions of the whole module:
 -   The camera frame has x to the right, y down and z forward. Pixel centres are at integer coordinates.
 -   The *row time* of a pixel is \f$t = (row - referenceRow) / f_y\f$, dimensionless, always taken from the raw
     (distorted) sensor row; times \f$f_y \cdot lineDelay\f$ it is in seconds.
--   The *upright* frame has gravity along +y and the optical axis, projected to the horizontal, along +z. A bearing there is
-    \f$(x, y, 1)\f$ or the azimuth \f$\varphi = \arctan x\f$.
--   The car turns by \f$\theta(t) = 2 \alpha t\f$ and moves by \f$\rho(t) (\sin(\theta/2+\psi), 0, \cos(\theta/2+\psi))\f$,
-    \f$\rho(t) = \beta t\,\mathrm{sinc}(\theta/2)\f$, where \f$\psi\f$ is the heading.
+-   The *upright* frame has gravity along +y and the optical axis, projected to the horizontal, along +z. A bearing
+    there is \f$(x, y, 1)\f$ or the azimuth \f$\varphi = \arctan x\f$.
+-   The car turns by \f$\theta(t) = 2 \alpha t\f$ and moves by
+    \f$\rho(t) (\sin(\theta/2+\psi), 0, \cos(\theta/2+\psi))\f$, \f$\rho(t) = \beta t\,\mathrm{sinc}(\theta/2)\f$,
+    where \f$\psi\f$ is the heading.
 -   Angles are in radians, lengths in metres, time in seconds, unless something else is said.
 
-Threads: functions and const methods may run at the same time in several threads, also on the same object. Everything else needs an
-object that no other thread uses meanwhile; different objects share no state. A cv::rsackermann::AckermannEstimator or
-cv::rsackermann::WarpMapGenerator serves all threads, as their work on images is const, but each thread needs its own
-cv::rsackermann::RollingShutterCorrector, which keeps buffers and the state of the image before. cv::setNumThreads and cv::setRNGSeed don't change
-results.
+Threads: functions and const methods may run at the same time in several threads, also on the same object. Everything
+else needs an object that no other thread uses meanwhile; different objects share no state. A
+cv::rsackermann::AckermannEstimator or cv::rsackermann::WarpMapGenerator serves all threads, as their work on images is
+const, but each thread needs its own cv::rsackermann::RollingShutterCorrector, which keeps buffers and the state of the
+image before. cv::setNumThreads and cv::setRNGSeed don't change results.
 */
 
 //! @namespace cv::rsackermann All of the module @ref rsackermann.

@@ -8,8 +8,7 @@
 #include "opencv2/core.hpp"
 #include <cmath>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Camera frame to upright frame of a camera with that roll, positive if it is turned clockwise seen from behind.
 inline Matx33d rollRotation(double roll)

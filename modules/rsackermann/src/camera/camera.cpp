@@ -6,19 +6,19 @@
 #include "../checks.hpp"
 #include "../storage.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 RollingShutterCamera::RollingShutterCamera()
-    : cameraMatrix(Matx33d::eye()), lensModel(LENS_PINHOLE), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0), referenceRow(0),
-      uprightRotation(Matx33d::eye()), heading(0), height(0), focalSigma(0), lineDelaySigma(0)
+    : cameraMatrix(Matx33d::eye()), lensModel(LENS_PINHOLE), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0),
+      referenceRow(0), uprightRotation(Matx33d::eye()), heading(0), height(0), focalSigma(0), lineDelaySigma(0)
 {
 }
 
-RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, const std::vector<double>& dist, int lens)
-    : imageSize(size), cameraMatrix(K), distCoeffs(dist), lensModel(lens), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0),
-      referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), heading(0), height(0), focalSigma(0),
-      lineDelaySigma(0)
+RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, const std::vector<double>& dist,
+                                           int lens)
+    : imageSize(size), cameraMatrix(K), distCoeffs(dist), lensModel(lens), scanDirection(SCAN_TOP_TO_BOTTOM),
+      lineDelay(0), referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), heading(0), height(0),
+      focalSigma(0), lineDelaySigma(0)
 {
     check();
 }
@@ -26,7 +26,8 @@ RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, c
 RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double focal)
 {
     if (!(focal >= 0) || cvIsInf(focal))
-        CV_Error(Error::StsBadArg, format("focal is %g; a positive number of pixels, or 0 for the default, is expected", focal));
+        CV_Error(Error::StsBadArg,
+                 format("focal is %g; a positive number of pixels, or 0 for the default, is expected", focal));
     const double usual = 0.9, usualSigma = 0.2; // of cameras in cars
     const double f = focal > 0 ? focal : usual * std::max(size.width, size.height);
     RollingShutterCamera camera(size, Matx33d(f, 0, (size.width - 1) / 2., 0, f, (size.height - 1) / 2., 0, 0, 1));
@@ -48,12 +49,14 @@ void RollingShutterCamera::setGravity(const Vec3d& gravity)
     const double length = norm(gravity);
     const double horizontal = std::hypot(gravity[0], gravity[1]);
     if (!(length > 0) || cvIsInf(length) || horizontal < 1e-6 * length)
-        CV_Error(Error::StsBadArg, format("gravity is (%g, %g, %g); a finite vector that isn't parallel to the optical axis is expected",
-                                          gravity[0], gravity[1], gravity[2]));
+        CV_Error(Error::StsBadArg,
+                 format("gravity is (%g, %g, %g); a finite vector that isn't parallel to the optical axis is expected",
+                        gravity[0], gravity[1], gravity[2]));
     const Vec3d down = gravity * (1 / length);
     const Vec3d forward = normalize(Vec3d(0, 0, 1) - down * down[2]);
     const Vec3d right = down.cross(forward);
-    uprightRotation = Matx33d(right[0], right[1], right[2], down[0], down[1], down[2], forward[0], forward[1], forward[2]);
+    uprightRotation =
+        Matx33d(right[0], right[1], right[2], down[0], down[1], down[2], forward[0], forward[1], forward[2]);
 }
 
 Vec3d RollingShutterCamera::gravity() const
@@ -84,22 +87,30 @@ static void checkIntrinsics(const Matx33d& K)
     const double largest = 1e9; // whose powers, and quotients with what is in an image, are finite
     for (int i = 0; i < 9; i++)
         if (!(std::abs(K.val[i]) <= largest))
-            CV_Error(Error::StsBadArg, format("camera.cameraMatrix has the entry %g; pixels up to %g are expected", K.val[i], largest));
+            CV_Error(Error::StsBadArg,
+                     format("camera.cameraMatrix has the entry %g; pixels up to %g are expected", K.val[i], largest));
     if (!(K(0, 0) >= 1 / largest) || !(K(1, 1) >= 1 / largest))
-        CV_Error(Error::StsBadArg, format("camera.cameraMatrix has focal lengths %g, %g; positive ones are expected", K(0, 0), K(1, 1)));
+        CV_Error(Error::StsBadArg,
+                 format("camera.cameraMatrix has focal lengths %g, %g; positive ones are expected", K(0, 0), K(1, 1)));
     if (K(0, 1) != 0 || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1)
-        CV_Error(Error::StsBadArg, "camera.cameraMatrix has other entries than fx, fy, cx, cy and 1; a matrix (fx 0 cx; 0 fy cy; 0 0 1) is expected");
+        CV_Error(
+            Error::StsBadArg,
+            "camera.cameraMatrix has other entries than fx, fy, cx, cy and 1; a matrix (fx 0 cx; 0 fy cy; 0 0 1) is "
+            "expected");
 }
 
 static void checkLens(int lensModel, const std::vector<double>& coefficients)
 {
     const size_t n = coefficients.size();
     if (lensModel != LENS_PINHOLE && lensModel != LENS_FISHEYE)
-        CV_Error(Error::StsBadArg, format("camera.lensModel is %d; LENS_PINHOLE (0) or LENS_FISHEYE (1) is expected", lensModel));
+        CV_Error(Error::StsBadArg,
+                 format("camera.lensModel is %d; LENS_PINHOLE (0) or LENS_FISHEYE (1) is expected", lensModel));
     if (lensModel == LENS_FISHEYE && n != 0 && n != 4)
-        CV_Error(Error::StsBadArg, format("camera.distCoeffs has %d values; 0 or 4 are expected for LENS_FISHEYE", (int)n));
+        CV_Error(Error::StsBadArg,
+                 format("camera.distCoeffs has %d values; 0 or 4 are expected for LENS_FISHEYE", (int)n));
     if (lensModel == LENS_PINHOLE && n != 0 && n != 4 && n != 5 && n != 8 && n != 12 && n != 14)
-        CV_Error(Error::StsBadArg, format("camera.distCoeffs has %d values; 0, 4, 5, 8, 12 or 14 are expected for LENS_PINHOLE", (int)n));
+        CV_Error(Error::StsBadArg,
+                 format("camera.distCoeffs has %d values; 0, 4, 5, 8, 12 or 14 are expected for LENS_PINHOLE", (int)n));
     for (size_t i = 0; i < n; i++)
         checkFinite(coefficients[i], "camera.distCoeffs");
 }
@@ -110,17 +121,21 @@ static void checkRotation(const Matx33d& R)
         checkFinite(R.val[i], "camera.uprightRotation");
     const double error = norm(R * R.t() - Matx33d::eye(), NORM_INF);
     if (error > 1e-6 || determinant(R) < 0)
-        CV_Error(Error::StsBadArg, format("camera.uprightRotation is off a rotation by %g; a rotation matrix is expected", error));
+        CV_Error(Error::StsBadArg,
+                 format("camera.uprightRotation is off a rotation by %g; a rotation matrix is expected", error));
 }
 
 void RollingShutterCamera::check() const
 {
     if (imageSize.width <= 0 || imageSize.height <= 0)
-        CV_Error(Error::StsBadArg, format("camera.imageSize is %d x %d; a positive width and height are expected", imageSize.width, imageSize.height));
+        CV_Error(Error::StsBadArg, format("camera.imageSize is %d x %d; a positive width and height are expected",
+                                          imageSize.width, imageSize.height));
     checkIntrinsics(cameraMatrix);
     checkLens(lensModel, distCoeffs);
     if (scanDirection < SCAN_TOP_TO_BOTTOM || scanDirection > SCAN_RIGHT_TO_LEFT)
-        CV_Error(Error::StsBadArg, format("camera.scanDirection is %d; one of the ScanDirection values 0 to 3 is expected", scanDirection));
+        CV_Error(
+            Error::StsBadArg,
+            format("camera.scanDirection is %d; one of the ScanDirection values 0 to 3 is expected", scanDirection));
     checkNotNegative(lineDelay, "camera.lineDelay", "unknown");
     checkFinite(referenceRow, "camera.referenceRow");
     checkRotation(uprightRotation);
@@ -138,7 +153,8 @@ void RollingShutterCamera::write(FileStorage& fs) const
     fs << "lens_model" << lensModel << "scan_direction" << scanDirection;
     fs << "line_delay" << lineDelay << "reference_row" << referenceRow;
     fs << "upright_rotation" << uprightRotation;
-    fs << "heading" << heading << "height" << height << "focal_sigma" << focalSigma << "line_delay_sigma" << lineDelaySigma;
+    fs << "heading" << heading << "height" << height << "focal_sigma" << focalSigma << "line_delay_sigma"
+       << lineDelaySigma;
 }
 
 void RollingShutterCamera::read(const FileNode& fn)

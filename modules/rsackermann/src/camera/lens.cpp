@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "lens.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // The radial models are looked at in steps of this many radians from the optical axis.
 static const double ANGLE_STEP = 1e-3;
@@ -19,7 +18,8 @@ static double radiusLimit(const double* k, bool fisheye)
     {
         const double theta = i * ANGLE_STEP;
         double denominator = 1;
-        const double r = std::tan(theta), radius = fisheye ? theta * fisheyeFactor(k, theta * theta) : r * brownFactor(k, r * r, denominator);
+        const double r = std::tan(theta), radius = fisheye ? theta * fisheyeFactor(k, theta * theta)
+                                                           : r * brownFactor(k, r * r, denominator);
         if (!(radius > last) || !(denominator > 0))
         {
             const double limit = std::tan((i - 1) * ANGLE_STEP);
@@ -135,7 +135,8 @@ bool unproject(const Lens<double>& lens, const Point2d& raw, Point2d& ray)
     if (lens.kind == Lens<double>::NONE)
         return true;
     const Point2d distorted = ray;
-    return lens.kind == Lens<double>::FISHEYE ? unprojectFisheye(lens, distorted, ray) : unprojectBrown(lens, raw, distorted, ray);
+    return lens.kind == Lens<double>::FISHEYE ? unprojectFisheye(lens, distorted, ray)
+                                              : unprojectBrown(lens, raw, distorted, ray);
 }
 
 }} // namespace cv::rsackermann

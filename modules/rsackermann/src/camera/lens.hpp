@@ -8,18 +8,19 @@
 #include "opencv2/rsackermann/camera.hpp"
 #include <cmath>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Brown's radial factor, for a squared radius; its denominator becomes 0 at the pole of the rational model.
-template <typename T> T brownFactor(const T* k, T r2, T& denominator)
+template <typename T>
+T brownFactor(const T* k, T r2, T& denominator)
 {
     denominator = 1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7]));
     return (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) / denominator;
 }
 
 //! The fisheye's factor of the angle to the optical axis, for its square.
-template <typename T> T fisheyeFactor(const T* k, T theta2)
+template <typename T>
+T fisheyeFactor(const T* k, T theta2)
 {
     return 1 + theta2 * (k[0] + theta2 * (k[1] + theta2 * (k[2] + theta2 * k[3])));
 }
@@ -36,11 +37,11 @@ struct Lens
     enum Kind { NONE, BROWN, FISHEYE };
 
     Kind kind;
-    bool tilted;      // the sensor isn't perpendicular to the optical axis (14 coefficients)
+    bool tilted; // the sensor isn't perpendicular to the optical axis (14 coefficients)
     T fx, fy, cx, cy;
-    T k[12];          // k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, or the four of the fisheye
+    T k[12]; // k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, or the four of the fisheye
     T tilt[9];
-    T maxRadius2;     // square of the largest radius x^2 + y^2 that has an image
+    T maxRadius2; // square of the largest radius x^2 + y^2 that has an image
 
     explicit Lens(const RollingShutterCamera& camera);
 

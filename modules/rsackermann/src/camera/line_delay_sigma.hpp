@@ -7,8 +7,7 @@
 
 #include "opencv2/rsackermann/camera.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Standard deviation of the line delay over its value: that of what changes between row time and seconds.
 inline double relativeLineDelaySigma(const RollingShutterCamera& camera)

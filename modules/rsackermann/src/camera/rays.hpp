@@ -7,8 +7,7 @@
 
 #include "opencv2/rsackermann/camera.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Raw pixels to undistorted rays (x, y, 1) of the camera frame; finite, but meaningless if the lens model has none.
 void undistortedRays(const RollingShutterCamera& camera, const std::vector<Point2d>& raw, std::vector<Point2d>& rays);

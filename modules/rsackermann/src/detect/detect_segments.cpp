@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "segment_finder.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 void detectSegments(InputArray image_, OutputArray segments_, int detector, double minLength)
 {

@@ -7,8 +7,7 @@
 
 #include "opencv2/core.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Throws cv::Exception with the name of the argument unless it is one of SegmentDetector.
 void checkDetector(int detector, const char* name);

@@ -5,11 +5,10 @@
 #include "../precomp.hpp"
 #include "detectors.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 #ifdef HAVE_OPENCV_XIMGPROC
-static size_t longestChain(const std::vector<std::vector<Point> >& chains)
+static size_t longestChain(const std::vector<std::vector<Point>>& chains)
 {
     size_t longest = 0;
     for (size_t i = 0; i < chains.size(); i++)
@@ -24,8 +23,8 @@ void detectEDLines(const Mat& gray, double minLength, std::vector<Vec4f>& segmen
     params.MinLineLength = std::max(1, cvFloor(minLength));
     detector->setParams(params);
 
-    // EdgeDrawing::detectLines writes past the end of its buffers if a chain of edge pixels is longer than that; a wider
-    // image has longer buffers.
+    // EdgeDrawing::detectLines writes past the end of its buffers if a chain of edge pixels is longer than that; a
+    // wider image has longer buffers.
     const size_t buffersPerSide = 8;
     Mat image = gray;
     for (;;)
@@ -44,7 +43,8 @@ void detectEDLines(const Mat& gray, double minLength, std::vector<Vec4f>& segmen
 #else
 void detectEDLines(const Mat&, double, std::vector<Vec4f>&)
 {
-    CV_Error(Error::StsNotImplemented, "DETECTOR_EDLINES needs the module ximgproc, without which this library was built");
+    CV_Error(Error::StsNotImplemented,
+             "DETECTOR_EDLINES needs the module ximgproc, without which this library was built");
 }
 #endif
 

@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "detectors.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 #ifdef HAVE_OPENCV_XIMGPROC
 void detectFLD(const Mat& gray, double minLength, std::vector<Vec4f>& segments)

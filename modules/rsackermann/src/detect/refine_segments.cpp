@@ -5,16 +5,15 @@
 #include "../precomp.hpp"
 #include "refine_segments.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 namespace {
 
 // Intensities across a segment: at REACH + 1/2, REACH - 1/2 ... -REACH - 1/2 pixels from it.
 enum { REACH = 3, INTENSITIES = 2 * REACH + 2, SLOPES = INTENSITIES - 1 };
 
-// Where along a segment, from -1 to 1, and how many pixels beside it the edge was found. Up to the next multiple of LANES the
-// arrays go on with places that don't count.
+// Where along a segment, from -1 to 1, and how many pixels beside it the edge was found. Up to the next multiple of
+// LANES the arrays go on with places that don't count.
 struct EdgePlaces
 {
     enum { CAPACITY = 64, LANES = 4 };
@@ -50,7 +49,8 @@ bool slopesAcross(const Mat& gray, const Point2f& at, const Point2f& normal, flo
     // The points are added up: they may end somewhat farther away.
     const float reach = REACH + 0.5f, rounding = 0.02f;
     const float dx = reach * std::abs(normal.x), dy = reach * std::abs(normal.y);
-    if (!(at.x - dx >= rounding && at.y - dy >= rounding && at.x + dx < gray.cols - 1 - rounding && at.y + dy < gray.rows - 1 - rounding))
+    if (!(at.x - dx >= rounding && at.y - dy >= rounding && at.x + dx < gray.cols - 1 - rounding &&
+          at.y + dy < gray.rows - 1 - rounding))
         return false;
     Point2f p = at - reach * normal;
     float last = bilinear(gray, p.x, p.y);
@@ -83,7 +83,8 @@ bool findEdge(const float slopes[SLOPES], float sign, float& beside)
     return sum >= least;
 }
 
-// The line beside = offset + slope along, fitted with weights that fall off with the distance (after Geman and McClure).
+// The line beside = offset + slope along, fitted with weights that fall off with the distance (after Geman and
+// McClure).
 bool fitLine(const EdgePlaces& places, float& offset, float& slope)
 {
     const int lanes = EdgePlaces::LANES;
@@ -158,7 +159,10 @@ void refine(const Mat& gray, int maxPlaces, Vec4f& segment)
 class RefineBody : public ParallelLoopBody
 {
 public:
-    RefineBody(const Mat& gray_, int steps_, std::vector<Vec4f>& segments_) : gray(gray_), steps(steps_), segments(segments_) {}
+    RefineBody(const Mat& gray_, int steps_, std::vector<Vec4f>& segments_)
+        : gray(gray_), steps(steps_), segments(segments_)
+    {
+    }
 
     void operator()(const Range& range) const CV_OVERRIDE
     {
@@ -183,7 +187,8 @@ private:
 void refineSegments(const Mat& gray, int steps, std::vector<Vec4f>& segments)
 {
     const double segmentsPerStripe = 32;
-    parallel_for_(Range(0, int(segments.size())), RefineBody(gray, steps, segments), segments.size() / segmentsPerStripe);
+    parallel_for_(Range(0, int(segments.size())), RefineBody(gray, steps, segments),
+                  segments.size() / segmentsPerStripe);
 }
 
 }} // namespace cv::rsackermann

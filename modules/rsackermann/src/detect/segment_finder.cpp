@@ -10,8 +10,7 @@
 #include "segment_finder.hpp"
 #include <numeric>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // The scale of LSD: its own one. If the ends are refined afterwards, an image of that many pixels suffices.
 static double lsdScale(const Mat& image, bool isRefined)
@@ -23,7 +22,9 @@ static double lsdScale(const Mat& image, bool isRefined)
 void checkDetector(int detector, const char* name)
 {
     if (detector < DETECTOR_LSD || detector > DETECTOR_EDLINES)
-        CV_Error(Error::StsBadArg, format("%s is %d; DETECTOR_LSD (0), DETECTOR_FLD (1) or DETECTOR_EDLINES (2) is expected", name, detector));
+        CV_Error(
+            Error::StsBadArg,
+            format("%s is %d; DETECTOR_LSD (0), DETECTOR_FLD (1) or DETECTOR_EDLINES (2) is expected", name, detector));
 }
 
 static void checkArguments(const Mat& image, int detector, double minLength)
@@ -36,7 +37,8 @@ static void checkArguments(const Mat& image, int detector, double minLength)
                                           typeToString(image.type()).c_str()));
     checkDetector(detector, "detector");
     if (!(minLength >= 0) || cvIsInf(minLength))
-        CV_Error(Error::StsBadArg, format("minLength is %g; a number of pixels that isn't negative is expected", minLength));
+        CV_Error(Error::StsBadArg,
+                 format("minLength is %g; a number of pixels that isn't negative is expected", minLength));
 }
 
 static double lengthOf(const Vec4f& s)
@@ -71,9 +73,9 @@ static Range rangeWithout(double share, const std::vector<int>& counts)
     return range;
 }
 
-// 16-bit images seldom use their whole range: the range of the data becomes 0..255. So that a lamp or a defective pixel takes no
-// contrast from the rest, the darkest and the brightest hundredth of the pixels don't count. A tenth more on either side keeps what
-// goes only a little beyond, as where the slope of an edge is cut the edge is displaced.
+// 16-bit images seldom use their whole range: the range of the data becomes 0..255. So that a lamp or a defective pixel
+// takes no contrast from the rest, the darkest and the brightest hundredth of the pixels don't count. A tenth more on
+// either side keeps what goes only a little beyond, as where the slope of an edge is cut the edge is displaced.
 static void to8Bit(const Mat& gray, Mat& scaled)
 {
     const std::vector<int> counts = histogramOf(gray);
@@ -100,7 +102,8 @@ const Mat& SegmentFinder::shrink(const Mat& image)
 {
     const Mat* last = &image;
     scale = 1;
-    for (int i = 0; last->total() > MAX_PIXELS && std::min(last->rows, last->cols) >= 2 * MIN_DETECTOR_SIZE; i = 1 - i, scale *= 2)
+    for (int i = 0; last->total() > MAX_PIXELS && std::min(last->rows, last->cols) >= 2 * MIN_DETECTOR_SIZE;
+         i = 1 - i, scale *= 2)
     {
         // An odd last row or column is left out.
         const Rect even(0, 0, last->cols / 2 * 2, last->rows / 2 * 2);
@@ -129,7 +132,7 @@ class FindInStrips : public ParallelLoopBody
 {
 public:
     FindInStrips(const std::vector<Mat>& strips_, int detector_, double minLength_, double scale_,
-                 std::vector<std::vector<Vec4f> >& found_)
+                 std::vector<std::vector<Vec4f>>& found_)
         : strips(strips_), detector(detector_), minLength(minLength_), scale(scale_), found(found_)
     {
     }
@@ -152,7 +155,7 @@ private:
     const std::vector<Mat>& strips;
     int detector;
     double minLength, scale;
-    std::vector<std::vector<Vec4f> >& found;
+    std::vector<std::vector<Vec4f>>& found;
 };
 
 } // namespace
@@ -208,7 +211,8 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
             found[i] = found[i] * float(scale) + Vec4f::all(shift);
         if (isRefined)
         {
-            // Ends that move across a segment hardly make it longer. The further away they are, the more steps it takes.
+            // Ends that move across a segment hardly make it longer. The further away they are, the more steps it
+            // takes.
             keepLong(0.9 * minLength);
             refineSegments(gray, 2 + cvRound(std::log2(double(scale))), found);
         }

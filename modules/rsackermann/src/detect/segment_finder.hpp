@@ -7,16 +7,15 @@
 
 #include "opencv2/core.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** Finds line segments as detectSegments() does, with buffers that serve the next image, too.
 
 Time counts here: nearly all that a correction takes is detection.
 -# Large images are halved until they have MAX_PIXELS or less. Straight lines can still be seen then.
--# Unless that is the image itself and LSD searches it, it is cut into strips, of which threads work off one each. Lines that are
-   nearly vertical, which the estimation is about, are seldom cut. The strips depend on the size of the image, not on the number of
-   threads.
+-# Unless that is the image itself and LSD searches it, it is cut into strips, of which threads work off one each. Lines
+that are nearly vertical, which the estimation is about, are seldom cut. The strips depend on the size of the image, not
+on the number of threads.
 -# The ends are then refined in the image itself; those of LSD in it already are as exact as that.
 */
 class SegmentFinder
@@ -30,7 +29,8 @@ public:
     //! Prepares an image whose segments are known: for reduced().
     void prepare(InputArray image);
 
-    //! The last image in 8 bit grey, smaller by reduction(); the next image or the end of the caller's one invalidates it.
+    //! The last image in 8 bit grey, smaller by reduction(); the next image or the end of the caller's one invalidates
+    //! it.
     const Mat& reduced() const { return small; }
 
     //! Forgets the image, which belongs to the caller.
@@ -50,7 +50,7 @@ private:
     Mat gray, small; // headers of one of these, or of the image
     int scale;
     std::vector<Mat> strips;
-    std::vector<std::vector<Vec4f> > foundInStrips;
+    std::vector<std::vector<Vec4f>> foundInStrips;
     std::vector<Vec4f> found;
 };
 

@@ -8,11 +8,10 @@
 #include "drive_terms.hpp"
 #include <Eigen/Cholesky>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-static const double STEP = 1e-5;   // of numerical derivatives, radians or relative
-static const double BEHIND = 1e6;  // squared pixels of points that aren't seen at all
+static const double STEP = 1e-5;  // of numerical derivatives, radians or relative
+static const double BEHIND = 1e6; // squared pixels of points that aren't seen at all
 enum { HEADING_COLUMN = FRAME_VALUES, DELAY_COLUMN, PASSING_COLUMN };
 
 static Point2d rotated(const Matx33d& R, const Point2d& p)
@@ -37,11 +36,14 @@ static double later(double interval, double givenUnit, double unit)
     return interval / givenUnit - interval / unit;
 }
 
-FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale, double pointSigma, double slantSigma)
-    : heading(camera.heading + mount[MOUNT_HEADING]), unit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_PASSING])),
-      givenUnit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0)), turning(std::exp(mount[MOUNT_DELAY] - mount[MOUNT_PASSING])), residual(heading, unit, focal),
-      turned(heading + STEP, unit, focal), slower(heading, unit * (1 + STEP), focal), pointLoss(pointScale),
-      pointVariance(POINT_SIGMA * POINT_SIGMA * pointSigma * pointSigma), slantWeight(1 / (slantSigma * slantSigma))
+FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale,
+                           double pointSigma, double slantSigma)
+    : heading(camera.heading + mount[MOUNT_HEADING]),
+      unit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_PASSING])), givenUnit(camera.secondsPerUnitTime()),
+      focal(camera.cameraMatrix(0, 0)), turning(std::exp(mount[MOUNT_DELAY] - mount[MOUNT_PASSING])),
+      residual(heading, unit, focal), turned(heading + STEP, unit, focal), slower(heading, unit * (1 + STEP), focal),
+      pointLoss(pointScale), pointVariance(POINT_SIGMA * POINT_SIGMA * pointSigma * pointSigma),
+      slantWeight(1 / (slantSigma * slantSigma))
 {
 }
 
@@ -56,7 +58,8 @@ static Matx33d tilt(const FrameVector& value)
 }
 
 // The motion during the image, in which each effect has the line delay of its own.
-static Model imageMotion(const FrameVector& value, double unit, double turning, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian)
+static Model imageMotion(const FrameVector& value, double unit, double turning,
+                         Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian)
 {
     Model m = toModel(DriveVector(value.data()), unit, jacobian);
     m[P_ALPHA] *= turning;
@@ -95,7 +98,8 @@ double FrameProblem::cost(const CalibrationFrame& frame) const
     return points / POINT_DEPENDENCE + slants / SLANT_DEPENDENCE + known;
 }
 
-void FrameProblem::addResiduals(const CalibrationFrame& frame, std::vector<double>& points, std::vector<double>& slants) const
+void FrameProblem::addResiduals(const CalibrationFrame& frame, std::vector<double>& points,
+                                std::vector<double>& slants) const
 {
     const Matx33d R = tilt(frame.value);
     const double shift = later(frame.interval, givenUnit, unit);
@@ -111,7 +115,8 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, Information& informa
     const double* u = frame.value.data();
     const double roll = u[DRIVE_ROLL], pitch = u[DRIVE_PITCH];
     const Matx33d R = tilt(roll, pitch), rolled = tilt(roll + STEP, pitch), pitched = tilt(roll, pitch + STEP);
-    const double shift = later(frame.interval, givenUnit, unit), slowerShift = later(frame.interval, givenUnit, unit * (1 + STEP));
+    const double shift = later(frame.interval, givenUnit, unit),
+                 slowerShift = later(frame.interval, givenUnit, unit * (1 + STEP));
     for (size_t i = 0; i < frame.sights.size(); i++)
     {
         const Sight &s = frame.sights[i], now = changed(s, R, shift);
@@ -120,8 +125,10 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, Information& informa
         const double squared = r.dot(r);
         if (!(squared < BEHIND))
             continue;
-        const Point2d byRoll = residual.evaluate(changed(s, rolled, shift), u, 0) - r, byPitch = residual.evaluate(changed(s, pitched, shift), u, 0) - r;
-        const Point2d byHeading = turned.evaluate(now, u, 0) - r, byPassing = slower.evaluate(changed(s, R, slowerShift), u, 0) - r;
+        const Point2d byRoll = residual.evaluate(changed(s, rolled, shift), u, 0) - r,
+                      byPitch = residual.evaluate(changed(s, pitched, shift), u, 0) - r;
+        const Point2d byHeading = turned.evaluate(now, u, 0) - r,
+                      byPassing = slower.evaluate(changed(s, R, slowerShift), u, 0) - r;
         Eigen::Matrix<double, COLUMNS, 2> J;
         for (int k = 0; k < FRAME_VALUES; k++)
             J.row(k) << byValues[0][k], byValues[1][k];
@@ -178,12 +185,14 @@ FrameEquations FrameProblem::equations(const CalibrationFrame& frame) const
         gradient[i] += frame.value[i] / (TURN_SIGMA * TURN_SIGMA);
     }
     const Information full = all.selfadjointView<Eigen::Lower>();
-    const Eigen::LLT<Eigen::Matrix<double, SCENE_VALUES, SCENE_VALUES> > scene(full.topLeftCorner<SCENE_VALUES, SCENE_VALUES>());
+    const Eigen::LLT<Eigen::Matrix<double, SCENE_VALUES, SCENE_VALUES>> scene(
+        full.topLeftCorner<SCENE_VALUES, SCENE_VALUES>());
     const int others = FrameEquations::VALUES;
     FrameEquations e;
     e.sceneByOthers = scene.solve(full.topRightCorner<SCENE_VALUES, others>());
     e.scene = scene.solve(gradient.head<SCENE_VALUES>());
-    e.information = full.bottomRightCorner<others, others>() - full.bottomLeftCorner<others, SCENE_VALUES>() * e.sceneByOthers;
+    e.information =
+        full.bottomRightCorner<others, others>() - full.bottomLeftCorner<others, SCENE_VALUES>() * e.sceneByOthers;
     e.gradient = gradient.tail<others>() - full.bottomLeftCorner<others, SCENE_VALUES>() * e.scene;
     return e;
 }

@@ -9,12 +9,10 @@
 #include "drive_fit.hpp"
 #include <Eigen/Core>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! The unknowns that all frames of a drive share: corrections of the camera.
-enum MountValue
-{
+enum MountValue {
     MOUNT_ROLL,    //!< radians
     MOUNT_PITCH,   //!< radians
     MOUNT_HEADING, //!< radians
@@ -25,8 +23,8 @@ enum MountValue
 
 typedef Eigen::Matrix<double, MOUNT_VALUES, 1> MountVector;
 typedef Eigen::Matrix<double, MOUNT_VALUES, MOUNT_VALUES> MountMatrix;
-// The first of FlowResidual's values, without the turns to a frame after. Those that other frames have to do with are the last ones: roll, pitch, the change of
-// the yaw rate and the turns about both axes since the frame before.
+// The first of FlowResidual's values, without the turns to a frame after. Those that other frames have to do with are
+// the last ones: roll, pitch, the change of the yaw rate and the turns about both axes since the frame before.
 enum { FRAME_VALUES = FLOW_ROLL_BEFORE + 1, SCENE_VALUES = DRIVE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
 typedef Eigen::Matrix<double, FRAME_VALUES, 1> FrameVector;
 
@@ -40,11 +38,12 @@ struct CalibrationFrame
     double expected[SCENE_VALUES], sigma[SCENE_VALUES]; //!< of the first of them, as known before
 };
 
-//! Values of the mount on which the residuals of a frame depend: the last ones. Roll and pitch are in the frame's own tilt.
+//! Values of the mount on which the residuals of a frame depend: the last ones. Roll and pitch are in the frame's own
+//! tilt.
 enum { SHARED_VALUES = MOUNT_VALUES - MOUNT_HEADING };
 
-/** Normal equations of a frame for its linked values and the shared ones, after the motion and the scene are eliminated: change is solved
-from information * change = -gradient. */
+/** Normal equations of a frame for its linked values and the shared ones, after the motion and the scene are
+eliminated: change is solved from information * change = -gradient. */
 struct FrameEquations
 {
     enum { ROLL, PITCH, YAW_CHANGE, PITCH_TURN, ROLL_TURN, VALUES = LINKED_VALUES + SHARED_VALUES };
@@ -52,10 +51,14 @@ struct FrameEquations
 
     Eigen::Matrix<double, VALUES, VALUES> information;
     Vector gradient;
-    Eigen::Matrix<double, SCENE_VALUES, VALUES> sceneByOthers; //!< the change of motion and scene is -(scene + sceneByOthers * change)
+    //! The change of motion and scene is -(scene + sceneByOthers * change)
+    Eigen::Matrix<double, SCENE_VALUES, VALUES> sceneByOthers;
     Eigen::Matrix<double, SCENE_VALUES, 1> scene;
 
-    Eigen::Matrix<double, SCENE_VALUES, 1> sceneChange(const Vector& change) const { return -(scene + sceneByOthers * change); }
+    Eigen::Matrix<double, SCENE_VALUES, 1> sceneChange(const Vector& change) const
+    {
+        return -(scene + sceneByOthers * change);
+    }
 };
 
 /** The evidence of a frame on its own values and on the camera (doc/theory.md, "Self-calibration"). */
@@ -63,7 +66,8 @@ class FrameProblem
 {
 public:
     //! @param pointSigma, slantSigma of the residuals, over the usual ones.
-    FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale, double pointSigma, double slantSigma);
+    FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale, double pointSigma,
+                 double slantSigma);
 
     double cost(const CalibrationFrame& frame) const;
     FrameEquations equations(const CalibrationFrame& frame) const;
@@ -81,8 +85,8 @@ private:
     PreparedModel modelOf(const CalibrationFrame& frame) const;
 
     double heading, unit, givenUnit, focal; // unit: as the passing of the scene shows it
-    double turning; // the unit as the turning shows it, over that
-    FlowResidual residual, turned, slower; // of this heading and line delay, and of slightly larger ones
+    double turning;                         // the unit as the turning shows it, over that
+    FlowResidual residual, turned, slower;  // of this heading and line delay, and of slightly larger ones
     double pointLoss, pointVariance, slantWeight;
 };
 

@@ -7,10 +7,9 @@
 #include "../estimator/displacement_field.hpp"
 #include "drive_estimator.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-static const size_t MANY_POINTS = 80;   // if next to none of them was there before, it is another scene
+static const size_t MANY_POINTS = 80;    // if next to none of them was there before, it is another scene
 static const double LEAST_TRACKED = 0.3; // of the points that a frame has
 
 DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
@@ -21,7 +20,8 @@ DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const Ackerm
 void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
 {
     // Its uncertainty is that of gravity.
-    const bool isSameGravity = camera_.uprightRotation == camera.uprightRotation && params_.gravitySigma == params.gravitySigma &&
+    const bool isSameGravity = camera_.uprightRotation == camera.uprightRotation &&
+                               params_.gravitySigma == params.gravitySigma &&
                                params_.vehiclePitchSigma == params.vehiclePitchSigma;
     const int kept = isSameGravity ? DRIVE_VALUES : DRIVE_ROLL;
     const DriveState before = state;
@@ -72,8 +72,8 @@ void DriveEstimator::addPairs(double seconds)
         addSights(camera, pairs, seconds, sights);
 }
 
-bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
-                              Mat& labels)
+bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                              const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
 {
     const double passed = frame.seconds - time;
     const bool follows = hasFrame && passed != 0 && std::abs(passed) < LONGEST_INTERVAL;
@@ -127,15 +127,16 @@ Model DriveEstimator::expect(const DriveFit& fit, AckermannMotion& motion) const
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
     field.displacement(model, G, displacement);
-    field.variance(model, G, (roadByValues * fit.state.covariance * roadByValues.t())(0), byValues * fit.state.covariance * byValues.t(), variances);
+    field.variance(model, G, (roadByValues * fit.state.covariance * roadByValues.t())(0),
+                   byValues * fit.state.covariance * byValues.t(), variances);
     motion.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
     const double unknown = DisplacementField::meanDistance(displacement, displacement, variances);
     motion.expectedLeft = std::hypot(unknown, motion.expectedRaw * fit.left);
     return model;
 }
 
-void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior, AckermannMotion& motion,
-                            Mat& labels) const
+void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
+                            AckermannMotion& motion, Mat& labels) const
 {
     motion.candidates = int(verticals.size());
     const Model model = expect(fit, motion);

@@ -7,8 +7,7 @@
 
 #include "drive_fit.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! A frame in 8 bit grey, smaller by scale; empty: it isn't used.
 struct GrayFrame
@@ -35,8 +34,10 @@ public:
     @param next the image after it, if that is known.
     @param segments of the image, N x 4, CV_64F.
     @param labels receives a #SegmentLabel for each segment.
-    @return false if there is nothing to go by: for a frame that has nothing to do with the one before and the one after. */
-    bool estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
+    @return false if there is nothing to go by: for a frame that has nothing to do with the one before and the one
+    after. */
+    bool estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments, const MotionPrior& prior,
+                  AckermannMotion& motion, Mat& labels);
 
     //! The prior of an estimate from the image alone: the told one and the yaw rate of the frames before.
     MotionPrior priorOfFrame(const MotionPrior& prior) const;
@@ -51,10 +52,10 @@ private:
     RollingShutterCamera camera;
     AckermannEstimator::Params params;
     PointTracker tracker;
-    DriveState state;  // of the last frame
-    double time;       // of the last frame
+    DriveState state; // of the last frame
+    double time;      // of the last frame
     bool hasFrame;
-    bool isVague;      // whether no frame has told the motion yet
+    bool isVague; // whether no frame has told the motion yet
     std::vector<PointPair> pairs;
     std::vector<Sight> sights;
 
@@ -62,7 +63,8 @@ private:
     void forget();
     void look(const GrayFrame& frame, const GrayFrame& next, double passed);
     Model expect(const DriveFit& fit, AckermannMotion& motion) const;
-    void report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
+    void report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
+                AckermannMotion& motion, Mat& labels) const;
 };
 
 }} // namespace cv::rsackermann

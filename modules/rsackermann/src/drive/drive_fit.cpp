@@ -7,8 +7,7 @@
 #include "drive_terms.hpp"
 #include <Eigen/Cholesky>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const int ITERATIONS = 6; // at each scale
 
@@ -21,12 +20,13 @@ typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
 class DriveProblem
 {
 public:
-    DriveProblem(const RollingShutterCamera& camera, const std::vector<Sight>& sights_, const std::vector<UprightSegment>& verticals_,
-                 const DriveState& prediction)
-        : sights(sights_), residual(camera), verticals(verticals_), heading(camera.heading), unit(camera.secondsPerUnitTime()),
-          focal(camera.cameraMatrix(0, 0))
+    DriveProblem(const RollingShutterCamera& camera, const std::vector<Sight>& sights_,
+                 const std::vector<UprightSegment>& verticals_, const DriveState& prediction)
+        : sights(sights_), residual(camera), verticals(verticals_), heading(camera.heading),
+          unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0))
     {
-        Matx<double, FLOW_VALUES, FLOW_VALUES> covariance = Matx<double, FLOW_VALUES, FLOW_VALUES>::eye() * (TURN_SIGMA * TURN_SIGMA);
+        Matx<double, FLOW_VALUES, FLOW_VALUES> covariance =
+            Matx<double, FLOW_VALUES, FLOW_VALUES>::eye() * (TURN_SIGMA * TURN_SIGMA);
         covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
         expected.setZero();
         for (int i = 0; i < DRIVE_VALUES; i++)
@@ -39,7 +39,10 @@ public:
     }
 
     // Levenberg-Marquardt's cost, with the points' loss of a scale in sigmas.
-    double cost(const Unknowns& u, double scale) const { return pointCost(u, scale) + slantCost(u) + (u - expected).dot(prior * (u - expected)); }
+    double cost(const Unknowns& u, double scale) const
+    {
+        return pointCost(u, scale) + slantCost(u) + (u - expected).dot(prior * (u - expected));
+    }
 
     double pointCost(const Unknowns& u, double scale) const
     {
@@ -104,7 +107,8 @@ private:
             const Point2d r = residual.evaluate(sights[i], u.data(), jacobian);
             if (!(r.dot(r) < 1e6))
                 continue;
-            const double variance = POINT_SIGMA * POINT_SIGMA, weight = cauchyWeight(r.dot(r) / variance, scale) / variance / POINT_DEPENDENCE;
+            const double variance = POINT_SIGMA * POINT_SIGMA,
+                         weight = cauchyWeight(r.dot(r) / variance, scale) / variance / POINT_DEPENDENCE;
             const Eigen::Map<const FlowGradient> J(jacobian[0]);
             information.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
             gradient += weight * (J * Eigen::Vector2d(r.x, r.y));
@@ -132,7 +136,8 @@ private:
         Vec<double, PARAMETERS> products, jacobian;
         for (size_t i = 0; i < verticals.size(); i++)
         {
-            const double r = slantInSigmas(verticals[i], model, focal, jacobian.val), weight = cauchyWeight(r * r, SLANT_SCALE) / SLANT_DEPENDENCE;
+            const double r = slantInSigmas(verticals[i], model, focal, jacobian.val),
+                         weight = cauchyWeight(r * r, SLANT_SCALE) / SLANT_DEPENDENCE;
             squares += weight * (jacobian * jacobian.t());
             products += weight * r * jacobian;
         }
@@ -180,8 +185,8 @@ void expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveF
 
 } // namespace
 
-DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<UprightSegment>& verticals,
-                  const DriveState& prediction, bool isVague)
+DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
+                  const std::vector<UprightSegment>& verticals, const DriveState& prediction, bool isVague)
 {
     const double enough = 0.5; // of the points agree
     const DriveProblem problem(camera, sights, verticals, prediction);

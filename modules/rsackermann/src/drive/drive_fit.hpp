@@ -8,8 +8,7 @@
 #include "../estimator/upright_segment.hpp"
 #include "flow_residual.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 const double LONGEST_INTERVAL = 1; //!< seconds between two frames of one scene
 const size_t LEAST_POINTS = 20;
@@ -18,21 +17,21 @@ const double LEAST_AGREEING = 0.3; //!< share of the points; with fewer of them 
 //! The evidence of a frame of a drive.
 struct DriveFit
 {
-    DriveState state;   //!< prediction and frame together
-    bool moves;         //!< whether the points tell the motion from a camera at rest
-    double left;        //!< by which part of their displacement in the raw image the points that agree miss the motion
-    double agreeing;    //!< share of the points that agree with the motion
+    DriveState state; //!< prediction and frame together
+    bool moves;       //!< whether the points tell the motion from a camera at rest
+    double left;      //!< by which part of their displacement in the raw image the points that agree miss the motion
+    double agreeing;  //!< share of the points that agree with the motion
 
     explicit DriveFit(const DriveState& prediction) : state(prediction), moves(false), left(1), agreeing(0) {}
 };
 
-/** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to the verticals of the present one, together
-with the state of the frames before (doc/theory.md, "Drive").
+/** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to
+the verticals of the present one, together with the state of the frames before (doc/theory.md, "Drive").
 @param prediction of the state at the present frame.
 @param isVague whether the prediction is hardly more than the usual values: motions that differ from it are tried, too.
 */
-DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const std::vector<UprightSegment>& verticals,
-                  const DriveState& prediction, bool isVague);
+DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
+                  const std::vector<UprightSegment>& verticals, const DriveState& prediction, bool isVague);
 
 }} // namespace cv::rsackermann
 

@@ -7,16 +7,17 @@
 #include "../estimator/residuals/usual_drive.hpp"
 #include "drive_state.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-// Seconds after which a value is forgotten, for each DriveValue: each wanders about its usual value (an Ornstein-Uhlenbeck process).
+// Seconds after which a value is forgotten, for each DriveValue: each wanders about its usual value (an
+// Ornstein-Uhlenbeck process).
 static const double MEMORY[DRIVE_VALUES] = {2, 10, 1, 1, 1, 1, 10, 10};
 static const double KNOWN = 1e-6; // radians, for the standard deviation of a gravity that is exact
 
 Model toModel(const DriveVector& value, double unit, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian)
 {
-    const double length = value[DRIVE_SPEED] * unit, c = std::cos(value[DRIVE_DIRECTION]), s = std::sin(value[DRIVE_DIRECTION]);
+    const double length = value[DRIVE_SPEED] * unit, c = std::cos(value[DRIVE_DIRECTION]),
+                 s = std::sin(value[DRIVE_DIRECTION]);
     const double left = std::max(value[DRIVE_LEFT], 0.), right = std::max(value[DRIVE_RIGHT], 0.), hardly = 1e-3;
     const bool hasLeft = left > hardly * right, hasRight = right > 0;
     // A right wall alone has the equation of a left one with the other sign.
@@ -52,12 +53,14 @@ Model toModel(const DriveVector& value, double unit, Matx<double, PARAMETERS, DR
 
 DriveState::DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
-    const double height = camera.height > 0 ? camera.height : USUAL_HEIGHT, heightSigma = camera.height > 0 ? 0.15 : LOG_HEIGHT_SIGMA; // of the height
+    const double height = camera.height > 0 ? camera.height : USUAL_HEIGHT,
+                 heightSigma = camera.height > 0 ? 0.15 : LOG_HEIGHT_SIGMA;
     const bool isExact = !(params.gravitySigma > 0);
     const double pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? KNOWN : params.vehiclePitchSigma;
     usual = DriveVector(0, 8, camera.heading, 0.1, 0.1, 1 / height, 0, 0);
     // Over seconds yaw rates stay what they are, and bends of three times the usual ones are no exception.
-    usualSigma = DriveVector(3 * params.usualYawRate, 10, 0.4, 0.1, 0.1, heightSigma / height, isExact ? KNOWN : params.gravitySigma, pitchSigma);
+    usualSigma = DriveVector(3 * params.usualYawRate, 10, 0.4, 0.1, 0.1, heightSigma / height,
+                             isExact ? KNOWN : params.gravitySigma, pitchSigma);
     value = usual;
     covariance = DriveMatrix::diag(usualSigma.mul(usualSigma));
 }

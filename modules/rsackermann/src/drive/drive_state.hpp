@@ -8,12 +8,11 @@
 #include "opencv2/rsackermann/estimator.hpp"
 #include "../estimator/model.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-//! The state of a drive, from one frame to the next. Lengths are metres if the camera's height is told, and near to that if not.
-enum DriveValue
-{
+//! The state of a drive, from one frame to the next. Lengths are metres if the camera's height is told, and near to
+//! that if not.
+enum DriveValue {
     DRIVE_YAW_RATE,  //!< rad/s
     DRIVE_SPEED,     //!< m/s, negative in reverse
     DRIVE_DIRECTION, //!< azimuth along the walls in the upright frame, radians

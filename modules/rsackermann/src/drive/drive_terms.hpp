@@ -8,21 +8,26 @@
 #include "../estimator/residuals/vertical_residual.hpp"
 #include "drive_fit.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // How the residuals of points and verticals are weighed; doc/theory.md, "Drive", has the reasons.
-const double POINT_SIGMA = 1.5;      //!< pixels by which points of the scene miss its planes
-const double POINT_DEPENDENCE = 5;   //!< neighbouring points err together
-const double END_SIGMA = 0.5;        //!< pixels, of a vertical's slant in the image
-const double SLANT_SCALE = 2;        //!< of the robust loss, in sigmas
-const double SLANT_DEPENDENCE = 5;   //!< verticals of one facade err together
+const double POINT_SIGMA = 1.5;                  //!< pixels by which points of the scene miss its planes
+const double POINT_DEPENDENCE = 5;               //!< neighbouring points err together
+const double END_SIGMA = 0.5;                    //!< pixels, of a vertical's slant in the image
+const double SLANT_SCALE = 2;                    //!< of the robust loss, in sigmas
+const double SLANT_DEPENDENCE = 5;               //!< verticals of one facade err together
 const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars steer usually: two frames hardly tell it
-const double TURN_SIGMA = 0.5 * CV_PI / 180; //!< of pitch and roll from frame to frame
+const double TURN_SIGMA = 0.5 * CV_PI / 180;     //!< of pitch and roll from frame to frame
 
 // Cauchy's loss of a squared residual, and its weight.
-inline double cauchyLoss(double squared, double scale) { return scale * scale * std::log1p(squared / (scale * scale)); }
-inline double cauchyWeight(double squared, double scale) { return 1 / (1 + squared / (scale * scale)); }
+inline double cauchyLoss(double squared, double scale)
+{
+    return scale * scale * std::log1p(squared / (scale * scale));
+}
+inline double cauchyWeight(double squared, double scale)
+{
+    return 1 / (1 + squared / (scale * scale));
+}
 
 //! Slant of a vertical that the motion should have made upright, and its derivatives, in sigmas.
 inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model, double focal, double* jacobian)

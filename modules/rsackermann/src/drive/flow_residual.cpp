@@ -6,10 +6,10 @@
 #include "../camera/rays.hpp"
 #include "flow_residual.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds, std::vector<Sight>& sights)
+void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
+               std::vector<Sight>& sights)
 {
     const double inFront = 0.1;
     std::vector<Point2d> pixels, rays;
@@ -25,9 +25,12 @@ void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>&
         const Vec3d b = camera.uprightRotation * Vec3d(rays[2 * i + 1].x, rays[2 * i + 1].y, 1);
         if (!(a[2] > inFront && b[2] > inFront))
             continue;
-        const Sight s = {Point2d(a[0] / a[2], a[1] / a[2]), Point2d(b[0] / b[2], b[1] / b[2]),
-                         camera.rowTime(pixels[2 * i]) - seconds / camera.secondsPerUnitTime(), camera.rowTime(pixels[2 * i + 1]),
-                         seconds > 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER, seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER};
+        const Sight s = {Point2d(a[0] / a[2], a[1] / a[2]),
+                         Point2d(b[0] / b[2], b[1] / b[2]),
+                         camera.rowTime(pixels[2 * i]) - seconds / camera.secondsPerUnitTime(),
+                         camera.rowTime(pixels[2 * i + 1]),
+                         seconds > 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER,
+                         seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER};
         if (std::abs(s.timeNow - s.timeOther) > FLT_EPSILON)
             sights.push_back(s);
     }
@@ -52,26 +55,31 @@ Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobia
     const double placeX = now.tau * now.s2, placeZ = now.tau * now.c2;
 
     // The inverse depth of the nearest plane, over the speed. A camera that would have passed a wall is kept before it.
-    const double across = sine * ray[2] - cosine * ray[0], passed = length * (sine * placeZ - cosine * placeX), least = 0.1;
+    const double across = sine * ray[2] - cosine * ray[0], passed = length * (sine * placeZ - cosine * placeX),
+                 least = 0.1;
     const double planes[3] = {u[DRIVE_LEFT] * across / std::max(least, 1 - u[DRIVE_LEFT] * passed),
-                              -u[DRIVE_RIGHT] * across / std::max(least, 1 + u[DRIVE_RIGHT] * passed), u[DRIVE_ROAD] * ray[1]};
+                              -u[DRIVE_RIGHT] * across / std::max(least, 1 + u[DRIVE_RIGHT] * passed),
+                              u[DRIVE_ROAD] * ray[1]};
     const int plane = int(std::max_element(planes, planes + 3) - planes);
     const double w = length * std::max(0., planes[plane]);
 
     const double x = ray[0] + w * (placeX - other.tau * other.s2), z = ray[2] + w * (placeZ - other.tau * other.c2);
     // By how much the other row has turned further from this one.
-    const double halfSquare = 0.5 * (s.timeOther * s.timeOther - s.timeNow * s.timeNow) * unit * unit, further = halfSquare * u[FLOW_YAW_CHANGE];
+    const double halfSquare = 0.5 * (s.timeOther * s.timeOther - s.timeNow * s.timeNow) * unit * unit,
+                 further = halfSquare * u[FLOW_YAW_CHANGE];
     const double c = other.c - further * other.s, sn = other.s + further * other.c;
     const double turnedX = c * x - sn * z, turnedZ = sn * x + c * z, behind = 1e3;
     if (!(turnedZ > least))
         return Point2d(behind, behind);
     const double px = turnedX / turnedZ, py = ray[1] / turnedZ;
-    const Point2d residual(px + px * py * u[s.pitch] - py * u[s.roll] - s.other.x, py + (1 + py * py) * u[s.pitch] + px * u[s.roll] - s.other.y);
+    const Point2d residual(px + px * py * u[s.pitch] - py * u[s.roll] - s.other.x,
+                           py + (1 + py * py) * u[s.pitch] + px * u[s.roll] - s.other.y);
     if (jacobian)
     {
         double *jx = jacobian[0], *jy = jacobian[1];
         std::fill(jx, jx + 2 * FLOW_VALUES, 0.);
-        const double mx = (s.now.x + s.other.x) / 2, my = (s.now.y + s.other.y) / 2, f = focal * (s.timeNow - s.timeOther);
+        const double mx = (s.now.x + s.other.x) / 2, my = (s.now.y + s.other.y) / 2,
+                     f = focal * (s.timeNow - s.timeOther);
         const double xByW = f * (heading.s - mx * heading.c), yByW = -f * my * heading.c;
         double wBy[DRIVE_VALUES] = {0};
         if (plane == 2)

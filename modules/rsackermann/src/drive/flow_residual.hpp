@@ -9,13 +9,11 @@
 #include "drive_state.hpp"
 #include "point_tracker.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** The state of a drive, and the differences of other frames from the present one: the change of the yaw rate, and turns about the other axes from the
-frame before and to the frame after. */
-enum
-{
+/** The state of a drive, and the differences of other frames from the present one: the change of the yaw rate, and
+turns about the other axes from the frame before and to the frame after. */
+enum {
     FLOW_YAW_CHANGE = DRIVE_VALUES, //!< rad/s^2
     FLOW_PITCH_BEFORE,
     FLOW_ROLL_BEFORE,
@@ -24,7 +22,8 @@ enum
     FLOW_VALUES
 };
 
-//! A tracked point as upright bearings with z = 1, and the row times at which it was seen, from the present reference row.
+//! A tracked point as upright bearings with z = 1, and the row times at which it was seen, from the present reference
+//! row.
 struct Sight
 {
     Point2d other, now;
@@ -32,8 +31,10 @@ struct Sight
     int pitch, roll; // the turns of the other frame, among FLOW_VALUES
 };
 
-//! Adds sights. @param seconds from the other frame's reference row to the present one; negative if the other frame comes after.
-void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds, std::vector<Sight>& sights);
+//! Adds sights. @param seconds from the other frame's reference row to the present one; negative if the other frame
+//! comes after.
+void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
+               std::vector<Sight>& sights);
 
 /** By how much a point is elsewhere in another image than the motion says (doc/theory.md, "Drive").
 

@@ -11,17 +11,18 @@
 #include "../storage.hpp"
 #include "mount_solver.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const double DEGREE = CV_PI / 180;
-static const int RUN = 30;                // frames that are kept or left out together, since what connects neighbours tells the suspension
-static const double USUAL_READOUT = 0.5;  // of the time between two frames, if no line delay is given
-static const double OBSERVED = 0.5;           // of the standard deviation before, at most, for a value that the drive tells
+// Frames that are kept or left out together, since what connects neighbours tells the suspension
+static const int RUN = 30;
+static const double USUAL_READOUT = 0.5; // of the time between two frames, if no line delay is given
+// Of the standard deviation before, at most, for a value that the drive tells
+static const double OBSERVED = 0.5;
 
 MountCalibration::MountCalibration()
-    : frames(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0), headingSigma(0), lineDelay(0), lineDelaySigma(0), rollObserved(false),
-      pitchObserved(false), headingObserved(false), lineDelayObserved(false)
+    : frames(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0), headingSigma(0), lineDelay(0),
+      lineDelaySigma(0), rollObserved(false), pitchObserved(false), headingObserved(false), lineDelayObserved(false)
 {
 }
 
@@ -33,7 +34,8 @@ Vec3d MountCalibration::horizon() const
 }
 
 MountCalibrator::Params::Params()
-    : maxFrames(1000), tiltSigma(3 * DEGREE), headingSigma(5 * DEGREE), lineDelaySigma(0.3), suspensionSigma(0.4 * DEGREE), suspensionTime(1)
+    : maxFrames(1000), tiltSigma(3 * DEGREE), headingSigma(5 * DEGREE), lineDelaySigma(0.3),
+      suspensionSigma(0.4 * DEGREE), suspensionTime(1)
 {
 }
 
@@ -61,9 +63,11 @@ void MountCalibrator::Params::check() const
 
 void MountCalibrator::Params::write(FileStorage& fs) const
 {
-    fs << "estimator" << "{";
+    fs.startWriteStruct("estimator", FileNode::MAP);
     estimator.write(fs);
-    fs << "}" << "max_frames" << maxFrames << "tilt_sigma" << tiltSigma << "heading_sigma" << headingSigma << "line_delay_sigma" << lineDelaySigma;
+    fs.endWriteStruct();
+    fs << "max_frames" << maxFrames << "tilt_sigma" << tiltSigma << "heading_sigma" << headingSigma
+       << "line_delay_sigma" << lineDelaySigma;
     fs << "suspension_sigma" << suspensionSigma << "suspension_time" << suspensionTime;
 }
 
@@ -105,8 +109,10 @@ public:
     {
         camera.check();
         if (!camera.isRowShutter())
-            CV_Error(Error::StsBadArg, format("camera.scanDirection is %d; a shutter along the rows, SCAN_TOP_TO_BOTTOM (0) or "
-                                              "SCAN_BOTTOM_TO_TOP (1), is expected", camera.scanDirection));
+            CV_Error(Error::StsBadArg,
+                     format("camera.scanDirection is %d; a shutter along the rows, SCAN_TOP_TO_BOTTOM (0) or "
+                            "SCAN_BOTTOM_TO_TOP (1), is expected",
+                            camera.scanDirection));
         given = camera;
         clear();
     }
@@ -139,8 +145,8 @@ public:
     {
         CV_INSTRUMENT_REGION();
         if (image.size() != given.imageSize)
-            CV_Error(Error::StsBadArg, format("image is %d x %d; the camera's size %d x %d is expected", image.cols(), image.rows(),
-                                              given.imageSize.width, given.imageSize.height));
+            CV_Error(Error::StsBadArg, format("image is %d x %d; the camera's size %d x %d is expected", image.cols(),
+                                              image.rows(), given.imageSize.width, given.imageSize.height));
         check(seconds, prior);
         finder.find(image, params.estimator.detector, params.estimator.minLength, found);
         if (!follows(seconds))
@@ -309,9 +315,11 @@ private:
         c.headingObserved = isObserved(sigma, before, MOUNT_HEADING);
         c.lineDelayObserved = fit.turningSigma < OBSERVED * before[MOUNT_DELAY];
         // The azimuths are those of the upright frame, in which the optical axis may have moved.
-        const Matx33d upright = rollRotation(fit.value[MOUNT_ROLL]) * pitchRotation(fit.value[MOUNT_PITCH]) * given.uprightRotation;
+        const Matx33d upright =
+            rollRotation(fit.value[MOUNT_ROLL]) * pitchRotation(fit.value[MOUNT_PITCH]) * given.uprightRotation;
         c.camera.setGravity(Vec3d(upright(1, 0), upright(1, 1), upright(1, 2)));
-        c.camera.heading = c.heading = given.heading + fit.value[MOUNT_HEADING] - std::atan2(upright(0, 2), upright(2, 2));
+        c.camera.heading = c.heading =
+            given.heading + fit.value[MOUNT_HEADING] - std::atan2(upright(0, 2), upright(2, 2));
         if (c.lineDelayObserved)
             c.camera.lineDelay = start.lineDelay * std::exp(fit.value[MOUNT_DELAY]);
         c.lineDelay = c.camera.lineDelay;
@@ -323,11 +331,14 @@ private:
         return c;
     }
 
-    static bool isObserved(const MountVector& sigma, const MountVector& before, MountValue which) { return sigma[which] < OBSERVED * before[which]; }
+    static bool isObserved(const MountVector& sigma, const MountVector& before, MountValue which)
+    {
+        return sigma[which] < OBSERVED * before[which];
+    }
 
     RollingShutterCamera given, start; // start: with a line delay
     Params params;
-    AckermannEstimator::Params gates;  // of segments and of the fit of a frame
+    AckermannEstimator::Params gates; // of segments and of the fit of a frame
     SegmentFinder finder;
     PointTracker tracker;
     std::vector<PointPair> pairs;

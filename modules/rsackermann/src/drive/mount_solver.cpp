@@ -7,19 +7,22 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-static const int ITERATIONS = 8;           // at each scale
-static const double SAME_TURN = 0.02 * CV_PI / 180; // by which the change of a tilt differs from the turn between two frames
-static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180; // rad/s^2: a drive that tells the line delay weaves, and many frames tell the change
+static const int ITERATIONS = 8; // at each scale
+// By which the change of a tilt differs from the turn between two frames
+static const double SAME_TURN = 0.02 * CV_PI / 180;
+// rad/s^2: a drive that tells the line delay weaves, and many frames tell the change
+static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180;
 static const double YAW_CHANGE_MEMORY = 0.5; // seconds
-static const double SAME_DELAY = 0.03;     // relative; error of the line delay if the scene isn't plane
-static const double HEADING_SIGMA = 0.1 * CV_PI / 180; // cars slip on a crowned road, tilts turn the direction from which it counts, streets aren't plane
-static const double SLOW = 0.3;            // Hz; what frames err together is slower, or faster and without effect on the mean
+static const double SAME_DELAY = 0.03;       // relative; error of the line delay if the scene isn't plane
+// Cars slip on a crowned road, tilts turn the direction from which it counts, streets aren't plane
+static const double HEADING_SIGMA = 0.1 * CV_PI / 180;
+// Hz; what frames err together is slower, or faster and without effect on the mean
+static const double SLOW = 0.3;
 static const int LEAST_WAVES = 4;
-static const double ASSUMED_FRAMES = 3;    // as many count as the weights say
-static const double LEAST_SIGMA = 0.15;    // of residuals, over the usual ones
+static const double ASSUMED_FRAMES = 3; // as many count as the weights say
+static const double LEAST_SIGMA = 0.15; // of residuals, over the usual ones
 
 namespace {
 
@@ -45,8 +48,10 @@ struct LinearTerm
 class MountProblem
 {
 public:
-    MountProblem(const RollingShutterCamera& camera_, std::vector<CalibrationFrame>& frames_, const MountVector& sigma_, const Suspension& suspension_)
-        : camera(camera_), frames(frames_), sigma(sigma_), suspension(suspension_), mount(MountVector::Zero()), pointSigma(1), slantSigma(1)
+    MountProblem(const RollingShutterCamera& camera_, std::vector<CalibrationFrame>& frames_, const MountVector& sigma_,
+                 const Suspension& suspension_)
+        : camera(camera_), frames(frames_), sigma(sigma_), suspension(suspension_), mount(MountVector::Zero()),
+          pointSigma(1), slantSigma(1)
     {
     }
 
@@ -110,7 +115,8 @@ private:
     // The connections of a frame with the one before and with the mount.
     void termsOf(size_t k, std::vector<LinearTerm>& terms) const
     {
-        static const int tilts[] = {FrameEquations::ROLL, FrameEquations::PITCH}, turns[] = {FrameEquations::ROLL_TURN, FrameEquations::PITCH_TURN};
+        static const int tilts[] = {FrameEquations::ROLL, FrameEquations::PITCH},
+                         turns[] = {FrameEquations::ROLL_TURN, FrameEquations::PITCH_TURN};
         static const int mounts[] = {MOUNT_ROLL, MOUNT_PITCH};
         terms.clear();
         const FrameVector& now = frames[k].value;
@@ -120,7 +126,8 @@ private:
         terms.push_back(yawChangeTerm(k, passed));
         for (int i = 0; i < 2; i++)
         {
-            const double m = mount[mounts[i]], a = now[SCENE_VALUES + tilts[i]], b = k > 0 ? frames[k - 1].value[SCENE_VALUES + tilts[i]] : m;
+            const double m = mount[mounts[i]], a = now[SCENE_VALUES + tilts[i]],
+                         b = k > 0 ? frames[k - 1].value[SCENE_VALUES + tilts[i]] : m;
             const double inverse = 1 / (suspension.sigma * std::sqrt(1 - kept * kept));
             LinearTerm tilt(inverse * (a - m - kept * (b - m)));
             tilt.by(unknownOf(k, tilts[i]), inverse);
@@ -142,7 +149,8 @@ private:
     LinearTerm yawChangeTerm(size_t k, double passed) const
     {
         const int which = FrameEquations::YAW_CHANGE;
-        const double kept = passed < 0 ? 0 : std::exp(-passed / YAW_CHANGE_MEMORY), inverse = 1 / (LARGE_YAW_CHANGE_SIGMA * std::sqrt(1 - kept * kept));
+        const double kept = passed < 0 ? 0 : std::exp(-passed / YAW_CHANGE_MEMORY),
+                     inverse = 1 / (LARGE_YAW_CHANGE_SIGMA * std::sqrt(1 - kept * kept));
         const double before = k > 0 ? frames[k - 1].value[SCENE_VALUES + which] : 0;
         LinearTerm term(inverse * (frames[k].value[SCENE_VALUES + which] - kept * before));
         term.by(unknownOf(k, which), inverse);
@@ -171,7 +179,7 @@ private:
     {
         const int unknowns = unknownOf(frames.size(), 0);
         const FrameProblem problem(camera, mount, scale, pointSigma, slantSigma);
-        std::vector<Eigen::Triplet<double> > entries;
+        std::vector<Eigen::Triplet<double>> entries;
         Vector gradient = Vector::Zero(unknowns);
         ByMount mixed = ByMount::Zero(unknowns, int(MOUNT_VALUES));
         MountMatrix information = prior();
@@ -187,8 +195,10 @@ private:
                 for (int j = 0; j < LINKED_VALUES; j++)
                     entries.push_back(Eigen::Triplet<double>(at + i, at + j, e.information(i, j)));
             gradient.segment<LINKED_VALUES>(at) += e.gradient.head<LINKED_VALUES>();
-            mixed.block<LINKED_VALUES, SHARED_VALUES>(at, MOUNT_HEADING) += e.information.topRightCorner<LINKED_VALUES, SHARED_VALUES>();
-            information.bottomRightCorner<SHARED_VALUES, SHARED_VALUES>() += e.information.bottomRightCorner<SHARED_VALUES, SHARED_VALUES>();
+            mixed.block<LINKED_VALUES, SHARED_VALUES>(at, MOUNT_HEADING) +=
+                e.information.topRightCorner<LINKED_VALUES, SHARED_VALUES>();
+            information.bottomRightCorner<SHARED_VALUES, SHARED_VALUES>() +=
+                e.information.bottomRightCorner<SHARED_VALUES, SHARED_VALUES>();
             mountGradient.tail<SHARED_VALUES>() += e.gradient.tail<SHARED_VALUES>();
             termsOf(k, terms);
             for (size_t t = 0; t < terms.size(); t++)
@@ -203,7 +213,8 @@ private:
         mountGradient -= mixed.transpose() * local;
     }
 
-    void add(const LinearTerm& term, std::vector<Eigen::Triplet<double> >& entries, Vector& gradient, ByMount& mixed, MountMatrix& information)
+    void add(const LinearTerm& term, std::vector<Eigen::Triplet<double>>& entries, Vector& gradient, ByMount& mixed,
+             MountMatrix& information)
     {
         for (int i = 0; i < term.count; i++)
         {
@@ -275,7 +286,8 @@ private:
         for (size_t k = 0; k < frames.size(); k++)
         {
             const FrameEquations& e = equations[k];
-            MountVector pull = -localByMount.middleRows<LINKED_VALUES>(unknownOf(k, 0)).transpose() * e.gradient.head<LINKED_VALUES>();
+            MountVector pull =
+                -localByMount.middleRows<LINKED_VALUES>(unknownOf(k, 0)).transpose() * e.gradient.head<LINKED_VALUES>();
             pull.tail<SHARED_VALUES>() += e.gradient.tail<SHARED_VALUES>();
             termsOf(k, terms);
             for (size_t t = 0; t < terms.size(); t++)
@@ -293,8 +305,9 @@ private:
         return result;
     }
 
-    /* Covariance of the sum of all pulls as they really scatter, whatever connects them: that of their slowest oscillations, the cosines of half a period
-    and more over the drive. The information of the weights joins it as some more frames would. */
+    /* Covariance of the sum of all pulls as they really scatter, whatever connects them: that of their slowest
+    oscillations, the cosines of half a period and more over the drive. The information of the weights joins it as some
+    more frames would. */
     MountMatrix scatter() const
     {
         const std::vector<MountVector> pull = pulls();
@@ -334,7 +347,8 @@ private:
 
 } // namespace
 
-MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma, const Suspension& suspension)
+MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma,
+                  const Suspension& suspension)
 {
     MountProblem problem(camera, frames, sigma, suspension);
     problem.refine(3);

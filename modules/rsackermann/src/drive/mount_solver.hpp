@@ -7,8 +7,7 @@
 
 #include "calibration_frame.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! How suspension and road tilt a car.
 struct Suspension
@@ -28,7 +27,8 @@ struct MountFit
 /** Explains all frames of a drive by one mount and one line delay (doc/theory.md, "Self-calibration").
 @param frames in the order of their times; the result of each is left in its value.
 @param sigma of the mount's values before; they are 0 within it. */
-MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma, const Suspension& suspension);
+MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma,
+                  const Suspension& suspension);
 
 }} // namespace cv::rsackermann
 

@@ -7,15 +7,15 @@
 #include "opencv2/video/tracking.hpp"
 #include "point_tracker.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-static const size_t MAX_PIXELS = 300000; // larger images are halved: points can still be told to a tenth of a pixel of the result
-static const int WINDOW = 11;            // pixels, of the tracker
-static const int LEVELS = 4;             // of the pyramid, besides the image itself
-static const int CELL = 8;               // pixels of the halved image; each cell has one point at most
-static const double TEXTURE = 4e-4;      // least of cornerMinEigenVal for grey values from 0 to 1
-static const double RETURN = 0.3;        // pixels by which a point that is followed back may miss its origin
+// Larger images are halved: points can still be told to a tenth of a pixel of the result
+static const size_t MAX_PIXELS = 300000;
+static const int WINDOW = 11;       // pixels, of the tracker
+static const int LEVELS = 4;        // of the pyramid, besides the image itself
+static const int CELL = 8;          // pixels of the halved image; each cell has one point at most
+static const double TEXTURE = 4e-4; // least of cornerMinEigenVal for grey values from 0 to 1
+static const double RETURN = 0.3;   // pixels by which a point that is followed back may miss its origin
 
 void PointTracker::reset()
 {
@@ -52,7 +52,8 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
         resize(image, target, Size(image.cols / 2, image.rows / 2), 0, 0, INTER_AREA);
         image = target;
     }
-    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), LEVELS, true, BORDER_REFLECT_101, BORDER_CONSTANT, false);
+    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), LEVELS, true, BORDER_REFLECT_101,
+                                     BORDER_CONSTANT, false);
     return halvings;
 }
 

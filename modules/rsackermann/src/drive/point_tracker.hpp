@@ -7,8 +7,7 @@
 
 #include "opencv2/core.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! A point of the scene in the present raw image and in another one, pixels.
 struct PointPair
@@ -18,8 +17,8 @@ struct PointPair
 
 /** Tracks points of the present image in the one before and, if it is there, in the one after.
 
-Points are spread over the image: one for each cell of a grid, if there is one with texture in all directions. They are looked for in the
-present image and followed back and forth; those that don't return are left out.
+Points are spread over the image: one for each cell of a grid, if there is one with texture in all directions. They are
+looked for in the present image and followed back and forth; those that don't return are left out.
 */
 class PointTracker
 {

@@ -7,14 +7,13 @@
 #include "account.hpp"
 #include "residuals/vertical_residual.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-static const double AMBIGUOUS = 0.9;  // correlation
-static const double USUAL_LEANS = 2;  // sigmas of the lean within which a vertical agrees
+static const double AMBIGUOUS = 0.9; // correlation
+static const double USUAL_LEANS = 2; // sigmas of the lean within which a vertical agrees
 
-double labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading, const Agreement& agreement,
-                    AckermannMotion& motion, Mat& labels)
+double labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading,
+                    const Agreement& agreement, AckermannMotion& motion, Mat& labels)
 {
     motion.candidates = int(verticals.size());
     motion.inliers = 0;
@@ -23,7 +22,8 @@ double labelInliers(const std::vector<UprightSegment>& verticals, const Model& m
     {
         const UprightSegment& c = verticals[i];
         // Real verticals lean; their usual lean is no disagreement.
-        const double leaning = USUAL_LEANS * agreement.focal * agreement.lean * norm(c.u - c.v), threshold = std::max(agreement.threshold, leaning);
+        const double leaning = USUAL_LEANS * agreement.focal * agreement.lean * norm(c.u - c.v),
+                     threshold = std::max(agreement.threshold, leaning);
         chance += std::min(1., threshold / (agreement.focal * c.gate)) / verticals.size();
         int wall;
         const double r = agreement.focal * verticalResidual(c, model, heading, wall, 0);
@@ -43,7 +43,8 @@ bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance)
     return variances > 0 && std::abs(covariance(P_ALPHA, P_ROLL)) > AMBIGUOUS * std::sqrt(variances);
 }
 
-bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& prior, AckermannMotion& motion)
+bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                  const MotionPrior& prior, AckermannMotion& motion)
 {
     const double speed = std::hypot(motion.wallSlope, motion.wallOffset), unit = camera.secondsPerUnitTime();
     if (params.wallDistance > 0)

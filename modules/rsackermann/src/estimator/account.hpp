@@ -8,8 +8,7 @@
 #include "../compensation.hpp"
 #include "upright_segment.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! By how much verticals may miss a model and still agree with it.
 struct Agreement
@@ -22,15 +21,16 @@ struct Agreement
 /** Labels the segments that agree with a model, and counts them.
 @param labels of all segments; the verticals' are at least SEGMENT_OUTLIER.
 @return mean probability that a candidate with a random slant agrees. */
-double labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading, const Agreement& agreement,
-                    AckermannMotion& motion, Mat& labels);
+double labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading,
+                    const Agreement& agreement, AckermannMotion& motion, Mat& labels);
 
 //! Whether roll and yaw rate can't be told apart.
 bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance);
 
 /** Gives a motion the length that a told wall or speed is.
 @return false if neither is told. */
-bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& prior, AckermannMotion& motion);
+bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                  const MotionPrior& prior, AckermannMotion& motion);
 
 }} // namespace cv::rsackermann
 

@@ -7,14 +7,14 @@
 #include "consensus.hpp"
 #include "residuals/residual_kernels.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // Standard deviations below which a prior takes the place of a segment in a sample.
 static const double PRECISE = 0.1;            // of the largest alpha, or of the scaled speed
 static const double PRECISE_DIRECTION = 0.02; // radians
 
-CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const MotionHypothesis& hypothesis_, double threshold_)
+CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const MotionHypothesis& hypothesis_,
+                                       double threshold_)
     : problem(problem_), hypothesis(hypothesis_), threshold(threshold_), verticals(problem_.verticals.size())
 {
     for (size_t i = 0; i < verticals.size(); i++)
@@ -31,18 +31,21 @@ CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const 
 bool CandidateConsensus::knowsYawRate() const
 {
     const PriorTerms& prior = problem.prior;
-    return hypothesis.motion == MODEL_4LA && prior.alphaSigma > 0 && prior.alphaSigma < PRECISE * problem.limits.maxAlpha;
+    return hypothesis.motion == MODEL_4LA && prior.alphaSigma > 0 &&
+           prior.alphaSigma < PRECISE * problem.limits.maxAlpha;
 }
 
 bool CandidateConsensus::knowsSpeed() const
 {
     const PriorTerms& prior = problem.prior;
-    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && prior.scaledSpeedSigma > 0 && prior.scaledSpeedSigma < PRECISE * std::abs(prior.scaledSpeed);
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && prior.scaledSpeedSigma > 0 &&
+           prior.scaledSpeedSigma < PRECISE * std::abs(prior.scaledSpeed);
 }
 
 bool CandidateConsensus::knowsWallDirection() const
 {
-    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 && problem.prior.streetSigma < PRECISE_DIRECTION;
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 &&
+           problem.prior.streetSigma < PRECISE_DIRECTION;
 }
 
 int CandidateConsensus::sampleSize() const
@@ -65,9 +68,12 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
         return solveKnownWallDirection(segments, twoWalls, problem.prior.street, options, solutions);
     switch (hypothesis.motion)
     {
-    case MODEL_1LA: return solve1LA(segments[0], options, solutions);
-    case MODEL_3LA: return solve3LA(segments, twoWalls, options, solutions);
-    default: return solve4LA(segments, twoWalls, options, solutions);
+    case MODEL_1LA:
+        return solve1LA(segments[0], options, solutions);
+    case MODEL_3LA:
+        return solve3LA(segments, twoWalls, options, solutions);
+    default:
+        return solve4LA(segments, twoWalls, options, solutions);
     }
 }
 
@@ -123,7 +129,8 @@ int CandidateConsensus::generate(const int* sample, Model* models)
 
 double CandidateConsensus::score(const Model& model, double best, int& inliers) const
 {
-    return scoreVerticals(problem.verticalArrays, PreparedModel(model, problem.heading), problem.focal, threshold, best, inliers);
+    return scoreVerticals(problem.verticalArrays, PreparedModel(model, problem.heading), problem.focal, threshold, best,
+                          inliers);
 }
 
 void CandidateConsensus::optimize(Model& model) const

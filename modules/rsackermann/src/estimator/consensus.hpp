@@ -8,14 +8,13 @@
 #include "opencv2/rsackermann/solvers.hpp"
 #include "refinement.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** Consensus of the candidates on one motion hypothesis; the Estimator of loRansac().
 
-Samples for two walls take all but one of their segments from one side of the image and the last one from the other side:
-the three leftmost on the left wall and the rightmost on the right wall, and the mirror image of it. A yaw rate, a speed or a line
-at infinity that the prior knows makes a sample smaller by one.
+Samples for two walls take all but one of their segments from one side of the image and the last one from the other
+side: the three leftmost on the left wall and the rightmost on the right wall, and the mirror image of it. A yaw rate, a
+speed or a line at infinity that the prior knows makes a sample smaller by one.
 */
 class CandidateConsensus
 {

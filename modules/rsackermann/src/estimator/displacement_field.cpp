@@ -7,18 +7,19 @@
 #include "displacement_field.hpp"
 #include "opencv2/rsackermann/motion.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const double NEXT_TO_NOTHING = 0.05; // of the displacement
 
 DisplacementField::DisplacementField(const RollingShutterCamera& camera)
-    : fx(camera.cameraMatrix(0, 0)), fy(camera.cameraMatrix(1, 1)), headingSine(std::sin(camera.heading)), headingCosine(std::cos(camera.heading))
+    : fx(camera.cameraMatrix(0, 0)), fy(camera.cameraMatrix(1, 1)), headingSine(std::sin(camera.heading)),
+      headingCosine(std::cos(camera.heading))
 {
     std::vector<Point2d> pixels, rays;
     for (int i = 0; i < ROWS; i++)
         for (int j = 0; j < COLUMNS; j++)
-            pixels.push_back(Point2d((j + 0.5) / COLUMNS * camera.imageSize.width - 0.5, (i + 0.5) / ROWS * camera.imageSize.height - 0.5));
+            pixels.push_back(Point2d((j + 0.5) / COLUMNS * camera.imageSize.width - 0.5,
+                                     (i + 0.5) / ROWS * camera.imageSize.height - 0.5));
     undistortedRays(camera, pixels, rays);
     for (int k = 0; k < POINTS; k++)
     {
@@ -75,8 +76,8 @@ void DisplacementField::displacement(const Model& m, double G, Values& values) c
     }
 }
 
-void DisplacementField::variance(const Model& m, double G, double varianceG, const Matx<double, PARAMETERS, PARAMETERS>& C,
-                                 Variances& values) const
+void DisplacementField::variance(const Model& m, double G, double varianceG,
+                                 const Matx<double, PARAMETERS, PARAMETERS>& C, Variances& values) const
 {
     for (int k = 0; k < POINTS; k++)
     {

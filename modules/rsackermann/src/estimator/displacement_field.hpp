@@ -8,10 +8,10 @@
 #include "opencv2/rsackermann/camera.hpp"
 #include "model.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** By how much a motion displaces the pixels of an image, to first order, at the points of a grid (doc/theory.md, "Posterior").
+/** By how much a motion displaces the pixels of an image, to first order, at the points of a grid (doc/theory.md,
+"Posterior").
 
 Displacements of several motions can be averaged and compared, which their parameters can't.
 */
@@ -31,8 +31,8 @@ public:
     static double meanDistance(const Values& a, const Values& b, const Variances& variance);
 
     //! Variance of the displacement at each point, for a covariance of the parameters, and of G independent of it.
-    void variance(const Model& model, double G, double varianceG, const Matx<double, PARAMETERS, PARAMETERS>& covariance,
-                  Variances& values) const;
+    void variance(const Model& model, double G, double varianceG,
+                  const Matx<double, PARAMETERS, PARAMETERS>& covariance, Variances& values) const;
 
     //! The MotionModel of a motion without the parts that contribute next to nothing to the displacement.
     int mainMotion(const Model& model, double G) const;

@@ -12,8 +12,7 @@
 #include "selection.hpp"
 #include "significance.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // First guesses for the segments of a detector; selectMotion() measures the noise of the image.
 static const double FIRST_SIGMA = 0.25, FIRST_OTHERS_SIGMA = 1; // pixels
@@ -52,12 +51,14 @@ public:
         return run(segmentRows(segments), labels, prior);
     }
 
-    AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels, const MotionPrior& prior) const CV_OVERRIDE
+    AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels,
+                                      const MotionPrior& prior) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         if (image.size() != camera.imageSize)
-            CV_Error(Error::StsBadArg, format("image is %d x %d; the camera's size %d x %d is expected", image.size().width,
-                                              image.size().height, camera.imageSize.width, camera.imageSize.height));
+            CV_Error(Error::StsBadArg,
+                     format("image is %d x %d; the camera's size %d x %d is expected", image.size().width,
+                            image.size().height, camera.imageSize.width, camera.imageSize.height));
         Mat found;
         detectSegments(image, found, params.detector, params.minLength);
         if (segments.needed())
@@ -78,10 +79,12 @@ public:
 private:
     AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
     RefinementProblem makeProblem(const MotionPrior& prior) const;
-    int findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found, AckermannMotion& motion, Mat& labels) const;
+    int findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found, AckermannMotion& motion,
+                   Mat& labels) const;
     Posterior withExpectation(const UsualDrive& usual, const Fit& fit) const;
     double label(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const;
-    void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const;
+    void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
+                AckermannMotion& motion) const;
 
     RollingShutterCamera camera;
     Params params;
@@ -139,8 +142,8 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
 }
 
 // Returns the status.
-int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found, AckermannMotion& motion,
-                                       Mat& labels) const
+int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found,
+                                       AckermannMotion& motion, Mat& labels) const
 {
     if (params.model == MODEL_AUTO && params.gravitySigma > 0)
     {
@@ -179,13 +182,15 @@ Posterior AckermannEstimatorImpl::withExpectation(const UsualDrive& usual, const
 }
 
 // Returns the mean probability that a candidate with a random slant is an inlier.
-double AckermannEstimatorImpl::label(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const
+double AckermannEstimatorImpl::label(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion,
+                                     Mat& labels) const
 {
     const Agreement agreement = {problem.focal, params.threshold, problem.lean};
     return labelInliers(problem.verticals, found.model, problem.heading, agreement, motion, labels);
 }
 
-void AckermannEstimatorImpl::report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const
+void AckermannEstimatorImpl::report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
+                                    AckermannMotion& motion) const
 {
     const Model& m = found.model;
     motion.model = found.hypothesis.motion;
@@ -220,7 +225,8 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
 
 } // namespace
 
-Ptr<AckermannEstimator> AckermannEstimator::create(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+Ptr<AckermannEstimator> AckermannEstimator::create(const RollingShutterCamera& camera,
+                                                   const AckermannEstimator::Params& params)
 {
     return makePtr<AckermannEstimatorImpl>(camera, params);
 }

@@ -5,17 +5,17 @@
 #include "../precomp.hpp"
 #include "fit.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // Of the information criterion.
 static const double ERROR_DEPENDENCE = 1.5;
 static const double USUAL_SECOND_WALL = 4;
 static const double UNSEEN_SECOND_WALL = 2;
 
-// With a larger penalty than for independent errors: those of neighbouring segments are alike. The number of walls belongs to
-// the scene rather than to the motion: a camera that looks along a street usually has two, and their ratio costs the information that is learnt
-// of it, which is the volume of its distribution before over that after; unless no vertical shows the second one.
+// With a larger penalty than for independent errors: those of neighbouring segments are alike. The number of walls
+// belongs to the scene rather than to the motion: a camera that looks along a street usually has two, and their ratio
+// costs the information that is learnt of it, which is the volume of its distribution before over that after; unless no
+// vertical shows the second one.
 static double criterion(const RefinementProblem& problem, const Fit& fit)
 {
     const int unknowns = (fit.hypothesis.turns() ? 1 : 0) + (fit.hypothesis.translates() ? 2 : 0);

@@ -7,8 +7,7 @@
 
 #include "refinement.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! A motion hypothesis with its best model.
 struct Fit
@@ -29,10 +28,16 @@ Fit refineFrom(const RefinementProblem& problem, const Model& start, const Motio
 //! Refines a fit again, after the noise or its model has changed.
 void refineAgain(const RefinementProblem& problem, Fit& fit);
 
-inline bool isCheaper(const Fit& a, const Fit& b) { return a.cost < b.cost; }
+inline bool isCheaper(const Fit& a, const Fit& b)
+{
+    return a.cost < b.cost;
+}
 
 //! Azimuth of the walls; only if there is translation.
-inline double azimuthOf(const Model& model) { return std::atan2(model[P_D], model[P_B]); }
+inline double azimuthOf(const Model& model)
+{
+    return std::atan2(model[P_D], model[P_B]);
+}
 
 //! The model with its walls turned about the vertical axis.
 Model turned(const Model& model, double angle);

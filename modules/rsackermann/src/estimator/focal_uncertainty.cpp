@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "focal_uncertainty.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const int ITERATIONS = 8;
 
@@ -17,8 +16,9 @@ static double roadOf(const Posterior& found, const Model& model)
     return speed > 0 ? found.G * std::hypot(model[P_B], model[P_D]) / speed : found.G;
 }
 
-void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                         const MotionPrior& prior, const Mat& segments, Posterior& found)
+void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterCamera& camera,
+                         const AckermannEstimator::Params& params, const MotionPrior& prior, const Mat& segments,
+                         Posterior& found)
 {
     if (!(camera.focalSigma > 0))
         return;
@@ -44,7 +44,8 @@ void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterC
     DisplacementField::Values displacement, otherDisplacement;
     DisplacementField(camera).displacement(model, roadOf(found, model), displacement);
     DisplacementField(other).displacement(otherModel, roadOf(found, otherModel), otherDisplacement);
-    const double moved = DisplacementField::meanDistance(displacement, otherDisplacement, DisplacementField::Variances());
+    const double moved =
+        DisplacementField::meanDistance(displacement, otherDisplacement, DisplacementField::Variances());
     found.expectedLeft = std::hypot(found.expectedLeft, moved);
 
     // A motion per second is another one per unit of row time.

@@ -7,15 +7,16 @@
 
 #include "posterior.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** Adds what isn't known of the focal length to the covariance and to the displacement that is expected to be left (doc/theory.md, "Focal length and line delay").
+/** Adds what isn't known of the focal length to the covariance and to the displacement that is expected to be left
+(doc/theory.md, "Focal length and line delay").
 @param problem of which the posterior is the result.
 @param segments N x 4, CV_64F.
 */
-void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                         const MotionPrior& prior, const Mat& segments, Posterior& found);
+void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterCamera& camera,
+                         const AckermannEstimator::Params& params, const MotionPrior& prior, const Mat& segments,
+                         Posterior& found);
 
 }} // namespace cv::rsackermann
 

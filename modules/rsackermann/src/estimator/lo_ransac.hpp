@@ -8,8 +8,7 @@
 #include "opencv2/core.hpp"
 #include <cmath>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 struct RansacOptions
 {
@@ -22,8 +21,8 @@ const double USEFUL_SAMPLES = 0.1; //!< of those without outliers
 
 /** Smallest number of samples after which a useful one has been drawn with the given confidence.
 
-Only one in ten samples without outliers is counted on: the others fall on the walls in another arrangement than the solver
-takes, or noise spoils them.
+Only one in ten samples without outliers is counted on: the others fall on the walls in another arrangement than the
+solver takes, or noise spoils them.
 @return at most maxIterations.
 */
 inline int requiredIterations(int inliers, int size, int sampleSize, double confidence, int maxIterations)
@@ -41,13 +40,15 @@ The Estimator knows the data and has
 -   the type Model and the constant MAX_MODELS,
 -   int size() const: number of data, and int sampleSize() const,
 -   int generate(const int* sample, Model* models): hypotheses from a sample in ascending order,
--   double score(const Model&, double best, int& inliers): the lower the better; may stop early with any value above best,
+-   double score(const Model&, double best, int& inliers): the lower the better; may stop early with any value above
+    best,
 -   void optimize(Model&): local optimisation.
 
 @return whether there is a model at all.
 */
 template <class Estimator>
-bool loRansac(Estimator& estimator, const RansacOptions& options, typename Estimator::Model& bestModel, double& bestScore)
+bool loRansac(Estimator& estimator, const RansacOptions& options, typename Estimator::Model& bestModel,
+              double& bestScore)
 {
     const int size = estimator.size(), sampleSize = estimator.sampleSize();
     bestScore = DBL_MAX;

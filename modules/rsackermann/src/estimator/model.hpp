@@ -7,17 +7,15 @@
 
 #include "opencv2/rsackermann/motion.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! The unknowns of the refinement and their places in Jacobians and covariances.
-enum Parameter
-{
+enum Parameter {
     P_ALPHA,
     P_B,
     P_D,
     P_LAMBDA,
-    P_ROLL,   // corrections of gravity, radians
+    P_ROLL, // corrections of gravity, radians
     P_PITCH,
     P_STREET, // azimuth of the street if there is no translation to tell it
     PARAMETERS

@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "motion_mixture.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 bool Posterior::helps() const
 {
@@ -18,7 +17,13 @@ void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, doub
     if (!(logWeight > -DBL_MAX && logWeight < DBL_MAX))
         return;
     double varianceOfG;
-    Component c = {fit.model, hypothesis, fit.covariance, logWeight, 0, DisplacementField::Values(), DisplacementField::Variances()};
+    Component c = {fit.model,
+                   hypothesis,
+                   fit.covariance,
+                   logWeight,
+                   0,
+                   DisplacementField::Values(),
+                   DisplacementField::Variances()};
     usual.road(c.model, c.G, varianceOfG);
     field.displacement(c.model, c.G, c.displacement);
     field.variance(c.model, c.G, varianceOfG, c.covariance, c.variance);
@@ -77,7 +82,9 @@ Posterior MotionMixture::best() const
         average(weight, result);
         field.displacement(result.model, result.G, correction);
         for (size_t i = 0; i < components.size() && step < steps; i++)
-            weight[i] = probability[i] / std::max(least, DisplacementField::meanDistance(components[i].displacement, correction, components[i].variance));
+            weight[i] =
+                probability[i] / std::max(least, DisplacementField::meanDistance(components[i].displacement, correction,
+                                                                                 components[i].variance));
     }
     none = DisplacementField::Values();
     double translating[3] = {0, 0, 0}, rest = 0;
@@ -96,7 +103,8 @@ Posterior MotionMixture::best() const
         translating[c.hypothesis.walls] += c.hypothesis.translates() ? probability[i] : 0;
     }
     result.restRatio = usual.motionIsTold() ? 0 : rest / usual.restProbability();
-    result.hypothesis = MotionHypothesis(field.mainMotion(result.model, result.G), translating[2] > translating[1] ? 2 : 1);
+    result.hypothesis =
+        MotionHypothesis(field.mainMotion(result.model, result.G), translating[2] > translating[1] ? 2 : 1);
     return result;
 }
 

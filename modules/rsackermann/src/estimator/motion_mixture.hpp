@@ -7,8 +7,7 @@
 
 #include "posterior.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Possible motions with their probabilities.
 class MotionMixture
@@ -19,8 +18,9 @@ public:
     //! @param hypothesis whose unknowns the model has; the others are 0.
     void add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight);
 
-    /** The average that minimises the expected displacement: the geometric median of the displacement fields, which is that of the
-    most probable motions if they have more than half of the probability, and between all of them otherwise. */
+    /** The average that minimises the expected displacement: the geometric median of the displacement fields, which is
+    that of the most probable motions if they have more than half of the probability, and between all of them otherwise.
+  */
     Posterior best() const;
 
 private:

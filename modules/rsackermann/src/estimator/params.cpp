@@ -6,14 +6,14 @@
 #include "../checks.hpp"
 #include "../detect/detectors.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 AckermannEstimator::Params::Params()
-    : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6), threshold(0.5),
-      confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6), wallDistance(0), roadRatio(0), scaleFromRoad(false),
-      gravitySigma(CV_PI / 180), vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4),
-      usualYawRate(5 * CV_PI / 180), reverseProbability(0.02)
+    : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6),
+      threshold(0.5), confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6),
+      wallDistance(0), roadRatio(0), scaleFromRoad(false), gravitySigma(CV_PI / 180),
+      vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4), usualYawRate(5 * CV_PI / 180),
+      reverseProbability(0.02)
 {
 }
 
@@ -25,7 +25,8 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
     fs << "road_ratio" << roadRatio << "scale_from_road" << scaleFromRoad << "gravity_sigma" << gravitySigma;
     fs << "vehicle_pitch_sigma" << vehiclePitchSigma;
-    fs << "wall_deviation_sigma" << wallDeviationSigma << "usual_yaw_rate" << usualYawRate << "reverse_probability" << reverseProbability;
+    fs << "wall_deviation_sigma" << wallDeviationSigma << "usual_yaw_rate" << usualYawRate << "reverse_probability"
+       << reverseProbability;
 }
 
 void AckermannEstimator::Params::read(const FileNode& fn)
@@ -55,18 +56,21 @@ void AckermannEstimator::Params::read(const FileNode& fn)
 void AckermannEstimator::Params::check() const
 {
     if (model != MODEL_AUTO && model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA && model != MODEL_4LA)
-        CV_Error(Error::StsBadArg, format("params.model is %d; one of the MotionModel values -1, 0, 1, 3, 4 is expected", model));
+        CV_Error(Error::StsBadArg,
+                 format("params.model is %d; one of the MotionModel values -1, 0, 1, 3, 4 is expected", model));
     checkDetector(detector, "params.detector");
     checkPositive(minLength, "params.minLength");
     checkPositive(maxSlant, "params.maxSlant");
     checkNotNegative(slantTolerance, "params.slantTolerance", "none");
     if (minCandidates < 1)
-        CV_Error(Error::StsBadArg, format("params.minCandidates is %d; a number of 1 or more is expected", minCandidates));
+        CV_Error(Error::StsBadArg,
+                 format("params.minCandidates is %d; a number of 1 or more is expected", minCandidates));
     checkPositive(threshold, "params.threshold");
     if (!(confidence > 0 && confidence < 1))
         CV_Error(Error::StsBadArg, format("params.confidence is %g; a number between 0 and 1 is expected", confidence));
     if (maxIterations < 1)
-        CV_Error(Error::StsBadArg, format("params.maxIterations is %d; a number of 1 or more is expected", maxIterations));
+        CV_Error(Error::StsBadArg,
+                 format("params.maxIterations is %d; a number of 1 or more is expected", maxIterations));
     checkPositive(maxYawRate, "params.maxYawRate");
     checkPositive(maxSpeed, "params.maxSpeed");
     checkNotNegative(wallDistance, "params.wallDistance", "unknown");
@@ -76,7 +80,8 @@ void AckermannEstimator::Params::check() const
     checkNotNegative(wallDeviationSigma, "params.wallDeviationSigma", "unknown");
     checkPositive(usualYawRate, "params.usualYawRate");
     if (!(reverseProbability > 0 && reverseProbability <= 1))
-        CV_Error(Error::StsBadArg, format("params.reverseProbability is %g; a number above 0 and up to 1 is expected", reverseProbability));
+        CV_Error(Error::StsBadArg, format("params.reverseProbability is %g; a number above 0 and up to 1 is expected",
+                                          reverseProbability));
 }
 
 }} // namespace cv::rsackermann

@@ -10,8 +10,7 @@
 #include "street_direction.hpp"
 #include "uncertainty.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
 static const int CONSENSUS_ITERATIONS = 500;  // it is one start of several
@@ -19,12 +18,12 @@ static const double LOSS_SCALE = 2;           // in scales of the slants
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
 static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
 static const double WALLS_PRIOR = 0.7;
-static const double ONE_WALL_PRIOR = 0.1;    // of a street that is open to one side
-static const double OPEN_SIDE = 0.2;          // part of the verticals that are seen there, at most
-static const double SAME_LEAN = 1.3;          // ratio below which the noise counts as unchanged
-static const double FIRST_STEP = 0.7;         // of the sweep over the yaw rate, in sigmas
+static const double ONE_WALL_PRIOR = 0.1; // of a street that is open to one side
+static const double OPEN_SIDE = 0.2;      // part of the verticals that are seen there, at most
+static const double SAME_LEAN = 1.3;      // ratio below which the noise counts as unchanged
+static const double FIRST_STEP = 0.7;     // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
-static const double IMPROBABLE = 7;           // logarithm of a density below the highest one
+static const double IMPROBABLE = 7; // logarithm of a density below the highest one
 
 namespace {
 
@@ -76,7 +75,8 @@ private:
         std::vector<WeighedHypothesis> all;
         all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), ROTATION_PRIOR));
         all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_4LA, isAhead ? 2 : 1), WALLS_PRIOR));
-        // One wall shows three numbers for five unknowns (doc/theory.md, "Roll and yaw rate"): too few if no motion is told.
+        // One wall shows three numbers for five unknowns (doc/theory.md, "Roll and yaw rate"): too few if no motion is
+        // told.
         if (isAhead && usual.motionIsTold() && isOpenToOneSide())
             all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_4LA, 1), ONE_WALL_PRIOR));
         return all;
@@ -113,7 +113,8 @@ private:
             for (int i = 0; i < 2; i++)
             {
                 // One start is enough for a rare direction.
-                if ((usual.toldDirection() != 0 && direction != usual.toldDirection()) || (direction < 0 && usual.toldDirection() == 0 && i != 1))
+                if ((usual.toldDirection() != 0 && direction != usual.toldDirection()) ||
+                    (direction < 0 && usual.toldDirection() == 0 && i != 1))
                     continue;
                 const double speed = direction * factors[i] * usual.usualScaledSpeed(direction);
                 m[P_B] = speed * problem.heading.c;
@@ -147,7 +148,8 @@ private:
         return loRansac(consensus, options, model, score);
     }
 
-    // The motion without translation that half of the candidates exceed: one segment tells it (doc/theory.md, "Solvers", 1-LA).
+    // The motion without translation that half of the candidates exceed: one segment tells it (doc/theory.md,
+    // "Solvers", 1-LA).
     double medianAlpha() const
     {
         std::vector<double> alphas;
@@ -187,7 +189,8 @@ private:
         return best;
     }
 
-    // Noise and fits, in turn, until the noise stays about the same; then by how much the evidence says less than its number.
+    // Noise and fits, in turn, until the noise stays about the same; then by how much the evidence says less than its
+    // number.
     void measureNoise(std::vector<Fit>& fits, size_t best)
     {
         const int passes = 3;
@@ -224,7 +227,8 @@ private:
                 refineAgain(problem, fits[i]);
     }
 
-    // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the refinement.
+    // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the
+    // refinement.
     double ownNoiseOf(const Fit& fit) const
     {
         const Slants slants(problem, fit.model, fit.hypothesis.translates());
@@ -232,7 +236,8 @@ private:
         for (size_t i = 0; i < slants.size(); i++)
         {
             const double error = problem.sigma / (problem.focal * slants.length[i]);
-            const double r2 = slants.slant[i] * slants.slant[i] / (problem.lean * problem.lean + error * error), s2 = LOSS_SCALE * LOSS_SCALE;
+            const double r2 = slants.slant[i] * slants.slant[i] / (problem.lean * problem.lean + error * error),
+                         s2 = LOSS_SCALE * LOSS_SCALE;
             cost += r2 * s2 / (r2 + s2);
         }
         return fitSlantNoise(slants, problem.focal).logLikelihood + cost / 2;
@@ -266,7 +271,8 @@ private:
     void sweep(const Fit& fit, double logPrior)
     {
         const MotionHypothesis pinned(fit.hypothesis.translates() ? MODEL_3LA : MODEL_NONE, fit.hypothesis.walls);
-        const double variance = fit.covariance(P_ALPHA, P_ALPHA), sigma = variance > 0 ? std::sqrt(variance) : usual.alphaScale();
+        const double variance = fit.covariance(P_ALPHA, P_ALPHA),
+                     sigma = variance > 0 ? std::sqrt(variance) : usual.alphaScale();
         const double first = std::min(FIRST_STEP * sigma, 0.5 * usual.alphaScale());
         const double logWeight = logPrior + logNoise(fit);
         Fit middle(pinned);
@@ -275,7 +281,8 @@ private:
         for (int side = -1; side <= 1; side += 2)
         {
             Fit last = middle;
-            for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha; step *= STEP_GROWTH, offset += step)
+            for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha;
+                 step *= STEP_GROWTH, offset += step)
             {
                 Model next = last.model;
                 for (int i = 0; i < PARAMETERS && variance > 0; i++)
@@ -315,7 +322,8 @@ private:
 
 } // namespace
 
-bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params, const DisplacementField& field, Posterior& result)
+bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params,
+                      const DisplacementField& field, Posterior& result)
 {
     return Explorer(problem, params, field).run(result);
 }

@@ -8,32 +8,37 @@
 #include "displacement_field.hpp"
 #include "fit.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! The motion as the segments and all other knowledge show it.
 struct Posterior
 {
-    Model model;         //!< the correction with the smallest expected displacement
-    double G;            //!< slope of the road's scaled inverse depth
-    MotionHypothesis hypothesis; //!< of the model
+    Model model;                                     //!< the correction with the smallest expected displacement
+    double G;                                        //!< slope of the road's scaled inverse depth
+    MotionHypothesis hypothesis;                     //!< of the model
     Matx<double, PARAMETERS, PARAMETERS> covariance; //!< mean square deviation from the model
-    double expectedRaw, expectedLeft; //!< mean displacement in pixels to be expected of the image as it is, and after the correction
-    double restRatio; //!< probability of no visible motion over what it was before the image was seen; 0 if a motion is told
+    //! Mean displacement in pixels to be expected of the image as it is, and after the correction
+    double expectedRaw, expectedLeft;
+    //! Probability of no visible motion over what it was before the image was seen; 0 if a motion is told
+    double restRatio;
 
     Posterior() : G(0), hypothesis(MODEL_NONE, 0), expectedRaw(0), expectedLeft(0), restRatio(0) {}
 
-    //! Whether the correction is expected to help, and not by usual values alone: the image speaks against rest, or a motion is told.
+    //! Whether the correction is expected to help, and not by usual values alone: the image speaks against rest, or a
+    //! motion is told.
     bool helps() const;
 };
 
-/** Averages the correction over the motions that are possible, weighted by their probability (doc/theory.md, "Posterior").
+/** Averages the correction over the motions that are possible, weighted by their probability (doc/theory.md,
+"Posterior").
 
-A camera at rest, a pure rotation and a motion between walls are explored over the yaw rate; the other unknowns are refined at each.
+A camera at rest, a pure rotation and a motion between walls are explored over the yaw rate; the other unknowns are
+refined at each.
 @param problem with a distribution of usual drives; its noise becomes the one that was found.
 @return false if no motion within the limits could be refined.
 */
-bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params, const DisplacementField& field, Posterior& result);
+bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params,
+                      const DisplacementField& field, Posterior& result);
 
 }} // namespace cv::rsackermann
 

@@ -7,8 +7,7 @@
 #include "residuals/residual_kernels.hpp"
 #include <Eigen/Cholesky>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, PARAMETERS, PARAMETERS> Hessian;
 typedef Eigen::Matrix<double, Eigen::Dynamic, 1, 0, PARAMETERS, 1> Gradient;
@@ -26,7 +25,8 @@ void RefinementProblem::weigh()
     otherArrays.weigh(others, focal, directionSigma, lean);
 }
 
-static FreeParameters freeParameters(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence)
+static FreeParameters freeParameters(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
+                                     Evidence evidence)
 {
     FreeParameters unknowns;
     if (hypothesis.turns())
@@ -43,7 +43,8 @@ static FreeParameters freeParameters(const RefinementProblem& problem, const Mot
         unknowns.add(P_ROLL);
         unknowns.add(P_PITCH);
     }
-    if (!hypothesis.translates() && evidence == ALL_SEGMENTS && (!problem.others.empty() || problem.prior.streetSigma > 0))
+    if (!hypothesis.translates() && evidence == ALL_SEGMENTS &&
+        (!problem.others.empty() || problem.prior.streetSigma > 0))
         unknowns.add(P_STREET);
     return unknowns;
 }
@@ -61,8 +62,8 @@ static void addJet(const Jet& residual, const FreeParameters& unknowns, Residual
     }
 }
 
-static void addPriors(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const FreeParameters& unknowns, const Model& model,
-                      ResidualSums& sums)
+static void addPriors(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
+                      const FreeParameters& unknowns, const Model& model, ResidualSums& sums)
 {
     Jet prior[PriorTerms::MAX_RESIDUALS];
     const int n = problem.prior.evaluate(model, hypothesis, prior);
@@ -80,12 +81,13 @@ static void addPriors(const RefinementProblem& problem, const MotionHypothesis& 
         // About the vehicle's axes: the crown of a road and the suspension roll a car more than they pitch it.
         const Jet roll = Jet::variable(model[P_ROLL], P_ROLL), pitch = Jet::variable(model[P_PITCH], P_PITCH);
         addJet((1 / problem.gravitySigma) * (problem.heading.c * roll - problem.heading.s * pitch), unknowns, sums);
-        addJet((1 / problem.vehiclePitchSigma) * (problem.heading.s * roll + problem.heading.c * pitch), unknowns, sums);
+        addJet((1 / problem.vehiclePitchSigma) * (problem.heading.s * roll + problem.heading.c * pitch), unknowns,
+               sums);
     }
 }
 
-static ResidualSums evaluate(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence, const FreeParameters& unknowns,
-                             const Model& model)
+static ResidualSums evaluate(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence,
+                             const FreeParameters& unknowns, const Model& model)
 {
     const RobustLoss loss(problem.lossScale, problem.verticalWeight), otherLoss(problem.lossScale, problem.otherWeight);
     const PreparedModel prepared(model, problem.heading, problem.roadRatio, hypothesis.translates());
@@ -110,22 +112,26 @@ bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypo
 {
     if (hypothesis.walls != 2)
         return true;
-    const double left = m[P_D] - m[P_B] * problem.verticals.front().u[0], right = m[P_D] - m[P_B] * problem.verticals.back().u[0];
+    const double left = m[P_D] - m[P_B] * problem.verticals.front().u[0],
+                 right = m[P_D] - m[P_B] * problem.verticals.back().u[0];
     return left * right < 0;
 }
 
-// Covariance of an M-estimator over the inverse of its weighted normal equations (doc/theory.md, "Estimation"): what the
-// outliers that still count and the unknowns themselves cost.
+// Covariance of an M-estimator over the inverse of its weighted normal equations (doc/theory.md, "Estimation"): what
+// the outliers that still count and the unknowns themselves cost.
 static double covarianceInflation(const ResidualSums& sums, double unknowns)
 {
     if (!(sums.slopes > 0) || !(sums.weights > unknowns))
         return 1;
-    return std::max(1., sums.influence2 * sums.weights / (sums.slopes * sums.slopes) * sums.weights / (sums.weights - unknowns));
+    return std::max(1., sums.influence2 * sums.weights / (sums.slopes * sums.slopes) * sums.weights /
+                            (sums.weights - unknowns));
 }
 
 // The covariance of all parameters at a model with the given sums; 0 for those that aren't free.
-static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
-                                                        const FreeParameters& unknowns, const Model& model, const ResidualSums& sums)
+static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem& problem,
+                                                         const MotionHypothesis& hypothesis,
+                                                         const FreeParameters& unknowns, const Model& model,
+                                                         const ResidualSums& sums)
 {
     Matx<double, PARAMETERS, PARAMETERS> covariance = Matx<double, PARAMETERS, PARAMETERS>::zeros();
     const int n = unknowns.count;
@@ -148,8 +154,8 @@ static Matx<double, PARAMETERS, PARAMETERS> covarianceAt(const RefinementProblem
     return covariance;
 }
 
-double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence, int maxIterations, Model& model,
-              Matx<double, PARAMETERS, PARAMETERS>* covariance, double* inflation)
+double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence,
+              int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance, double* inflation)
 {
     const FreeParameters unknowns = freeParameters(problem, hypothesis, evidence);
     const int n = unknowns.count;

@@ -12,8 +12,7 @@
 #include "residuals/segment_arrays.hpp"
 #include "residuals/usual_drive.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! The data of the refinement.
 struct RefinementProblem
@@ -24,25 +23,26 @@ struct RefinementProblem
     MotionLimits limits;
     PriorTerms prior;
     Heading heading;
-    double focal;          // pixels
-    double sigma;          // pixels, of the residual of a vertical
-    double lean;           // radians, by which verticals of the scene lean, whatever their length
-    double directionSigma; // pixels, of the residual of another segment
-    double lossScale;      // of the robust loss, in sigmas
-    double verticalWeight; // of the evidence of a vertical: below 1 if they err together
-    double otherWeight;    // the same for another segment
-    double roadRatio;      // distance of the left (or only) wall over the height of the camera
-    double gravitySigma;   // radians, of the vehicle's roll; 0: gravity is exact
+    double focal;             // pixels
+    double sigma;             // pixels, of the residual of a vertical
+    double lean;              // radians, by which verticals of the scene lean, whatever their length
+    double directionSigma;    // pixels, of the residual of another segment
+    double lossScale;         // of the robust loss, in sigmas
+    double verticalWeight;    // of the evidence of a vertical: below 1 if they err together
+    double otherWeight;       // the same for another segment
+    double roadRatio;         // distance of the left (or only) wall over the height of the camera
+    double gravitySigma;      // radians, of the vehicle's roll; 0: gravity is exact
     double vehiclePitchSigma; // radians, of its pitch
-    const UsualDrive* usual; // how cars drive and what streets look like; 0: not used
+    const UsualDrive* usual;  // how cars drive and what streets look like; 0: not used
 
     explicit RefinementProblem(const MotionLimits& l)
-        : limits(l), heading(0), focal(1), sigma(1), lean(0), directionSigma(1), lossScale(1), verticalWeight(1), otherWeight(1), roadRatio(1),
-          gravitySigma(0), vehiclePitchSigma(0), usual(0)
+        : limits(l), heading(0), focal(1), sigma(1), lean(0), directionSigma(1), lossScale(1), verticalWeight(1),
+          otherWeight(1), roadRatio(1), gravitySigma(0), vehiclePitchSigma(0), usual(0)
     {
     }
 
-    //! Standard deviation of the roll about the optical axis, to which the vehicle's pitch adds if the camera looks to a side.
+    //! Standard deviation of the roll about the optical axis, to which the vehicle's pitch adds if the camera looks to
+    //! a side.
     double rollSigma() const { return std::hypot(heading.c * gravitySigma, heading.s * vehiclePitchSigma); }
 
     //! Fills the arrays, after the segments have changed.
@@ -51,7 +51,8 @@ struct RefinementProblem
     void weigh();
 };
 
-//! Whether a model has its walls where verticals are: two walls are seen together if the line at infinity lies between them.
+//! Whether a model has its walls where verticals are: two walls are seen together if the line at infinity lies between
+//! them.
 bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 
 //! Which residuals count.
@@ -61,12 +62,13 @@ enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
 @param hypothesis which unknowns are free.
 @param model start and result.
 @param covariance receives, unless it is null, the covariance of all parameters; 0 for those that aren't free.
-@param inflation receives, unless it is null, the factor by which the covariance of the segments' part exceeds the inverse of
-their normal equations.
+@param inflation receives, unless it is null, the factor by which the covariance of the segments' part exceeds the
+inverse of their normal equations.
 @return cost of the result; DBL_MAX if it isn't finite.
 */
-double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence, int maxIterations, Model& model,
-              Matx<double, PARAMETERS, PARAMETERS>* covariance = 0, double* inflation = 0);
+double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence,
+              int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance = 0,
+              double* inflation = 0);
 
 }} // namespace cv::rsackermann
 

@@ -8,13 +8,12 @@
 #include "road_contact.hpp"
 #include "residuals/vertical_residual.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-static const double BELOW_HORIZON = 0.02;  // tangent; nearer to the horizon the ratio of small numbers says little
-static const double SAME_RATIO = 1.06;     // of the largest to the smallest of the contacts that agree
+static const double BELOW_HORIZON = 0.02; // tangent; nearer to the horizon the ratio of small numbers says little
+static const double SAME_RATIO = 1.06;    // of the largest to the smallest of the contacts that agree
 static const size_t LEAST_CONTACTS = 3;
-static const size_t CONTACTS_OF_ONE = 10;  // one in so many has to agree
+static const size_t CONTACTS_OF_ONE = 10; // one in so many has to agree
 
 double roadRatioFromContacts(const RefinementProblem& problem, const Model& model, double threshold)
 {
@@ -42,7 +41,8 @@ double roadRatioFromContacts(const RefinementProblem& problem, const Model& mode
     const size_t enough = std::max<size_t>(LEAST_CONTACTS, ratios.size() / CONTACTS_OF_ONE);
     for (size_t first = 0; first + enough <= ratios.size(); first++)
     {
-        const size_t end = std::upper_bound(ratios.begin() + first, ratios.end(), ratios[first] * SAME_RATIO) - ratios.begin();
+        const size_t end =
+            std::upper_bound(ratios.begin() + first, ratios.end(), ratios[first] * SAME_RATIO) - ratios.begin();
         if (end - first >= enough)
             return ratios[first + (end - first) / 2];
     }

@@ -7,8 +7,7 @@
 
 #include "refinement.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** Distance of the left (or only) wall over the height of the camera, from wall segments that stand on the road
 (doc/theory.md, "Estimation").

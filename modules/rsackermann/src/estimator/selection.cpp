@@ -11,13 +11,12 @@
 #include "uncertainty.hpp"
 #include "residuals/vertical_residual.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const double GROSS = 4, GROSS_OTHERS = 3; // sigmas above which a residual tells nothing of the noise
 static const double LEAST_NOISE = 0.005, LARGEST_NOISE = 0.6, LARGEST_OTHERS_NOISE = 1; // pixels
-static const double KEPT_LOSS_WIDTH = 0.6;       // of the loss, if the noise turns out to be smaller
-static const double FAR_BEHIND = 100;            // in the criterion
+static const double KEPT_LOSS_WIDTH = 0.6; // of the loss, if the noise turns out to be smaller
+static const double FAR_BEHIND = 100;      // in the criterion
 static const double RELEVANT = 10;
 
 // From simple to rich: the richer ones start from the simpler ones, too.
@@ -42,7 +41,8 @@ static std::vector<MotionHypothesis> allowedHypotheses(int model, const Heading&
 }
 
 // The best model of a hypothesis for the verticals alone. Returns false if there is none.
-static bool fitVerticals(const RefinementProblem& problem, const AckermannEstimator::Params& params, const MotionHypothesis& hypothesis, Model& model)
+static bool fitVerticals(const RefinementProblem& problem, const AckermannEstimator::Params& params,
+                         const MotionHypothesis& hypothesis, Model& model)
 {
     if (hypothesis.motion == MODEL_NONE)
         return true;
@@ -59,7 +59,8 @@ static bool fitVerticals(const RefinementProblem& problem, const AckermannEstima
 }
 
 // Joint refinement from several starts, and from each with the street where the other segments see it.
-static Fit fitAllSegments(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const std::vector<Model>& starts)
+static Fit fitAllSegments(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
+                          const std::vector<Model>& starts)
 {
     std::vector<Fit> minima;
     for (size_t i = 0; i < starts.size(); i++)
@@ -84,7 +85,8 @@ static const Fit& bestOf(const std::vector<Fit>& fits)
 // Standard deviation of residuals in pixels, from the median of those that aren't gross outliers.
 static double medianSigma(std::vector<double>& residuals, double gross, double otherwise)
 {
-    residuals.erase(std::remove_if(residuals.begin(), residuals.end(), [gross](double r) { return !(r < gross); }), residuals.end());
+    residuals.erase(std::remove_if(residuals.begin(), residuals.end(), [gross](double r) { return !(r < gross); }),
+                    residuals.end());
     if (residuals.empty())
         return otherwise;
     const size_t middle = residuals.size() / 2;
@@ -105,8 +107,11 @@ static void measureNoise(const Fit& fit, RefinementProblem& problem)
     for (size_t i = 0; i < problem.others.size(); i++)
         others.push_back(problem.focal * std::abs(directionResidual(problem.others[i], prepared, 0)));
     const double lossWidth = problem.lossScale * problem.sigma;
-    problem.sigma = std::min(std::max(medianSigma(verticals, GROSS * problem.sigma, problem.sigma), LEAST_NOISE), LARGEST_NOISE);
-    problem.directionSigma = std::min(std::max(medianSigma(others, GROSS_OTHERS * problem.directionSigma, problem.directionSigma), problem.sigma), LARGEST_OTHERS_NOISE);
+    problem.sigma =
+        std::min(std::max(medianSigma(verticals, GROSS * problem.sigma, problem.sigma), LEAST_NOISE), LARGEST_NOISE);
+    problem.directionSigma = std::min(
+        std::max(medianSigma(others, GROSS_OTHERS * problem.directionSigma, problem.directionSigma), problem.sigma),
+        LARGEST_OTHERS_NOISE);
     // Less noise doesn't make the deviations of real walls from planes smaller.
     problem.lossScale = std::max(problem.lossScale, KEPT_LOSS_WIDTH * lossWidth / problem.sigma);
     problem.weigh();
@@ -116,7 +121,9 @@ static void measureNoise(const Fit& fit, RefinementProblem& problem)
 static void dropHopeless(std::vector<Fit>& fits)
 {
     const double best = bestOf(fits).criterion;
-    fits.erase(std::remove_if(fits.begin(), fits.end(), [best](const Fit& f) { return f.criterion > best + FAR_BEHIND; }), fits.end());
+    fits.erase(
+        std::remove_if(fits.begin(), fits.end(), [best](const Fit& f) { return f.criterion > best + FAR_BEHIND; }),
+        fits.end());
 }
 
 // The model of one hypothesis as a start for another one; false if it says nothing of its walls.

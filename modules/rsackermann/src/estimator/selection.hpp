@@ -7,11 +7,10 @@
 
 #include "fit.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** Fits all motion hypotheses that Params::model and the heading allow and returns the one with the best Bayesian information
-criterion (doc/theory.md, "Estimation"). A camera at rest is among them.
+/** Fits all motion hypotheses that Params::model and the heading allow and returns the one with the best Bayesian
+information criterion (doc/theory.md, "Estimation"). A camera at rest is among them.
 @param problem its sigma is a first guess and becomes the one that was found.
 */
 Fit selectMotion(RefinementProblem& problem, const AckermannEstimator::Params& params);

@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "significance.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static double logBinomial(int n, int k)
 {
@@ -20,8 +19,8 @@ double logFalseAlarms(int candidates, int inliers, int sampleSize, double chance
 {
     if (inliers <= sampleSize)
         return DBL_MAX;
-    return std::log(double(candidates - sampleSize)) + logBinomial(candidates, inliers) + logBinomial(inliers, sampleSize) +
-           (inliers - sampleSize) * std::log(chance);
+    return std::log(double(candidates - sampleSize)) + logBinomial(candidates, inliers) +
+           logBinomial(inliers, sampleSize) + (inliers - sampleSize) * std::log(chance);
 }
 
 }} // namespace cv::rsackermann

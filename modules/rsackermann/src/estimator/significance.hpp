@@ -5,11 +5,10 @@
 #ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_SIGNIFICANCE_HPP
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_SIGNIFICANCE_HPP
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** Natural logarithm of the number of false alarms: how many models fitted to minimal samples would have as many inliers if
-the slants of all candidates were random within the gates (doc/theory.md, "Estimation").
+/** Natural logarithm of the number of false alarms: how many models fitted to minimal samples would have as many
+inliers if the slants of all candidates were random within the gates (doc/theory.md, "Estimation").
 @param candidates number of candidates, inliers among them, and candidates of a minimal sample.
 @param chance probability that a random candidate is an inlier.
 */

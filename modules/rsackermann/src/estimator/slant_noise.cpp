@@ -6,14 +6,14 @@
 #include "slant_noise.hpp"
 #include "residuals/vertical_residual.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-static const double FACADE_WIDTH = 0.07;            // of the columns between verticals that err together: 4 degrees
-static const double FREEDOM = 3;                    // of Student's t
-static const double DEPENDENCE_BY_TILT = 4;         // how many more verticals say what one would, if roll and pitch are free
+static const double FACADE_WIDTH = 0.07; // of the columns between verticals that err together: 4 degrees
+static const double FREEDOM = 3;         // of Student's t
+// How many more verticals say what one would, if roll and pitch are free
+static const double DEPENDENCE_BY_TILT = 4;
 static const double TILT_OF_DEPENDENCE = CV_PI / 180;
-static const double CROWDED = 20;                   // candidates within a facade's width
+static const double CROWDED = 20;                          // candidates within a facade's width
 static const double DETECTOR_ERRORS[] = {0.05, 0.15, 0.4}; // pixels that are tried
 
 Slants::Slants(const RefinementProblem& problem, const Model& model, bool translates)
@@ -33,7 +33,8 @@ Slants::Slants(const RefinementProblem& problem, const Model& model, bool transl
 
 namespace {
 
-// Densities of a slant as a vertical's and as that of something else, by a noise with the error of the detector in radians * length.
+// Densities of a slant as a vertical's and as that of something else, by a noise with the error of the detector in
+// radians * length.
 struct Densities
 {
     double variance, q, vertical, other;
@@ -55,10 +56,12 @@ void improve(const Slants& s, double error, SlantNoise& noise)
     for (size_t i = 0; i < s.size(); i++)
     {
         const Densities d(s, i, noise, error);
-        const double isVertical = d.vertical / (d.vertical + d.other), lean2 = noise.lean * noise.lean, part = lean2 / d.variance;
+        const double isVertical = d.vertical / (d.vertical + d.other), lean2 = noise.lean * noise.lean,
+                     part = lean2 / d.variance;
         verticals += isVertical;
         // The expected square of the lean's part of the slant.
-        squares += isVertical * (part * part * (FREEDOM + 1) / FREEDOM * d.q * s.slant[i] * s.slant[i] + lean2 * (1 - part));
+        squares +=
+            isVertical * (part * part * (FREEDOM + 1) / FREEDOM * d.q * s.slant[i] * s.slant[i] + lean2 * (1 - part));
     }
     noise.share = std::min(0.95, (s.size() - verticals + 1) / (s.size() + 2));
     const double measured = 0.5 * std::log(std::max(squares / verticals, 1e-12));
@@ -117,7 +120,8 @@ double dependenceOf(const Slants& s, const SlantNoise& noise, double focal, doub
 
 double hiddenDependence(const RefinementProblem& problem, const SlantNoise& noise, double neighbours)
 {
-    const double tilting = std::min(1., problem.rollSigma() / TILT_OF_DEPENDENCE), crowd = std::min(1., neighbours / CROWDED);
+    const double tilting = std::min(1., problem.rollSigma() / TILT_OF_DEPENDENCE),
+                 crowd = std::min(1., neighbours / CROWDED);
     const double leaning = noise.lean / USUAL_LEAN;
     return 1 + DEPENDENCE_BY_TILT * tilting * crowd * leaning * leaning;
 }

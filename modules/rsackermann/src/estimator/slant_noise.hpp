@@ -7,8 +7,7 @@
 
 #include "refinement.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! By how much the candidates lean that a model should have made upright.
 struct Slants
@@ -22,14 +21,14 @@ struct Slants
 
 /** The distribution of the slants of upright candidates (doc/theory.md, "Evidence").
 
-Student's t with 3 degrees of freedom for verticals, which a detector places with an error in pixels and which lean in the scene,
-and a uniform distribution within the gates for segments that aren't images of verticals.
+Student's t with 3 degrees of freedom for verticals, which a detector places with an error in pixels and which lean in
+the scene, and a uniform distribution within the gates for segments that aren't images of verticals.
 */
 struct SlantNoise
 {
-    double pixels;        // scale of the detector's error
-    double lean;          // scale of the lean in the scene, radians
-    double share;         // of the segments that aren't verticals
+    double pixels; // scale of the detector's error
+    double lean;   // scale of the lean in the scene, radians
+    double share;  // of the segments that aren't verticals
     double logLikelihood;
 };
 
@@ -40,7 +39,8 @@ SlantNoise fitSlantNoise(const Slants& slants, double focal);
 */
 double dependenceOf(const Slants& slants, const SlantNoise& noise, double focal, double& neighbours);
 
-//! By how much they say less although the residuals don't show it: roll, pitch and motion take up a lean that a crowd has in common.
+//! By how much they say less although the residuals don't show it: roll, pitch and motion take up a lean that a crowd
+//! has in common.
 double hiddenDependence(const RefinementProblem& problem, const SlantNoise& noise, double neighbours);
 
 }} // namespace cv::rsackermann

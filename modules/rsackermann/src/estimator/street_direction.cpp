@@ -6,13 +6,13 @@
 #include "residuals/residual_kernels.hpp"
 #include "street_direction.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const size_t LEAST_SEGMENTS = 5;
-static const double COARSENESS = 4;      // of the loss, in sigmas: the motion, and with it the compensation, is still inexact
-static const double STREET_RANGE = 0.8;  // radians to both sides of the heading
-static const double STREET_STEP = 0.01;  // radians
+// Of the loss, in sigmas: the motion, and with it the compensation, is still inexact
+static const double COARSENESS = 4;
+static const double STREET_RANGE = 0.8; // radians to both sides of the heading
+static const double STREET_STEP = 0.01; // radians
 
 // The model with walls along an azimuth.
 static Model turnStreet(const Model& model, const MotionHypothesis& hypothesis, double azimuth)

@@ -7,10 +7,10 @@
 
 #include "refinement.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** Searches the direction of the street with which most of the other segments agree, and turns the walls of the model there.
+/** Searches the direction of the street with which most of the other segments agree, and turns the walls of the model
+there.
 @return false if there are too few segments.
 */
 bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model);

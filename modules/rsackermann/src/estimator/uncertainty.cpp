@@ -6,18 +6,17 @@
 #include "uncertainty.hpp"
 #include <Eigen/Cholesky>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 typedef Matx<double, PARAMETERS, PARAMETERS> Covariance;
 
-static const double SAME_MINIMUM = 0.2;  // standard deviations between two minima that are one
-static const double LARGEST_STEP = 0.1;  // radians, the first one along the valley
+static const double SAME_MINIMUM = 0.2; // standard deviations between two minima that are one
+static const double LARGEST_STEP = 0.1; // radians, the first one along the valley
 static const double VALLEY_GROWTH = 1.5;
-static const double FARTHEST = 0.5;      // radians
-static const double IMPOSSIBLE = 6;      // logarithm of a probability: two of them end the valley
-static const double HOPELESS = 30;       // the same; one is enough
-static const double UNLIKELY = -14;      // logarithm of the weight of another minimum
+static const double FARTHEST = 0.5; // radians
+static const double IMPOSSIBLE = 6; // logarithm of a probability: two of them end the valley
+static const double HOPELESS = 30;  // the same; one is enough
+static const double UNLIKELY = -14; // logarithm of the weight of another minimum
 
 static double azimuthVariance(const Fit& fit)
 {
@@ -39,13 +38,14 @@ double logVolume(const Fit& fit)
         const double variance = fit.covariance(free[i], free[i]);
         sum += 0.5 * std::log(variance);
         for (int j = 0; j < n; j++)
-            correlation(i, j) = fit.covariance(free[i], free[j]) / std::sqrt(variance * fit.covariance(free[j], free[j]));
+            correlation(i, j) =
+                fit.covariance(free[i], free[j]) / std::sqrt(variance * fit.covariance(free[j], free[j]));
     }
     return sum + 0.5 * std::log(std::max(correlation.ldlt().vectorD().prod(), 1e-30));
 }
 
-// By how much the logarithm of a fit's likelihood is below that of the best one. The segments say less than their number, by the
-// same factor as in the covariance.
+// By how much the logarithm of a fit's likelihood is below that of the best one. The segments say less than their
+// number, by the same factor as in the covariance.
 static double worse(const Fit& fit, const Fit& best)
 {
     return (fit.cost - best.cost) / (2 * best.inflation);
@@ -115,17 +115,19 @@ static std::vector<Fit> findMinima(const RefinementProblem& problem, const Fit& 
 // The model with walls along another azimuth and the other unknowns where they are to be expected then.
 static Model predict(const MotionLimits& limits, const Fit& fit, double azimuth)
 {
-    const double B = fit.model[P_B], D = fit.model[P_D], size2 = B * B + D * D, angle = angleBetween(azimuthOf(fit.model), azimuth);
+    const double B = fit.model[P_B], D = fit.model[P_D], size2 = B * B + D * D,
+                 angle = angleBetween(azimuthOf(fit.model), azimuth);
     Model model = fit.model;
     for (int i = 0; i < PARAMETERS; i++)
-        model.value[i] += (B * fit.covariance(i, P_D) - D * fit.covariance(i, P_B)) / size2 / azimuthVariance(fit) * angle;
+        model.value[i] +=
+            (B * fit.covariance(i, P_D) - D * fit.covariance(i, P_B)) / size2 / azimuthVariance(fit) * angle;
     model = turned(model, azimuth - azimuthOf(model));
     return limits.allow(model) ? model : turned(fit.model, angle);
 }
 
 // Adds a fit with walls along a given azimuth. Returns by how much it is worse than the best one.
-static double addPinned(RefinementProblem& pinned, const PriorTerms& prior, const Fit& best, double azimuth, double width, Fit& fit,
-                        Mixture& mixture)
+static double addPinned(RefinementProblem& pinned, const PriorTerms& prior, const Fit& best, double azimuth,
+                        double width, Fit& fit, Mixture& mixture)
 {
     pinned.prior.street = azimuth;
     fit.model = predict(pinned.limits, fit, azimuth);
@@ -136,8 +138,8 @@ static double addPinned(RefinementProblem& pinned, const PriorTerms& prior, cons
     return worse(fit, best);
 }
 
-// Mean square deviation of the motion, integrated over the azimuth of the walls: what verticals alone say of it, and of all that
-// depends on it, is far from normal. To both sides the steps grow, until the fits are as good as impossible.
+// Mean square deviation of the motion, integrated over the azimuth of the walls: what verticals alone say of it, and of
+// all that depends on it, is far from normal. To both sides the steps grow, until the fits are as good as impossible.
 static Covariance integrateOverAzimuth(const RefinementProblem& problem, const Fit& best)
 {
     const double exactness = 1e-3;
@@ -154,9 +156,11 @@ static Covariance integrateOverAzimuth(const RefinementProblem& problem, const F
         Fit fit = central;
         int tooExpensive = 0;
         // There may be a low place behind a high one, as verticals change from one wall to the other.
-        for (double step = first, offset = first; tooExpensive < 2 && offset < FARTHEST; step *= VALLEY_GROWTH, offset += step)
+        for (double step = first, offset = first; tooExpensive < 2 && offset < FARTHEST;
+             step *= VALLEY_GROWTH, offset += step)
         {
-            const double excess = addPinned(pinned, problem.prior, best, middle + side * offset, (1 + VALLEY_GROWTH) / 2 * step, fit, mixture);
+            const double excess = addPinned(pinned, problem.prior, best, middle + side * offset,
+                                            (1 + VALLEY_GROWTH) / 2 * step, fit, mixture);
             tooExpensive = excess > HOPELESS ? 2 : excess > IMPOSSIBLE ? tooExpensive + 1 : 0;
         }
     }
@@ -184,8 +188,8 @@ void exploreValley(const RefinementProblem& problem, Fit& fit)
     fit.covariance = mixture.mean();
 }
 
-// A fit with another number of walls in terms of the best one: the same direction of the walls, and a ratio of the walls of which
-// it says nothing.
+// A fit with another number of walls in terms of the best one: the same direction of the walls, and a ratio of the
+// walls of which it says nothing.
 static Fit inTermsOf(const Fit& best, const Fit& fit)
 {
     Fit other = fit;
@@ -207,7 +211,8 @@ void addOtherHypotheses(const std::vector<Fit>& fits, Fit& best)
         return;
     // A motion without yaw doesn't say how well its yaw rate of 0 is known: the richer one does, as seen from it.
     for (size_t i = 0; i < fits.size(); i++)
-        if (best.hypothesis.motion == MODEL_3LA && fits[i].hypothesis.motion == MODEL_4LA && fits[i].hypothesis.walls == best.hypothesis.walls)
+        if (best.hypothesis.motion == MODEL_3LA && fits[i].hypothesis.motion == MODEL_4LA &&
+            fits[i].hypothesis.walls == best.hypothesis.walls)
             best.covariance = covarianceAround(fits[i], best.model);
     Mixture mixture;
     mixture.add(0, best.covariance);

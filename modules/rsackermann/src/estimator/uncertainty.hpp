@@ -7,14 +7,15 @@
 
 #include "fit.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-//! Logarithm of the volume of the ellipsoid of a fit's covariance. It is the same whichever of the walls is called the left one.
+//! Logarithm of the volume of the ellipsoid of a fit's covariance. It is the same whichever of the walls is called the
+//! left one.
 double logVolume(const Fit& fit);
 
 /** Follows the valley of a 4-LA fit, in which yaw rate and walls take each other's place (doc/theory.md, "Estimation").
-@param fit becomes the best minimum that is found, with the mean square deviation from it over the valley as its covariance.
+@param fit becomes the best minimum that is found, with the mean square deviation from it over the valley as its
+covariance.
 */
 void exploreValley(const RefinementProblem& problem, Fit& fit);
 

@@ -6,13 +6,12 @@
 #include "../camera/rays.hpp"
 #include "upright_segment.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-static const double LARGEST_RATIO = 20;   // of the walls' distances
-static const double LARGEST_TILT = 0.3;   // radians, of the corrections of gravity
-static const double SLANTS_OF_SPEED = 4;  // largest slants that the scaled speed may be without metric limits
-static const double BORDER = 2;           // pixels by which a segment may leave the image
+static const double LARGEST_RATIO = 20;  // of the walls' distances
+static const double LARGEST_TILT = 0.3;  // radians, of the corrections of gravity
+static const double SLANTS_OF_SPEED = 4; // largest slants that the scaled speed may be without metric limits
+static const double BORDER = 2;          // pixels by which a segment may leave the image
 
 MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
@@ -37,8 +36,9 @@ static bool isPlausibleRatio(double lambda)
 bool MotionLimits::allow(const Model& m) const
 {
     const double speed = std::hypot(m[P_B], m[P_D]);
-    return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxScaledSpeed && isPlausibleRatio(m[P_LAMBDA]) && m[P_LAMBDA] * speed <= maxRightScaledSpeed &&
-           std::abs(m[P_ROLL]) < LARGEST_TILT && std::abs(m[P_PITCH]) < LARGEST_TILT;
+    return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxScaledSpeed && isPlausibleRatio(m[P_LAMBDA]) &&
+           m[P_LAMBDA] * speed <= maxRightScaledSpeed && std::abs(m[P_ROLL]) < LARGEST_TILT &&
+           std::abs(m[P_PITCH]) < LARGEST_TILT;
 }
 
 double MotionLimits::maxSlant(double x, double heading) const

@@ -8,8 +8,7 @@
 #include "opencv2/rsackermann/estimator.hpp"
 #include "model.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 const double USUAL_LEAN = 0.3 * CV_PI / 180; //!< radians, of verticals of real streets
 
@@ -33,7 +32,7 @@ struct MotionLimits
     double maxAlpha;
     double maxScaledSpeed;      // of sqrt(B^2 + D^2)
     double maxRightScaledSpeed; // of lambda sqrt(B^2 + D^2), which the right wall has in the place of it
-    bool areMetric;       // whether yaw rate and speed set the limits
+    bool areMetric;             // whether yaw rate and speed set the limits
 
     MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 
@@ -45,7 +44,8 @@ struct MotionLimits
 
 /** Sorts the segments into those that may be images of vertical lines and the others.
 
-Segments that are too short, behind the camera, outside of the image or with coordinates that aren't finite are left out.
+Segments that are too short, behind the camera, outside of the image or with coordinates that aren't finite are left
+out.
 @param segments N x 4, CV_64F.
 @param verticals candidates for images of vertical lines, from left to right.
 @param others the rest in the order of segments: candidates for lines along the street or across it.

@@ -9,12 +9,12 @@
 #include "../compensation.hpp"
 #include "../storage.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 AckermannMotion::AckermannMotion()
-    : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), wallSlope(0), wallOffset(0), wallRatio(0), roadSlope(0), direction(1), rollCorrection(0),
-      pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), covariance(Matx44d::zeros()), rollYawAmbiguous(false), candidates(0), inliers(0), rms(0), expectedRaw(0),
+    : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), wallSlope(0), wallOffset(0), wallRatio(0),
+      roadSlope(0), direction(1), rollCorrection(0), pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN),
+      covariance(Matx44d::zeros()), rollYawAmbiguous(false), candidates(0), inliers(0), rms(0), expectedRaw(0),
       expectedLeft(0)
 {
 }
@@ -26,7 +26,8 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
     camera.check();
     const double left = metric.leftDistance, right = metric.rightDistance;
     if (!(camera.lineDelay > 0))
-        CV_Error(Error::StsBadArg, format("camera.lineDelay is %g s; metric values need a positive one", camera.lineDelay));
+        CV_Error(Error::StsBadArg,
+                 format("camera.lineDelay is %g s; metric values need a positive one", camera.lineDelay));
     checkFinite(metric.yawRate, "metric.yawRate");
     checkFinite(metric.speed, "metric.speed");
     checkNotNegative(left, "metric.leftDistance", "no left wall");
@@ -50,7 +51,8 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
         m.wallRatio = left / right;
     if (camera.height > 0)
         m.roadSlope = beta / camera.height;
-    m.model = metric.speed == 0 ? (metric.yawRate == 0 ? MODEL_NONE : MODEL_1LA) : (metric.yawRate == 0 ? MODEL_3LA : MODEL_4LA);
+    m.model = metric.speed == 0 ? (metric.yawRate == 0 ? MODEL_NONE : MODEL_1LA)
+                                : (metric.yawRate == 0 ? MODEL_3LA : MODEL_4LA);
     m.status = m.model == MODEL_NONE ? MOTION_NOT_SIGNIFICANT : MOTION_OK;
     return m;
 }
@@ -89,7 +91,8 @@ Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) co
         J(1, 1) = direction * B / size * wallDistance / unit;
         J(1, 2) = direction * D / size * wallDistance / unit;
     }
-    const double slowest = 1e-100; // what moves less has no direction: the derivatives, or their squares, would be infinite
+    // What moves less has no direction: the derivatives, or their squares, would be infinite
+    const double slowest = 1e-100;
     if (std::abs(B) > 1e-9 * std::abs(D) && size > slowest)
     {
         J(2, 1) = -D / (B * B);
@@ -125,7 +128,8 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "status" << status << "model" << model;
     fs << "alpha" << alpha << "wall_slope" << wallSlope << "wall_offset" << wallOffset << "wall_ratio" << wallRatio;
     fs << "road_slope" << roadSlope << "direction" << direction;
-    fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance" << wallDistance;
+    fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance"
+       << wallDistance;
     fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_left" << expectedLeft;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;

@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "../checks.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 MotionPrior::MotionPrior()
     : speed(0), speedSigma(0), yawRate(0), yawRateSigma(0), wallDirection(0), wallDirectionSigma(0)

@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "common.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 VerticalSegment VerticalSegment::fromAzimuths(double azimuthU, double timeU, double azimuthV, double timeV)
 {
@@ -60,7 +59,8 @@ bool solveWallsFromThree(const Constraint c[3], const Constraint* right, Minimal
     return solveWalls(c[best], c[(best + 1) % 3], right, solution);
 }
 
-// The side of the line at infinity on which a bearing is seen, as the sign of its scaled inverse depth; 0 behind the camera.
+// The side of the line at infinity on which a bearing is seen, as the sign of its scaled inverse depth; 0 behind the
+// camera.
 static int wallSide(const RotatedBearing& bearing, double B, double D)
 {
     const double z = bearing.M + bearing.gamma * B;

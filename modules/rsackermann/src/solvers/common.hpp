@@ -8,8 +8,7 @@
 #include "opencv2/rsackermann/solvers.hpp"
 #include "../compensation.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Whether both ends are finite, in front of the camera and at different times.
 inline bool isUsable(const VerticalSegment& s)
@@ -44,7 +43,9 @@ struct RotatedSegment
 
     RotatedSegment() {}
     //! @param s segment whose ends are passed at two rows.
-    RotatedSegment(const VerticalSegment& s, const RowMotion& rowU, const RowMotion& rowV) : u(s.u, rowU), v(s.v, rowV) {}
+    RotatedSegment(const VerticalSegment& s, const RowMotion& rowU, const RowMotion& rowV) : u(s.u, rowU), v(s.v, rowV)
+    {
+    }
     RotatedSegment(const VerticalSegment& s, double alpha, const Heading& heading)
         : u(s.u, RowMotion(alpha, heading, s.timeU)), v(s.v, RowMotion(alpha, heading, s.timeV))
     {
@@ -62,10 +63,12 @@ inline double determinant(const Constraint& a, const Constraint& b, const Constr
     return a.dot(b.cross(c));
 }
 
-//! (B, D) from two constraints, and lambda from that of a segment on the right wall. Returns false if they are degenerate.
+//! (B, D) from two constraints, and lambda from that of a segment on the right wall. Returns false if they are
+//! degenerate.
 bool solveWalls(const Constraint& first, const Constraint& second, const Constraint* right, MinimalSolution& solution);
 
-//! lambda from (B, D) and the constraint of a segment on the right wall. Returns false if it is degenerate or not positive.
+//! lambda from (B, D) and the constraint of a segment on the right wall. Returns false if it is degenerate or not
+//! positive.
 bool solveRatio(const Constraint& right, MinimalSolution& solution);
 
 //! solveWalls() with the pair of three constraints that is farthest from being parallel.
@@ -77,8 +80,8 @@ inline bool isWithinLimits(const MinimalSolution& s, const SolverOptions& option
     return std::abs(s.alpha) <= options.maxAlpha && std::hypot(s.wallSlope, s.wallOffset) <= options.maxScaledSpeed;
 }
 
-/** Whether all segments are seen on walls in front of the camera and on the same side of the line at infinity: those on the
-left (or only) wall first, then, if twoWalls, one on the right wall.
+/** Whether all segments are seen on walls in front of the camera and on the same side of the line at infinity: those on
+the left (or only) wall first, then, if twoWalls, one on the right wall.
 */
 bool areOnWalls(const MinimalSolution& solution, const RotatedSegment* segments, int left, bool twoWalls);
 
@@ -88,8 +91,8 @@ bool areOnWalls(const MinimalSolution& solution, const RotatedSegment* segments,
 @return number of solutions.
 */
 template <class SolveAt>
-int solutionsAt(const double* alphas, int count, const VerticalSegment* segments, bool twoWalls, const SolverOptions& options,
-                const SolveAt& solveAt, MinimalSolution* solutions)
+int solutionsAt(const double* alphas, int count, const VerticalSegment* segments, bool twoWalls,
+                const SolverOptions& options, const SolveAt& solveAt, MinimalSolution* solutions)
 {
     const Heading heading(options.heading);
     int found = 0;

@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "polynomial.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static double evaluate(const double* c, int degree, double x)
 {
@@ -90,7 +89,8 @@ int realRoots(const double* c, int degree, double low, double high, double* root
         {
             const double right = evaluate(derivatives[k], k, stops[i + 1]);
             if ((left < 0 && right >= 0) || (left > 0 && right <= 0))
-                roots[count++] = right == 0 ? stops[i + 1] : refineBracket(derivatives[k], k, stops[i], stops[i + 1], left, right);
+                roots[count++] =
+                    right == 0 ? stops[i + 1] : refineBracket(derivatives[k], k, stops[i], stops[i + 1], left, right);
             left = right;
         }
     }

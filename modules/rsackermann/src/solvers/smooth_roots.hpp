@@ -7,11 +7,11 @@
 
 #include "polynomial.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Coefficients of the polynomial of that degree in x / limit through f at evenly spread x, by divided differences.
-template <int DEGREE, class Function> void interpolate(const Function& f, double limit, double c[DEGREE + 1])
+template <int DEGREE, class Function>
+void interpolate(const Function& f, double limit, double c[DEGREE + 1])
 {
     double x[DEGREE + 1], difference[DEGREE + 1];
     for (int i = 0; i <= DEGREE; i++)
@@ -33,7 +33,8 @@ template <int DEGREE, class Function> void interpolate(const Function& f, double
 }
 
 //! Secant steps from a root of the polynomial to that of the function.
-template <class Function> double polish(const Function& f, double limit, double root)
+template <class Function>
+double polish(const Function& f, double limit, double root)
 {
     double before = root + 1e-5 * limit, valueBefore = f(before);
     for (int i = 0; i < 8; i++)
@@ -55,7 +56,8 @@ template <class Function> double polish(const Function& f, double limit, double 
 @param roots receives at most DEGREE values.
 @return number of roots.
 */
-template <int DEGREE, class Function> int smoothRoots(const Function& f, double limit, double roots[DEGREE])
+template <int DEGREE, class Function>
+int smoothRoots(const Function& f, double limit, double roots[DEGREE])
 {
     double polynomial[DEGREE + 1];
     interpolate<DEGREE>(f, limit, polynomial);

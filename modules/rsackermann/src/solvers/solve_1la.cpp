@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "common.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Solvers": 2 alpha = (phi_v - phi_u) / (t_u - t_v). The paper's quadratic is its linearisation.
 int solve1LA(const VerticalSegment& segment, const SolverOptions& options, MinimalSolution solutions[1])

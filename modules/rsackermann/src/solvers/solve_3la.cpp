@@ -5,8 +5,7 @@
 #include "../precomp.hpp"
 #include "common.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Solvers": with alpha = 0 the constraints are linear in (B, D), then in lambda.
 int solve3LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[1])

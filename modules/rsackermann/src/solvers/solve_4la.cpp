@@ -6,8 +6,7 @@
 #include "common.hpp"
 #include "polynomial.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // A constraint to first order in alpha: at 0 and its slope.
 struct LinearConstraint

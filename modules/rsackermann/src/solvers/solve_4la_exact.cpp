@@ -6,11 +6,10 @@
 #include "common.hpp"
 #include "polynomial.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-// Degrees in alpha of the constraints and of their determinant; the terms left out are smaller than those left out of the
-// constraints.
+// Degrees in alpha of the constraints and of their determinant; the terms left out are smaller than those left out of
+// the constraints.
 enum { ROW_DEGREE = 3, DEGREE = 6 };
 
 // A polynomial in alpha / scale.
@@ -40,7 +39,8 @@ static Series operator*(const Series& a, const Series& b)
     return r;
 }
 
-// RotatedBearing as Taylor polynomials: sin(alpha t)/alpha stands for tau, and s2 M - c2 N is s cos(.) - c sin(.) of alpha t.
+// RotatedBearing as Taylor polynomials: sin(alpha t)/alpha stands for tau, and s2 M - c2 N is s cos(.) - c sin(.) of
+// alpha t.
 struct BearingSeries
 {
     Series N, M, gamma;
@@ -125,8 +125,8 @@ private:
     const VerticalSegment* source;
 };
 
-/* Newton steps on the exact determinant, at first with the slope of the series and then with that of the secant. Leaves the
-sample rotated by alpha. Returns false if they run away.
+/* Newton steps on the exact determinant, at first with the slope of the series and then with that of the secant. Leaves
+the sample rotated by alpha. Returns false if they run away.
 */
 static bool polish(RotatedSample& sample, const Heading& heading, double maxAlpha, double slope, double& alpha)
 {
@@ -155,7 +155,8 @@ static bool polish(RotatedSample& sample, const Heading& heading, double maxAlph
 }
 
 // doc/theory.md, "Solvers": the constraints of three segments have a solution (1, D, B) if their determinant vanishes.
-int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[8])
+int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options,
+                  MinimalSolution solutions[8])
 {
     const int n = twoWalls ? 4 : 3;
     const Heading heading(options.heading);
@@ -189,12 +190,14 @@ int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOp
     {
         MinimalSolution& solution = solutions[count];
         solution.alpha = roots[i] * options.maxAlpha;
-        if (!polish(sample, heading, options.maxAlpha, slopeAt(polynomial, DEGREE, roots[i]) / options.maxAlpha, solution.alpha))
+        if (!polish(sample, heading, options.maxAlpha, slopeAt(polynomial, DEGREE, roots[i]) / options.maxAlpha,
+                    solution.alpha))
             continue;
-        const bool isNew = count == 0 || std::abs(solution.alpha - solutions[count - 1].alpha) > 1e-9 * options.maxAlpha;
+        const bool isNew =
+            count == 0 || std::abs(solution.alpha - solutions[count - 1].alpha) > 1e-9 * options.maxAlpha;
         const Constraint* constraints = sample.constraints;
-        if (isNew && solveWallsFromThree(constraints, twoWalls ? constraints + 3 : 0, solution) && isWithinLimits(solution, options) &&
-            areOnWalls(solution, sample.segments, 3, twoWalls))
+        if (isNew && solveWallsFromThree(constraints, twoWalls ? constraints + 3 : 0, solution) &&
+            isWithinLimits(solution, options) && areOnWalls(solution, sample.segments, 3, twoWalls))
             count++;
     }
     return count;

@@ -6,13 +6,12 @@
 #include "common.hpp"
 #include "smooth_roots.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 namespace {
 
-// With n = first x second parallel to (1, D, B): D^2 + B^2 - scaledSpeed^2, times n_e^2. Each component of n is a product of two
-// constraints of degree 2 in alpha, but for terms of higher order in the small angles.
+// With n = first x second parallel to (1, D, B): D^2 + B^2 - scaledSpeed^2, times n_e^2. Each component of n is a
+// product of two constraints of degree 2 in alpha, but for terms of higher order in the small angles.
 struct SpeedExcess
 {
     const VerticalSegment* segments;
@@ -21,7 +20,9 @@ struct SpeedExcess
 
     double operator()(double alpha) const
     {
-        const Constraint n = RotatedSegment(segments[0], alpha, heading).constraint().cross(RotatedSegment(segments[1], alpha, heading).constraint());
+        const Constraint n = RotatedSegment(segments[0], alpha, heading)
+                                 .constraint()
+                                 .cross(RotatedSegment(segments[1], alpha, heading).constraint());
         return n.d * n.d + n.b * n.b - scaledSpeed * scaledSpeed * n.e * n.e;
     }
 };
@@ -29,7 +30,8 @@ struct SpeedExcess
 } // namespace
 
 // doc/theory.md, "Solvers": the alphas at which the walls of two segments have the given speed.
-int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scaledSpeed, const SolverOptions& options, MinimalSolution solutions[8])
+int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scaledSpeed, const SolverOptions& options,
+                    MinimalSolution solutions[8])
 {
     if (!(scaledSpeed > 0) || cvIsInf(scaledSpeed))
         return 0;
@@ -42,7 +44,9 @@ int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scale
     const SpeedExcess excess = {segments, heading, scaledSpeed};
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(excess, options.maxAlpha, alphas);
-    const auto solveAt = [twoWalls](const Constraint* c, MinimalSolution& s) { return solveWalls(c[0], c[1], twoWalls ? c + 2 : 0, s); };
+    const auto solveAt = [twoWalls](const Constraint* c, MinimalSolution& s) {
+        return solveWalls(c[0], c[1], twoWalls ? c + 2 : 0, s);
+    };
     return solutionsAt(alphas, found, segments, twoWalls, options, solveAt, solutions);
 }
 

@@ -6,13 +6,12 @@
 #include "common.hpp"
 #include "smooth_roots.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 namespace {
 
-// With (B, D) = scaledSpeed * (cos, sin) of the azimuth a constraint is e + scaledSpeed * q = 0. For two of them e1 q2 - e2 q1 vanishes; it is of
-// degree 4 in alpha, but for terms of higher order in the small angles.
+// With (B, D) = scaledSpeed * (cos, sin) of the azimuth a constraint is e + scaledSpeed * q = 0. For two of them e1 q2
+// - e2 q1 vanishes; it is of degree 4 in alpha, but for terms of higher order in the small angles.
 struct Disagreement
 {
     const VerticalSegment* segments;
@@ -22,7 +21,8 @@ struct Disagreement
 
     double operator()(double alpha) const
     {
-        const Constraint first = RotatedSegment(segments[0], alpha, heading).constraint(), second = RotatedSegment(segments[1], alpha, heading).constraint();
+        const Constraint first = RotatedSegment(segments[0], alpha, heading).constraint(),
+                         second = RotatedSegment(segments[1], alpha, heading).constraint();
         return first.e * q(second) - second.e * q(first);
     }
 
@@ -30,7 +30,8 @@ struct Disagreement
     bool isInformative(double alpha) const
     {
         const double degenerate = 1e-10;
-        const Constraint first = RotatedSegment(segments[0], alpha, heading).constraint(), second = RotatedSegment(segments[1], alpha, heading).constraint();
+        const Constraint first = RotatedSegment(segments[0], alpha, heading).constraint(),
+                         second = RotatedSegment(segments[1], alpha, heading).constraint();
         const double scale2 = first.length2() * second.length2(), value = first.e * q(second) - second.e * q(first);
         return value * value > degenerate * degenerate * scale2;
     }
@@ -53,7 +54,8 @@ static bool solveSpeed(const Disagreement& d, const Constraint* constraints, boo
 }
 
 // doc/theory.md, "Solvers": the alphas at which two segments agree on the scaledSpeed of (B, D).
-int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, double azimuth, const SolverOptions& options, MinimalSolution solutions[6])
+int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, double azimuth,
+                            const SolverOptions& options, MinimalSolution solutions[6])
 {
     if (cvIsNaN(azimuth) || cvIsInf(azimuth))
         return 0;
@@ -68,7 +70,9 @@ int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, doub
         return 0;
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(disagreement, options.maxAlpha, alphas);
-    const auto solveAt = [&](const Constraint* constraints, MinimalSolution& s) { return solveSpeed(disagreement, constraints, twoWalls, s); };
+    const auto solveAt = [&](const Constraint* constraints, MinimalSolution& s) {
+        return solveSpeed(disagreement, constraints, twoWalls, s);
+    };
     return solutionsAt(alphas, found, segments, twoWalls, options, solveAt, solutions);
 }
 

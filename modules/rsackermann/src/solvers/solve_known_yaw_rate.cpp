@@ -5,11 +5,11 @@
 #include "../precomp.hpp"
 #include "common.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Solvers": for a given alpha the constraints are linear in (B, D), then in lambda.
-int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls, double alpha, const SolverOptions& options, MinimalSolution solutions[1])
+int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls, double alpha, const SolverOptions& options,
+                      MinimalSolution solutions[1])
 {
     if (cvIsNaN(alpha) || cvIsInf(alpha))
         return 0;

@@ -7,10 +7,10 @@
 
 #include "shutter_geometry.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** Finds the ray of the global-shutter camera to the point that a raw pixel sees, in closed form (doc/theory.md, "Warp").
+/** Finds the ray of the global-shutter camera to the point that a raw pixel sees, in closed form (doc/theory.md,
+"Warp").
 
 Of the planes the nearest along the ray is seen; a ray that meets none sees a point at infinity (w = 0). The planes
 surround the camera without hiding one another until it passes a wall; a row at whose instant it would have done so sees
@@ -45,7 +45,8 @@ public:
         return shutter.scene.isInside(v.x, v.z);
     }
 
-    //! Ray of the global-shutter camera to the point of a view that has the scaled inverse depth w; false if it is behind.
+    //! Ray of the global-shutter camera to the point of a view that has the scaled inverse depth w; false if it is
+    //! behind.
     bool rayTo(const View& v, double w, Vec3d& ray) const
     {
         ray = shutter.down * (v.direction + Vec3d(w * v.x, 0, w * v.z));

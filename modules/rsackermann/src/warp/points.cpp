@@ -8,8 +8,7 @@
 #include "points.hpp"
 #include "rectifier.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // Metres that the camera moves per unit of row time; negative in reverse.
 static double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion)
@@ -20,9 +19,12 @@ static double wayPerUnitTime(const RollingShutterCamera& camera, const Ackermann
     if (wall > 0 && motion.wallDistance > 0)
         return (motion.direction < 0 ? -wall : wall) * motion.wallDistance;
     if (motion.scale == SCALE_UNKNOWN || motion.roadSlope == 0 || !(camera.height > 0))
-        CV_Error(Error::StsBadArg, format("depths are given, but motion.wallDistance is %g m, and motion.roadSlope is %g with motion.scale %d and "
-                                          "camera.height %g m; one of the two must give the speed",
-                                          motion.wallDistance, motion.roadSlope, motion.scale, camera.height));
+        CV_Error(
+            Error::StsBadArg,
+            format("depths are given, but motion.wallDistance is %g m, and motion.roadSlope is %g with motion.scale %d "
+                   "and "
+                   "camera.height %g m; one of the two must give the speed",
+                   motion.wallDistance, motion.roadSlope, motion.scale, camera.height));
     return motion.roadSlope * camera.height;
 }
 

@@ -7,8 +7,7 @@
 
 #include "opencv2/rsackermann/warp.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! A point and whether it has a place at all.
 struct Place

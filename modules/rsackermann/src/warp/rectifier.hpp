@@ -7,14 +7,13 @@
 
 #include "shutter_geometry.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** Finds the raw pixel that sees a point of the global-shutter image (doc/theory.md, "Warp").
 
 The row time t of the raw pixel is the fixed point of t -> row time of the pixel that would see the point at t. It is a
-contraction for every motion that a car can make; secant steps reach the fixed point in two or three evaluations. The last
-step isn't evaluated: the place moves along with the row time at the rate that is known by then.
+contraction for every motion that a car can make; secant steps reach the fixed point in two or three evaluations. The
+last step isn't evaluated: the place moves along with the row time at the rate that is known by then.
 */
 class Rectifier
 {
@@ -31,7 +30,8 @@ public:
 
     //! @param tolerance pixels; the place is found when a step changes it by less.
     Rectifier(const ShutterGeometry& shutter_, int maxIterations_, double tolerance_)
-        : shutter(shutter_), maxIterations(maxIterations_), tolerance(tolerance_), timeTolerance(tolerance_ * shutter_.timePerPixel())
+        : shutter(shutter_), maxIterations(maxIterations_), tolerance(tolerance_),
+          timeTolerance(tolerance_ * shutter_.timePerPixel())
     {
     }
 
@@ -95,8 +95,8 @@ private:
     bool isLast(double ahead, const Point2d& change, bool rateKnown) const
     {
         const double distance = std::abs(ahead);
-        return distance <= timeTolerance ||
-               (rateKnown && distance <= 10 * timeTolerance && std::max(std::abs(change.x), std::abs(change.y)) <= tolerance);
+        return distance <= timeTolerance || (rateKnown && distance <= 10 * timeTolerance &&
+                                             std::max(std::abs(change.x), std::abs(change.y)) <= tolerance);
     }
 
     const ShutterGeometry& shutter;

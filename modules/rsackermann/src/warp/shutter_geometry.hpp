@@ -9,22 +9,21 @@
 #include "../compensation.hpp"
 #include "../scene.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** The geometry between the global-shutter camera and the raw image (doc/theory.md, "Warp").
 
-*Rays* are directions (x, y, z) of any scale in the camera frame, *bearings* the same turned into the upright frame of the
-motion. A bearing b of the global-shutter camera and the bearing q of the camera at a row time are tied by
-q = R(-theta) (b - tau w (s2, 0, c2)), where w belongs to the scale of b as in Scene::inverseDepth.
+*Rays* are directions (x, y, z) of any scale in the camera frame, *bearings* the same turned into the upright frame of
+the motion. A bearing b of the global-shutter camera and the bearing q of the camera at a row time are tied by q =
+R(-theta) (b - tau w (s2, 0, c2)), where w belongs to the scale of b as in Scene::inverseDepth.
 */
 class ShutterGeometry
 {
 public:
     ShutterGeometry(const RollingShutterCamera& camera, const AckermannMotion& motion)
-        : moving(motion.status == MOTION_OK), scene(motion), lens(camera), up(motion.uprightRotation(camera)), down(up.t()),
-          alpha(motion.alpha), heading(camera.heading), byRows(camera.isRowShutter()), time0(camera.rowTime(Point2d(0, 0))),
-          timeStep(camera.rowTime(Point2d(1, 1)) - time0)
+        : moving(motion.status == MOTION_OK), scene(motion), lens(camera), up(motion.uprightRotation(camera)),
+          down(up.t()), alpha(motion.alpha), heading(camera.heading), byRows(camera.isRowShutter()),
+          time0(camera.rowTime(Point2d(0, 0))), timeStep(camera.rowTime(Point2d(1, 1)) - time0)
     {
     }
 

@@ -6,8 +6,7 @@
 #include "points.hpp"
 #include "valid_area.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // The largest rectangle under a histogram whose columns are as high as the runs of valid pixels that end in this row.
 static void growRectangle(const std::vector<int>& heights, int row, std::vector<int>& stack, Rect& best)
@@ -69,7 +68,8 @@ Vec2d fit(double low, double high, int pixels)
 } // namespace
 
 // Range of one normalised coordinate along a border of the raw image.
-static Interval borderRange(const RollingShutterCamera& camera, const AckermannMotion& motion, bool horizontal, bool far)
+static Interval borderRange(const RollingShutterCamera& camera, const AckermannMotion& motion, bool horizontal,
+                            bool far)
 {
     const int length = horizontal ? camera.imageSize.width : camera.imageSize.height;
     const int place = far ? (horizontal ? camera.imageSize.height : camera.imageSize.width) - 1 : 0;
@@ -85,15 +85,18 @@ static Interval borderRange(const RollingShutterCamera& camera, const AckermannM
     return range;
 }
 
-Matx33d optimalMatrix(const RollingShutterCamera& camera, const AckermannMotion& motion, double alpha, const Size& newSize,
-                      const Matx33d& fallback)
+Matx33d optimalMatrix(const RollingShutterCamera& camera, const AckermannMotion& motion, double alpha,
+                      const Size& newSize, const Matx33d& fallback)
 {
     const Interval top = borderRange(camera, motion, true, false), bottom = borderRange(camera, motion, true, true);
     const Interval left = borderRange(camera, motion, false, false), right = borderRange(camera, motion, false, true);
-    if (top.empty() || bottom.empty() || left.empty() || right.empty() || !(left.high < right.low) || !(top.high < bottom.low))
+    if (top.empty() || bottom.empty() || left.empty() || right.empty() || !(left.high < right.low) ||
+        !(top.high < bottom.low))
         return fallback;
-    const Vec2d x = (1 - alpha) * fit(left.high, right.low, newSize.width) + alpha * fit(left.low, right.high, newSize.width);
-    const Vec2d y = (1 - alpha) * fit(top.high, bottom.low, newSize.height) + alpha * fit(top.low, bottom.high, newSize.height);
+    const Vec2d x =
+        (1 - alpha) * fit(left.high, right.low, newSize.width) + alpha * fit(left.low, right.high, newSize.width);
+    const Vec2d y =
+        (1 - alpha) * fit(top.high, bottom.low, newSize.height) + alpha * fit(top.low, bottom.high, newSize.height);
     return Matx33d(x[0], 0, x[1], 0, y[0], y[1], 0, 0, 1);
 }
 

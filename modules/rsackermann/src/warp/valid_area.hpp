@@ -7,15 +7,14 @@
 
 #include "opencv2/rsackermann/warp.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! The largest rectangle of pixels of a CV_8U mask that aren't 0; empty if there is none.
 Rect largestRectangle(const Mat& mask);
 
 //! See WarpMapGenerator::optimalNewCameraMatrix; fallback is returned if a border of the raw image has no place.
-Matx33d optimalMatrix(const RollingShutterCamera& camera, const AckermannMotion& motion, double alpha, const Size& newSize,
-                      const Matx33d& fallback);
+Matx33d optimalMatrix(const RollingShutterCamera& camera, const AckermannMotion& motion, double alpha,
+                      const Size& newSize, const Matx33d& fallback);
 
 }} // namespace cv::rsackermann
 

@@ -10,12 +10,9 @@
 #include "points.hpp"
 #include "valid_area.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-WarpMapGenerator::Params::Params() : newCameraMatrix(Matx33d::zeros()), maxIterations(10), tolerance(1e-3)
-{
-}
+WarpMapGenerator::Params::Params() : newCameraMatrix(Matx33d::zeros()), maxIterations(10), tolerance(1e-3) {}
 
 void WarpMapGenerator::Params::write(FileStorage& fs) const
 {
@@ -46,23 +43,29 @@ static void checkNewCameraMatrix(const Matx33d& K)
     for (int i = 0; i < 9; i++)
         finite = finite && isFinite(K.val[i]);
     if (!finite || !(K(0, 0) > 0) || !(K(1, 1) > 0) || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1)
-        CV_Error(Error::StsBadArg, format("newCameraMatrix is (%g %g %g; %g %g %g; %g %g %g); (fx s cx; 0 fy cy; 0 0 1) with positive focal "
-                                          "lengths, or all 0, is expected", K.val[0], K.val[1], K.val[2], K.val[3], K.val[4], K.val[5],
-                                          K.val[6], K.val[7], K.val[8]));
+        CV_Error(
+            Error::StsBadArg,
+            format("newCameraMatrix is (%g %g %g; %g %g %g; %g %g %g); (fx s cx; 0 fy cy; 0 0 1) with positive focal "
+                   "lengths, or all 0, is expected",
+                   K.val[0], K.val[1], K.val[2], K.val[3], K.val[4], K.val[5], K.val[6], K.val[7], K.val[8]));
 }
 
 static void checkSize(const Size& size)
 {
     if (size != Size() && (size.width <= 0 || size.height <= 0))
-        CV_Error(Error::StsBadArg, format("newSize is %d x %d; a positive width and height, or 0 x 0, are expected", size.width, size.height));
+        CV_Error(Error::StsBadArg, format("newSize is %d x %d; a positive width and height, or 0 x 0, are expected",
+                                          size.width, size.height));
 }
 
 // The first and the last pixel of a row and of a column fix the focal lengths: they have to be two.
 static void checkSpan(const Size& size)
 {
     if (size.width < 2 || size.height < 2)
-        CV_Error(Error::StsBadArg, format("newSize is %d x %d; at least 2 x 2 is expected, as the focal lengths follow from the distance of "
-                                          "the outermost pixels", size.width, size.height));
+        CV_Error(
+            Error::StsBadArg,
+            format("newSize is %d x %d; at least 2 x 2 is expected, as the focal lengths follow from the distance of "
+                   "the outermost pixels",
+                   size.width, size.height));
 }
 
 void WarpMapGenerator::Params::check() const
@@ -77,21 +80,26 @@ void WarpMapGenerator::Params::check() const
 
 static void checkMotion(const AckermannMotion& motion)
 {
-    const double values[] = {motion.alpha, motion.wallSlope, motion.wallOffset, motion.wallRatio, motion.roadSlope, motion.rollCorrection, motion.pitchCorrection,
-                             motion.wallDistance};
-    const char* const names[] = {"alpha", "wallSlope", "wallOffset", "wallRatio", "roadSlope", "rollCorrection", "pitchCorrection", "wallDistance"};
+    const double values[] = {motion.alpha,     motion.wallSlope,      motion.wallOffset,      motion.wallRatio,
+                             motion.roadSlope, motion.rollCorrection, motion.pitchCorrection, motion.wallDistance};
+    const char* const names[] = {"alpha",     "wallSlope",      "wallOffset",      "wallRatio",
+                                 "roadSlope", "rollCorrection", "pitchCorrection", "wallDistance"};
     const double largest = 1e150; // the walls' inverse depths, products of two of them, are finite
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
         if (!(std::abs(values[i]) <= largest))
-            CV_Error(Error::StsBadArg, format("motion.%s is %g; a number from %g to %g is expected", names[i], values[i], -largest, largest));
+            CV_Error(Error::StsBadArg, format("motion.%s is %g; a number from %g to %g is expected", names[i],
+                                              values[i], -largest, largest));
 }
 
 static int countPoints(const Mat& points)
 {
     const int count = points.checkVector(2, -1, false);
     if (count < 0 || (points.depth() != CV_32F && points.depth() != CV_64F))
-        CV_Error(Error::StsBadArg, format("src is a %d x %d matrix of type %s; N x 2, or N x 1 with two channels, CV_32F or CV_64F is expected",
-                                          points.rows, points.cols, typeToString(points.type()).c_str()));
+        CV_Error(
+            Error::StsBadArg,
+            format(
+                "src is a %d x %d matrix of type %s; N x 2, or N x 1 with two channels, CV_32F or CV_64F is expected",
+                points.rows, points.cols, typeToString(points.type()).c_str()));
     return count;
 }
 
@@ -110,8 +118,10 @@ static std::vector<double> toDepths(const Mat& depths, size_t count)
     if (depths.empty())
         return std::vector<double>();
     if ((depths.depth() != CV_32F && depths.depth() != CV_64F) || depths.total() * depths.channels() != count)
-        CV_Error(Error::StsBadArg, format("depths has %d values of type %s for %d points; one CV_32F or CV_64F value for each is expected",
-                                          (int)(depths.total() * depths.channels()), typeToString(depths.type()).c_str(), (int)count));
+        CV_Error(
+            Error::StsBadArg,
+            format("depths has %d values of type %s for %d points; one CV_32F or CV_64F value for each is expected",
+                   (int)(depths.total() * depths.channels()), typeToString(depths.type()).c_str(), (int)count));
     Mat converted;
     depths.convertTo(converted, CV_64F);
     return converted.reshape(1, int(count));
@@ -166,25 +176,29 @@ public:
 
     Params getParams() const CV_OVERRIDE { return params; }
 
-    void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask) const CV_OVERRIDE
+    void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type,
+                        OutputArray mask) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         initMap(WARP_RECTIFY, motion, map1, map2, m1type, mask);
     }
 
-    void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask) const CV_OVERRIDE
+    void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type,
+                        OutputArray mask) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         initMap(WARP_DISTORT, motion, map1, map2, m1type, mask);
     }
 
-    void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths, OutputArray mask) const CV_OVERRIDE
+    void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths,
+                       OutputArray mask) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         movePoints(rsackermann::correctPoints, motion, src, dst, depths, mask);
     }
 
-    void distortPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths, OutputArray mask) const CV_OVERRIDE
+    void distortPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths,
+                       OutputArray mask) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         movePoints(rsackermann::distortPoints, motion, src, dst, depths, mask);
@@ -224,14 +238,16 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_WarpMapGenerator"; }
 
 private:
-    typedef void (*PointFunction)(const RollingShutterCamera&, const Matx33d&, const AckermannMotion&, const std::vector<Point2d>&,
-                                  const std::vector<double>&, std::vector<Place>&);
+    typedef void (*PointFunction)(const RollingShutterCamera&, const Matx33d&, const AckermannMotion&,
+                                  const std::vector<Point2d>&, const std::vector<double>&, std::vector<Place>&);
 
-    void initMap(WarpDirection warp, const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask) const
+    void initMap(WarpDirection warp, const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type,
+                 OutputArray mask) const
     {
         checkMotion(motion);
         m1type = normalizedMapType(m1type);
-        CV_OCL_RUN(map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2), oclWarpMap(warp, camera, params, motion, m1type, map1, map2, mask))
+        CV_OCL_RUN(map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2),
+                   oclWarpMap(warp, camera, params, motion, m1type, map1, map2, mask))
         Size size = GlobalCamera(camera, params).size, target = camera.imageSize;
         if (warp == WARP_DISTORT)
             std::swap(size, target);
@@ -239,14 +255,15 @@ private:
         writeMap(warp, camera, params, motion, writer);
     }
 
-    void movePoints(PointFunction function, const AckermannMotion& motion, InputArray src_, OutputArray dst, InputArray depths,
-                    OutputArray mask) const
+    void movePoints(PointFunction function, const AckermannMotion& motion, InputArray src_, OutputArray dst,
+                    InputArray depths, OutputArray mask) const
     {
         checkMotion(motion);
         const Mat src = src_.getMat();
         const std::vector<Point2d> points = toPoints(src);
         std::vector<Place> places;
-        function(camera, GlobalCamera(camera, params).matrix, motion, points, toDepths(depths.getMat(), points.size()), places);
+        function(camera, GlobalCamera(camera, params).matrix, motion, points, toDepths(depths.getMat(), points.size()),
+                 places);
         returnPlaces(places, src, dst, mask);
     }
 

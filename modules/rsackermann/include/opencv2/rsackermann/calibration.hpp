@@ -7,15 +7,15 @@
 
 #include "opencv2/rsackermann/estimator.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! @addtogroup rsackermann
 //! @{
 
 /** @brief A camera's mount and line delay as a drive shows them, from MountCalibrator.
 
-Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+Const methods may run at the same time in several threads on the same object; changes need an object that no other
+thread uses meanwhile.
  */
 class CV_EXPORTS_W_SIMPLE MountCalibration
 {
@@ -23,43 +23,51 @@ public:
     CV_WRAP MountCalibration(); //!< of no frame
 
     /** @brief The line at infinity of the road in the image.
-    @return (a, b, c) with \f$a x + b y + c = 0\f$ for pixels (x, y) of the image without lens distortion, \f$a^2 + b^2 = 1\f$, positive below.
+    @return (a, b, c) with \f$a x + b y + c = 0\f$ for pixels (x, y) of the image without lens distortion, \f$a^2 + b^2
+    = 1\f$, positive below.
      */
     CV_WRAP Vec3d horizon() const;
 
-    CV_PROP_RW int frames;                  //!< frames of a moving car that were used; with 0 the camera is that of create()
-    CV_PROP_RW RollingShutterCamera camera; //!< that of create() with the upright rotation, the heading and the line delay that were found
-    CV_PROP_RW double roll;                 //!< radians, as in RollingShutterCamera::setRollPitch()
-    CV_PROP_RW double rollSigma;            //!< standard deviation of roll
-    CV_PROP_RW double pitch;                //!< radians, as in RollingShutterCamera::setRollPitch()
-    CV_PROP_RW double pitchSigma;           //!< standard deviation of pitch
-    CV_PROP_RW double heading;              //!< radians, as RollingShutterCamera::heading
-    CV_PROP_RW double headingSigma;         //!< standard deviation of heading
-    CV_PROP_RW double lineDelay;            //!< seconds; 0: unknown, as none was given and the drive doesn't show it
-    CV_PROP_RW double lineDelaySigma;       //!< standard deviation of lineDelay
+    //! Frames of a moving car that were used; with 0 the camera is that of create()
+    CV_PROP_RW int frames;
+    //! That of create() with the upright rotation, the heading and the line delay that were found
+    CV_PROP_RW RollingShutterCamera camera;
+    CV_PROP_RW double roll;           //!< radians, as in RollingShutterCamera::setRollPitch()
+    CV_PROP_RW double rollSigma;      //!< standard deviation of roll
+    CV_PROP_RW double pitch;          //!< radians, as in RollingShutterCamera::setRollPitch()
+    CV_PROP_RW double pitchSigma;     //!< standard deviation of pitch
+    CV_PROP_RW double heading;        //!< radians, as RollingShutterCamera::heading
+    CV_PROP_RW double headingSigma;   //!< standard deviation of heading
+    CV_PROP_RW double lineDelay;      //!< seconds; 0: unknown, as none was given and the drive doesn't show it
+    CV_PROP_RW double lineDelaySigma; //!< standard deviation of lineDelay
 
-    CV_PROP_RW bool rollObserved;      //!< whether the drive shows the roll: less than half of the standard deviation that was known before is left
-    CV_PROP_RW bool pitchObserved;     //!< the same of the pitch
-    CV_PROP_RW bool headingObserved;   //!< the same of the heading
-    CV_PROP_RW bool lineDelayObserved; //!< the same of the line delay, as bends show it; if not, as after a straight drive, it isn't changed
+    //! Whether the drive shows the roll: less than half of the standard deviation that was known before is left
+    CV_PROP_RW bool rollObserved;
+    CV_PROP_RW bool pitchObserved;   //!< the same of the pitch
+    CV_PROP_RW bool headingObserved; //!< the same of the heading
+    //! The same of the line delay, as bends show it; if not, as after a straight drive, it isn't changed
+    CV_PROP_RW bool lineDelayObserved;
 };
 
 /** @brief Finds how a camera is mounted, and its line delay, from a drive.
 
-The frames before tell the car's motion, the images' verticals are upright, the mount stays the same while suspension and road tilt the
-car, and the slants of verticals grow with the yaw rate in proportion to the line delay. All frames are explained together. Times of the frames are
-needed; speed and yaw rate of each frame (MotionPrior) are used if they are known.
+The frames before tell the car's motion, the images' verticals are upright, the mount stays the same while suspension
+and road tilt the car, and the slants of verticals grow with the yaw rate in proportion to the line delay. All frames
+are explained together. Times of the frames are needed; speed and yaw rate of each frame (MotionPrior) are used if they
+are known.
 
-A car that leans to one side all the time, as on a road with a crown, looks like a mount that is tilted: roll is that of the mean of the drive. A
-camera far ahead of the rear axle moves across the car in bends; bends to both sides keep that from the heading.
-At most Params::maxFrames frames are kept, whatever the length of the drive: parts of it are left out evenly. An object is for one thread at a time.
+A car that leans to one side all the time, as on a road with a crown, looks like a mount that is tilted: roll is that of
+the mean of the drive. A camera far ahead of the rear axle moves across the car in bends; bends to both sides keep that
+from the heading. At most Params::maxFrames frames are kept, whatever the length of the drive: parts of it are left out
+evenly. An object is for one thread at a time.
  */
 class CV_EXPORTS_W MountCalibrator : public Algorithm
 {
 public:
     /** @brief Parameters of the calibration.
 
-    Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+    Const methods may run at the same time in several threads on the same object; changes need an object that no other
+    thread uses meanwhile.
      */
     struct CV_EXPORTS_W_SIMPLE Params
     {
@@ -70,13 +78,17 @@ public:
         //! A copy of estimator.
         CV_WRAP AckermannEstimator::Params getEstimatorParams() const;
 
-        AckermannEstimator::Params estimator; //!< detector and gates of segments; gravitySigma and vehiclePitchSigma aren't used
-        CV_PROP_RW int maxFrames;             //!< largest number of frames that are kept, default 1000: some 20 MB
-        CV_PROP_RW double tiltSigma;          //!< radians; standard deviation of the roll and the pitch of the camera that is given, default 3 degrees
-        CV_PROP_RW double headingSigma;       //!< radians; the same of its heading, default 5 degrees
-        CV_PROP_RW double lineDelaySigma;     //!< the same of its line delay, relative, default 0.3; twice as much if none is given
-        CV_PROP_RW double suspensionSigma;    //!< radians; by which suspension and road tilt the car, default 0.4 degrees
-        CV_PROP_RW double suspensionTime;     //!< seconds within which such a tilt is forgotten, default 1
+        //! Detector and gates of segments; gravitySigma and vehiclePitchSigma aren't used
+        AckermannEstimator::Params estimator;
+        CV_PROP_RW int maxFrames; //!< largest number of frames that are kept, default 1000: some 20 MB
+        //! Radians; standard deviation of the roll and the pitch of the camera that is given, default 3 degrees
+        CV_PROP_RW double tiltSigma;
+        CV_PROP_RW double headingSigma; //!< radians; the same of its heading, default 5 degrees
+        //! The same of its line delay, relative, default 0.3; twice as much if none is given
+        CV_PROP_RW double lineDelaySigma;
+        //! Radians; by which suspension and road tilt the car, default 0.4 degrees
+        CV_PROP_RW double suspensionSigma;
+        CV_PROP_RW double suspensionTime; //!< seconds within which such a tilt is forgotten, default 1
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;
@@ -94,7 +106,8 @@ public:
     };
 
     /** @brief Creates a calibrator.
-    @param camera the camera as far as it is known; its shutter must go along the rows. A line delay of 0 is found as well, from yaw rates in particular.
+    @param camera the camera as far as it is known; its shutter must go along the rows. A line delay of 0 is found as
+    well, from yaw rates in particular.
     @param params see MountCalibrator::Params.
     @return the calibrator; throws cv::Exception if the camera or a parameter is out of range.
      */
@@ -112,28 +125,31 @@ public:
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
     //! The camera that is set.
     CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
-    //! Sets other parameters and forgets all frames; throws cv::Exception with the name and value of the first one that is out of range.
+    //! Sets other parameters and forgets all frames; throws cv::Exception with the name and value of the first one that
+    //! is out of range.
     CV_WRAP virtual void setParams(const MountCalibrator::Params& params) = 0;
     //! The present parameters.
     CV_WRAP virtual MountCalibrator::Params getParams() const = 0;
 
     /** @brief Adds the next frame of the drive.
     @param image raw image of the camera's size, 8 or 16 bit with 1, 3 or 4 channels.
-    @param seconds time of its reference row, from any origin; more than a second after the frame before, or earlier: another drive begins.
+    @param seconds time of its reference row, from any origin; more than a second after the frame before, or earlier:
+    another drive begins.
     @param prior speed and yaw rate, if they are known.
     @return whether the frame is used: the car moves, and enough points could be tracked from the frame before.
      */
     CV_WRAP virtual bool addFrame(InputArray image, double seconds, const MotionPrior& prior = MotionPrior()) = 0;
 
     /** @brief Adds the next frame of the drive with points that were tracked and segments that were found elsewhere.
-    @param points N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x, y) in the raw image of the frame before, then (x, y) in that of this frame;
-    empty for the first frame.
+    @param points N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x, y) in the raw image of the frame
+    before, then (x, y) in that of this frame; empty for the first frame.
     @param segments as in AckermannEstimator::estimate.
     @param seconds as in addFrame().
     @param prior as in addFrame().
     @return as in addFrame().
      */
-    CV_WRAP virtual bool addPoints(InputArray points, InputArray segments, double seconds, const MotionPrior& prior = MotionPrior()) = 0;
+    CV_WRAP virtual bool addPoints(InputArray points, InputArray segments, double seconds,
+                                   const MotionPrior& prior = MotionPrior()) = 0;
 
     /** @brief Explains all frames together.
     @return mount and line delay; may be called again after more frames.

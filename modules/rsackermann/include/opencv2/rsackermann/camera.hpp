@@ -7,15 +7,13 @@
 
 #include "opencv2/core.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! @addtogroup rsackermann
 //! @{
 
 //! The order in which the sensor reads its lines.
-enum ScanDirection
-{
+enum ScanDirection {
     SCAN_TOP_TO_BOTTOM = 0, //!< row 0 is read first (default)
     SCAN_BOTTOM_TO_TOP = 1, //!< the last row is read first
     SCAN_LEFT_TO_RIGHT = 2, //!< column 0 is read first; the motion can't be observed from vertical lines
@@ -23,8 +21,7 @@ enum ScanDirection
 };
 
 //! The lens models of OpenCV that a RollingShutterCamera can have.
-enum LensModel
-{
+enum LensModel {
     LENS_PINHOLE = 0, //!< the model of cv::projectPoints with 0, 4, 5, 8, 12 or 14 coefficients (default)
     LENS_FISHEYE = 1  //!< the model of cv::fisheye with 4 coefficients
 };
@@ -34,7 +31,8 @@ enum LensModel
 All fields may be set directly; check() tells whether they make sense together and is called by every algorithm that
 takes a camera.
 
-Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+Const methods may run at the same time in several threads on the same object; changes need an object that no other
+thread uses meanwhile.
  */
 class CV_EXPORTS_W_SIMPLE RollingShutterCamera
 {
@@ -48,12 +46,13 @@ public:
     @param dist lens coefficients, as many as lensModel takes; empty: no distortion.
     @param lens one of #LensModel.
      */
-    CV_WRAP RollingShutterCamera(const Size& size, const Matx33d& K, const std::vector<double>& dist = std::vector<double>(),
-                                 int lens = LENS_PINHOLE);
+    CV_WRAP RollingShutterCamera(const Size& size, const Matx33d& K,
+                                 const std::vector<double>& dist = std::vector<double>(), int lens = LENS_PINHOLE);
 
     /** @brief An uncalibrated camera: principal point at the image centre, square pixels, no distortion.
     @param size size of the image in pixels.
-    @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal , ± 20 % (focalSigma).
+    @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal , ± 20 %
+    (focalSigma).
     @return the camera, upright and looking forward.
      */
     CV_WRAP static RollingShutterCamera fromFocal(const Size& size, double focal = 0);
@@ -67,7 +66,8 @@ public:
     CV_WRAP void setRollPitch(double roll, double pitch);
 
     /** @brief Sets uprightRotation from the direction of gravity.
-    @param gravity direction of gravity (pointing down) in the camera frame, of any length; not parallel to the optical axis.
+    @param gravity direction of gravity (pointing down) in the camera frame, of any length; not parallel to the optical
+    axis.
      */
     CV_WRAP void setGravity(const Vec3d& gravity);
 
@@ -105,13 +105,18 @@ public:
     CV_PROP_RW std::vector<double> distCoeffs; //!< lens coefficients; empty: none
     CV_PROP_RW int lensModel;                  //!< one of #LensModel
     CV_PROP_RW int scanDirection;              //!< one of #ScanDirection
-    CV_PROP_RW double lineDelay;               //!< seconds between two lines; 0: unknown, and metric values are unknown, too
-    CV_PROP_RW double referenceRow;            //!< raw row (column-wise shutter: column) at whose instant the corrected image is taken
-    CV_PROP_RW Matx33d uprightRotation;        //!< turns the camera frame into the upright frame
-    CV_PROP_RW double heading;                 //!< radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a camera that looks to the right
-    CV_PROP_RW double height;                  //!< metres of the camera above the road; 0: unknown
-    CV_PROP_RW double focalSigma;              //!< standard deviation of the focal length fx in pixels, which fy shares; 0: exact
-    CV_PROP_RW double lineDelaySigma;          //!< standard deviation of lineDelay in seconds; 0: exact
+    //! Seconds between two lines; 0: unknown, and metric values are unknown, too
+    CV_PROP_RW double lineDelay;
+    //! Raw row (column-wise shutter: column) at whose instant the corrected image is taken
+    CV_PROP_RW double referenceRow;
+    CV_PROP_RW Matx33d uprightRotation; //!< turns the camera frame into the upright frame
+    //! Radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a
+    //! camera that looks to the right
+    CV_PROP_RW double heading;
+    CV_PROP_RW double height; //!< metres of the camera above the road; 0: unknown
+    //! Standard deviation of the focal length fx in pixels, which fy shares; 0: exact
+    CV_PROP_RW double focalSigma;
+    CV_PROP_RW double lineDelaySigma; //!< standard deviation of lineDelay in seconds; 0: exact
 };
 
 //! @}

@@ -8,19 +8,18 @@
 #include "opencv2/rsackermann/estimator.hpp"
 #include "opencv2/rsackermann/warp.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! @addtogroup rsackermann
 //! @{
 
-/** @brief Undoes the rolling shutter of an image in one call: detects segments, estimates the motion, makes the maps and
-remaps.
+/** @brief Undoes the rolling shutter of an image in one call: detects segments, estimates the motion, makes the maps
+and remaps.
 
 If the motion's status isn't #MOTION_OK only the lens is corrected; without lens coefficients the image is copied.
 
-Each thread needs its own object: a correction changes it, as it keeps buffers, segments, maps and the motion that is carried. Objects
-share no state.
+Each thread needs its own object: a correction changes it, as it keeps buffers, segments, maps and the motion that is
+carried. Objects share no state.
 @sa AckermannEstimator, WarpMapGenerator
  */
 class CV_EXPORTS_W RollingShutterCorrector : public Algorithm
@@ -28,7 +27,8 @@ class CV_EXPORTS_W RollingShutterCorrector : public Algorithm
 public:
     /** @brief Parameters of the correction.
 
-    Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+    Const methods may run at the same time in several threads on the same object; changes need an object that no other
+    thread uses meanwhile.
      */
     struct CV_EXPORTS_W_SIMPLE Params
     {
@@ -45,12 +45,14 @@ public:
 
         AckermannEstimator::Params estimator; //!< of the estimation
         WarpMapGenerator::Params warp;        //!< of the maps
-        CV_PROP_RW int interpolation;    //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
+        CV_PROP_RW int interpolation;         //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
         /** whether the images are consecutive frames of a drive, default false: each helps with the next; needs
         RollingShutterCamera::lineDelay */
         CV_PROP_RW bool carryMotion;
-        CV_PROP_RW bool trackPoints;     //!< whether points are tracked from frame to frame if carryMotion is set, default true
-        CV_PROP_RW double frameInterval; //!< seconds from one frame to the next if setTimestamp() doesn't tell, default 1/30
+        //! Whether points are tracked from frame to frame if carryMotion is set, default true
+        CV_PROP_RW bool trackPoints;
+        //! Seconds from one frame to the next if setTimestamp() doesn't tell, default 1/30
+        CV_PROP_RW double frameInterval;
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;
@@ -72,8 +74,9 @@ public:
     @param params see RollingShutterCorrector::Params.
     @return the corrector; throws cv::Exception if the camera or a parameter is out of range.
      */
-    CV_WRAP static Ptr<RollingShutterCorrector> create(const RollingShutterCamera& camera,
-                                                       const RollingShutterCorrector::Params& params = RollingShutterCorrector::Params());
+    CV_WRAP static Ptr<RollingShutterCorrector>
+    create(const RollingShutterCamera& camera,
+           const RollingShutterCorrector::Params& params = RollingShutterCorrector::Params());
 
     /** @brief Loads the camera and the parameters that Algorithm::save() has written.
     @param filename the file.
@@ -99,30 +102,32 @@ public:
     CV_WRAP virtual MotionPrior getPrior() const = 0;
 
     /** @brief Tells when the next image is taken.
-    @param seconds time of its reference row, from any origin; not finite: Params::frameInterval after the image before, which also
-    holds for all further images unless they are told.
+    @param seconds time of its reference row, from any origin; not finite: Params::frameInterval after the image before,
+    which also holds for all further images unless they are told.
      */
     CV_WRAP virtual void setTimestamp(double seconds) = 0;
 
     /** @brief Shows the image after the one that is corrected next: points that are seen in both count, too.
 
-    For recorded drives, of which each frame or at least the first one can be corrected with the help of later ones. Used if
-    Params::carryMotion and Params::trackPoints are set.
+    For recorded drives, of which each frame or at least the first one can be corrected with the help of later ones.
+    Used if Params::carryMotion and Params::trackPoints are set.
     @param image raw image of the camera's size, of a type for the detection; copied.
-    @param seconds time of its reference row, as in setTimestamp(); not finite: Params::frameInterval after the one before it.
+    @param seconds time of its reference row, as in setTimestamp(); not finite: Params::frameInterval after the one
+    before it.
      */
     CV_WRAP virtual void setNextFrame(InputArray image, double seconds) = 0;
 
     /** @brief Forgets the motion that is carried to the next frame: for the first frame of another sequence.
 
-    It is also forgotten if a camera is set that differs in more than uprightRotation, and if a frame shows a camera at rest (#MOTION_NOT_SIGNIFICANT). A frame
-    without an estimate for another reason leaves it, with a noise that grows with the number of such frames.
+    It is also forgotten if a camera is set that differs in more than uprightRotation, and if a frame shows a camera at
+    rest (#MOTION_NOT_SIGNIFICANT). A frame without an estimate for another reason leaves it, with a noise that grows
+    with the number of such frames.
      */
     CV_WRAP virtual void reset() = 0;
 
     /** @brief Corrects an image.
-    @param src raw image of the camera's size; any type that cv::remap takes, and 8 or 16 bit with 1, 3 or 4 channels for
-    the detection.
+    @param src raw image of the camera's size; any type that cv::remap takes, and 8 or 16 bit with 1, 3 or 4 channels
+    for the detection.
     @param dst corrected image of the same type. Pixels that the raw image doesn't show are 0.
     @param mask receives a CV_8U mask, 255 where a pixel is seen in the raw image and 0 elsewhere.
     @return the motion; see AckermannMotion::status.
@@ -136,7 +141,8 @@ public:
     @param mask as in correct().
     @return the motion, as from correct().
      */
-    CV_WRAP virtual AckermannMotion correctWithSegments(InputArray src, InputArray segments, OutputArray dst, OutputArray mask = noArray()) = 0;
+    CV_WRAP virtual AckermannMotion correctWithSegments(InputArray src, InputArray segments, OutputArray dst,
+                                                        OutputArray mask = noArray()) = 0;
 
     /** @brief Corrects an image with a motion that is known.
     @param src raw image of the camera's size, of any type that cv::remap takes.
@@ -144,7 +150,8 @@ public:
     @param dst corrected image, as in correct().
     @param mask as in correct().
      */
-    CV_WRAP virtual void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst, OutputArray mask = noArray()) = 0;
+    CV_WRAP virtual void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst,
+                                           OutputArray mask = noArray()) = 0;
 
     /** @brief The segments of the last image and their labels.
     @param segments N x 4 matrix CV_32F with (x1, y1, x2, y2) in pixels of the raw image, or vector<Vec4f>.

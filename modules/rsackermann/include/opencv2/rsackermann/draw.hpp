@@ -7,14 +7,13 @@
 
 #include "opencv2/rsackermann/motion.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! @addtogroup rsackermann
 //! @{
 
-/** @brief Draws what the estimator saw over the raw image, as in figure 1 of @cite purkait2018minimal : inlier segments from
-red (far) to blue (near), outliers black, the borders between road and walls green.
+/** @brief Draws what the estimator saw over the raw image, as in figure 1 of @cite purkait2018minimal : inlier segments
+from red (far) to blue (near), outliers black, the borders between road and walls green.
 @param image 8-bit image with three channels (BGR) of the camera's size, drawn upon.
 @param segments N x 4 matrix or N x 1 four-channel matrix with (x1, y1, x2, y2) in pixels.
 @param labels N x 1 matrix CV_8U, one of #SegmentLabel for each segment.
@@ -22,8 +21,8 @@ red (far) to blue (near), outliers black, the borders between road and walls gre
 @param motion the motion.
 @param thickness of the lines in pixels.
  */
-CV_EXPORTS_W void drawMotion(InputOutputArray image, InputArray segments, InputArray labels, const RollingShutterCamera& camera,
-                             const AckermannMotion& motion, int thickness = 2);
+CV_EXPORTS_W void drawMotion(InputOutputArray image, InputArray segments, InputArray labels,
+                             const RollingShutterCamera& camera, const AckermannMotion& motion, int thickness = 2);
 
 //! @}
 

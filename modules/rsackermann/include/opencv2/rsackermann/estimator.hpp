@@ -7,57 +7,56 @@
 
 #include "opencv2/rsackermann/motion.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! @addtogroup rsackermann
 //! @{
 
 //! Detectors of line segments.
-enum SegmentDetector
-{
+enum SegmentDetector {
     DETECTOR_LSD = 0,    //!< cv::LineSegmentDetector of imgproc
     DETECTOR_FLD = 1,    //!< cv::ximgproc::FastLineDetector, needs the module ximgproc
     DETECTOR_EDLINES = 2 //!< cv::ximgproc::EdgeDrawing, needs the module ximgproc
 };
 
 //! The estimator's verdict on a segment.
-enum SegmentLabel
-{
-    SEGMENT_REJECTED = 0,   //!< not a candidate: too short or too slanted to be the image of a vertical line
-    SEGMENT_OUTLIER = 1,    //!< candidate that disagrees with the motion
-    SEGMENT_LEFT_WALL = 2,  //!< inlier on the left (or only) wall
-    SEGMENT_RIGHT_WALL = 3  //!< inlier on the right wall
+enum SegmentLabel {
+    SEGMENT_REJECTED = 0,  //!< not a candidate: too short or too slanted to be the image of a vertical line
+    SEGMENT_OUTLIER = 1,   //!< candidate that disagrees with the motion
+    SEGMENT_LEFT_WALL = 2, //!< inlier on the left (or only) wall
+    SEGMENT_RIGHT_WALL = 3 //!< inlier on the right wall
 };
 
 /** @brief Detects line segments in an image.
 
-Images of more than 0.8 megapixels are searched in halved form, in which straight lines can still be seen. Then, and after
-detectors other than LSD, the ends are refined to a fraction of a pixel in the image itself.
+Images of more than 0.8 megapixels are searched in halved form, in which straight lines can still be seen. Then, and
+after detectors other than LSD, the ends are refined to a fraction of a pixel in the image itself.
 @param image grey or colour image, 8 or 16 bit.
 @param segments N x 4 matrix CV_32F with rows (x1, y1, x2, y2) in pixels, or vector<Vec4f>.
 @param detector one of #SegmentDetector.
 @param minLength length in pixels below which segments are left out.
  */
-CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int detector = DETECTOR_LSD, double minLength = 35);
+CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int detector = DETECTOR_LSD,
+                                 double minLength = 35);
 
 /** @brief Estimates the motion of the car during one rolling-shutter image.
 
 Vertical lines of the scene (walls, posts, windows) are slanted and bent by the motion. The estimator
 -# keeps the segments that can be images of vertical lines within the limits of motion,
--# refines the motion with the exact model and a robust loss on all candidates; the other segments say where the street goes
-    and, with the candidates, how far gravity is off; the prior counts as further measurements,
--# averages the correction over all motions that are possible, a camera at rest among them, weighted by their probability, so that the
-    displacement that is to be expected is the smallest. If that isn't below that of the raw image, as it is if the camera is at rest with
-    a probability above one half, no motion is reported.
+-# refines the motion with the exact model and a robust loss on all candidates; the other segments say where the street
+goes and, with the candidates, how far gravity is off; the prior counts as further measurements,
+-# averages the correction over all motions that are possible, a camera at rest among them, weighted by their
+probability, so that the displacement that is to be expected is the smallest. If that isn't below that of the raw image,
+as it is if the camera is at rest with a probability above one half, no motion is reported.
 
-With Params::gravitySigma 0, or with a Params::model, a consensus of minimal solvers (solve1LA, solve3LA, solve4LA) in a locally optimised
-RANSAC @cite chum2003locally is refined in place of the average, and an information criterion chooses the model.
+With Params::gravitySigma 0, or with a Params::model, a consensus of minimal solvers (solve1LA, solve3LA, solve4LA) in a
+locally optimised RANSAC @cite chum2003locally is refined in place of the average, and an information criterion chooses
+the model.
 
 The result is the same for the same seed, whatever the number of threads.
 
-All const methods, estimate() and estimateFromImage() among them, may run at the same time in several threads on the same object; the
-others need an object that no other thread uses meanwhile.
+All const methods, estimate() and estimateFromImage() among them, may run at the same time in several threads on the
+same object; the others need an object that no other thread uses meanwhile.
 @sa @cite purkait2018minimal
  */
 class CV_EXPORTS_W AckermannEstimator : public Algorithm
@@ -65,33 +64,48 @@ class CV_EXPORTS_W AckermannEstimator : public Algorithm
 public:
     /** @brief Parameters of the estimation.
 
-    Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+    Const methods may run at the same time in several threads on the same object; changes need an object that no other
+    thread uses meanwhile.
      */
     struct CV_EXPORTS_W_SIMPLE Params
     {
-        CV_WRAP Params(); //!< the defaults
-        CV_PROP_RW int model;             //!< one of #MotionModel, default #MODEL_AUTO
-        CV_PROP_RW int detector;          //!< one of #SegmentDetector, default #DETECTOR_LSD
-        CV_PROP_RW double minLength;      //!< pixels; shorter segments are left out, default 35
-        CV_PROP_RW double maxSlant;       //!< largest tangent of the angle between a candidate and the vertical, used unless maxYawRate and maxSpeed limit it, default 0.35
-        CV_PROP_RW double slantTolerance; //!< tangent of the angle by which noise and an inexact gravity may exceed the limits of motion, default 0.06
-        CV_PROP_RW int minCandidates;     //!< with fewer candidates no motion is estimated, default 6
-        CV_PROP_RW double threshold;      //!< pixels; a candidate with a smaller residual is an inlier, default 0.5
-        CV_PROP_RW double confidence;     //!< probability with which RANSAC has found the best consensus, default 0.99
-        CV_PROP_RW int maxIterations;     //!< largest number of minimal samples, default 5000
-        CV_PROP_RW int seed;              //!< of the random numbers, default 0
-        CV_PROP_RW double maxYawRate;     //!< radians per second, default 90 degrees per second; used if lineDelay is known
-        CV_PROP_RW double maxSpeed;       //!< metres per second, default 200 km/h; used if lineDelay and the wall's distance are known
-        CV_PROP_RW double wallDistance;   //!< metres to the left (or only) wall; 0: unknown (default)
-        CV_PROP_RW double roadRatio;      //!< distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0 (default): the usual one of streets, walls at 8 m and cameras at 1.3 m
-        CV_PROP_RW bool scaleFromRoad;    //!< if wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on the road, default false
-        /** radians; standard deviation of the vehicle's roll, by which the camera's upright rotation is off against the verticals of the scene and
-        which is then corrected. 0: the upright rotation is exact; default 1 degree, as the crown of a road and the suspension make it */
+        CV_WRAP Params();            //!< the defaults
+        CV_PROP_RW int model;        //!< one of #MotionModel, default #MODEL_AUTO
+        CV_PROP_RW int detector;     //!< one of #SegmentDetector, default #DETECTOR_LSD
+        CV_PROP_RW double minLength; //!< pixels; shorter segments are left out, default 35
+        //! Largest tangent of the angle between a candidate and the vertical, used unless maxYawRate and maxSpeed limit
+        //! it, default 0.35
+        CV_PROP_RW double maxSlant;
+        //! Tangent of the angle by which noise and an inexact gravity may exceed the limits of motion, default 0.06
+        CV_PROP_RW double slantTolerance;
+        CV_PROP_RW int minCandidates; //!< with fewer candidates no motion is estimated, default 6
+        CV_PROP_RW double threshold;  //!< pixels; a candidate with a smaller residual is an inlier, default 0.5
+        CV_PROP_RW double confidence; //!< probability with which RANSAC has found the best consensus, default 0.99
+        CV_PROP_RW int maxIterations; //!< largest number of minimal samples, default 5000
+        CV_PROP_RW int seed;          //!< of the random numbers, default 0
+        //! Radians per second, default 90 degrees per second; used if lineDelay is known
+        CV_PROP_RW double maxYawRate;
+        //! Metres per second, default 200 km/h; used if lineDelay and the wall's distance are known
+        CV_PROP_RW double maxSpeed;
+        CV_PROP_RW double wallDistance; //!< metres to the left (or only) wall; 0: unknown (default)
+        //! Distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0
+        //! (default): the usual one of streets, walls at 8 m and cameras at 1.3 m
+        CV_PROP_RW double roadRatio;
+        //! If wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on
+        //! the road, default false
+        CV_PROP_RW bool scaleFromRoad;
+        /** radians; standard deviation of the vehicle's roll, by which the camera's upright rotation is off against the
+        verticals of the scene and which is then corrected. 0: the upright rotation is exact; default 1 degree, as the
+        crown of a road and the suspension make it */
         CV_PROP_RW double gravitySigma;
-        CV_PROP_RW double vehiclePitchSigma; //!< radians; the same for the vehicle's pitch, used unless gravitySigma is 0, default 0.3 degrees
-        CV_PROP_RW double wallDeviationSigma; //!< standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0: unknown, default 0.4
-        /** radians per second; how fast the vehicle usually turns, if gravity is uncertain and no yaw rate is told: the scale of Student's t
-        distribution with two degrees of freedom, half of all yaw rates are below 0.82 of it. Default 5 degrees per second, as cars drive */
+        //! Radians; the same for the vehicle's pitch, used unless gravitySigma is 0, default 0.3 degrees
+        CV_PROP_RW double vehiclePitchSigma;
+        //! Standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0:
+        //! unknown, default 0.4
+        CV_PROP_RW double wallDeviationSigma;
+        /** radians per second; how fast the vehicle usually turns, if gravity is uncertain and no yaw rate is told: the
+        scale of Student's t distribution with two degrees of freedom, half of all yaw rates are below 0.82 of it.
+        Default 5 degrees per second, as cars drive */
         CV_PROP_RW double usualYawRate;
         CV_PROP_RW double reverseProbability; //!< probability that the car drives backward, default 0.02
 
@@ -115,8 +129,8 @@ public:
     @param params see AckermannEstimator::Params.
     @return the estimator; throws cv::Exception if the camera or a parameter is out of range.
      */
-    CV_WRAP static Ptr<AckermannEstimator> create(const RollingShutterCamera& camera,
-                                                  const AckermannEstimator::Params& params = AckermannEstimator::Params());
+    CV_WRAP static Ptr<AckermannEstimator>
+    create(const RollingShutterCamera& camera, const AckermannEstimator::Params& params = AckermannEstimator::Params());
 
     /** @brief Loads the camera and the parameters that Algorithm::save() has written.
     @param filename the file.
@@ -135,8 +149,8 @@ public:
     CV_WRAP virtual AckermannEstimator::Params getParams() const = 0;
 
     /** @brief Estimates the motion from line segments.
-    @param segments N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x1, y1, x2, y2) in pixels of the raw
-    image; vector<Vec4f> for short.
+    @param segments N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x1, y1, x2, y2) in pixels of the
+    raw image; vector<Vec4f> for short.
     @param labels receives an N x 1 matrix CV_8U with one of #SegmentLabel for each segment.
     @param prior knowledge from elsewhere.
     @return the motion; see AckermannMotion::status.

@@ -7,35 +7,34 @@
 
 #include "opencv2/rsackermann/camera.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! @addtogroup rsackermann
 //! @{
 
 //! The outcome of an estimate. Only with MOTION_OK is the image changed beyond the lens correction.
-enum MotionStatus
-{
-    MOTION_OK = 0,                //!< a significant motion was found
-    MOTION_NOT_SIGNIFICANT = 1,   //!< no motion explains the segments so much better than a camera at rest that its correction is expected to help
-    MOTION_TOO_FEW_SEGMENTS = 2,  //!< there are too few vertical segments
-    MOTION_NO_CONSENSUS = 3,      //!< no motion within the limits agrees with enough segments
-    MOTION_NOT_OBSERVABLE = 4     //!< the shutter goes along the columns
+enum MotionStatus {
+    MOTION_OK = 0, //!< a significant motion was found
+    //! No motion explains the segments so much better than a camera at rest that its correction is expected to help
+    MOTION_NOT_SIGNIFICANT = 1,
+    MOTION_TOO_FEW_SEGMENTS = 2, //!< there are too few vertical segments
+    MOTION_NO_CONSENSUS = 3,     //!< no motion within the limits agrees with enough segments
+    MOTION_NOT_OBSERVABLE = 4    //!< the shutter goes along the columns
 };
 
 //! The motion models, named by the number of line segments (lines, "L") that determine them.
-enum MotionModel
-{
-    MODEL_AUTO = -1, //!< for AckermannEstimator::Params::model: average over all possible motions, or, if gravity is exact, let an information criterion choose
-    MODEL_NONE = 0,  //!< camera at rest
-    MODEL_1LA = 1,   //!< pure rotation: yaw rate
-    MODEL_3LA = 3,   //!< pure translation: speed and walls
-    MODEL_4LA = 4    //!< yaw rate, speed and walls
+enum MotionModel {
+    //! For AckermannEstimator::Params::model: average over all possible motions, or, if gravity is exact, let an
+    //! information criterion choose
+    MODEL_AUTO = -1,
+    MODEL_NONE = 0, //!< camera at rest
+    MODEL_1LA = 1,  //!< pure rotation: yaw rate
+    MODEL_3LA = 3,  //!< pure translation: speed and walls
+    MODEL_4LA = 4   //!< yaw rate, speed and walls
 };
 
 //! The source of a motion's metres.
-enum MotionScale
-{
+enum MotionScale {
     SCALE_UNKNOWN = 0, //!< there are none: the road is assumed where it usually is
     SCALE_WALL = 1,    //!< AckermannEstimator::Params::wallDistance
     SCALE_ROAD = 2,    //!< RollingShutterCamera::height, and walls that are seen to stand on the road
@@ -46,25 +45,28 @@ enum MotionScale
 class CV_EXPORTS_W_SIMPLE MetricMotion
 {
 public:
-    CV_WRAP MetricMotion(); //!< a camera at rest, without walls
+    CV_WRAP MetricMotion();          //!< a camera at rest, without walls
     CV_PROP_RW double yawRate;       //!< radians per second, positive if the car turns to the right
     CV_PROP_RW double speed;         //!< metres per second, negative in reverse
     CV_PROP_RW double leftDistance;  //!< metres from the camera to the left wall; 0: no left wall
     CV_PROP_RW double rightDistance; //!< metres from the camera to the right wall; 0: no right wall
-    CV_PROP_RW double wallDirection; //!< radians from the horizontal optical axis to the direction along the walls, positive to the right; a street that the car follows has the heading
+    //! Radians from the horizontal optical axis to the direction along the walls, positive to the right; a street that
+    //! the car follows has the heading
+    CV_PROP_RW double wallDirection;
 };
 
 /** @brief The motion of the car during one image and the coarse depth of the scene.
 
 The scaled inverse depth \f$w = \beta / s\f$ of the scene is linear on each plane at the global-shutter point
 \f$(x, y)\f$ of the upright frame: left (or only) wall \f$D - B x\f$, right wall \f$\lambda (B x - D)\f$, road \f$G y\f$
-with the slope B (wallSlope) and the offset D (wallOffset) of the left wall, the ratio \f$\lambda\f$ (wallRatio) and the slope G (roadSlope).
-The nearest plane is seen. A scene with only one wall has \f$\lambda = 0\f$; there the wall may be on either side and
-B may have either sign.
+with the slope B (wallSlope) and the offset D (wallOffset) of the left wall, the ratio \f$\lambda\f$ (wallRatio) and the
+slope G (roadSlope). The nearest plane is seen. A scene with only one wall has \f$\lambda = 0\f$; there the wall may be
+on either side and B may have either sign.
 
 The methods take the values as they are, whatever the status, unless they say something else.
 
-Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+Const methods may run at the same time in several threads on the same object; changes need an object that no other
+thread uses meanwhile.
  */
 class CV_EXPORTS_W_SIMPLE AckermannMotion
 {
@@ -79,22 +81,24 @@ public:
      */
     CV_WRAP static AckermannMotion fromMetric(const RollingShutterCamera& camera, const MetricMotion& metric);
 
-    //! Column of the line at infinity of the walls in the upright frame, wallOffset / wallSlope; 0 if the walls are parallel to the image.
+    //! Column of the line at infinity of the walls in the upright frame, wallOffset / wallSlope; 0 if the walls are
+    //! parallel to the image.
     CV_WRAP double delta() const;
 
     /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second; positive to the right.
     @param camera the camera with which the motion was estimated.
     @param radiansPerSecond receives the yaw rate; 0 if it is unknown.
-    @return false if lineDelay is unknown, or if nothing is known of the motion, which is at a #status other than #MOTION_OK and
-    #MOTION_NOT_SIGNIFICANT. With the latter it is 0: that of a camera at rest.
+    @return false if lineDelay is unknown, or if nothing is known of the motion, which is at a #status other than
+    #MOTION_OK and #MOTION_NOT_SIGNIFICANT. With the latter it is 0: that of a camera at rest.
      */
     CV_WRAP bool yawRate(const RollingShutterCamera& camera, CV_OUT double& radiansPerSecond) const;
 
-    /** @brief Speed, \f$\pm\sqrt{B^2+D^2} \cdot wallDistance\f$ / secondsPerUnitTime, in metres per second; negative in reverse.
+    /** @brief Speed, \f$\pm\sqrt{B^2+D^2} \cdot wallDistance\f$ / secondsPerUnitTime, in metres per second; negative in
+    reverse.
     @param camera the camera with which the motion was estimated.
     @param metresPerSecond receives the speed; 0 if it is unknown.
-    @return false if wallDistance or lineDelay is unknown. The estimator knows wallDistance with #MOTION_OK alone and then tells by
-    #scale where it comes from: with #SCALE_SPEED the result is the speed of the prior, no measurement.
+    @return false if wallDistance or lineDelay is unknown. The estimator knows wallDistance with #MOTION_OK alone and
+    then tells by #scale where it comes from: with #SCALE_SPEED the result is the speed of the prior, no measurement.
      */
     CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
 
@@ -102,15 +106,16 @@ public:
     @param camera the camera.
     @param time row time, see RollingShutterCamera::rowTime.
     @param R rotation from the camera frame at that time to the camera frame at the reference row.
-    @param T position of the camera at that time in the camera frame at the reference row, in the unit of length in which the
-    horizontal depth of a point with scaled inverse depth w is 1/|w|; 0 if the motion is a pure rotation. In metres, on the same
-    conditions as speed(), with the factor \f$wallDistance \sqrt{wallSlope^2 + wallOffset^2}\f$.
+    @param T position of the camera at that time in the camera frame at the reference row, in the unit of length in
+    which the horizontal depth of a point with scaled inverse depth w is 1/|w|; 0 if the motion is a pure rotation. In
+    metres, on the same conditions as speed(), with the factor \f$wallDistance \sqrt{wallSlope^2 + wallOffset^2}\f$.
      */
     CV_WRAP void pose(const RollingShutterCamera& camera, double time, CV_OUT Matx33d& R, CV_OUT Vec3d& T) const;
 
     /** @brief Covariance of the metric values yaw rate (rad/s), speed (m/s), delta and wallRatio, in this order.
 
-    It includes the uncertainty of gravity. Rows and columns of values that are unknown, see yawRate() and speed(), or not part of the model are 0.
+    It includes the uncertainty of gravity. Rows and columns of values that are unknown, see yawRate() and speed(), or
+    not part of the model are 0.
     @param camera the camera with which the motion was estimated.
     @return the symmetric matrix.
      */
@@ -130,11 +135,12 @@ public:
     //! Reads the fields that write() has written; the others keep their values.
     CV_WRAP void read(const FileNode& fn);
 
-    CV_PROP_RW int status;   //!< one of #MotionStatus
-    CV_PROP_RW int model;    //!< one of #MotionModel
+    CV_PROP_RW int status; //!< one of #MotionStatus
+    CV_PROP_RW int model;  //!< one of #MotionModel
 
-    CV_PROP_RW double alpha;      //!< half of the yaw per unit of row time
-    CV_PROP_RW double wallSlope;  //!< slope of the left (or only) wall's scaled inverse depth; beta in the gauge of the paper
+    CV_PROP_RW double alpha; //!< half of the yaw per unit of row time
+    //! Slope of the left (or only) wall's scaled inverse depth; beta in the gauge of the paper
+    CV_PROP_RW double wallSlope;
     CV_PROP_RW double wallOffset; //!< left (or only) wall's scaled inverse depth at x = 0
     CV_PROP_RW double wallRatio;  //!< ratio of the wall distances left / right; 0: one wall
     CV_PROP_RW double roadSlope;  //!< slope of the road's scaled inverse depth; 0: no road
@@ -145,8 +151,11 @@ public:
     CV_PROP_RW double wallDistance;    //!< metres to the left (or only) wall; 0: unknown
     CV_PROP_RW int scale;              //!< one of #MotionScale
 
-    CV_PROP_RW Matx44d covariance;     //!< of (alpha, wallSlope, wallOffset, wallRatio), including the uncertainty of gravity; 0 for values that aren't part of the model
-    CV_PROP_RW bool rollYawAmbiguous;  //!< whether roll and yaw rate can't be told apart: the uncertainty of the roll decides that of the yaw rate
+    //! Of (alpha, wallSlope, wallOffset, wallRatio), including the uncertainty of gravity; 0 for values that aren't
+    //! part of the model
+    CV_PROP_RW Matx44d covariance;
+    //! Whether roll and yaw rate can't be told apart: the uncertainty of the roll decides that of the yaw rate
+    CV_PROP_RW bool rollYawAmbiguous;
 
     CV_PROP_RW int candidates; //!< segments that passed the gates
     CV_PROP_RW int inliers;    //!< candidates that agree with the motion
@@ -160,7 +169,8 @@ public:
 
 Each piece is used if its standard deviation is positive.
 
-Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+Const methods may run at the same time in several threads on the same object; changes need an object that no other
+thread uses meanwhile.
  */
 class CV_EXPORTS_W_SIMPLE MotionPrior
 {
@@ -182,11 +192,15 @@ public:
     //! Reads the fields that write() has written; the others keep their values.
     CV_WRAP void read(const FileNode& fn);
 
-    CV_PROP_RW double speed;        //!< metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; says most with AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road
-    CV_PROP_RW double speedSigma;   //!< standard deviation of speed; 0 (default): not known
-    CV_PROP_RW double yawRate;      //!< radians per second, positive to the right; needs RollingShutterCamera::lineDelay
+    //! Metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; says most with
+    //! AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road
+    CV_PROP_RW double speed;
+    CV_PROP_RW double speedSigma; //!< standard deviation of speed; 0 (default): not known
+    //! Radians per second, positive to the right; needs RollingShutterCamera::lineDelay
+    CV_PROP_RW double yawRate;
     CV_PROP_RW double yawRateSigma; //!< standard deviation of yawRate; 0 (default): not known
-    CV_PROP_RW double wallDirection;      //!< azimuth of the line at infinity of the walls in the upright frame, radians; its column is the tangent
+    //! Azimuth of the line at infinity of the walls in the upright frame, radians; its column is the tangent
+    CV_PROP_RW double wallDirection;
     CV_PROP_RW double wallDirectionSigma; //!< standard deviation of wallDirection; 0 (default): not known
 };
 

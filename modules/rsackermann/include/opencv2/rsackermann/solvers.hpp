@@ -7,15 +7,15 @@
 
 #include "opencv2/rsackermann/motion.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! @addtogroup rsackermann
 //! @{
 
 /** @brief Horizontal part of an upright bearing, of any positive length.
 
-The compensated column of a point doesn't depend on its height, so that this and the row time are all that the solvers need.
+The compensated column of a point doesn't depend on its height, so that this and the row time are all that the solvers
+need.
  */
 struct CV_EXPORTS HorizontalBearing
 {
@@ -48,8 +48,7 @@ struct CV_EXPORTS MinimalSolution
 };
 
 //! The point at which solve4LA() takes the depth of a wall; both cost the same.
-enum DepthModel
-{
+enum DepthModel {
     DEPTH_GLOBAL_SHUTTER = 0, //!< the point of the global-shutter image, which is closer to the truth (default)
     DEPTH_ROLLING_SHUTTER = 1 //!< the point of the raw image, as in @cite purkait2018minimal
 };
@@ -81,29 +80,35 @@ CV_EXPORTS int solve1LA(const VerticalSegment& segment, const SolverOptions& opt
 @return number of solutions; 0 for degenerate segments or lambda <= 0.
 @sa @cite purkait2018minimal section 3.2
  */
-CV_EXPORTS int solve3LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[1]);
+CV_EXPORTS int solve3LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options,
+                        MinimalSolution solutions[1]);
 
 /** @brief Yaw rate and translation along two walls (4-LA) to first order in alpha: the roots of a cubic.
-@param segments three images of vertical lines on the left (or only) wall and, if twoWalls, a fourth one on the right wall.
+@param segments three images of vertical lines on the left (or only) wall and, if twoWalls, a fourth one on the right
+wall.
 @param twoWalls whether there is a fourth segment; otherwise lambda is 0.
 @param options heading and limits.
 @param solutions receives at most three solutions.
 @return number of solutions; 0 for degenerate segments.
 @sa @cite purkait2018minimal section 3.3
  */
-CV_EXPORTS int solve4LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[3]);
+CV_EXPORTS int solve4LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options,
+                        MinimalSolution solutions[3]);
 
-/** @brief Yaw rate and translation along two walls (4-LA) with the exact motion and the depth at the global-shutter point.
+/** @brief Yaw rate and translation along two walls (4-LA) with the exact motion and the depth at the global-shutter
+point.
 
 The roots inside the limits of a polynomial of degree 8 or less in alpha, polished on the exact trigonometric equation.
-@param segments three images of vertical lines on the left (or only) wall and, if twoWalls, a fourth one on the right wall.
+@param segments three images of vertical lines on the left (or only) wall and, if twoWalls, a fourth one on the right
+wall.
 @param twoWalls whether there is a fourth segment; otherwise lambda is 0.
 @param options heading and limits.
 @param solutions receives at most eight solutions.
 @return number of solutions; 0 for degenerate segments.
 @sa @cite purkait2018minimal section 3.4
  */
-CV_EXPORTS int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options, MinimalSolution solutions[8]);
+CV_EXPORTS int solve4LAExact(const VerticalSegment* segments, bool twoWalls, const SolverOptions& options,
+                             MinimalSolution solutions[8]);
 
 /** @brief Translation along two walls for a known yaw rate, exact.
 @param segments two images of vertical lines on the left (or only) wall and, if twoWalls, a third one on the right wall.
@@ -113,19 +118,20 @@ CV_EXPORTS int solve4LAExact(const VerticalSegment* segments, bool twoWalls, con
 @param solutions receives at most one solution.
 @return number of solutions; 0 for degenerate segments.
  */
-CV_EXPORTS int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls, double alpha, const SolverOptions& options,
-                                 MinimalSolution solutions[1]);
+CV_EXPORTS int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls, double alpha,
+                                 const SolverOptions& options, MinimalSolution solutions[1]);
 
 /** @brief Yaw rate and walls for a known speed, exact: the paper's other gauge.
 @param segments two images of vertical lines on the left (or only) wall and, if twoWalls, a third one on the right wall.
 @param twoWalls whether there is a third segment; otherwise lambda is 0.
-@param scaledSpeed known sqrt(B^2 + D^2): speed times RollingShutterCamera::secondsPerUnitTime over the distance of the left (or only) wall.
+@param scaledSpeed known sqrt(B^2 + D^2): speed times RollingShutterCamera::secondsPerUnitTime over the distance of the
+left (or only) wall.
 @param options heading and limits.
 @param solutions receives at most eight solutions.
 @return number of solutions; 0 for degenerate segments.
  */
-CV_EXPORTS int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scaledSpeed, const SolverOptions& options,
-                               MinimalSolution solutions[8]);
+CV_EXPORTS int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scaledSpeed,
+                               const SolverOptions& options, MinimalSolution solutions[8]);
 
 /** @brief Yaw rate and speed for a known line at infinity of the walls, exact.
 @param segments two images of vertical lines on the left (or only) wall and, if twoWalls, a third one on the right wall.
@@ -135,8 +141,8 @@ CV_EXPORTS int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, d
 @param solutions receives at most six solutions.
 @return number of solutions; 0 for degenerate segments.
  */
-CV_EXPORTS int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, double azimuth, const SolverOptions& options,
-                                       MinimalSolution solutions[6]);
+CV_EXPORTS int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, double azimuth,
+                                       const SolverOptions& options, MinimalSolution solutions[6]);
 
 //! @}
 

@@ -7,8 +7,7 @@
 
 #include "opencv2/rsackermann/motion.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! @addtogroup rsackermann
 //! @{
@@ -20,23 +19,27 @@ lens distortion. Its intrinsics and image size are those of the rolling-shutter 
 
 With a motion whose status isn't #MOTION_OK the maps undo (or simulate) the lens only.
 
-All const methods, which are those that make maps and move points, may run at the same time in several threads on the same object; the
-others need an object that no other thread uses meanwhile.
+All const methods, which are those that make maps and move points, may run at the same time in several threads on the
+same object; the others need an object that no other thread uses meanwhile.
  */
 class CV_EXPORTS_W WarpMapGenerator : public Algorithm
 {
 public:
     /** @brief Parameters of the maps.
 
-    Const methods may run at the same time in several threads on the same object; changes need an object that no other thread uses meanwhile.
+    Const methods may run at the same time in several threads on the same object; changes need an object that no other
+    thread uses meanwhile.
      */
     struct CV_EXPORTS_W_SIMPLE Params
     {
         CV_WRAP Params(); //!< the defaults
-        CV_PROP_RW Matx33d newCameraMatrix; //!< intrinsics of the global-shutter camera; all 0 (default): those of the camera
-        CV_PROP_RW Size newSize;            //!< image size of the global-shutter camera; 0 x 0 (default): that of the camera
-        CV_PROP_RW int maxIterations;       //!< of the fixed point on the row time, default 10
-        CV_PROP_RW double tolerance;        //!< pixels; the fixed point stops when a step changes the place by less, default 1e-3
+        //! Intrinsics of the global-shutter camera; all 0 (default): those of the camera
+        CV_PROP_RW Matx33d newCameraMatrix;
+        //! Image size of the global-shutter camera; 0 x 0 (default): that of the camera
+        CV_PROP_RW Size newSize;
+        CV_PROP_RW int maxIterations; //!< of the fixed point on the row time, default 10
+        //! Pixels; the fixed point stops when a step changes the place by less, default 1e-3
+        CV_PROP_RW double tolerance;
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;
@@ -77,24 +80,25 @@ public:
     //! The present parameters.
     CV_WRAP virtual WarpMapGenerator::Params getParams() const = 0;
 
-    /** @brief Maps that turn a rolling-shutter image into a global-shutter image: for each pixel of the global-shutter camera
-    the place in the raw image.
+    /** @brief Maps that turn a rolling-shutter image into a global-shutter image: for each pixel of the global-shutter
+    camera the place in the raw image.
     @param motion the motion.
     @param map1 first map, of the size of the global-shutter camera.
     @param map2 second map.
-    @param m1type type of map1 with the meaning of cv::initUndistortRectifyMap: CV_32FC1, CV_32FC2 or CV_16SC2; 0 or less
-    stands for CV_16SC2.
+    @param m1type type of map1 with the meaning of cv::initUndistortRectifyMap: CV_32FC1, CV_32FC2 or CV_16SC2; 0 or
+    less stands for CV_16SC2.
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the raw image and 0 elsewhere.
 
-    A pixel for which there is no place in the raw image (behind the camera, beyond the lens model, no convergence, at an
-    instant at which the camera would have passed a wall, a coordinate beyond +-32767, where cv::remap finds nothing) is mapped to
+    A pixel for which there is no place in the raw image (behind the camera, beyond the lens model, no convergence, at
+    an instant at which the camera would have passed a wall, a coordinate beyond +-32767, where cv::remap finds nothing)
+    is mapped to
     (-16384, -16384).
      */
-    CV_WRAP virtual void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type = CV_32FC1,
-                                        OutputArray mask = noArray()) const = 0;
+    CV_WRAP virtual void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2,
+                                        int m1type = CV_32FC1, OutputArray mask = noArray()) const = 0;
 
-    /** @brief Maps that turn a global-shutter image into a rolling-shutter image: for each pixel of the raw image the place in
-    the image of the global-shutter camera.
+    /** @brief Maps that turn a global-shutter image into a rolling-shutter image: for each pixel of the raw image the
+    place in the image of the global-shutter camera.
     @param motion the motion.
     @param map1 first map, of the size of the raw image.
     @param map2 second map.
@@ -103,35 +107,40 @@ public:
 
     A raw pixel sees the nearest plane along its ray, or infinity if the ray meets none. The planes surround the camera
     without hiding one another, unless it passes a wall; rows at whose instant it would have done so are mapped to
-    (-16384, -16384), and so are pixels for which the lens model has no ray or whose place has a coordinate beyond +-32767.
+    (-16384, -16384), and so are pixels for which the lens model has no ray or whose place has a coordinate beyond
+    +-32767.
      */
-    CV_WRAP virtual void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type = CV_32FC1,
-                                        OutputArray mask = noArray()) const = 0;
+    CV_WRAP virtual void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2,
+                                        int m1type = CV_32FC1, OutputArray mask = noArray()) const = 0;
 
     /** @brief Moves points of the raw image to where the global-shutter camera sees them.
     @param motion the motion.
-    @param src points in pixels of the raw image: N x 2 matrix, or N x 1 or 1 x N matrix with two channels, CV_32F or CV_64F.
-    @param dst points in pixels of the global-shutter camera, of the size and type of src; (-16384, -16384) if there is none.
-    @param depths metres along the optical axis of the global-shutter camera to each point, N values CV_32F or CV_64F; for
-    points whose value is not positive, and without this argument, the planes of the motion are used. Depths need
+    @param src points in pixels of the raw image: N x 2 matrix, or N x 1 or 1 x N matrix with two channels, CV_32F or
+    CV_64F.
+    @param dst points in pixels of the global-shutter camera, of the size and type of src; (-16384, -16384) if there is
+    none.
+    @param depths metres along the optical axis of the global-shutter camera to each point, N values CV_32F or CV_64F;
+    for points whose value is not positive, and without this argument, the planes of the motion are used. Depths need
     AckermannMotion::wallDistance, or AckermannMotion::roadSlope and RollingShutterCamera::height.
-    @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not, and 0
-    for the others.
+    @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not,
+    and 0 for the others.
 
-    A point has no place if a pixel at that point would have none in a map: a place with a coordinate beyond +-32767 is none.
+    A point has no place if a pixel at that point would have none in a map: a place with a coordinate beyond +-32767 is
+    none.
      */
-    CV_WRAP virtual void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths = noArray(),
-                                       OutputArray mask = noArray()) const = 0;
+    CV_WRAP virtual void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst,
+                                       InputArray depths = noArray(), OutputArray mask = noArray()) const = 0;
 
-    /** @brief Moves points of the global-shutter camera to where the raw image shows them; the inverse of correctPoints().
+    /** @brief Moves points of the global-shutter camera to where the raw image shows them; the inverse of
+    correctPoints().
     @param motion the motion.
     @param src points in pixels of the global-shutter camera, as in correctPoints().
     @param dst points in pixels of the raw image, of the size and type of src; (-16384, -16384) if there is none.
     @param depths as in correctPoints().
     @param mask as in correctPoints().
      */
-    CV_WRAP virtual void distortPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths = noArray(),
-                                       OutputArray mask = noArray()) const = 0;
+    CV_WRAP virtual void distortPoints(const AckermannMotion& motion, InputArray src, OutputArray dst,
+                                       InputArray depths = noArray(), OutputArray mask = noArray()) const = 0;
 
     /** @brief The largest rectangle of the global-shutter image all of whose pixels are seen in the raw image.
     @param motion the motion.
@@ -147,7 +156,8 @@ public:
     @param newSize image size of the global-shutter camera, at least 2 x 2; 0 x 0: Params::newSize.
     @return the matrix; the present one of the global-shutter camera if a border of the raw image has no place in it.
      */
-    CV_WRAP virtual Matx33d optimalNewCameraMatrix(const AckermannMotion& motion, double alpha, const Size& newSize = Size()) const = 0;
+    CV_WRAP virtual Matx33d optimalNewCameraMatrix(const AckermannMotion& motion, double alpha,
+                                                   const Size& newSize = Size()) const = 0;
 };
 
 //! @}

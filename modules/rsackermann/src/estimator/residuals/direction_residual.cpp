@@ -6,8 +6,7 @@
 #include "direction_residual.hpp"
 #include "direction_terms.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 double directionResidual(const UprightSegment& c, const PreparedModel& model, double* jacobian)
 {

@@ -8,14 +8,13 @@
 #include "../upright_segment.hpp"
 #include "prepared_model.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** How far a segment that isn't vertical is from pointing along the street, or across it, whichever is nearer.
 
-Both ends are compensated on the plane on which they are seen; the distance between the line through them and the vanishing
-point on the horizon, (D, 0, B) along and (-B, 0, D) across the street, is expressed as the lateral distance between the ends
-for a focal length of 1 (doc/theory.md, "Estimation").
+Both ends are compensated on the plane on which they are seen; the distance between the line through them and the
+vanishing point on the horizon, (D, 0, B) along and (-B, 0, D) across the street, is expressed as the lateral distance
+between the ends for a focal length of 1 (doc/theory.md, "Estimation").
 
 @param jacobian receives, unless it is null, the derivatives by the parameters.
 */

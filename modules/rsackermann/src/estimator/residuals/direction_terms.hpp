@@ -7,16 +7,16 @@
 
 #include "rotated_end.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** An end as the global-shutter camera sees it: the point (h1, h2) / h3 on the plane on which it is seen
 (doc/theory.md, "Compensation").
 
-With the plane's w z = D Z - B X + G Y of a direction (X, Y, Z), and the place (s2, c2) tau of the camera at the time of the
-row, (h1, h2, h3) = (N, y, M) (1 - w z of the place) + w z of (N, y, M) times the place.
+With the plane's w z = D Z - B X + G Y of a direction (X, Y, Z), and the place (s2, c2) tau of the camera at the time of
+the row, (h1, h2, h3) = (N, y, M) (1 - w z of the place) + w z of (N, y, M) times the place.
 */
-template <class T> struct CompensatedEnd
+template <class T>
+struct CompensatedEnd
 {
     T planeB, planeD, planeG; // of the plane: those of the left wall times scale, or of the road
     T scale;                  // of the wall: 1 left, -lambda right, 0 the road or infinity
@@ -35,19 +35,23 @@ template <class T> struct CompensatedEnd
     }
 
     //! Adds the derivatives of a function of (x, y) that has the derivatives byX and byY.
-    void addDerivatives(const RotatedEnd<T>& e, const PreparedModel& m, const T& byX, const T& byY, bool wantTilt, T* by) const
+    void addDerivatives(const RotatedEnd<T>& e, const PreparedModel& m, const T& byX, const T& byY, bool wantTilt,
+                        T* by) const
     {
         const T g1 = byX * inverse, g2 = byY * inverse, g3 = T(0) - (g1 * x + g2 * y);
-        const T toPlace = g1 * e.row.s2 + g3 * e.row.c2, byKept = g1 * e.N + g2 * e.y + g3 * e.M, byDepth = e.row.tau * toPlace;
+        const T toPlace = g1 * e.row.s2 + g3 * e.row.c2, byKept = g1 * e.N + g2 * e.y + g3 * e.M,
+                byDepth = e.row.tau * toPlace;
 
-        const T byWallB = byKept * e.row.tau * e.row.s2 - byDepth * e.N, byWallD = byDepth * e.M - byKept * e.row.tau * e.row.c2;
+        const T byWallB = byKept * e.row.tau * e.row.s2 - byDepth * e.N,
+                byWallD = byDepth * e.M - byKept * e.row.tau * e.row.c2;
         const T byG = byDepth * e.y * isRoad;
         by[P_B] = by[P_B] + scale * byWallB + byG * m.GbyB;
         by[P_D] = by[P_D] + scale * byWallD + byG * m.GbyD;
         by[P_LAMBDA] = by[P_LAMBDA] - isRight * (byWallB * m.B + byWallD * m.D);
 
         const T turning = T(2) * e.t, moving = e.row.tau * e.t; // of (N, M) and of the place
-        const T keptByAlpha = e.tauByAlpha * (e.row.s2 * planeB - e.row.c2 * planeD) + moving * (e.row.c2 * planeB + e.row.s2 * planeD);
+        const T keptByAlpha =
+            e.tauByAlpha * (e.row.s2 * planeB - e.row.c2 * planeD) + moving * (e.row.c2 * planeB + e.row.s2 * planeD);
         const T byN = g1 * kept - byDepth * planeB, byM = g3 * kept + byDepth * planeD;
         by[P_ALPHA] = by[P_ALPHA] + turning * (byN * e.M - byM * e.N) + byKept * keptByAlpha +
                       depth * (e.tauByAlpha * toPlace + moving * (g1 * e.row.c2 - g3 * e.row.s2));
@@ -83,9 +87,10 @@ private:
 };
 
 //! A compensated segment between two points a and b, seen from a vanishing point (x, 0, z).
-template <class T> struct Chord
+template <class T>
+struct Chord
 {
-    T ex, ey;           // b - a
+    T ex, ey; // b - a
     T middleX, middleY;
 
     Chord(const T& ax, const T& ay, const T& bx, const T& by)
@@ -102,11 +107,12 @@ template <class T> struct Chord
     }
 };
 
-/** Lateral distance between the ends of a segment as seen from the vanishing point (streetX, 0, streetZ), or from that at right
-angles to it, (-streetZ, 0, streetX), whichever is smaller: how far the segment is from pointing along the street or across it.
-T is double or a vector of them.
+/** Lateral distance between the ends of a segment as seen from the vanishing point (streetX, 0, streetZ), or from that
+at right angles to it, (-streetZ, 0, streetX), whichever is smaller: how far the segment is from pointing along the
+street or across it. T is double or a vector of them.
 */
-template <class T> struct DirectionTerms
+template <class T>
+struct DirectionTerms
 {
     T value;
 
@@ -126,14 +132,16 @@ template <class T> struct DirectionTerms
     }
 
     //! Derivatives by all parameters; those by P_ROLL and P_PITCH only if wanted.
-    void derivatives(const RotatedEnd<T>& u, const RotatedEnd<T>& v, const CompensatedEnd<T>& a, const CompensatedEnd<T>& b, const PreparedModel& m,
-                     bool wantTilt, T* by) const
+    void derivatives(const RotatedEnd<T>& u, const RotatedEnd<T>& v, const CompensatedEnd<T>& a,
+                     const CompensatedEnd<T>& b, const PreparedModel& m, bool wantTilt, T* by) const
     {
         for (int p = 0; p < PARAMETERS; p++)
             by[p] = T(0);
         const T dx = vx - vz * chord.middleX, dy = T(0) - vz * chord.middleY;
-        const T byDx = T(0) - (chord.ey + value * dx * inverse) * inverse, byDy = (chord.ex - value * dy * inverse) * inverse;
-        const T byEx = dy * inverse, byEy = T(0) - dx * inverse, byMiddleX = vz * byDx * -0.5, byMiddleY = vz * byDy * -0.5;
+        const T byDx = T(0) - (chord.ey + value * dx * inverse) * inverse,
+                byDy = (chord.ex - value * dy * inverse) * inverse;
+        const T byEx = dy * inverse, byEy = T(0) - dx * inverse, byMiddleX = vz * byDx * -0.5,
+                byMiddleY = vz * byDy * -0.5;
         a.addDerivatives(u, m, byMiddleX - byEx, byMiddleY - byEy, wantTilt, by);
         b.addDerivatives(v, m, byMiddleX + byEx, byMiddleY + byEy, wantTilt, by);
 

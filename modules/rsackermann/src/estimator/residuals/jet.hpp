@@ -8,8 +8,7 @@
 #include "../model.hpp"
 #include <cmath>
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! A number with its derivatives by the parameters: exact Jacobians by the chain rule.
 struct Jet
@@ -45,15 +44,27 @@ inline Jet combine(double value, double a, const Jet& x, double b, const Jet& y)
     return r;
 }
 
-inline Jet operator+(const Jet& x, const Jet& y) { return combine(x.value + y.value, 1, x, 1, y); }
-inline Jet operator-(const Jet& x, const Jet& y) { return combine(x.value - y.value, 1, x, -1, y); }
-inline Jet operator*(const Jet& x, const Jet& y) { return combine(x.value * y.value, y.value, x, x.value, y); }
+inline Jet operator+(const Jet& x, const Jet& y)
+{
+    return combine(x.value + y.value, 1, x, 1, y);
+}
+inline Jet operator-(const Jet& x, const Jet& y)
+{
+    return combine(x.value - y.value, 1, x, -1, y);
+}
+inline Jet operator*(const Jet& x, const Jet& y)
+{
+    return combine(x.value * y.value, y.value, x, x.value, y);
+}
 inline Jet operator/(const Jet& x, const Jet& y)
 {
     const double q = x.value / y.value;
     return combine(q, 1 / y.value, x, -q / y.value, y);
 }
-inline Jet operator*(double a, const Jet& x) { return x.apply(a * x.value, a); }
+inline Jet operator*(double a, const Jet& x)
+{
+    return x.apply(a * x.value, a);
+}
 
 inline Jet length(const Jet& x, const Jet& y)
 {

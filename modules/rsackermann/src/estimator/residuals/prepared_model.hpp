@@ -8,8 +8,7 @@
 #include "../../compensation.hpp"
 #include "../model.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! A model with the parts of its residuals that all segments share.
 struct PreparedModel
@@ -24,8 +23,9 @@ struct PreparedModel
     //! @param roadRatio distance of the left (or only) wall over the height of the camera; 0: without a road.
     PreparedModel(const Model& m, const Heading& heading_, double roadRatio = 0, bool translates_ = true)
         : alpha(m[P_ALPHA]), B(m[P_B]), D(m[P_D]), lambda(m[P_LAMBDA]), direction(m.direction), heading(heading_),
-          cosRoll(std::cos(m[P_ROLL])), sinRoll(std::sin(m[P_ROLL])), cosPitch(std::cos(m[P_PITCH])), sinPitch(std::sin(m[P_PITCH])),
-          streetX(translates_ ? D : std::sin(m[P_STREET])), streetZ(translates_ ? B : std::cos(m[P_STREET])), translates(translates_)
+          cosRoll(std::cos(m[P_ROLL])), sinRoll(std::sin(m[P_ROLL])), cosPitch(std::cos(m[P_PITCH])),
+          sinPitch(std::sin(m[P_PITCH])), streetX(translates_ ? D : std::sin(m[P_STREET])),
+          streetZ(translates_ ? B : std::cos(m[P_STREET])), translates(translates_)
     {
         const double size = std::sqrt(B * B + D * D), road = direction * roadRatio;
         G = road * size;

@@ -6,15 +6,15 @@
 #include "../../camera/line_delay_sigma.hpp"
 #include "prior_residuals.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const double USUAL_TURN = 0.5; // standard deviation of alpha over its limit
 
-PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                       const MotionLimits& limits)
-    : alpha(0), alphaSigma(0), scaledSpeed(0), scaledSpeedSigma(0), street(prior.wallDirection), streetSigma(prior.wallDirectionSigma),
-      usualAlpha(USUAL_TURN * limits.maxAlpha), heading(camera.heading), headingSigma(params.wallDeviationSigma), reversePenalty(-2 * std::log(params.reverseProbability))
+PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera,
+                       const AckermannEstimator::Params& params, const MotionLimits& limits)
+    : alpha(0), alphaSigma(0), scaledSpeed(0), scaledSpeedSigma(0), street(prior.wallDirection),
+      streetSigma(prior.wallDirectionSigma), usualAlpha(USUAL_TURN * limits.maxAlpha), heading(camera.heading),
+      headingSigma(params.wallDeviationSigma), reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
     if (unit > 0 && prior.yawRateSigma > 0)
@@ -32,7 +32,8 @@ PriorTerms::PriorTerms(const MotionPrior& prior, const RollingShutterCamera& cam
 int PriorTerms::evaluate(const Model& model, const MotionHypothesis& hypothesis, Jet residuals[MAX_RESIDUALS]) const
 {
     int n = 0;
-    const Jet a = Jet::variable(model[P_ALPHA], P_ALPHA), B = Jet::variable(model[P_B], P_B), D = Jet::variable(model[P_D], P_D);
+    const Jet a = Jet::variable(model[P_ALPHA], P_ALPHA), B = Jet::variable(model[P_B], P_B),
+              D = Jet::variable(model[P_D], P_D);
     if (alphaSigma > 0)
         residuals[n++] = (1 / alphaSigma) * (a - alpha);
     if (scaledSpeedSigma > 0)

@@ -8,8 +8,7 @@
 #include "../upright_segment.hpp"
 #include "jet.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 const double USUAL_LOG_RATIO = 0.8; //!< standard deviation of the logarithm of the ratio of the walls
 
@@ -19,13 +18,17 @@ deviations (doc/theory.md, "Estimation"). A sigma of 0: not known.
 struct PriorTerms
 {
     double alpha, alphaSigma;
-    double scaledSpeed, scaledSpeedSigma;       // of sqrt(B^2 + D^2), with the sign of the direction
-    double street, streetSigma;   // azimuth of the street
-    double usualAlpha;            // cars seldom turn faster
-    double heading, headingSigma; // the walls are along the vehicle's forward direction, more or less
-    double reversePenalty;        // cost of driving backward
+    double scaledSpeed, scaledSpeedSigma; // of sqrt(B^2 + D^2), with the sign of the direction
+    double street, streetSigma;           // azimuth of the street
+    double usualAlpha;                    // cars seldom turn faster
+    double heading, headingSigma;         // the walls are along the vehicle's forward direction, more or less
+    double reversePenalty;                // cost of driving backward
 
-    PriorTerms() : alpha(0), alphaSigma(0), scaledSpeed(0), scaledSpeedSigma(0), street(0), streetSigma(0), usualAlpha(0), heading(0), headingSigma(0), reversePenalty(0) {}
+    PriorTerms()
+        : alpha(0), alphaSigma(0), scaledSpeed(0), scaledSpeedSigma(0), street(0), streetSigma(0), usualAlpha(0),
+          heading(0), headingSigma(0), reversePenalty(0)
+    {
+    }
     PriorTerms(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                const MotionLimits& limits);
 

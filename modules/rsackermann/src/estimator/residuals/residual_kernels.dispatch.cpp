@@ -8,22 +8,22 @@
 #include "residual_kernels.simd.hpp"
 #include "estimator/residuals/residual_kernels.simd_declarations.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                  ResidualSums& sums)
+void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                  const FreeParameters& unknowns, ResidualSums& sums)
 {
     CV_CPU_DISPATCH(addVerticals, (segments, model, loss, unknowns, sums), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                   ResidualSums& sums)
+void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                   const FreeParameters& unknowns, ResidualSums& sums)
 {
     CV_CPU_DISPATCH(addDirections, (segments, model, loss, unknowns, sums), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold, double best, int& inliers)
+double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
+                      double best, int& inliers)
 {
     CV_CPU_DISPATCH(scoreVerticals, (segments, model, focal, threshold, best, inliers), CV_CPU_DISPATCH_MODES_ALL);
 }

@@ -11,8 +11,7 @@
 
 // Sums over the residuals of all segments, in vectors of the widest kind that the processor has.
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! The unknowns of a refinement.
 struct FreeParameters
@@ -43,26 +42,27 @@ struct ResidualSums
 };
 
 //! Adds the residuals of candidates for verticals (vertical_residual.hpp).
-void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                  ResidualSums& sums);
+void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                  const FreeParameters& unknowns, ResidualSums& sums);
 
 //! Adds the residuals of the other segments (direction_residual.hpp).
-void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                   ResidualSums& sums);
+void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                   const FreeParameters& unknowns, ResidualSums& sums);
 
 /** MSAC score of candidates for verticals: the sum of min(r^2, threshold^2) of the residuals r in pixels.
 @param best the sum may stop with any value above it.
 @param inliers receives the number of residuals below the threshold.
 */
-double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold, double best, int& inliers);
+double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
+                      double best, int& inliers);
 
 /** The ends of segments as the global-shutter camera sees them.
 @param points receives the four arrays of x and y of the ends u and v, each of the padded size.
 */
 void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points);
 
-/** Robust cost of a street in the direction (streetX, streetZ): the sum of r^2 / (1 + r^2) of the residuals of compensated segments
-(direction_residual.hpp) times scale.
+/** Robust cost of a street in the direction (streetX, streetZ): the sum of r^2 / (1 + r^2) of the residuals of
+compensated segments (direction_residual.hpp) times scale.
 @param points of compensateSegments().
 @param padded size of their arrays.
 */

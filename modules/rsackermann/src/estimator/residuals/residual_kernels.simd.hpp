@@ -9,16 +9,16 @@
 #endif
 #include "residual_kernels.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                  ResidualSums& sums);
-void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                   ResidualSums& sums);
-double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold, double best, int& inliers);
+void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                  const FreeParameters& unknowns, ResidualSums& sums);
+void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                   const FreeParameters& unknowns, ResidualSums& sums);
+double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
+                      double best, int& inliers);
 void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points);
 double streetCost(const double* points, int padded, double streetX, double streetZ, double scale);
 
@@ -28,21 +28,24 @@ namespace {
 
 typedef PackOf<double> Pack;
 
-template <class Number> PackOf<Number> load(const SegmentArrays& segments, SegmentArrays::Field field, int i)
+template <class Number>
+PackOf<Number> load(const SegmentArrays& segments, SegmentArrays::Field field, int i)
 {
     return PackOf<Number>::load(segments.at(field, Number()) + i);
 }
 
-template <class Number> RotatedEnd<PackOf<Number> > endU(const SegmentArrays& s, int i, const PreparedModel& m)
+template <class Number>
+RotatedEnd<PackOf<Number>> endU(const SegmentArrays& s, int i, const PreparedModel& m)
 {
-    return RotatedEnd<PackOf<Number> >(load<Number>(s, SegmentArrays::U_X, i), load<Number>(s, SegmentArrays::U_Y, i),
-                                       load<Number>(s, SegmentArrays::TIME_U, i), m);
+    return RotatedEnd<PackOf<Number>>(load<Number>(s, SegmentArrays::U_X, i), load<Number>(s, SegmentArrays::U_Y, i),
+                                      load<Number>(s, SegmentArrays::TIME_U, i), m);
 }
 
-template <class Number> RotatedEnd<PackOf<Number> > endV(const SegmentArrays& s, int i, const PreparedModel& m)
+template <class Number>
+RotatedEnd<PackOf<Number>> endV(const SegmentArrays& s, int i, const PreparedModel& m)
 {
-    return RotatedEnd<PackOf<Number> >(load<Number>(s, SegmentArrays::V_X, i), load<Number>(s, SegmentArrays::V_Y, i),
-                                       load<Number>(s, SegmentArrays::TIME_V, i), m);
+    return RotatedEnd<PackOf<Number>>(load<Number>(s, SegmentArrays::V_X, i), load<Number>(s, SegmentArrays::V_Y, i),
+                                      load<Number>(s, SegmentArrays::TIME_V, i), m);
 }
 
 // ResidualSums in vectors.
@@ -50,7 +53,8 @@ class Sums
 {
 public:
     Sums(const RobustLoss& loss, const FreeParameters& unknowns_)
-        : unknowns(unknowns_), lossWeight(loss.weight), scale2(loss.scale2), cost(0.), weights(0.), influence2(0.), slopes(0.)
+        : unknowns(unknowns_), lossWeight(loss.weight), scale2(loss.scale2), cost(0.), weights(0.), influence2(0.),
+          slopes(0.)
     {
         for (int i = 0; i < unknowns.count; i++)
         {
@@ -103,8 +107,8 @@ private:
 
 } // namespace
 
-void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                  ResidualSums& sums)
+void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                  const FreeParameters& unknowns, ResidualSums& sums)
 {
     const bool tilt = unknowns.hasTilt();
     Sums total(loss, unknowns);
@@ -119,8 +123,8 @@ void addVerticals(const SegmentArrays& segments, const PreparedModel& model, con
     total.addTo(sums);
 }
 
-void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss, const FreeParameters& unknowns,
-                   ResidualSums& sums)
+void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                   const FreeParameters& unknowns, ResidualSums& sums)
 {
     const bool tilt = unknowns.hasTilt();
     const Pack streetX(model.streetX), streetZ(model.streetZ);
@@ -138,7 +142,8 @@ void addDirections(const SegmentArrays& segments, const PreparedModel& model, co
 }
 
 // In single precision, which is 1e-4 pixels: a score only chooses among samples.
-double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold, double best, int& inliers)
+double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
+                      double best, int& inliers)
 {
     typedef PackOf<float> Vector;
     const Vector limit(threshold * threshold);
@@ -150,7 +155,8 @@ double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model,
         Vector part(0.), count(0.);
         for (int k = 0; k < betweenChecks && i < segments.size(); k++, i += Vector::COUNT)
         {
-            const VerticalTerms<Vector> residual(endU<float>(segments, i, model), endV<float>(segments, i, model), model);
+            const VerticalTerms<Vector> residual(endU<float>(segments, i, model), endV<float>(segments, i, model),
+                                                 model);
             const Vector r = residual.value * focal, r2 = r * r;
             part = part + choose(r2 < limit, r2, limit);
             count = count + choose(r2 < limit, Vector(1), Vector(0.));
@@ -168,7 +174,8 @@ void compensateSegments(const SegmentArrays& segments, const PreparedModel& mode
     const int padded = segments.paddedSize();
     for (int i = 0; i < padded; i += Pack::COUNT)
     {
-        const CompensatedEnd<Pack> a(endU<double>(segments, i, model), model), b(endV<double>(segments, i, model), model);
+        const CompensatedEnd<Pack> a(endU<double>(segments, i, model), model),
+            b(endV<double>(segments, i, model), model);
         a.x.store(points + i);
         a.y.store(points + padded + i);
         b.x.store(points + 2 * padded + i);
@@ -182,8 +189,8 @@ double streetCost(const double* points, int padded, double streetX, double stree
     Pack sum(0.);
     for (int i = 0; i < padded; i += Pack::COUNT)
     {
-        const Chord<Pack> chord(Pack::load(points + i), Pack::load(points + padded + i), Pack::load(points + 2 * padded + i),
-                                 Pack::load(points + 3 * padded + i));
+        const Chord<Pack> chord(Pack::load(points + i), Pack::load(points + padded + i),
+                                Pack::load(points + 2 * padded + i), Pack::load(points + 3 * padded + i));
         // Squares, and fractions compared without division: this is done for many directions.
         Pack along2, alongLength2, across2, acrossLength2;
         chord.momentAround(x, z, along2, alongLength2);
@@ -191,7 +198,8 @@ double streetCost(const double* points, int padded, double streetX, double stree
         along2 = along2 * along2;
         across2 = across2 * across2;
         const Pack::Mask isAlong = along2 * acrossLength2 < across2 * alongLength2;
-        const Pack moment2 = scale2 * choose(isAlong, along2, across2), length2 = choose(isAlong, alongLength2, acrossLength2);
+        const Pack moment2 = scale2 * choose(isAlong, along2, across2),
+                   length2 = choose(isAlong, alongLength2, acrossLength2);
         sum = sum + moment2 / (length2 + moment2);
     }
     return sum.sum();

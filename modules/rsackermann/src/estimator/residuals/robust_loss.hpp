@@ -5,11 +5,10 @@
 #ifndef OPENCV_RSACKERMANN_SRC_ESTIMATOR_RESIDUALS_ROBUST_LOSS_HPP
 #define OPENCV_RSACKERMANN_SRC_ESTIMATOR_RESIDUALS_ROBUST_LOSS_HPP
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** Geman-McClure loss w r^2 s^2 / (s^2 + r^2) of a residual r with the scale s and the weight w: w r^2 for small residuals, at most
-w s^2 for large ones (doc/theory.md, "Estimation").
+/** Geman-McClure loss w r^2 s^2 / (s^2 + r^2) of a residual r with the scale s and the weight w: w r^2 for small
+residuals, at most w s^2 for large ones (doc/theory.md, "Estimation").
 */
 struct RobustLoss
 {

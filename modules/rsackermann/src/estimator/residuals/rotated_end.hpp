@@ -7,14 +7,25 @@
 
 #include "prepared_model.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // T is double, or a vector of them (simd_pack.hpp).
-inline double choose(bool condition, double a, double b) { return condition ? a : b; }
-inline bool isAnyTrue(bool condition) { return condition; }
-inline double squareRoot(double x) { return std::sqrt(x); }
-inline double magnitude(double x) { return std::abs(x); }
+inline double choose(bool condition, double a, double b)
+{
+    return condition ? a : b;
+}
+inline bool isAnyTrue(bool condition)
+{
+    return condition;
+}
+inline double squareRoot(double x)
+{
+    return std::sqrt(x);
+}
+inline double magnitude(double x)
+{
+    return std::abs(x);
+}
 
 //! sinc(x), cos(x) and the derivative of sinc for angles that the series don't reach.
 inline void sincTerms(double x, double& sincX, double& cosX, double& slope)
@@ -24,17 +35,18 @@ inline void sincTerms(double x, double& sincX, double& cosX, double& slope)
     slope = (cosX - sincX) / x;
 }
 
-/** An end of a segment, turned by the corrections of gravity and then into the reference frame, with the parts that the derivatives
-take (doc/theory.md, "Compensation").
+/** An end of a segment, turned by the corrections of gravity and then into the reference frame, with the parts that the
+derivatives take (doc/theory.md, "Compensation").
 */
-template <class T> struct RotatedEnd
+template <class T>
+struct RotatedEnd
 {
-    T t;                // row time
-    T y;                // height of the bearing
-    T N, M;             // direction in the horizontal plane
+    T t;    // row time
+    T y;    // height of the bearing
+    T N, M; // direction in the horizontal plane
     RowMotionOf<T> row;
-    T tauByAlpha;       // derivative of row.tau
-    T across, along;    // parts of the direction (N, M) across and along that of the camera's place
+    T tauByAlpha;    // derivative of row.tau
+    T across, along; // parts of the direction (N, M) across and along that of the camera's place
 
     //! @param bx, by upright bearing of the end, with z = 1.
     RotatedEnd(const T& bx, const T& by, const T& t_, const PreparedModel& m) : t(t_)

@@ -5,8 +5,7 @@
 #include "../../precomp.hpp"
 #include "segment_arrays.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 static const double SAGITTA_PART = 0.3;
 
@@ -34,7 +33,8 @@ static double detectionSigma(const UprightSegment& segment, double sigma)
 void SegmentArrays::weigh(const std::vector<UprightSegment>& segments, double focal, double sigma, double lean)
 {
     for (int i = 0; i < count; i++)
-        numbers[size_t(SCALE) * padded + i] = focal / std::hypot(detectionSigma(segments[i], sigma), focal * lean * norm(segments[i].u - segments[i].v));
+        numbers[size_t(SCALE) * padded + i] =
+            focal / std::hypot(detectionSigma(segments[i], sigma), focal * lean * norm(segments[i].u - segments[i].v));
 }
 
 }} // namespace cv::rsackermann

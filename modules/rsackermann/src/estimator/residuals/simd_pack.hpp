@@ -6,8 +6,7 @@
 
 #include "../../opencv_versions.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
@@ -15,15 +14,31 @@ namespace {
 
 #if CV_SIMD_64F
 
-template <class Number> struct VectorOf;
-template <> struct VectorOf<double> { typedef v_float64 type; };
-template <> struct VectorOf<float> { typedef v_float32 type; };
+template <class Number>
+struct VectorOf;
+template <>
+struct VectorOf<double>
+{
+    typedef v_float64 type;
+};
+template <>
+struct VectorOf<float>
+{
+    typedef v_float32 type;
+};
 
-inline v_float64 setAll(double x, double) { return vx_setall_f64(x); }
-inline v_float32 setAll(double x, float) { return vx_setall_f32(float(x)); }
+inline v_float64 setAll(double x, double)
+{
+    return vx_setall_f64(x);
+}
+inline v_float32 setAll(double x, float)
+{
+    return vx_setall_f32(float(x));
+}
 
 //! As many numbers as a vector of the processor holds; the residuals are written for it and for double.
-template <class Number> struct PackOf
+template <class Number>
+struct PackOf
 {
     typedef typename VectorOf<Number>::type Vector;
     enum { COUNT = VTraits<Vector>::max_nlanes };
@@ -49,7 +64,10 @@ template <class Number> struct PackOf
     friend PackOf operator/(const PackOf& a, const PackOf& b) { return v_div(a.v, b.v); }
     friend Mask operator<(const PackOf& a, const PackOf& b) { return Mask{v_lt(a.v, b.v)}; }
     friend Mask operator>(const PackOf& a, const PackOf& b) { return Mask{v_gt(a.v, b.v)}; }
-    friend PackOf choose(const Mask& condition, const PackOf& a, const PackOf& b) { return v_select(condition.v, a.v, b.v); }
+    friend PackOf choose(const Mask& condition, const PackOf& a, const PackOf& b)
+    {
+        return v_select(condition.v, a.v, b.v);
+    }
     friend bool isAnyTrue(const Mask& condition) { return v_check_any(condition.v); }
     friend PackOf squareRoot(const PackOf& x) { return v_sqrt(x.v); }
     friend PackOf magnitude(const PackOf& x) { return v_abs(x.v); }
@@ -58,7 +76,8 @@ template <class Number> struct PackOf
 #else
 
 //! One number, if the processor has no vectors of them.
-template <class Number> struct PackOf
+template <class Number>
+struct PackOf
 {
     enum { COUNT = 1 };
 
@@ -87,7 +106,8 @@ template <class Number> struct PackOf
 #endif
 
 //! The angles of a car's motion seldom leave the range of the series: one by one.
-template <class Number> void sincTerms(const PackOf<Number>& x, PackOf<Number>& sincX, PackOf<Number>& cosX, PackOf<Number>& slope)
+template <class Number>
+void sincTerms(const PackOf<Number>& x, PackOf<Number>& sincX, PackOf<Number>& cosX, PackOf<Number>& slope)
 {
     Number angles[PackOf<Number>::COUNT], s[PackOf<Number>::COUNT], c[PackOf<Number>::COUNT], d[PackOf<Number>::COUNT];
     x.store(angles);

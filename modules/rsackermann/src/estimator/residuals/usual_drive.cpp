@@ -8,25 +8,25 @@
 #include "prior_residuals.hpp"
 #include "usual_drive.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Posterior", has the reasons.
-static const double YAW_FREEDOM = 2;                 // of Student's t, the distribution of yaw rates
-static const double USUAL_SPEED = 12;                // m/s
-static const double USUAL_REVERSE_SPEED = 1.5;       // m/s
+static const double YAW_FREEDOM = 2;           // of Student's t, the distribution of yaw rates
+static const double USUAL_SPEED = 12;          // m/s
+static const double USUAL_REVERSE_SPEED = 1.5; // m/s
 static const double LOG_SPEED_SIGMA = 0.8;
-static const double USUAL_WALL = 8;                  // metres
-static const double LOG_WALL_SIGMA = 0.6;            // 3 to 30 m within two of them
-static const double USUAL_SECONDS_PER_UNIT = 0.06;   // of the row time, if the line delay is unknown
+static const double USUAL_WALL = 8;                // metres
+static const double LOG_WALL_SIGMA = 0.6;          // 3 to 30 m within two of them
+static const double USUAL_SECONDS_PER_UNIT = 0.06; // of the row time, if the line delay is unknown
 static const double LOG_SECONDS_SIGMA = 1;
-static const double REST = 1. / 3;                   // probability before anything is seen, which includes global shutters
-static const double REST_IF_TOLD = 0.1;              // who is told of a motion is seldom at rest
+// Probability before anything is seen, which includes global shutters
+static const double REST = 1. / 3;
+static const double REST_IF_TOLD = 0.1; // who is told of a motion is seldom at rest
 
-UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                       const MotionLimits& limits)
-    : alpha(0), toldAlphaSigma(0), toldSpeed(0), toldSpeedSigma(0), heading(camera.heading), headingSigma(params.wallDeviationSigma),
-      height(camera.height)
+UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera,
+                       const AckermannEstimator::Params& params, const MotionLimits& limits)
+    : alpha(0), toldAlphaSigma(0), toldSpeed(0), toldSpeedSigma(0), heading(camera.heading),
+      headingSigma(params.wallDeviationSigma), height(camera.height)
 {
     const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
@@ -46,7 +46,8 @@ UsualDrive::UsualDrive(const MotionPrior& prior, const RollingShutterCamera& cam
         speedSigma = std::min(speedSigma, prior.speedSigma / speed);
     }
     speedIsKnown = toldSpeedSigma > 0 && knowsWall;
-    logSpeed = std::log(speed * (unit > 0 ? unit : USUAL_SECONDS_PER_UNIT) / (knowsWall ? params.wallDistance : USUAL_WALL));
+    logSpeed =
+        std::log(speed * (unit > 0 ? unit : USUAL_SECONDS_PER_UNIT) / (knowsWall ? params.wallDistance : USUAL_WALL));
     logSpeedSigma = std::hypot(speedSigma, unit > 0 ? 0 : LOG_SECONDS_SIGMA);
     logWallSigma = knowsWall ? 0 : LOG_WALL_SIGMA;
     if (params.roadRatio > 0)
@@ -65,7 +66,8 @@ int UsualDrive::evaluate(const Model& model, const MotionHypothesis& hypothesis,
     if (hypothesis.turns() && !(toldAlphaSigma > 0))
     {
         const Jet a = Jet::variable(model[P_ALPHA], P_ALPHA);
-        const double q = a.value / yawScale, cost = (YAW_FREEDOM + 1) * std::log1p(q * q / YAW_FREEDOM), r = std::sqrt(cost);
+        const double q = a.value / yawScale, cost = (YAW_FREEDOM + 1) * std::log1p(q * q / YAW_FREEDOM),
+                     r = std::sqrt(cost);
         const double halfSlope = (YAW_FREEDOM + 1) * q / (YAW_FREEDOM + q * q) / yawScale;
         // The cost of a residual is its square; next to 0 it is quadratic.
         residuals[n++] = r > 1e-6 ? a.apply(std::copysign(r, q), std::copysign(halfSlope / r, 1.))
@@ -76,7 +78,8 @@ int UsualDrive::evaluate(const Model& model, const MotionHypothesis& hypothesis,
         if (headingSigma > 0)
         {
             const double angle = model[P_STREET] - heading;
-            residuals[n++] = (1 / headingSigma) * Jet::variable(model[P_STREET], P_STREET).apply(std::sin(angle), std::cos(angle));
+            residuals[n++] =
+                (1 / headingSigma) * Jet::variable(model[P_STREET], P_STREET).apply(std::sin(angle), std::cos(angle));
         }
         return n;
     }
@@ -88,7 +91,8 @@ int UsualDrive::evaluate(const Model& model, const MotionHypothesis& hypothesis,
     double sigma = std::hypot(logSpeedSigma, logWallSigma);
     if (hypothesis.walls == 2 && logWallSigma > 0)
     {
-        // Both walls are as far away as walls are: the mean of the logarithms says it, their difference is in PriorTerms.
+        // Both walls are as far away as walls are: the mean of the logarithms says it, their difference is in
+        // PriorTerms.
         const Jet r = Jet::variable(model[P_LAMBDA], P_LAMBDA);
         logarithm = logarithm + r.apply(0.5 * std::log(r.value), 0.5 / r.value);
         sigma = std::hypot(logSpeedSigma, logWallSigma / std::sqrt(2.));
@@ -116,7 +120,8 @@ double UsualDrive::logVolume(const MotionHypothesis& hypothesis) const
 {
     double volume = headingSigma > 0 ? std::log(headingSigma) : 0;
     if (hypothesis.translates() && !speedIsKnown)
-        volume += std::log(std::hypot(logSpeedSigma, hypothesis.walls == 2 ? logWallSigma / std::sqrt(2.) : logWallSigma));
+        volume +=
+            std::log(std::hypot(logSpeedSigma, hypothesis.walls == 2 ? logWallSigma / std::sqrt(2.) : logWallSigma));
     if (hypothesis.walls == 2)
         volume += std::log(USUAL_LOG_RATIO);
     return volume;
@@ -143,7 +148,8 @@ void UsualDrive::road(const Model& model, double& G, double& variance) const
     // Walls that pass faster than usual are near, and the car is fast: each as far as its prior allows.
     const bool hasBoth = model[P_LAMBDA] > 0 && logWallSigma > 0 && !roadRatioIsTold;
     const double mean = hasBoth ? speed * std::sqrt(model[P_LAMBDA]) : speed;
-    const double speedVariance = logSpeedSigma * logSpeedSigma, wallVariance = logWallSigma * logWallSigma / (hasBoth ? 2 : 1);
+    const double speedVariance = logSpeedSigma * logSpeedSigma,
+                 wallVariance = logWallSigma * logWallSigma / (hasBoth ? 2 : 1);
     const double share = roadRatioIsTold ? 0 : wallVariance / (wallVariance + speedVariance);
     G = (model.direction < 0 ? -1 : 1) * mean * ratio * std::pow(mean / usualScaledSpeed(model.direction), -share);
     variance = G * G * (logHeightSigma * logHeightSigma + (1 - share) * wallVariance);

@@ -8,10 +8,9 @@
 #include "../upright_segment.hpp"
 #include "jet.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-const double USUAL_HEIGHT = 1.3; //!< metres, of a camera above the road
+const double USUAL_HEIGHT = 1.3;      //!< metres, of a camera above the road
 const double LOG_HEIGHT_SIGMA = 0.35; //!< of its logarithm, if it isn't told
 
 /** How cars drive and how far away walls are, as a distribution (doc/theory.md, "Posterior").
@@ -21,19 +20,22 @@ It takes the place of a choice among motion models: what the segments don't tell
 class UsualDrive
 {
 public:
-    UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionLimits& limits);
+    UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+               const MotionLimits& limits);
 
     enum { MAX_RESIDUALS = 3 };
     //! Residuals in units of their standard deviations. @return their number.
     int evaluate(const Model& model, const MotionHypothesis& hypothesis, Jet residuals[MAX_RESIDUALS]) const;
 
-    //! Logarithm of the prior density of alpha; a told yaw rate is in the cost of the refinement, but for its normalisation.
+    //! Logarithm of the prior density of alpha; a told yaw rate is in the cost of the refinement, but for its
+    //! normalisation.
     double logYawDensity(double alpha) const;
 
     //! Logarithm of the volume that the priors leave to the unknowns of a hypothesis besides alpha.
     double logVolume(const MotionHypothesis& hypothesis) const;
 
-    //! Logarithm of the odds on a camera at rest, or on a shutter that shows none of its motion, against one that moves.
+    //! Logarithm of the odds on a camera at rest, or on a shutter that shows none of its motion, against one that
+    //! moves.
     double logRest() const;
     //! Probability of that before anything is seen, if no motion is told.
     static double restProbability();
@@ -53,15 +55,15 @@ public:
     double roadRatio() const { return ratio; }
 
 private:
-    double yawScale;               // of alpha
-    double alpha, toldAlphaSigma;  // 0: not told
+    double yawScale;                  // of alpha
+    double alpha, toldAlphaSigma;     // 0: not told
     double toldSpeed, toldSpeedSigma; // scaled by the row time alone, in metres; 0: not told
     double logSpeed, logSpeedSigma;   // of the scaled speed, without the uncertainty of the wall
-    double logWallSigma;           // of the logarithm of a wall's distance; 0: told
+    double logWallSigma;              // of the logarithm of a wall's distance; 0: told
     double heading, headingSigma;
     double height, ratio, logHeightSigma;
     bool roadRatioIsTold;
-    bool speedIsKnown;             // with the wall's distance: the refinement has it as a measurement
+    bool speedIsKnown; // with the wall's distance: the refinement has it as a measurement
     bool roadIsSeen;
 };
 

@@ -7,8 +7,7 @@
 #include "vertical_residual.hpp"
 #include "vertical_terms.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 double verticalResidual(const UprightSegment& c, const PreparedModel& model, int& wall, double* jacobian)
 {

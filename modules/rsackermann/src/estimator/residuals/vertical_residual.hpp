@@ -8,8 +8,7 @@
 #include "../upright_segment.hpp"
 #include "prepared_model.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** The difference of the compensated columns of the two ends of a candidate, p1(u) - p1(v), for a focal length of 1
 (doc/theory.md, "Estimation").
@@ -19,7 +18,8 @@ namespace rsackermann {
 */
 double verticalResidual(const UprightSegment& candidate, const PreparedModel& model, int& wall, double* jacobian);
 
-inline double verticalResidual(const UprightSegment& candidate, const Model& model, const Heading& heading, int& wall, double* jacobian)
+inline double verticalResidual(const UprightSegment& candidate, const Model& model, const Heading& heading, int& wall,
+                               double* jacobian)
 {
     return verticalResidual(candidate, PreparedModel(model, heading), wall, jacobian);
 }

@@ -7,21 +7,21 @@
 
 #include "rotated_end.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** The difference of the compensated columns of the two ends of a candidate, p1(u) - p1(v), for a focal length of 1
 (doc/theory.md, "Estimation"), on the wall that the candidate is seen on. T is double or a vector of them.
 */
-template <class T> struct VerticalTerms
+template <class T>
+struct VerticalTerms
 {
     T value;
     T scale; // the wall is scale (D - B x): 1 left, -lambda right, 0 at infinity
 
     VerticalTerms(const RotatedEnd<T>& u, const RotatedEnd<T>& v, const PreparedModel& m)
     {
-        // The nearest wall is the one with a positive depth if the candidate, between its two columns, is seen by it. One
-        // division does for both columns.
+        // The nearest wall is the one with a positive depth if the candidate, between its two columns, is seen by it.
+        // One division does for both columns.
         const T shiftU = u.shift(), shiftV = v.shift();
         T denominatorU = u.M + shiftU * m.B, denominatorV = v.M + shiftV * m.B;
         const T both = denominatorU * denominatorV;
@@ -55,7 +55,8 @@ private:
     T inverseU, inverseV, columnU, columnV;
 
     // The column (N + gamma D) / (M + gamma B) has the derivatives byN by N, byM by M and byG by gamma.
-    void add(const RotatedEnd<T>& end, const PreparedModel& m, const T& byN, const T& column, bool wantTilt, T* by, T& byWallB, T& byWallD) const
+    void add(const RotatedEnd<T>& end, const PreparedModel& m, const T& byN, const T& column, bool wantTilt, T* by,
+             T& byWallB, T& byWallD) const
     {
         const T byM = T(0) - column * byN, shift = end.shift();
         const T byG = scale * (byN * m.D + byM * m.B);
@@ -68,7 +69,8 @@ private:
         end.byRoll(changeN, changeM, changeY);
         by[P_ROLL] = by[P_ROLL] + byN * changeN + byM * changeM + byG * end.row.tau * end.row.across(changeN, changeM);
         end.byPitch(m, changeN, changeM, changeY);
-        by[P_PITCH] = by[P_PITCH] + byN * changeN + byM * changeM + byG * end.row.tau * end.row.across(changeN, changeM);
+        by[P_PITCH] =
+            by[P_PITCH] + byN * changeN + byM * changeM + byG * end.row.tau * end.row.across(changeN, changeM);
     }
 };
 

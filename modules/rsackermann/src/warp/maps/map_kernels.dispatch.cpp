@@ -8,15 +8,16 @@
 #include "map_kernels.simd.hpp"
 #include "warp/maps/map_kernels.simd_declarations.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x, float* y, size_t step)
+void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
+                     float* y, size_t step)
 {
     CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step)
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
+                     size_t step)
 {
     CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
 }

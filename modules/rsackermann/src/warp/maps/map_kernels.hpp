@@ -9,20 +9,22 @@
 
 // The work on every pixel of a map, in vectors of the widest kind that the processor has.
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** The first size pixels of a square, x and y each with step floats a row. Each pixel is taken from the nearest plane.
 @param patches one for each plane.
 @param depths of the planes, relative to the first pixel.
 @param count of planes.
 */
-void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x, float* y, size_t step);
+void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
+                     float* y, size_t step);
 
 //! The same with depths that aren't linear; the pixel takes the patch with the largest.
-void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step);
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
+                     size_t step);
 
-//! A row of coordinates in the formats CV_16SC2 and CV_16UC1, with INTER_BITS fractional bits; whole parts are saturated.
+//! A row of coordinates in the formats CV_16SC2 and CV_16UC1, with INTER_BITS fractional bits; whole parts are
+//! saturated.
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
 
 //! A row of coordinates in the format CV_32FC2.

@@ -6,13 +6,14 @@
 #include "opencv2/imgproc.hpp"
 #include "map_patch.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x, float* y, size_t step);
-void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step);
+void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
+                     float* y, size_t step);
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
+                     size_t step);
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
 void packInterleaved(const float* x, const float* y, int width, float* xy);
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
@@ -21,8 +22,8 @@ void packMask(const float* x, const float* y, int width, float low, float highX,
 
 namespace {
 
-// A polynomial along one row. Next to the terms that are constant along the row the rest is small: single precision takes
-// no more from it than from the coordinate.
+// A polynomial along one row. Next to the terms that are constant along the row the rest is small: single precision
+// takes no more from it than from the coordinate.
 struct RowCubic
 {
     float c[Bicubic::NODES];
@@ -30,7 +31,7 @@ struct RowCubic
     RowCubic() {}
     RowCubic(const Bicubic& bicubic, double row)
     {
-        const double (&p)[Bicubic::NODES][Bicubic::NODES] = bicubic.c;
+        const double(&p)[Bicubic::NODES][Bicubic::NODES] = bicubic.c;
 #if CV_SIMD128_64F
         const v_float64x2 t = v_setall_f64(row);
         v_float64x2 low = v_load(p[3]), high = v_load(p[3] + 2);
@@ -46,7 +47,10 @@ struct RowCubic
 #endif
     }
 
-    float at(float column) const { return c[0] + column * (c[1] + column * (c[2] + column * c[3])); }
+    float at(float column) const
+    {
+        return c[0] + column * (c[1] + column * (c[2] + column * c[3]));
+    }
 };
 
 #if CV_SIMD
@@ -100,7 +104,10 @@ struct RowPatch
     RowCubic x, y, depth;
 
     RowPatch() {}
-    RowPatch(const MapPatch& patch, const Bicubic& depth_, double row) : x(patch.x, row), y(patch.y, row), depth(depth_, row) {}
+    RowPatch(const MapPatch& patch, const Bicubic& depth_, double row)
+        : x(patch.x, row), y(patch.y, row), depth(depth_, row)
+    {
+    }
 };
 
 // A row of which every pixel takes the patch with the largest depth.
@@ -167,7 +174,8 @@ int endOfPlane(const PlaneInverseDepth* depths, int count, int plane, int column
 
 } // namespace
 
-void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x, float* y, size_t step)
+void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
+                     float* y, size_t step)
 {
     for (int row = 0; row < size.height; row++, x += step, y += step)
         for (int column = 0; column < size.width;)
@@ -179,7 +187,8 @@ void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, i
         }
 }
 
-void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y, size_t step)
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
+                     size_t step)
 {
     AutoBuffer<RowPatch, 4> rows(count);
     for (int row = 0; row < size.height; row++, x += step, y += step)
@@ -253,7 +262,8 @@ void packMask(const float* x, const float* y, int width, float low, float highX,
     {
         v_uint32 inside[4];
         for (int k = 0; k < 4; k++)
-            inside[k] = v_and(isBetween(vx_load(x + i + k * lanes), wideLow, wideHighX), isBetween(vx_load(y + i + k * lanes), wideLow, wideHighY));
+            inside[k] = v_and(isBetween(vx_load(x + i + k * lanes), wideLow, wideHighX),
+                              isBetween(vx_load(y + i + k * lanes), wideLow, wideHighY));
         v_store(mask + i, v_pack_b(inside[0], inside[1], inside[2], inside[3]));
     }
 #endif

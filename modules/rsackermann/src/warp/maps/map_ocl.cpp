@@ -10,10 +10,10 @@
 
 #include "opencl_kernels_rsackermann.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-// The same as in opencl/warp_map.cl, where the formulas stand again in single precision; test_warp_ocl.cpp compares the maps of both.
+// The same as in opencl/warp_map.cl, where the formulas stand again in single precision; test_warp_ocl.cpp compares the
+// maps of both.
 struct KernelWarp
 {
     float newFx, newFy, newCx, newCy, newSkew;
@@ -32,8 +32,8 @@ struct KernelWarp
 };
 static_assert(sizeof(KernelWarp) == 55 * sizeof(float), "a kernel's struct has no padding");
 
-static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
-                             const AckermannMotion& motion)
+static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& camera,
+                             const WarpMapGenerator::Params& params, const AckermannMotion& motion)
 {
     const GlobalCamera global(camera, params);
     const Lens<float> lens(camera);
@@ -92,8 +92,8 @@ static String buildOptions(WarpDirection warp, const Lens<float>& lens, bool mov
     return options;
 }
 
-bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
-                int m1type, OutputArray map1_, OutputArray map2_, OutputArray mask_)
+bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+                const AckermannMotion& motion, int m1type, OutputArray map1_, OutputArray map2_, OutputArray mask_)
 {
     ocl::Kernel kernel("warpMap", ocl::rsackermann::warp_map_oclsrc,
                        buildOptions(warp, Lens<float>(camera), motion.status == MOTION_OK, m1type, mask_.needed()));

@@ -10,14 +10,13 @@
 
 #ifdef HAVE_OPENCL
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 /** Makes a map on an OpenCL device, in single precision; see WarpMapGenerator::initRectifyMap and initDistortMap.
 @return false if the device can't; then nothing is promised about the outputs.
 */
-bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
-                int m1type, OutputArray map1, OutputArray map2, OutputArray mask);
+bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+                const AckermannMotion& motion, int m1type, OutputArray map1, OutputArray map2, OutputArray mask);
 
 }} // namespace cv::rsackermann
 

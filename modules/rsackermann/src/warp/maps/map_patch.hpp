@@ -7,11 +7,10 @@
 
 #include "opencv2/core.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-/** A polynomial of degree 3 in column and row, counted from the first pixel of a square, which interpolates 4 x 4 values
-(doc/theory.md, "Warp").
+/** A polynomial of degree 3 in column and row, counted from the first pixel of a square, which interpolates 4 x 4
+values (doc/theory.md, "Warp").
 */
 struct Bicubic
 {
@@ -78,8 +77,8 @@ struct MapPatch
 
     /** The pixels at which the error is measured.
 
-It is of fourth order along both axes. At these pixels it is nearly as large as anywhere on their side of the square, with
-signs of its two parts that are the same at some and opposite at others.
+It is of fourth order along both axes. At these pixels it is nearly as large as anywhere on their side of the square,
+with signs of its two parts that are the same at some and opposite at others.
 */
     static Point2d check(int i, double step)
     {

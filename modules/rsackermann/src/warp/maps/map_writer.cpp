@@ -7,20 +7,20 @@
 #include "map_writer.hpp"
 #include "remap_limits.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 int normalizedMapType(int m1type)
 {
     if (m1type <= 0)
         return CV_16SC2;
     if (m1type != CV_32FC1 && m1type != CV_32FC2 && m1type != CV_16SC2)
-        CV_Error(Error::StsBadArg, format("m1type is %d; CV_32FC1 (%d), CV_32FC2 (%d) or CV_16SC2 (%d) is expected", m1type, CV_32FC1,
-                                          CV_32FC2, CV_16SC2));
+        CV_Error(Error::StsBadArg, format("m1type is %d; CV_32FC1 (%d), CV_32FC2 (%d) or CV_16SC2 (%d) is expected",
+                                          m1type, CV_32FC1, CV_32FC2, CV_16SC2));
     return m1type;
 }
 
-MapWriter::MapWriter(const Size& size, const Size& target_, int m1type, OutputArray map1_, OutputArray map2_, OutputArray mask_)
+MapWriter::MapWriter(const Size& size, const Size& target_, int m1type, OutputArray map1_, OutputArray map2_,
+                     OutputArray mask_)
     : mapSize(size), target(target_), type(m1type)
 {
     map1_.create(size, type);
@@ -87,7 +87,8 @@ void MapWriter::Tile::write()
         const Point first(part.x, part.y + i);
         const float *rowX = x(first), *rowY = y(first);
         if (writer.type == CV_16SC2)
-            packFixedPoint(rowX, rowY, part.width, writer.map1.ptr<short>(first.y) + 2 * first.x, writer.map2.ptr<ushort>(first.y) + first.x);
+            packFixedPoint(rowX, rowY, part.width, writer.map1.ptr<short>(first.y) + 2 * first.x,
+                           writer.map2.ptr<ushort>(first.y) + first.x);
         else if (writer.type == CV_32FC2)
             packInterleaved(rowX, rowY, part.width, writer.map1.ptr<float>(first.y) + 2 * first.x);
         else if (writer.type == CV_32FC1 && !inPlace)

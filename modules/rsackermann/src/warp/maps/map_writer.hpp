@@ -7,10 +7,10 @@
 
 #include "opencv2/core.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-//! The type that stands for m1type in the contract of cv::initUndistortRectifyMap; throws for other than its three types.
+//! The type that stands for m1type in the contract of cv::initUndistortRectifyMap; throws for other than its three
+//! types.
 int normalizedMapType(int m1type);
 
 /** Writes maps for cv::remap tile by tile in the three formats of cv::initUndistortRectifyMap, and their mask.
@@ -45,8 +45,8 @@ public:
     public:
         /**
         @param index of the tile, 0 ... tiles() - 1.
-        @param buffer for the coordinates, unless the maps themselves can take them; of one tile at a time. It isn't part of the tile,
-        for which a thread's stack may be too small.
+        @param buffer for the coordinates, unless the maps themselves can take them; of one tile at a time. It isn't
+        part of the tile, for which a thread's stack may be too small.
         */
         Tile(MapWriter& writer, int index, std::vector<float>& buffer);
         //! The part of the map that the tile has.

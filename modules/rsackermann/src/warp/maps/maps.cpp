@@ -7,8 +7,7 @@
 #include "tile_distorter.hpp"
 #include "tile_rectifier.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 GlobalCamera::GlobalCamera(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params)
     : matrix(params.newCameraMatrix == Matx33d::zeros() ? camera.cameraMatrix : params.newCameraMatrix),
@@ -41,8 +40,8 @@ private:
 
 } // namespace
 
-void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
-              MapWriter& writer)
+void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+              const AckermannMotion& motion, MapWriter& writer)
 {
     const ShutterGeometry shutter(camera, motion);
     const Matx33d matrix = GlobalCamera(camera, params).matrix;

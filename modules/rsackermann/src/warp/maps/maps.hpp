@@ -8,12 +8,10 @@
 #include "opencv2/rsackermann/warp.hpp"
 #include "map_writer.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Which image a map belongs to.
-enum WarpDirection
-{
+enum WarpDirection {
     WARP_RECTIFY, //!< the global-shutter image; its places are in the raw image
     WARP_DISTORT  //!< the raw image; its places are in the global-shutter image
 };
@@ -28,8 +26,8 @@ struct GlobalCamera
 };
 
 //! For each pixel of one image the place in the other one.
-void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const AckermannMotion& motion,
-              MapWriter& writer);
+void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+              const AckermannMotion& motion, MapWriter& writer);
 
 }} // namespace cv::rsackermann
 

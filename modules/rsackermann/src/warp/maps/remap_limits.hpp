@@ -7,8 +7,7 @@
 
 #include "opencv2/core.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Both coordinates of pixels that have no place in the other image: outside of every image, and a short as well.
 const float FAR_OUTSIDE = -16384.f;

@@ -7,10 +7,10 @@
 #include "remap_limits.hpp"
 #include "tile_distorter.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-TileDistorter::TileDistorter(const ShutterGeometry& shutter_, const Matx33d& matrix_) : shutter(shutter_), distorter(shutter_), matrix(matrix_)
+TileDistorter::TileDistorter(const ShutterGeometry& shutter_, const Matx33d& matrix_)
+    : shutter(shutter_), distorter(shutter_), matrix(matrix_)
 {
 }
 
@@ -116,7 +116,8 @@ bool TileDistorter::fitPatch(const Nodes& nodes, int plane, MapPatch& patch) con
     {
         const Point2d check = MapPatch::check(i, nodes.step);
         Point2d expected;
-        if (!place(nodes.checks[i], nodes.checks[i].depths[plane], expected) || !MapPatch::isNear(patch.at(check.x, check.y), expected))
+        if (!place(nodes.checks[i], nodes.checks[i].depths[plane], expected) ||
+            !MapPatch::isNear(patch.at(check.x, check.y), expected))
             return false;
     }
     return true;

@@ -9,8 +9,7 @@
 #include "map_patch.hpp"
 #include "tile_filler.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Fills tiles of a distort map. Where several planes can be seen their scaled inverse depths are interpolated as well.
 class TileDistorter CV_FINAL : public TileFiller

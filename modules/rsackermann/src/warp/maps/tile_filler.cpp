@@ -5,8 +5,7 @@
 #include "../../precomp.hpp"
 #include "tile_filler.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 // Smaller squares are solved pixel by pixel.
 static const int MIN_PATCH = 16;

@@ -7,19 +7,20 @@
 #include "remap_limits.hpp"
 #include "tile_rectifier.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
-TileRectifier::TileRectifier(const ShutterGeometry& shutter_, const Matx33d& matrix, int maxIterations, double tolerance)
-    : shutter(shutter_), forPixels(shutter_, maxIterations, tolerance), forPatches(shutter_, maxIterations, 0.3 * tolerance),
-      inverse(matrix.inv()), upright(shutter_.up * inverse)
+TileRectifier::TileRectifier(const ShutterGeometry& shutter_, const Matx33d& matrix, int maxIterations,
+                             double tolerance)
+    : shutter(shutter_), forPixels(shutter_, maxIterations, tolerance),
+      forPatches(shutter_, maxIterations, 0.3 * tolerance), inverse(matrix.inv()), upright(shutter_.up * inverse)
 {
     const double time0 = shutter.rowTime(Point2d(0, 0));
     timeSlope.x = (shutter.rowTime(Point2d(1, 0)) - time0) * shutter.lens.fx / matrix(0, 0);
     timeSlope.y = (shutter.rowTime(Point2d(0, 1)) - time0) * shutter.lens.fy / matrix(1, 1);
 
     const Scene& scene = shutter.scene;
-    const Vec3d left(-scene.B, 0, scene.D), normals[PLANES] = {Vec3d(), left, -scene.lambda * left, Vec3d(0, scene.G, 0)};
+    const Vec3d left(-scene.B, 0, scene.D),
+        normals[PLANES] = {Vec3d(), left, -scene.lambda * left, Vec3d(0, scene.G, 0)};
     for (int i = 0; i < PLANES; i++)
     {
         const Vec3d w = scene.direction * (upright.t() * normals[i]);
@@ -80,8 +81,9 @@ int TileRectifier::visiblePlanes(const Rect& square, PlaneInverseDepth visible[P
 bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth, MapPatch& patch) const
 {
     // First the first row and column of the places, then the last corner: they tell the row times of the others.
-    static const int order[MapPatch::NODES * MapPatch::NODES][2] = {{0, 0}, {3, 0}, {0, 3}, {3, 3}, {1, 0}, {2, 0}, {0, 1}, {0, 2},
-                                                              {1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}};
+    static const int order[MapPatch::NODES * MapPatch::NODES][2] = {{0, 0}, {3, 0}, {0, 3}, {3, 3}, {1, 0}, {2, 0},
+                                                                    {0, 1}, {0, 2}, {1, 1}, {2, 1}, {3, 1}, {1, 2},
+                                                                    {2, 2}, {3, 2}, {1, 3}, {2, 3}};
     const double step = square.width / (MapPatch::NODES - 1.);
     Rectifier::Guess guess;
     Point2d slope = timeSlope * step;
@@ -119,7 +121,8 @@ bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth,
     return true;
 }
 
-bool TileRectifier::solve(const Rect& square, double column, double row, const PlaneInverseDepth& depth, Rectifier::Guess& guess, Point2d& place) const
+bool TileRectifier::solve(const Rect& square, double column, double row, const PlaneInverseDepth& depth,
+                          Rectifier::Guess& guess, Point2d& place) const
 {
     const Vec3d pixel(square.x + column, square.y + row, 1);
     const double w = shutter.scene.direction * depth.at(column, row);

@@ -9,8 +9,7 @@
 #include "../rectifier.hpp"
 #include "tile_filler.hpp"
 
-namespace cv {
-namespace rsackermann {
+namespace cv { namespace rsackermann {
 
 //! Fills tiles of a rectify map. On a plane the scaled inverse depth is a linear function of the pixel.
 class TileRectifier CV_FINAL : public TileFiller
@@ -28,13 +27,14 @@ private:
 
     int visiblePlanes(const Rect& square, PlaneInverseDepth visible[PLANES]) const;
     bool fitPatch(const Rect& square, const PlaneInverseDepth& depth, MapPatch& patch) const;
-    bool solve(const Rect& square, double column, double row, const PlaneInverseDepth& depth, Rectifier::Guess& guess, Point2d& place) const;
+    bool solve(const Rect& square, double column, double row, const PlaneInverseDepth& depth, Rectifier::Guess& guess,
+               Point2d& place) const;
 
     const ShutterGeometry& shutter;
     Rectifier forPixels, forPatches;
-    Matx33d inverse;          // pixel of the global-shutter camera to ray
-    Matx33d upright;          // pixel of the global-shutter camera to bearing
-    Point2d timeSlope;        // row time per pixel of the global-shutter camera, but for motion and distortion
+    Matx33d inverse;                  // pixel of the global-shutter camera to ray
+    Matx33d upright;                  // pixel of the global-shutter camera to bearing
+    Point2d timeSlope;                // row time per pixel of the global-shutter camera, but for motion and distortion
     PlaneInverseDepth planes[PLANES]; // times the direction, relative to pixel (0, 0)
 };
 
