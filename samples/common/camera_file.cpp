@@ -4,12 +4,11 @@
 
 #include "camera_file.hpp"
 #include "output/atomic_file.hpp"
+#include "parsable_text.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <yaml-cpp/yaml.h>
 
@@ -47,7 +46,8 @@ void readShutterAndMounting(const NumberSource& number, const TextSource& text, 
     number("heading_sigma", s.headingSigma);
     number("line_delay_sigma", s.lineDelaySigma);
     number("focal_sigma", s.focalSigma);
-    require(s.rollSigma >= 0 && s.pitchSigma >= 0 && s.headingSigma >= 0 && s.lineDelaySigma >= 0 && s.focalSigma >= 0, "standard deviations must not be negative");
+    require(s.rollSigma >= 0 && s.pitchSigma >= 0 && s.headingSigma >= 0 && s.lineDelaySigma >= 0 && s.focalSigma >= 0,
+            "standard deviations must not be negative");
     std::string word;
     if (text("scan", word))
         s.scan = parseWord(word, "scan", SCAN_WORDS);
@@ -66,8 +66,9 @@ void setIntrinsics(const std::vector<double>& k, CameraSettings& s)
 void setSize(double width, double height, CameraSettings& s)
 {
     const double largest = 65535; // of most formats of images
-    require(width == std::floor(width) && height == std::floor(height) && width >= 1 && height >= 1 && width <= largest && height <= largest &&
-                width * height < 2147483648., cv::format("the image's size %g x %g is none of an image", width, height));
+    require(width == std::floor(width) && height == std::floor(height) && width >= 1 && height >= 1 &&
+                width <= largest && height <= largest && width * height < 2147483648.,
+            cv::format("the image's size %g x %g is none of an image", width, height));
     s.size = cv::Size(int(width), int(height));
 }
 
@@ -82,11 +83,13 @@ std::vector<double> matrixOf(const cv::FileNode& node)
 {
     if (node.empty())
         return std::vector<double>();
-    require(node.isMap() && node["data"].isSeq() && node["rows"].isInt() && node["cols"].isInt(), node.name() + " is not a matrix");
+    require(node.isMap() && node["data"].isSeq() && node["rows"].isInt() && node["cols"].isInt(),
+            node.name() + " is not a matrix");
     // cv::FileNode makes a matrix of the size that is told before it looks for the elements.
     const int mostElements = 14, rows = node["rows"], cols = node["cols"];
     require(rows >= 0 && cols >= 0 && double(rows) * cols <= mostElements,
-            cv::format("%s is %d x %d; a matrix of up to %d elements is accepted", node.name().c_str(), rows, cols, mostElements));
+            cv::format("%s is %d x %d; a matrix of up to %d elements is accepted", node.name().c_str(), rows, cols,
+                       mostElements));
     for (const cv::FileNode& element : node["data"])
         require(element.isInt() || element.isReal(), node.name() + " has an element that is not a number");
     cv::Mat matrix;
@@ -115,9 +118,9 @@ int lensModelOf(const cv::FileStorage& fs)
     return !flag.empty() && int(flag) ? LENS_FISHEYE : LENS_PINHOLE;
 }
 
-void readOpenCv(const std::string& path, CameraSettings& s)
+void readOpenCv(const std::string& text, CameraSettings& s)
 {
-    cv::FileStorage fs(path, cv::FileStorage::READ);
+    cv::FileStorage fs(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     require(fs.isOpened(), "can't be read");
     const NumberSource number = [&](const std::string& key, double& value) {
         const cv::FileNode node = fs[key];
@@ -158,7 +161,7 @@ YAML::Node firstOf(const YAML::Node& root, std::initializer_list<const char*> ke
 
 std::vector<double> numbersOf(const YAML::Node& node)
 {
-    return (node.IsMap() ? node["data"] : node).as<std::vector<double> >();
+    return (node.IsMap() ? node["data"] : node).as<std::vector<double>>();
 }
 
 void readRos(const YAML::Node& root, CameraSettings& s)
@@ -168,7 +171,8 @@ void readRos(const YAML::Node& root, CameraSettings& s)
     s.lensModel = model ? lensModelOf(model.as<std::string>()) : LENS_PINHOLE;
     if (lens.IsDefined())
         s.lens = numbersOf(lens);
-    const YAML::Node width = firstOf(root, {"image_width", "width"}), height = firstOf(root, {"image_height", "height"});
+    const YAML::Node width = firstOf(root, {"image_width", "width"}),
+                     height = firstOf(root, {"image_height", "height"});
     require(width.IsDefined() == height.IsDefined(), "the image's width or height is missing");
     if (width.IsDefined())
         setSize(width.as<double>(), height.as<double>(), s);
@@ -178,7 +182,7 @@ void readKalibr(const YAML::Node& camera, CameraSettings& s)
 {
     const std::string model = camera["camera_model"].as<std::string>();
     require(model == "pinhole", "camera_model " + model + " isn't known, only pinhole is");
-    const std::vector<double> f = camera["intrinsics"].as<std::vector<double> >();
+    const std::vector<double> f = camera["intrinsics"].as<std::vector<double>>();
     require(f.size() == 4, "intrinsics haven't 4 elements");
     setIntrinsics({f[0], 0, f[2], 0, f[1], f[3], 0, 0, 1}, s);
     const YAML::Node lens = camera["distortion_model"];
@@ -186,10 +190,10 @@ void readKalibr(const YAML::Node& camera, CameraSettings& s)
     require(word == "none" || word == "radtan" || word == "equidistant", "distortion_model " + word + " isn't known");
     s.lensModel = word == "equidistant" ? LENS_FISHEYE : LENS_PINHOLE;
     if (word != "none")
-        s.lens = camera["distortion_coeffs"].as<std::vector<double> >();
+        s.lens = camera["distortion_coeffs"].as<std::vector<double>>();
     if (camera["resolution"])
     {
-        const std::vector<double> size = camera["resolution"].as<std::vector<double> >();
+        const std::vector<double> size = camera["resolution"].as<std::vector<double>>();
         require(size.size() == 2, "resolution hasn't 2 elements");
         setSize(size[0], size[1], s);
     }
@@ -197,8 +201,7 @@ void readKalibr(const YAML::Node& camera, CameraSettings& s)
 
 void readYaml(const std::string& text, CameraSettings& s)
 {
-    // cv::FileStorage writes a directive that isn't YAML.
-    const YAML::Node file = YAML::Load(text.compare(0, 5, "%YAML") == 0 ? text.substr(std::min(text.find('\n'), text.size())) : text);
+    const YAML::Node file = YAML::Load(withoutDirective(text));
     require(file.IsMap(), "is neither a calibration of OpenCV nor a camera_info of ROS nor a camchain of Kalibr");
     const YAML::Node root = file["cam0"] ? file["cam0"] : file;
     if (root["intrinsics"])
@@ -227,39 +230,6 @@ bool isOpenCvFile(const std::string& text)
     return text.compare(0, 5, "<?xml") == 0 || text.find("opencv-matrix") != std::string::npos;
 }
 
-// Parsers call themselves for nested values, and a file that is nested enough ends the program.
-void checkNesting(const std::string& text)
-{
-    const int largest = 64;
-    int depth = 0;
-    bool lineBegins = true;
-    for (size_t i = 0, dashes = 0; i < text.size(); i++)
-    {
-        const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
-        dashes = c == '\n' ? 0 : dashes + (lineBegins && c == '-' && next == ' ');
-        lineBegins = c == '\n' || (lineBegins && (c == ' ' || c == '-'));
-        if (c == '[' || c == '{' || (c == '<' && std::isalpha((unsigned char)next)))
-            depth++;
-        else if (c == ']' || c == '}' || (c == '<' && next == '/') || (c == '/' && next == '>'))
-            depth--;
-        require(depth <= largest && dashes <= size_t(largest), "is nested too deeply");
-    }
-}
-
-std::string readText(const std::string& path)
-{
-    const std::streamoff largest = 1 << 20;
-    std::ifstream file(path.c_str(), std::ios::binary | std::ios::ate);
-    const std::streamoff size = file.tellg();
-    require(size >= 0, "can't be read");
-    require(size <= largest, "is larger than a megabyte");
-    std::string text(size_t(size), '\0');
-    file.seekg(0);
-    require(size == 0 || file.read(&text[0], size), "can't be read");
-    checkNesting(text);
-    return text;
-}
-
 } // namespace
 
 void readCameraFile(const std::string& path, CameraSettings& settings)
@@ -267,9 +237,9 @@ void readCameraFile(const std::string& path, CameraSettings& settings)
     try
     {
         require(cv::utils::fs::exists(path) && !cv::utils::fs::isDirectory(path), "there is no such file");
-        const std::string text = readText(path);
+        const std::string text = readParsableText(path);
         if (isOpenCvFile(text))
-            readOpenCv(path, settings);
+            readOpenCv(text, settings);
         else
             readYaml(text, settings);
         // A camera of any size shows whether the values make sense.
@@ -302,8 +272,11 @@ std::string cameraText(const CameraSettings& s)
     fs << (s.readOut > 0 ? "readout" : "line_delay") << (s.readOut > 0 ? s.readOut : s.lineDelay);
     fs << "scan" << SCAN_WORDS[s.scan] << "reference" << s.reference;
     fs << "roll" << s.roll << "pitch" << s.pitch << "heading" << s.heading << "camera_height" << s.height;
-    const std::pair<const char*, double> sigmas[] = {{"roll_sigma", s.rollSigma}, {"pitch_sigma", s.pitchSigma}, {"heading_sigma", s.headingSigma},
-                                                     {"line_delay_sigma", s.lineDelaySigma}, {"focal_sigma", s.focalSigma}};
+    const std::pair<const char*, double> sigmas[] = {{"roll_sigma", s.rollSigma},
+                                                     {"pitch_sigma", s.pitchSigma},
+                                                     {"heading_sigma", s.headingSigma},
+                                                     {"line_delay_sigma", s.lineDelaySigma},
+                                                     {"focal_sigma", s.focalSigma}};
     for (const std::pair<const char*, double>& sigma : sigmas)
         if (sigma.second > 0)
             fs << sigma.first << sigma.second;

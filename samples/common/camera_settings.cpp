@@ -14,30 +14,31 @@ const std::vector<std::string> SCAN_WORDS = {"top_to_bottom", "bottom_to_top", "
 
 const char* const CAMERA_KEYS =
     "{camera     |        | file with the camera's calibration: of OpenCV, ROS (camera_info) or Kalibr (camchain)}"
-    "{focal      |        | focal length in pixels, if there is no calibration (default 0.9 times the longer side, +- 20 %)}"
+    "{focal      |        | focal length in pixels, if there is no calibration (default 0.9 times the longer side, +- "
+    "20 %)}"
     "{focal_sigma |       | standard deviation of the focal length in pixels}"
     "{line_delay |        | seconds between two lines; without it there are no metric results}"
     "{readout    |        | seconds between the first and the last line's end, instead of --line_delay}"
     "{scan       |        | order of the lines: top_to_bottom (default), bottom_to_top, left_to_right or right_to_left}"
-    "{reference  |        | line at whose instant the corrected image is taken: first, middle (default) or last to be read, or "
-    "its number}"
+    "{reference  |        | line at whose instant the corrected image is taken: first, middle (default) or last to be "
+    "read, or its number}"
     "{roll       |        | degrees, positive if the camera is turned clockwise seen from behind it}"
     "{pitch      |        | degrees, positive if the camera looks down}"
     "{heading    |        | degrees from the optical axis to the vehicle's forward direction, positive to the right}"
     "{height     |        | metres of the camera above the road}";
 
 CameraSettings::CameraSettings()
-    : calibrated(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0), readOut(0), scan(SCAN_TOP_TO_BOTTOM),
-      reference("middle"), roll(0), pitch(0), heading(0), height(0),
-      rollSigma(0), pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0)
+    : calibrated(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0), readOut(0),
+      scan(SCAN_TOP_TO_BOTTOM), reference("middle"), roll(0), pitch(0), heading(0), height(0), rollSigma(0),
+      pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0)
 {
 }
 
 RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
 {
     if (size.area() > 0 && size != imageSize)
-        throw InputError(cv::format("the image has %d x %d pixels, but the camera file is for %d x %d", imageSize.width, imageSize.height,
-                                    size.width, size.height));
+        throw InputError(cv::format("the image has %d x %d pixels, but the camera file is for %d x %d", imageSize.width,
+                                    imageSize.height, size.width, size.height));
     RollingShutterCamera camera = calibrated ? RollingShutterCamera(imageSize, K, lens, lensModel)
                                              : RollingShutterCamera::fromFocal(imageSize, focal);
     camera.scanDirection = scan;

@@ -10,22 +10,23 @@
 
 namespace rsackermann_samples {
 
-//! A camera as files and options describe it; values that depend on the image's size are left open until an image is there.
+//! A camera as files and options describe it; values that depend on the image's size are left open until an image is
+//! there.
 struct CameraSettings
 {
-    bool calibrated;           //!< whether K, lens and lensModel are known
-    cv::Size size;             //!< of the calibration; 0 x 0: unknown
+    bool calibrated; //!< whether K, lens and lensModel are known
+    cv::Size size;   //!< of the calibration; 0 x 0: unknown
     cv::Matx33d K;
     std::vector<double> lens;
     int lensModel;
     double focal;              //!< pixels, of an uncalibrated camera; 0: 0.9 times the longer side
     double lineDelay, readOut; //!< seconds; 0: unknown
     int scan;
-    std::string reference;     //!< first, middle or last line to be read, or a line's number
+    std::string reference;       //!< first, middle or last line to be read, or a line's number
     double roll, pitch, heading; //!< degrees
-    double height;             //!< metres; 0: unknown
+    double height;               //!< metres; 0: unknown
     double rollSigma, pitchSigma, headingSigma, lineDelaySigma; //!< standard deviations in the same units; 0: not known
-    double focalSigma;         //!< pixels; 0: not known
+    double focalSigma;                                          //!< pixels; 0: not known
 
     CameraSettings();
 

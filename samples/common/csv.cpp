@@ -85,7 +85,8 @@ private:
             {
                 at_ = std::min(text_.find_first_not_of(" \t", at_ + 1), text_.size());
                 if (at_ < text_.size() && text_[at_] != ',' && !isLineEnd(text_[at_]))
-                    throw UsageError(cv::format("line %d of %s: there is something behind a closing quote", line_, name_.c_str()));
+                    throw UsageError(
+                        cv::format("line %d of %s: there is something behind a closing quote", line_, name_.c_str()));
                 return result;
             }
             at_ += text_[at_] == '"';
@@ -116,8 +117,8 @@ CsvTable readCsv(const std::string& path)
     for (std::vector<std::string> cells; reader.next(cells, line);)
     {
         if (cells.size() != table.header.size())
-            throw UsageError(cv::format("line %d of %s: there are %d cells, but %d columns", line, path.c_str(), int(cells.size()),
-                                        int(table.header.size())));
+            throw UsageError(cv::format("line %d of %s: there are %d cells, but %d columns", line, path.c_str(),
+                                        int(cells.size()), int(table.header.size())));
         table.rows.push_back(cells);
         table.lines.push_back(line);
     }

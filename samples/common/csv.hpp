@@ -14,13 +14,13 @@ namespace rsackermann_samples {
 struct CsvTable
 {
     std::vector<std::string> header;
-    std::vector<std::vector<std::string> > rows; //!< each has as many cells as the header
-    std::vector<int> lines;                      //!< the line of the file on which each row begins, from 1
+    std::vector<std::vector<std::string>> rows; //!< each has as many cells as the header
+    std::vector<int> lines;                     //!< the line of the file on which each row begins, from 1
 };
 
-/** Reads a table: commas between, quotes around cells with commas, quotes or line ends. Lines without any character are left out, and
-so are a byte order mark and blanks around cells.
-Throws UsageError with the line if a row hasn't as many cells as the header or a quote isn't closed. */
+/** Reads a table: commas between, quotes around cells with commas, quotes or line ends. Lines without any character are
+left out, and so are a byte order mark and blanks around cells. Throws UsageError with the line if a row hasn't as many
+cells as the header or a quote isn't closed. */
 CsvTable readCsv(const std::string& path);
 
 } // namespace rsackermann_samples

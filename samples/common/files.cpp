@@ -44,7 +44,8 @@ cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
     if (image.empty())
         throw InputError("the image can't be decoded");
     if (image.depth() != CV_8U && image.depth() != CV_16U)
-        throw InputError("the image is of type " + cv::typeToString(image.type()) + "; only 8 and 16 bits without a sign are supported");
+        throw InputError("the image is of type " + cv::typeToString(image.type()) +
+                         "; only 8 and 16 bits without a sign are supported");
     if (exif)
         *exif = exifOf(bytes);
     return image;
@@ -71,7 +72,8 @@ std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, co
         encoded = false;
     }
     if (!encoded)
-        throw InputError(path + ": the format " + format + " can't hold an image of type " + cv::typeToString(image.type()));
+        throw InputError(path + ": the format " + format + " can't hold an image of type " +
+                         cv::typeToString(image.type()));
     addExif(bytes, exif);
     return bytes;
 }
@@ -88,7 +90,8 @@ cv::Mat readSegments(const std::string& path)
         line.resize(std::min(line.find('#'), line.size()));
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream stream(line);
-        const std::vector<std::string> fields((std::istream_iterator<std::string>(stream)), std::istream_iterator<std::string>());
+        const std::vector<std::string> fields((std::istream_iterator<std::string>(stream)),
+                                              std::istream_iterator<std::string>());
         if (fields.empty())
             continue;
         const std::string place = cv::format("line %d of %s", number, path.c_str());

@@ -11,15 +11,16 @@
 
 namespace rsackermann_samples {
 
-/** Reads an image of 8 or 16 bits as it is stored (depth, channels, sensor rows). Throws InputError if it is missing, damaged, cut short or
-of another kind.
+/** Reads an image of 8 or 16 bits as it is stored (depth, channels, sensor rows). Throws InputError if it is missing,
+damaged, cut short or of another kind.
 @param exif receives the image's Exif data, see exifOf(). */
 cv::Mat readImage(const std::string& path, std::vector<uchar>* exif = nullptr);
 
 /** The bytes of an image file, without loss of depth or channels; throws InputError.
 @param path its extension tells the format.
 @param exif Exif data, which are kept in the formats that addExif() knows. */
-std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, const std::vector<uchar>& exif = std::vector<uchar>());
+std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image,
+                               const std::vector<uchar>& exif = std::vector<uchar>());
 
 //! The bytes of a file; throws InputError.
 std::vector<uchar> readBytes(const std::string& path);

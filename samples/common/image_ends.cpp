@@ -24,8 +24,8 @@ bool isPngCutShort(const std::vector<uchar>& b)
 }
 
 // A JPEG file is a row of segments, each with a marker and, except for a few, a length. Coded data follow a segment SOS
-// (0xDA) and last until a marker that is neither a stuffed 0 nor a restart; EOI (0xD9) ends the image. Searching for EOI
-// alone would find the one of a thumbnail.
+// (0xDA) and last until a marker that is neither a stuffed 0 nor a restart; EOI (0xD9) ends the image. Searching for
+// EOI alone would find the one of a thumbnail.
 bool isJpegCutShort(const std::vector<uchar>& b)
 {
     const int SOS = 0xDA, EOI = 0xD9;

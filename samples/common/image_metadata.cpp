@@ -116,7 +116,8 @@ std::vector<uchar> exifOf(const std::vector<uchar>& file)
     if (isJpeg(file))
     {
         for (const Part& part : segmentsOf(file))
-            if (part.type == APP1 && part.size > sizeof EXIF_HEAD && std::memcmp(&file[part.begin], EXIF_HEAD, sizeof EXIF_HEAD) == 0)
+            if (part.type == APP1 && part.size > sizeof EXIF_HEAD &&
+                std::memcmp(&file[part.begin], EXIF_HEAD, sizeof EXIF_HEAD) == 0)
                 return std::vector<uchar>(&file[part.begin] + sizeof EXIF_HEAD, &file[part.begin] + part.size);
     }
     else if (isPng(file))
@@ -160,8 +161,10 @@ bool isCmyk(const std::vector<uchar>& file)
     if (isJpeg(file))
         for (const Part& part : segmentsOf(file))
         {
-            // The segments SOF begin with the precision, rows, columns and the number of colours; DHT, JPG and DAC are among them.
-            const bool isFrame = part.type >= 0xC0 && part.type <= 0xCF && part.type != 0xC4 && part.type != 0xC8 && part.type != 0xCC;
+            // The segments SOF begin with the precision, rows, columns and the number of colours; DHT, JPG and DAC are
+            // among them.
+            const bool isFrame =
+                part.type >= 0xC0 && part.type <= 0xCF && part.type != 0xC4 && part.type != 0xC8 && part.type != 0xCC;
             if (isFrame && part.size >= 6)
                 return file[part.begin + 5] == 4;
         }

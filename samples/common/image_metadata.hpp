@@ -10,7 +10,8 @@
 
 namespace rsackermann_samples {
 
-//! The Exif data of a JPEG or PNG file, from the byte order mark on; empty if there are none or the format is another one.
+//! The Exif data of a JPEG or PNG file, from the byte order mark on; empty if there are none or the format is another
+//! one.
 std::vector<uchar> exifOf(const std::vector<uchar>& file);
 
 //! Puts Exif data into a JPEG or PNG file that has none. Files of other formats and empty data: nothing is done.

@@ -6,7 +6,8 @@
 
 namespace rsackermann_samples {
 
-const std::vector<std::string> STATUS_WORDS = {"ok", "not_significant", "too_few_segments", "no_consensus", "not_observable"};
+const std::vector<std::string> STATUS_WORDS = {"ok", "not_significant", "too_few_segments", "no_consensus",
+                                               "not_observable"};
 const std::vector<std::string> SCALE_WORDS = {"unknown", "wall", "road", "speed"};
 
 } // namespace rsackermann_samples

@@ -34,7 +34,8 @@ bool isKnown(const std::string& keys, const std::string& name)
     return false;
 }
 
-// Checks the arguments and gives back the options only: cv::CommandLineParser would skip unknown ones and lose arguments.
+// Checks the arguments and gives back the options only: cv::CommandLineParser would skip unknown ones and lose
+// arguments.
 std::vector<const char*> sortArguments(int argc, const char* const* argv, const std::string& keys,
                                        std::map<std::string, std::string>& given, std::vector<std::string>& arguments)
 {
@@ -87,7 +88,8 @@ int parseInteger(const std::string& text, const std::string& source, int low, in
 {
     const double value = parseNumber(text, source);
     if (value != std::floor(value) || value < low || value > high)
-        throw UsageError(source + ": '" + text + "' is not a whole number from " + printed(low) + " to " + printed(high));
+        throw UsageError(source + ": '" + text + "' is not a whole number from " + printed(low) + " to " +
+                         printed(high));
     return int(value);
 }
 
@@ -108,7 +110,8 @@ cv::Size parseSize(const std::string& text, const std::string& source, int low, 
     const size_t x = text.find('x');
     if (x == std::string::npos)
         throw UsageError(source + ": '" + text + "' is not WIDTHxHEIGHT");
-    return cv::Size(parseInteger(text.substr(0, x), source, low, high), parseInteger(text.substr(x + 1), source, low, high));
+    return cv::Size(parseInteger(text.substr(0, x), source, low, high),
+                    parseInteger(text.substr(x + 1), source, low, high));
 }
 
 std::vector<double> parseNumbers(const std::string& text, const std::string& source)
@@ -121,8 +124,7 @@ std::vector<double> parseNumbers(const std::string& text, const std::string& sou
     return values;
 }
 
-Options::Options(int argc, const char* const* argv, const std::string& keys)
-    : parser_(1, argv, keys)
+Options::Options(int argc, const char* const* argv, const std::string& keys) : parser_(1, argv, keys)
 {
     const std::vector<const char*> options = sortArguments(argc, argv, keys, given_, arguments_);
     parser_ = cv::CommandLineParser(int(options.size()), options.data(), keys);
@@ -147,8 +149,8 @@ double Options::number(const std::string& name, double low, double high, bool in
 {
     const double value = number(name);
     if (value < low || value > high || (!inclusive && value == low))
-        throw UsageError("option --" + name + ": " + text(name) + " is not " + (inclusive ? "from " : "above ") + printed(low) +
-                         (inclusive ? " to " : " and up to ") + printed(high));
+        throw UsageError("option --" + name + ": " + text(name) + " is not " + (inclusive ? "from " : "above ") +
+                         printed(low) + (inclusive ? " to " : " and up to ") + printed(high));
     return value;
 }
 
@@ -189,7 +191,8 @@ void Options::printHelp(const std::string& about)
     parser_.printMessage();
 }
 
-int runProgram(const std::string& about, const std::string& keys, int (*program)(const Options&), int argc, const char* const* argv)
+int runProgram(const std::string& about, const std::string& keys, int (*program)(const Options&), int argc,
+               const char* const* argv)
 {
     try
     {

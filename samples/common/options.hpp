@@ -68,11 +68,13 @@ private:
     cv::CommandLineParser parser_;
 };
 
-/** Runs a program, or prints its help, and turns exceptions into messages and exit codes: 2 for UsageError, 1 for everything else.
+/** Runs a program, or prints its help, and turns exceptions into messages and exit codes: 2 for UsageError, 1 for
+everything else.
 @param about the beginning of the help.
 @param keys as for Options.
 @param program returns the exit code. */
-int runProgram(const std::string& about, const std::string& keys, int (*program)(const Options&), int argc, const char* const* argv);
+int runProgram(const std::string& about, const std::string& keys, int (*program)(const Options&), int argc,
+               const char* const* argv);
 
 } // namespace rsackermann_samples
 

@@ -10,8 +10,8 @@
 
 namespace rsackermann_samples {
 
-/** One line on standard error that says how far a program is and how long it will take; only if standard error is a terminal, and not in
-the first second. */
+/** One line on standard error that says how far a program is and how long it will take; only if standard error is a
+terminal, and not in the first second. */
 class Progress
 {
 public:

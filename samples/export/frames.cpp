@@ -6,6 +6,7 @@
 #include "files.hpp"
 #include "motion_words.hpp"
 #include "options.hpp"
+#include "parsable_text.hpp"
 #include "units.hpp"
 
 #include <fstream>
@@ -84,10 +85,11 @@ std::vector<MotionFrame> readReport(const std::string& path)
 std::vector<MotionFrame> readMotionFile(const std::string& path)
 try
 {
+    const std::string text = readParsableText(path);
     cv::FileStorage fs;
     try
     {
-        fs.open(path, cv::FileStorage::READ);
+        fs.open(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     }
     catch (const std::exception&) // those of the standard library come out of OpenCV's parser, too
     {
@@ -102,6 +104,10 @@ try
     frame.frame = -1;
     frame.motion.read(node);
     return {frame};
+}
+catch (const UsageError& e)
+{
+    throw InputError(path + " " + e.what());
 }
 catch (const cv::Exception& e)
 {

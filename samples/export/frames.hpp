@@ -25,8 +25,8 @@ struct MotionFrame
 //! The frames of a report of rsackermann_correct, failed ones left out; throws InputError.
 std::vector<MotionFrame> readReport(const std::string& path);
 
-/** One frame from a file of cv::FileStorage with what AckermannMotion::write() has written, in the root or in the node
-"motion", and maybe the frame's name in the node "input"; throws InputError. */
+/** One frame from a file of cv::FileStorage, not compressed, with what AckermannMotion::write() has written, in the
+root or in the node "motion", and maybe the frame's name in the node "input"; throws InputError. */
 std::vector<MotionFrame> readMotionFile(const std::string& path);
 
 } // namespace rsackermann_samples

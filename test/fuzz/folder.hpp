@@ -9,7 +9,8 @@
 
 namespace fuzz {
 
-//! Makes an empty temporary folder the present one, so that the fuzzer needs absolute paths; it goes when the process ends.
+//! Makes an empty temporary folder the present one, so that the fuzzer needs absolute paths; it goes when the process
+//! ends.
 class Folder
 {
 public:

@@ -21,7 +21,8 @@ namespace {
 // Whether a file elsewhere might be meant.
 bool leavesFolder(const std::string& argument)
 {
-    return argument.find("..") != std::string::npos || (argument.find('/') != std::string::npos && argument.compare(0, 8, "--shard=") != 0);
+    return argument.find("..") != std::string::npos ||
+           (argument.find('/') != std::string::npos && argument.compare(0, 8, "--shard=") != 0);
 }
 
 } // namespace

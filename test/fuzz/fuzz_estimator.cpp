@@ -4,7 +4,8 @@
 
 #include "values.hpp"
 
-// Segments, a camera, parameters and a prior for AckermannEstimator::estimate(): what comes out is finite and within its range.
+// Segments, a camera, parameters and a prior for AckermannEstimator::estimate(): what comes out is finite and within
+// its range.
 
 using namespace cv::rsackermann;
 using fuzz::require;
@@ -35,7 +36,8 @@ cv::Mat makeSegments(fuzz::Values& values, const cv::Size& size)
     cv::RNG rng(size.width);
     while (many && segments.rows < MANY)
     {
-        const double x = rng.uniform(0., 1. * size.width), length = rng.uniform(0.1, 0.5) * size.height, y = rng.uniform(0., 0.5) * size.height;
+        const double x = rng.uniform(0., 1. * size.width), length = rng.uniform(0.1, 0.5) * size.height,
+                     y = rng.uniform(0., 0.5) * size.height;
         segments.push_back(cv::Mat(cv::Matx14d(x, y, x + rng.gaussian(lean) * length, y + length)));
     }
     if (values.flag())
@@ -46,17 +48,19 @@ cv::Mat makeSegments(fuzz::Values& values, const cv::Size& size)
 void checkMotion(const AckermannMotion& m, const RollingShutterCamera& camera)
 {
     require(m.status >= MOTION_OK && m.status <= MOTION_NOT_OBSERVABLE, "status is none of MotionStatus");
-    require(m.model == MODEL_NONE || m.model == MODEL_1LA || m.model == MODEL_3LA || m.model == MODEL_4LA, "model is none of MotionModel");
+    require(m.model == MODEL_NONE || m.model == MODEL_1LA || m.model == MODEL_3LA || m.model == MODEL_4LA,
+            "model is none of MotionModel");
     require(m.scale >= SCALE_UNKNOWN && m.scale <= SCALE_SPEED, "scale is none of MotionScale");
-    for (const double value : {m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope, m.rollCorrection, m.pitchCorrection, m.wallDistance,
-                               m.rms, m.expectedRaw, m.expectedLeft})
+    for (const double value : {m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope, m.rollCorrection,
+                               m.pitchCorrection, m.wallDistance, m.rms, m.expectedRaw, m.expectedLeft})
         require(fuzz::isFinite(value), "a field isn't finite");
     require(fuzz::isFinite(cv::Mat(m.covariance)), "the covariance isn't finite");
     require(m.candidates >= m.inliers && m.inliers >= 0, "there are more inliers than candidates");
     double yawRate = 0, speed = 0;
     m.yawRate(camera, yawRate);
     m.speed(camera, speed);
-    require(fuzz::isFinite(yawRate) && fuzz::isFinite(speed) && fuzz::isFinite(m.delta()), "a metric value isn't finite");
+    require(fuzz::isFinite(yawRate) && fuzz::isFinite(speed) && fuzz::isFinite(m.delta()),
+            "a metric value isn't finite");
     require(fuzz::isFinite(cv::Mat(m.metricCovariance(camera))), "the metric covariance isn't finite");
     cv::Matx33d R;
     cv::Vec3d T;
@@ -77,9 +81,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
         const cv::Mat segments = makeSegments(values, camera.imageSize);
         cv::Mat labels;
         AckermannMotion motion;
-        fuzz::requireQuick(LONGEST, [&]() { motion = AckermannEstimator::create(camera, params)->estimate(segments, labels, prior); });
+        fuzz::requireQuick(
+            LONGEST, [&]() { motion = AckermannEstimator::create(camera, params)->estimate(segments, labels, prior); });
         require(labels.rows == segments.rows && labels.type() == CV_8U, "there isn't a label for each segment");
-        require(cv::checkRange(labels, true, nullptr, SEGMENT_REJECTED, SEGMENT_RIGHT_WALL + 1), "a label is none of SegmentLabel");
+        require(cv::checkRange(labels, true, nullptr, SEGMENT_REJECTED, SEGMENT_RIGHT_WALL + 1),
+                "a label is none of SegmentLabel");
         checkMotion(motion, camera);
     }
     catch (const cv::Exception& e)

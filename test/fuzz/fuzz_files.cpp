@@ -10,6 +10,7 @@
 #include "files.hpp"
 #include "frames.hpp"
 #include "options.hpp"
+#include "parsable_text.hpp"
 #include "report_file.hpp"
 #include "truth_file.hpp"
 
@@ -45,7 +46,8 @@ void readLog()
         for (const double time : {0., 0.5, 1e12})
         {
             const FrameFacts facts = log.of(name, 1, time);
-            for (const double value : {facts.time, facts.speed, facts.speedSigma, facts.yawRate, facts.yawRateSigma, facts.roll, facts.pitch})
+            for (const double value : {facts.time, facts.speed, facts.speedSigma, facts.yawRate, facts.yawRateSigma,
+                                       facts.roll, facts.pitch})
                 require(!cvIsInf(value), "the log tells of something infinite");
         }
 }
@@ -79,7 +81,8 @@ void goOnWithReport()
 template <class Readable>
 void readObject(Readable object)
 {
-    const cv::FileStorage file(FILE_NAME, cv::FileStorage::READ);
+    // Not by name: the parser is OpenCV's, and it may not end.
+    const cv::FileStorage file(readParsableText(FILE_NAME), cv::FileStorage::READ | cv::FileStorage::MEMORY);
     if (!file.isOpened())
         return;
     object.read(file.root());
@@ -120,7 +123,8 @@ void read(void (*reader)())
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     static const fuzz::Folder folder;
-    static void (*const readers[])() = {readCalibration, readLines, readLog, readFramesOfReport, goOnWithReport, readTrueMotion, readFrameOfMotion};
+    static void (*const readers[])() = {readCalibration, readLines,      readLog,          readFramesOfReport,
+                                        goOnWithReport,  readTrueMotion, readFrameOfMotion};
     if (size == 0 || size > 4096)
         return 0;
     folder.write(FILE_NAME, std::string(reinterpret_cast<const char*>(data) + 1, size - 1));

@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-// Segments and limits for the minimal solvers: no more solutions than there is room for, and those finite and within the limits.
+// Segments and limits for the minimal solvers: no more solutions than there is room for, and those finite and within
+// the limits.
 
 using namespace cv::rsackermann;
 using fuzz::require;
@@ -19,9 +20,11 @@ void check(int count, int room, const MinimalSolution* solutions, bool twoWalls,
     for (int i = 0; i < count; i++)
     {
         const MinimalSolution& s = solutions[i];
-        require(fuzz::isFinite(s.alpha) && fuzz::isFinite(s.wallSlope) && fuzz::isFinite(s.wallOffset) && fuzz::isFinite(s.wallRatio),
+        require(fuzz::isFinite(s.alpha) && fuzz::isFinite(s.wallSlope) && fuzz::isFinite(s.wallOffset) &&
+                    fuzz::isFinite(s.wallRatio),
                 "a solution isn't finite");
-        require(std::abs(s.alpha) <= options.maxAlpha && std::hypot(s.wallSlope, s.wallOffset) <= options.maxScaledSpeed * (1 + 1e-12),
+        require(std::abs(s.alpha) <= options.maxAlpha &&
+                    std::hypot(s.wallSlope, s.wallOffset) <= options.maxScaledSpeed * (1 + 1e-12),
                 "a solution is beyond the limits");
         require(twoWalls ? s.wallRatio > 0 : s.wallRatio == 0, "the ratio of the walls isn't that of their number");
     }

@@ -4,7 +4,8 @@
 
 #include "values.hpp"
 
-// A motion, a camera and sizes for WarpMapGenerator: what maps and points say is finite, and within the range of cv::remap where it is valid.
+// A motion, a camera and sizes for WarpMapGenerator: what maps and points say is finite, and within the range of
+// cv::remap where it is valid.
 
 using namespace cv::rsackermann;
 using fuzz::require;
@@ -27,9 +28,11 @@ void checkMaps(const cv::Mat& map1, const cv::Mat& map2, const cv::Mat& mask, co
     for (int y = 0; y < size.height; y++)
         for (int x = 0; x < size.width; x++)
         {
-            const cv::Point2f p = type == CV_32FC2 ? map1.at<cv::Point2f>(y, x) : cv::Point2f(map1.at<float>(y, x), map2.at<float>(y, x));
+            const cv::Point2f p =
+                type == CV_32FC2 ? map1.at<cv::Point2f>(y, x) : cv::Point2f(map1.at<float>(y, x), map2.at<float>(y, x));
             require(isPlace(p.x, p.y), "a map has a place that isn't finite or beyond what cv::remap takes");
-            require(mask.at<uchar>(y, x) == 0 || p != cv::Point2f(NONE, NONE), "the mask has a pixel that has no place");
+            require(mask.at<uchar>(y, x) == 0 || p != cv::Point2f(NONE, NONE),
+                    "the mask has a pixel that has no place");
         }
 }
 
@@ -40,7 +43,8 @@ void checkPoints(const std::vector<cv::Point2d>& points, const cv::Mat& mask)
                 "a point isn't finite, or has a place without having one");
 }
 
-void usePoints(fuzz::Values& values, const WarpMapGenerator& generator, const AckermannMotion& motion, const cv::Size& size)
+void usePoints(fuzz::Values& values, const WarpMapGenerator& generator, const AckermannMotion& motion,
+               const cv::Size& size)
 {
     std::vector<cv::Point2d> points, moved;
     std::vector<double> depths;
@@ -71,7 +75,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
         if (values.flag())
         {
             params.newSize = cv::Size(values.integer(1, 40), values.integer(1, 40));
-            params.newCameraMatrix = cv::Matx33d(values.number(1, 200), 0, values.number(-80, 160), 0, values.number(1, 200), values.number(-80, 160), 0, 0, 1);
+            params.newCameraMatrix = cv::Matx33d(values.number(1, 200), 0, values.number(-80, 160), 0,
+                                                 values.number(1, 200), values.number(-80, 160), 0, 0, 1);
         }
         params.maxIterations = values.integer(0, 3) ? params.maxIterations : values.integer(0, 100);
         params.tolerance = values.around(params.tolerance, 0, 1);

@@ -34,7 +34,8 @@ bool isFinite(const cv::Mat& values)
         return true;
     cv::Mat numbers; // cv::checkRange() refuses the largest one
     values.reshape(1).convertTo(numbers, CV_64F);
-    return std::all_of(numbers.begin<double>(), numbers.end<double>(), [](double value) { return std::isfinite(value); });
+    return std::all_of(numbers.begin<double>(), numbers.end<double>(),
+                       [](double value) { return std::isfinite(value); });
 }
 
 void requireQuick(double seconds, const std::function<void()>& function)
@@ -55,8 +56,26 @@ void requireQuick(double seconds, const std::function<void()>& function)
 double Values::any()
 {
     typedef std::numeric_limits<double> Limits;
-    static const double special[] = {0, -0., 1, -1, Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::denorm_min(),
-                                     Limits::min(), Limits::max(), -Limits::max(), 1e-30, 1e-12, 1e6, -1e6, 1e30, 1e154, 3.5e38, 32767, -32768};
+    static const double special[] = {0,
+                                     -0.,
+                                     1,
+                                     -1,
+                                     Limits::quiet_NaN(),
+                                     Limits::infinity(),
+                                     -Limits::infinity(),
+                                     Limits::denorm_min(),
+                                     Limits::min(),
+                                     Limits::max(),
+                                     -Limits::max(),
+                                     1e-30,
+                                     1e-12,
+                                     1e6,
+                                     -1e6,
+                                     1e30,
+                                     1e154,
+                                     3.5e38,
+                                     32767,
+                                     -32768};
     if (flag())
         return bytes_.PickValueInArray(special);
     return bytes_.ConsumeFloatingPoint<double>();

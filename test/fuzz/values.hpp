@@ -29,8 +29,8 @@ void requireQuick(double seconds, const std::function<void()>& function);
 
 /** Makes values for the library from the fuzzer's bytes.
 
-Most are such as a caller would give, since others are refused before much is done; the rest is anything: NaN, infinity, denormal and
-the largest numbers.
+Most are such as a caller would give, since others are refused before much is done; the rest is anything: NaN, infinity,
+denormal and the largest numbers.
 */
 class Values
 {

@@ -8,22 +8,29 @@
 
 namespace opencv_test { namespace {
 
-const char* const OPENCV_YAML = "%YAML:1.0\n---\nimage_width: 640\nimage_height: 380\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
-                                "   data: [ 816., 0., 319.5, 0., 815., 189.5, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 5\n"
-                                "   cols: 1\n   dt: d\n   data: [ -0.1, 0.02, 0.001, -0.002, 0.003 ]\n";
-const char* const OPENCV_XML = "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>640</image_width>\n<image_height>380</image_height>\n"
-                               "<camera_matrix type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt>\n"
-                               "<data>816. 0. 319.5 0. 815. 189.5 0. 0. 1.</data></camera_matrix>\n"
-                               "<distortion_coefficients type_id=\"opencv-matrix\"><rows>1</rows><cols>5</cols><dt>d</dt>\n"
-                               "<data>-0.1 0.02 0.001 -0.002 0.003</data></distortion_coefficients>\n</opencv_storage>\n";
-const char* const ROS = "image_width: 640\nimage_height: 380\ncamera_name: front\ncamera_matrix:\n  rows: 3\n  cols: 3\n"
-                        "  data: [816, 0, 319.5, 0, 815, 189.5, 0, 0, 1]\ndistortion_model: plumb_bob\ndistortion_coefficients:\n  rows: 1\n  cols: 5\n"
-                        "  data: [-0.1, 0.02, 0.001, -0.002, 0.003]\n";
-const char* const ROS_MESSAGE = "height: 380\nwidth: 640\ndistortion_model: plumb_bob\nD: [-0.1, 0.02, 0.001, -0.002, 0.003]\n"
-                                "K: [816, 0, 319.5, 0, 815, 189.5, 0, 0, 1]\n";
-const char* const KALIBR = "cam0:\n  camera_model: pinhole\n  intrinsics: [816, 815, 319.5, 189.5]\n  distortion_model: radtan\n"
-                           "  distortion_coeffs: [-0.1, 0.02, 0.001, -0.002]\n  resolution: [640, 380]\n"
-                           "cam1:\n  camera_model: pinhole\n  intrinsics: [1, 1, 1, 1]\n";
+const char* const OPENCV_YAML =
+    "%YAML:1.0\n---\nimage_width: 640\nimage_height: 380\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n"
+    "   dt: d\n"
+    "   data: [ 816., 0., 319.5, 0., 815., 189.5, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 5\n"
+    "   cols: 1\n   dt: d\n   data: [ -0.1, 0.02, 0.001, -0.002, 0.003 ]\n";
+const char* const OPENCV_XML =
+    "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>640</image_width>\n<image_height>380</image_height>\n"
+    "<camera_matrix type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt>\n"
+    "<data>816. 0. 319.5 0. 815. 189.5 0. 0. 1.</data></camera_matrix>\n"
+    "<distortion_coefficients type_id=\"opencv-matrix\"><rows>1</rows><cols>5</cols><dt>d</dt>\n"
+    "<data>-0.1 0.02 0.001 -0.002 0.003</data></distortion_coefficients>\n</opencv_storage>\n";
+const char* const ROS =
+    "image_width: 640\nimage_height: 380\ncamera_name: front\ncamera_matrix:\n  rows: 3\n  cols: 3\n"
+    "  data: [816, 0, 319.5, 0, 815, 189.5, 0, 0, 1]\ndistortion_model: plumb_bob\ndistortion_coefficients:\n"
+    "  rows: 1\n  cols: 5\n"
+    "  data: [-0.1, 0.02, 0.001, -0.002, 0.003]\n";
+const char* const ROS_MESSAGE =
+    "height: 380\nwidth: 640\ndistortion_model: plumb_bob\nD: [-0.1, 0.02, 0.001, -0.002, 0.003]\n"
+    "K: [816, 0, 319.5, 0, 815, 189.5, 0, 0, 1]\n";
+const char* const KALIBR =
+    "cam0:\n  camera_model: pinhole\n  intrinsics: [816, 815, 319.5, 189.5]\n  distortion_model: radtan\n"
+    "  distortion_coeffs: [-0.1, 0.02, 0.001, -0.002]\n  resolution: [640, 380]\n"
+    "cam1:\n  camera_model: pinhole\n  intrinsics: [1, 1, 1, 1]\n";
 
 rsackermann_samples::CameraSettings read(const std::string& content)
 {
@@ -57,8 +64,9 @@ TEST(CameraFiles, shutter_and_mounting)
 {
     for (const char* content : {OPENCV_YAML, ROS})
     {
-        const rsackermann_samples::CameraSettings s = read(std::string(content) + "line_delay: 3.5e-5\nscan: bottom_to_top\nreference: 17\nroll: 1.5\npitch: -2\n"
-                                                                      "heading: 90\ncamera_height: 1.25\nfocal_sigma: 8\nline_delay_sigma: 1e-6\n");
+        const rsackermann_samples::CameraSettings s =
+            read(std::string(content) + "line_delay: 3.5e-5\nscan: bottom_to_top\nreference: 17\nroll: 1.5\npitch: -2\n"
+                                        "heading: 90\ncamera_height: 1.25\nfocal_sigma: 8\nline_delay_sigma: 1e-6\n");
         EXPECT_EQ(3.5e-5, s.lineDelay);
         EXPECT_EQ(cv::rsackermann::SCAN_BOTTOM_TO_TOP, s.scan);
         const cv::rsackermann::RollingShutterCamera camera = s.makeCamera(s.size);
@@ -75,31 +83,42 @@ TEST(CameraFiles, shutter_and_mounting)
     EXPECT_DOUBLE_EQ(0.019 / 380, s.makeCamera(s.size).lineDelay);
     EXPECT_EQ(379, s.makeCamera(s.size).referenceRow);
     // The line that is read last.
-    const rsackermann_samples::CameraSettings upwards = read(std::string(ROS) + "scan: bottom_to_top\nreference: last\n");
+    const rsackermann_samples::CameraSettings upwards =
+        read(std::string(ROS) + "scan: bottom_to_top\nreference: last\n");
     EXPECT_EQ(0, upwards.makeCamera(upwards.size).referenceRow);
 }
 
 TEST(CameraFiles, fisheye)
 {
-    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read("width: 640\nheight: 380\ndistortion_model: equidistant\nd: [0.1, 0, 0, 0]\n"
-                                                  "k: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n").lensModel);
-    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read("cam0:\n  camera_model: pinhole\n  intrinsics: [500, 500, 319.5, 189.5]\n"
-                                                  "  distortion_model: equidistant\n  distortion_coeffs: [0.1, 0, 0, 0]\n").lensModel);
-    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read("width: 640\nheight: 380\ndistortion_model: fisheye\nd: [0.1, 0, 0, 0]\n"
-                                                  "k: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n").lensModel);
+    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE,
+              read("width: 640\nheight: 380\ndistortion_model: equidistant\nd: [0.1, 0, 0, 0]\n"
+                   "k: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n")
+                  .lensModel);
+    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE,
+              read("cam0:\n  camera_model: pinhole\n  intrinsics: [500, 500, 319.5, 189.5]\n"
+                   "  distortion_model: equidistant\n  distortion_coeffs: [0.1, 0, 0, 0]\n")
+                  .lensModel);
+    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE,
+              read("width: 640\nheight: 380\ndistortion_model: fisheye\nd: [0.1, 0, 0, 0]\n"
+                   "k: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n")
+                  .lensModel);
 }
 
 // ROS writes a directive %YAML as well; the lens model's own key counts, whatever the format.
 TEST(CameraFiles, lens_model_by_its_own_key)
 {
-    const std::string ros = "image_width: 640\nimage_height: 380\ncamera_matrix:\n   rows: 3\n   cols: 3\n   data: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n"
+    const std::string ros = "image_width: 640\nimage_height: 380\ncamera_matrix:\n   rows: 3\n   cols: 3\n"
+                            "   data: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n"
                             "distortion_coefficients:\n   rows: 1\n   cols: 4\n   data: [0.1, 0, 0, 0]\n";
-    const std::string opencv = "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
-                               "   data: [ 500., 0., 319.5, 0., 500., 189.5, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 4\n"
-                               "   cols: 1\n   dt: d\n   data: [ 0.1, 0., 0., 0. ]\n";
+    const std::string opencv =
+        "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+        "   data: [ 500., 0., 319.5, 0., 500., 189.5, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n"
+        "   rows: 4\n"
+        "   cols: 1\n   dt: d\n   data: [ 0.1, 0., 0., 0. ]\n";
     for (const std::string& content : {"%YAML:1.0\n---\n" + ros, "%YAML 1.2\n---\n" + ros, ros, opencv})
     {
-        EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read(content + "distortion_model: equidistant\n").lensModel) << content;
+        EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, read(content + "distortion_model: equidistant\n").lensModel)
+            << content;
         EXPECT_EQ(cv::rsackermann::LENS_PINHOLE, read(content + "distortion_model: plumb_bob\n").lensModel) << content;
         EXPECT_THROW(read(content + "distortion_model: magic\n"), rsackermann_samples::UsageError) << content;
         EXPECT_EQ(500, read(content).K(0, 0));
@@ -122,8 +141,11 @@ TEST(CameraFiles, sizes)
         std::istringstream words(size);
         std::string width, height;
         words >> width >> height;
-        EXPECT_THROW(read(opencv + "image_width: " + width + "\nimage_height: " + height + "\n"), rsackermann_samples::UsageError) << size;
-        EXPECT_THROW(read(ros + "width: " + width + "\nheight: " + height + "\n"), rsackermann_samples::UsageError) << size;
+        EXPECT_THROW(read(opencv + "image_width: " + width + "\nimage_height: " + height + "\n"),
+                     rsackermann_samples::UsageError)
+            << size;
+        EXPECT_THROW(read(ros + "width: " + width + "\nheight: " + height + "\n"), rsackermann_samples::UsageError)
+            << size;
     }
     EXPECT_THROW(read(opencv + "image_width: 640\n"), rsackermann_samples::UsageError);
     EXPECT_THROW(read(ros + "height: 640\n"), rsackermann_samples::UsageError);
@@ -139,23 +161,35 @@ TEST(CameraFiles, nested_or_large)
         dashes += "- ";
         tags += "<a>";
     }
-    for (const std::string& content : {"a: " + std::string(300000, '['), "%YAML:1.0\n---\na: " + std::string(300000, '['), std::string(300000, '{'),
-                                       "%YAML:1.0\n---\n#opencv-matrix\na: " + std::string(300000, '['), "a:\n  " + dashes + "1\n",
-                                       "%YAML:1.0\n---\n#opencv-matrix\na:\n  " + dashes + "1\n", tags, std::string(OPENCV_YAML) + "#" + std::string(2000000, 'x') + "\n"})
+    for (const std::string& content :
+         {"a: " + std::string(300000, '['), "%YAML:1.0\n---\na: " + std::string(300000, '['), std::string(300000, '{'),
+          "%YAML:1.0\n---\n#opencv-matrix\na: " + std::string(300000, '['), "a:\n  " + dashes + "1\n",
+          "%YAML:1.0\n---\n#opencv-matrix\na:\n  " + dashes + "1\n", tags,
+          std::string(OPENCV_YAML) + "#" + std::string(2000000, 'x') + "\n"})
         EXPECT_THROW(read(content), rsackermann_samples::UsageError) << content.substr(0, 60);
     // Indentation: as deep as the size allows.
     std::string indented;
     for (int i = 0; i < 1400; i++)
         indented += std::string(size_t(i), ' ') + "a:\n";
     EXPECT_THROW(read(indented + std::string(1400, ' ') + "1\n"), rsackermann_samples::UsageError);
-    EXPECT_THROW(read("%YAML:1.0\n---\n#opencv-matrix\n" + indented + std::string(1400, ' ') + "1\n"), rsackermann_samples::UsageError);
+    EXPECT_THROW(read("%YAML:1.0\n---\n#opencv-matrix\n" + indented + std::string(1400, ' ') + "1\n"),
+                 rsackermann_samples::UsageError);
+}
+
+// OpenCV's parser reads the second document again and again.
+TEST(CameraFiles, more_than_one_document)
+{
+    const std::string again = "%YAML:1.2\n   data: [ 570., 0., 3., 1. ]\ndis-orticients: !!opencv-matrix\n";
+    for (const std::string& content : {again, OPENCV_YAML + ("---\n" + std::string(OPENCV_YAML).substr(10))})
+        EXPECT_THROW(read(content), rsackermann_samples::UsageError) << content;
 }
 
 // OpenCV would take 51 GB, or refuse them in its own words, before it sees that there is one element.
 TEST(CameraFiles, size_of_matrices)
 {
     const TemporaryFolder folder;
-    for (const char* size : {"rows: 80000\n   cols: 80000", "rows: -80000\n   cols: -80000", "rows: -1\n   cols: -1\n   sizes: [ 80000, 80000 ]", "rows: 3\n   cols: 5"})
+    for (const char* size : {"rows: 80000\n   cols: 80000", "rows: -80000\n   cols: -80000",
+                             "rows: -1\n   cols: -1\n   sizes: [ 80000, 80000 ]", "rows: 3\n   cols: 5"})
         for (const char* key : {"camera_matrix", "distortion_coefficients"})
         {
             std::string content = OPENCV_YAML;
@@ -171,7 +205,8 @@ TEST(CameraFiles, size_of_matrices)
             catch (const rsackermann_samples::UsageError& e)
             {
                 const std::string message = e.what();
-                EXPECT_NE(std::string::npos, message.find("camera file " + (folder / "camera.yml") + ": " + key)) << message;
+                EXPECT_NE(std::string::npos, message.find("camera file " + (folder / "camera.yml") + ": " + key))
+                    << message;
                 EXPECT_NE(std::string::npos, message.find("a matrix of up to 14 elements is accepted")) << message;
             }
         }
@@ -181,15 +216,37 @@ TEST(CameraFiles, broken)
 {
     const std::string opencv = OPENCV_YAML, ros = ROS;
     for (const std::string& content : std::vector<std::string>{
-             "", "hello", "a: [1, 2", "image_width: 640\n", "%YAML:1.0\n---\nx: 1\n", opencv.substr(0, opencv.size() / 2), "cam0:\n  camera_model: omni\n  intrinsics: [1, 1, 1, 1]\n",
-             "cam0:\n  camera_model: pinhole\n  intrinsics: [1, 1]\n", "camera_matrix: {data: [1, 2, 3]}\n", "camera_matrix: {data: [a, b, c]}\n",
-             ros + "scan: sideways\n", ros + "line_delay: 1e-5\nreadout: 0.01\n", ros + "line_delay: -1\n", ros + "roll: much\n", opencv + "roll: much\n",
-             ros + "reference: half\n", "width: 640\nheight: 380\ndistortion_model: magic\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n",
-             "width: 640\nheight: 380\nK: [-500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n", "width: 640\nheight: 380\nD: [1]\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n",
-             opencv + "line_delay: \"a\"\n", opencv + "heading: [ 1 ]\n", opencv + "roll: .Nan\n", ros + "roll: .nan\n", ros + "heading: .inf\n", ros + "line_delay: 20\n",
-             "%YAML:1.0\n---\ncamera_matrix: \"opencv-matrix\"\n", "%YAML:1.0\n---\ncamera_matrix: 5\n#opencv-matrix\n",
-             "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 1., a, 1., 0., 1., 1., 0., 0., 1. ]\n",
-             "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 300000\n   cols: 300000\n   dt: d\n   data: [ 1. ]\n"})
+             "",
+             "hello",
+             "a: [1, 2",
+             "image_width: 640\n",
+             "%YAML:1.0\n---\nx: 1\n",
+             opencv.substr(0, opencv.size() / 2),
+             "cam0:\n  camera_model: omni\n  intrinsics: [1, 1, 1, 1]\n",
+             "cam0:\n  camera_model: pinhole\n  intrinsics: [1, 1]\n",
+             "camera_matrix: {data: [1, 2, 3]}\n",
+             "camera_matrix: {data: [a, b, c]}\n",
+             ros + "scan: sideways\n",
+             ros + "line_delay: 1e-5\nreadout: 0.01\n",
+             ros + "line_delay: -1\n",
+             ros + "roll: much\n",
+             opencv + "roll: much\n",
+             ros + "reference: half\n",
+             "width: 640\nheight: 380\ndistortion_model: magic\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n",
+             "width: 640\nheight: 380\nK: [-500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n",
+             "width: 640\nheight: 380\nD: [1]\nK: [500, 0, 319.5, 0, 500, 189.5, 0, 0, 1]\n",
+             opencv + "line_delay: \"a\"\n",
+             opencv + "heading: [ 1 ]\n",
+             opencv + "roll: .Nan\n",
+             ros + "roll: .nan\n",
+             ros + "heading: .inf\n",
+             ros + "line_delay: 20\n",
+             "%YAML:1.0\n---\ncamera_matrix: \"opencv-matrix\"\n",
+             "%YAML:1.0\n---\ncamera_matrix: 5\n#opencv-matrix\n",
+             "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+             "   data: [ 1., a, 1., 0., 1., 1., 0., 0., 1. ]\n",
+             "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 300000\n   cols: 300000\n   dt: d\n"
+             "   data: [ 1. ]\n"})
         EXPECT_THROW(read(content), rsackermann_samples::UsageError) << content;
 }
 
@@ -221,9 +278,10 @@ TEST(CameraFiles, written_and_read)
 
 TEST(CameraFiles, options_go_before_the_file)
 {
-    const Outcome file = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--gravity_sigma=0", "--report=-"});
-    const Outcome option = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--gravity_sigma=0",
-                                    "--report=-", "--readout=0.0266666666666"});
+    const Outcome file = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",
+                                  "--gravity_sigma=0", "--report=-"});
+    const Outcome option = correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",
+                                    "--gravity_sigma=0", "--report=-", "--readout=0.0266666666666"});
     const nlohmann::json a = nlohmann::json::parse(file.output), b = nlohmann::json::parse(option.output);
     EXPECT_NEAR(a["yaw_rate_deg_s"].get<double>() / 2, b["yaw_rate_deg_s"].get<double>(), 3);
 }

@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Reads what rsackermann_export writes as the tools that it is for do (doc/exports.md) and compares with the renderer's truth.
+// Reads what rsackermann_export writes as the tools that it is for do (doc/exports.md) and compares with the renderer's
+// truth.
 
 #include "program.hpp"
 #include "street_model.hpp"
@@ -15,18 +16,23 @@ namespace opencv_test { namespace {
 using nlohmann::json;
 using rsackermann_samples::Truth;
 
-Outcome exportMotion(const Arguments& arguments) { return runProgram(EXPORT_PROGRAM, arguments); }
+Outcome exportMotion(const Arguments& arguments)
+{
+    return runProgram(EXPORT_PROGRAM, arguments);
+}
 
 // A street with its true motion in a file.
 class Export : public testing::Test
 {
 public:
-    Export() : truth(rsackermann_samples::readTruth(streetFolder() + "/truth.json")), renderer(truth.camera, truth.scene)
+    Export()
+        : truth(rsackermann_samples::readTruth(streetFolder() + "/truth.json")), renderer(truth.camera, truth.scene)
     {
         cv::FileStorage fs(folder / "motion.yml", cv::FileStorage::WRITE);
-        fs << "input" << "street/rolling.png" << "motion" << "{";
+        fs.write("input", "street/rolling.png");
+        fs.startWriteStruct("motion", cv::FileNode::MAP);
         rsackermann_samples::libraryMotion(truth.camera, truth.scene).write(fs);
-        fs << "}";
+        fs.endWriteStruct();
     }
 
     void write(const Arguments& options)
@@ -59,7 +65,8 @@ Pose poseOf(const json& rows)
 Pose viewAt(const Truth& truth, double row)
 {
     const double time = (row - truth.camera.reference) * truth.camera.lineDelay, yaw = truth.scene.yawRate * time;
-    const double chord = std::abs(yaw) > 1e-12 ? truth.scene.speed * time * std::sin(yaw / 2) / (yaw / 2) : truth.scene.speed * time;
+    const double chord =
+        std::abs(yaw) > 1e-12 ? truth.scene.speed * time * std::sin(yaw / 2) / (yaw / 2) : truth.scene.speed * time;
     const cv::Vec3d position(chord * std::sin(yaw / 2), 0, chord * std::cos(yaw / 2));
     const cv::Matx33d toCamera(std::cos(yaw), 0, -std::sin(yaw), 0, 1, 0, std::sin(yaw), 0, std::cos(yaw));
     const cv::Vec3d t = -(toCamera * position);
@@ -105,7 +112,8 @@ TEST_F(Export, row_poses_of_a_shutter_that_goes_up_begin_at_the_last_row)
     EXPECT_LT(cv::norm(poseOf(poses["frames"][0]["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
 }
 
-// https://colmap.github.io/format.html: pixel centres at 0.5; masks are named after their image, and 0 stands for no features.
+// https://colmap.github.io/format.html: pixel centres at 0.5; masks are named after their image, and 0 stands for no
+// features.
 TEST_F(Export, colmap_camera_and_masks)
 {
     write({"--colmap=" + (folder / "colmap")});
@@ -139,7 +147,8 @@ TEST_F(Export, colmap_camera_and_masks)
     EXPECT_LE(cv::countNonZero(mask != seen), size().width + size().height);
 }
 
-// Applies an STMap as Nuke's node of this name: shares of the source's size from its lower left corner, at the pixel's centre.
+// Applies an STMap as Nuke's node of this name: shares of the source's size from its lower left corner, at the pixel's
+// centre.
 cv::Point2d placeOf(const cv::Mat& map, int x, int y, const cv::Size& source, double full)
 {
     double u = 0, v = 0;
@@ -165,8 +174,8 @@ void expectMoves(Move move, const cv::Mat& map, const street::StreetRenderer& re
         for (int x = 0; x < map.cols; x += 7)
         {
             cv::Point2d exact;
-            const bool inside = (renderer.*move)(cv::Point2d(x, y), exact) && exact.x >= 0 && exact.y >= 0 && exact.x <= map.cols - 1 &&
-                                exact.y <= map.rows - 1;
+            const bool inside = (renderer.*move)(cv::Point2d(x, y), exact) && exact.x >= 0 && exact.y >= 0 &&
+                                exact.x <= map.cols - 1 && exact.y <= map.rows - 1;
             if (!inside)
                 continue;
             compared++;
@@ -233,14 +242,18 @@ TEST_F(Export, tracks_keep_their_other_columns)
 
 TEST_F(Export, damaged_tracks_are_refused_with_their_line)
 {
-    const std::vector<std::pair<std::string, std::string> > cases = {
-        {"x,z\n1,2\n", "a header with x, y"}, {"x,y\n1,2\n1,2,3\n", "line 3"},
-        {"x,y\n1,abc\n", "line 2"}, {"file,x,y\nother.png,1,2\n", "no motion of the file other.png"}, {"", "tracks.csv"}};
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"x,z\n1,2\n", "a header with x, y"},
+        {"x,y\n1,2\n1,2,3\n", "line 3"},
+        {"x,y\n1,abc\n", "line 2"},
+        {"file,x,y\nother.png,1,2\n", "no motion of the file other.png"},
+        {"", "tracks.csv"}};
     for (const auto& c : cases)
     {
         writeContent(folder / "tracks.csv", c.first);
-        const Outcome outcome = exportMotion({"--motion=" + (folder / "motion.yml"), "--camera=" + streetFolder() + "/camera.yml",
-                                              "--tracks=" + (folder / "tracks.csv"), "--tracks_output=" + (folder / "out.csv")});
+        const Outcome outcome =
+            exportMotion({"--motion=" + (folder / "motion.yml"), "--camera=" + streetFolder() + "/camera.yml",
+                          "--tracks=" + (folder / "tracks.csv"), "--tracks_output=" + (folder / "out.csv")});
         EXPECT_NE(0, outcome.exitCode) << c.first;
         EXPECT_NE(std::string::npos, outcome.messages.find(c.second)) << outcome.messages;
         EXPECT_FALSE(cv::utils::fs::exists(folder / "out.csv"));
@@ -269,14 +282,15 @@ TEST_F(Export, mesh_has_the_error_that_it_says)
         for (int j = 0; j + 1 < rows; j++)
             for (int i = 0; i + 1 < columns; i++)
             {
-                const json corners[] = {nodes[j * columns + i], nodes[j * columns + i + 1], nodes[(j + 1) * columns + i],
-                                        nodes[(j + 1) * columns + i + 1]};
+                const json corners[] = {nodes[j * columns + i], nodes[j * columns + i + 1],
+                                        nodes[(j + 1) * columns + i], nodes[(j + 1) * columns + i + 1]};
                 const cv::Point2d low(corners[0][0], corners[0][1]), high(corners[3][0], corners[3][1]);
                 for (int y = int(std::ceil(low.y)); y < high.y; y++)
                     for (int x = int(std::ceil(low.x)); x < high.x; x++)
                     {
                         cv::Point2d exact, place;
-                        if (!renderer.toRolling(cv::Point2d(x, y), exact) || exact.x < 0 || exact.y < 0 || exact.x > 639 || exact.y > 379)
+                        if (!renderer.toRolling(cv::Point2d(x, y), exact) || exact.x < 0 || exact.y < 0 ||
+                            exact.x > 639 || exact.y > 379)
                             continue;
                         const double u = (x - low.x) / (high.x - low.x), v = (y - low.y) / (high.y - low.y);
                         const double weights[] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
@@ -303,17 +317,28 @@ TEST_F(Export, mesh_has_the_error_that_it_says)
 TEST_F(Export, report)
 {
     const cv::rsackermann::AckermannMotion m = rsackermann_samples::libraryMotion(truth.camera, truth.scene);
-    const json street = {{"input", "street/rolling.png"}, {"status", "ok"}, {"alpha", m.alpha}, {"beta", m.wallSlope},
-                         {"wall_offset", m.wallOffset}, {"wall_ratio", m.wallRatio}, {"road_slope", m.roadSlope}, {"direction", m.direction},
-                         {"roll_correction_deg", 0}, {"pitch_correction_deg", 0}, {"wall_distance_m", m.wallDistance}, {"scale", "wall"}};
+    const json street = {{"input", "street/rolling.png"},
+                         {"status", "ok"},
+                         {"alpha", m.alpha},
+                         {"beta", m.wallSlope},
+                         {"wall_offset", m.wallOffset},
+                         {"wall_ratio", m.wallRatio},
+                         {"road_slope", m.roadSlope},
+                         {"direction", m.direction},
+                         {"roll_correction_deg", 0},
+                         {"pitch_correction_deg", 0},
+                         {"wall_distance_m", m.wallDistance},
+                         {"scale", "wall"}};
     json frame = street;
     frame["input"] = "drive.mp4";
     frame["frame"] = 7;
     const json failed = {{"input", "x.png"}, {"status", "failed"}, {"error", "the image can't be decoded"}};
     const json still = {{"input", "still.png"}, {"status", "not_significant"}, {"alpha", nullptr}};
-    writeContent(folder / "report.jsonl", street.dump() + "\n" + failed.dump() + "\n" + still.dump() + "\n" + frame.dump() + "\n");
+    writeContent(folder / "report.jsonl",
+                 street.dump() + "\n" + failed.dump() + "\n" + still.dump() + "\n" + frame.dump() + "\n");
     const std::string camera = "--camera=" + streetFolder() + "/camera.yml";
-    const Outcome outcome = exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--row_poses=" + (folder / "of_report.json")});
+    const Outcome outcome =
+        exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--row_poses=" + (folder / "of_report.json")});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     write({"--row_poses=" + (folder / "of_motion.json")});
     const json expected = json::parse(contentOf(folder / "of_motion.json"))["frames"][0];
@@ -325,10 +350,12 @@ TEST_F(Export, report)
     EXPECT_EQ("drive.mp4.000007", frames[2]["file"]);
     EXPECT_EQ(expected["viewmat_end"], frames[2]["viewmat_end"]);
 
-    for (const std::string& damaged : {std::string("{}"), std::string("no JSON"), json({{"input", "x"}, {"status", "ok"}}).dump()})
+    for (const std::string& damaged :
+         {std::string("{}"), std::string("no JSON"), json({{"input", "x"}, {"status", "ok"}}).dump()})
     {
         writeContent(folder / "report.jsonl", street.dump() + "\n" + damaged + "\n");
-        const Outcome refused = exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--row_poses=" + (folder / "none.json")});
+        const Outcome refused =
+            exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--row_poses=" + (folder / "none.json")});
         EXPECT_EQ(1, refused.exitCode);
         EXPECT_NE(std::string::npos, refused.messages.find("report.jsonl, line 2")) << refused.messages;
         EXPECT_FALSE(cv::utils::fs::exists(folder / "none.json"));
@@ -339,12 +366,12 @@ TEST_F(Export, report)
 TEST_F(Export, report_of_rsackermann_correct)
 {
     const std::string camera = "--camera=" + streetFolder() + "/camera.yml";
-    const Outcome corrected = correct({streetFolder() + "/rolling.png", camera, "--wall=2.5", "--roll=1", "--maps=" + (folder / "maps.yml"),
-                                       "--report=" + (folder / "report.jsonl")});
+    const Outcome corrected = correct({streetFolder() + "/rolling.png", camera, "--wall=2.5", "--roll=1",
+                                       "--maps=" + (folder / "maps.yml"), "--report=" + (folder / "report.jsonl")});
     ASSERT_EQ(0, corrected.exitCode) << corrected.messages;
     ASSERT_EQ("ok", json::parse(contentOf(folder / "report.jsonl"))["status"]);
-    const Outcome exported = exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--roll=1", "--stmap=" + folder.path(),
-                                           "--stmap_format=exr"});
+    const Outcome exported = exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--roll=1",
+                                           "--stmap=" + folder.path(), "--stmap_format=exr"});
     ASSERT_EQ(0, exported.exitCode) << exported.messages;
     cv::Mat columns, rows;
     cv::FileStorage fs(folder / "maps.yml", cv::FileStorage::READ);
@@ -382,7 +409,8 @@ TEST_F(Export, frames_without_a_motion_stay_as_they_are)
 
 TEST_F(Export, usage)
 {
-    const std::string motion = "--motion=" + (folder / "motion.yml"), camera = "--camera=" + streetFolder() + "/camera.yml";
+    const std::string motion = "--motion=" + (folder / "motion.yml"),
+                      camera = "--camera=" + streetFolder() + "/camera.yml";
     EXPECT_EQ(2, exportMotion({camera}).exitCode);
     EXPECT_EQ(2, exportMotion({motion, camera, "--report=x"}).exitCode);
     EXPECT_EQ(2, exportMotion({motion}).exitCode); // the size isn't known
@@ -396,6 +424,11 @@ TEST_F(Export, usage)
     const Outcome damaged = exportMotion({"--motion=" + (folder / "damaged.yml"), camera});
     EXPECT_EQ(1, damaged.exitCode);
     EXPECT_NE(std::string::npos, damaged.messages.find("damaged.yml holds no motion")) << damaged.messages;
+    // OpenCV's parser would read the second document again and again.
+    writeContent(folder / "twice.yml", "%YAML:1.2\n   status: 0\ncovariance: !!opencv-matrix\n");
+    const Outcome twice = exportMotion({"--motion=" + (folder / "twice.yml"), camera});
+    EXPECT_EQ(1, twice.exitCode);
+    EXPECT_NE(std::string::npos, twice.messages.find("twice.yml holds more than one document")) << twice.messages;
     EXPECT_EQ(0, exportMotion({motion, "--size=640x380", "--focal=500"}).exitCode);
 }
 

@@ -72,7 +72,9 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), committed_(false)
         temporary_ = folder + PREFIX + cv::format("%d-%u", int(getpid()), counter++) + extensionsOf(name);
         errno = 0;
         file_ = createLocked(temporary_);
-    } while (file_.get() < 0 && (errno == EEXIST || errno == 0 || errno == ENOENT) && cv::utils::fs::exists(folder.empty() ? "." : folder));
+    }
+    while (file_.get() < 0 && (errno == EEXIST || errno == 0 || errno == ENOENT) &&
+           cv::utils::fs::exists(folder.empty() ? "." : folder));
     if (file_.get() < 0)
         throw InputError(path_ + " can't be written: " + systemError());
 }

@@ -29,7 +29,8 @@ private:
     int number_;
 };
 
-/** A file that appears complete or not at all: it is written under another name in the same folder and renamed at the end.
+/** A file that appears complete or not at all: it is written under another name in the same folder and renamed at the
+end.
 
 Until then it is locked: a temporary file without a lock was left behind by a process that was killed.
 */
@@ -66,7 +67,7 @@ public:
     void commit();
 
 private:
-    std::vector<std::unique_ptr<AtomicFile> > files_;
+    std::vector<std::unique_ptr<AtomicFile>> files_;
 };
 
 //! Writes a file that appears complete or not at all; throws InputError.

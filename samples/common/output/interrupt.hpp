@@ -15,8 +15,8 @@ struct Interrupted : std::runtime_error
     Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/** From now on the first SIGINT or SIGTERM asks the program to end in good order; a second one ends it at once. SIGXFSZ is ignored, so that
-a limit on the size of files is an error of writing like a full disk. */
+/** From now on the first SIGINT or SIGTERM asks the program to end in good order; a second one ends it at once. SIGXFSZ
+is ignored, so that a limit on the size of files is an error of writing like a full disk. */
 void listenForInterrupts();
 
 //! The signal that has asked the program to end; 0: none.

@@ -65,7 +65,8 @@ bool makesNoDifferenceOfCase(const std::string& folder)
         const std::string& name = file.temporaryName();
         struct stat status;
         std::string other = fileName(name);
-        std::transform(other.begin(), other.end(), other.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+        std::transform(other.begin(), other.end(), other.begin(),
+                       [](unsigned char c) { return char(std::toupper(c)); });
         return stat((parentOf(name) + "/" + other).c_str(), &status) == 0;
     }
     catch (const InputError&)
@@ -137,7 +138,8 @@ void OutputPlan::add(const Place& place, const std::string& path, const std::str
     const auto similar = outputs_.equal_range(lowerCase(name));
     for (auto it = similar.first; it != similar.second; ++it)
         if (it->second.name == name || makesNoDifferenceOfCase(place.folder))
-            throw UsageError("the results of " + it->second.source + " and " + source + " would have the same name " + path);
+            throw UsageError("the results of " + it->second.source + " and " + source + " would have the same name " +
+                             path);
     outputs_.insert(std::make_pair(lowerCase(name), Output{name, source}));
 }
 

@@ -13,8 +13,8 @@ namespace rsackermann_samples {
 
 /** All files that a program is going to write, so that conflicts are found before any work is done.
 
-Names that lead to the same file are the same, however they are written: with ./ or .., through links, or in another case if the file
-system makes no difference.
+Names that lead to the same file are the same, however they are written: with ./ or .., through links, or in another
+case if the file system makes no difference.
 */
 class OutputPlan
 {
@@ -22,9 +22,11 @@ public:
     //! Tells of a file that is read and mustn't be replaced.
     void addInput(const std::string& path);
     /** Tells of a file that is to be written.
-    @param source whose result it is, for the message. Throws UsageError if it is an input or the result of another source. */
+    @param source whose result it is, for the message. Throws UsageError if it is an input or the result of another
+    source. */
     void addOutput(const std::string& path, const std::string& source);
-    //! Tells of files STEM_NNNNNN with an extension, for each frame of a video; before the outputs that may have such a name.
+    //! Tells of files STEM_NNNNNN with an extension, for each frame of a video; before the outputs that may have such a
+    //! name.
     void addFrames(const std::string& stem, const std::string& extension, const std::string& source);
     //! Removes the files that killed programs have left in the folders of the outputs.
     void removeLeftovers() const;
@@ -43,7 +45,7 @@ private:
 
     void add(const Place& place, const std::string& path, const std::string& source);
 
-    std::map<std::string, std::string> inputs_; // a file's unique key, and its name
+    std::map<std::string, std::string> inputs_;  // a file's unique key, and its name
     std::multimap<std::string, Output> outputs_; // by the name in lower case
     std::set<std::string> folders_, frames_;
 };

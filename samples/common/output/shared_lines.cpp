@@ -66,7 +66,8 @@ std::string contentOf(int file, off_t length)
 } // namespace
 
 // A link stays one when its file is replaced.
-SharedLines::SharedLines(const std::string& path) : path_(cv::utils::fs::exists(path) ? cv::utils::fs::canonical(path) : path)
+SharedLines::SharedLines(const std::string& path)
+    : path_(cv::utils::fs::exists(path) ? cv::utils::fs::canonical(path) : path)
 {
 }
 
@@ -78,7 +79,8 @@ FileDescriptor SharedLines::openLocked() const
     while (true)
     {
         FileDescriptor file(open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-        if (file.get() < 0 && (errno == EACCES || errno == EINVAL || errno == ESPIPE)) // a pipe or a device may be for writing only
+        // A pipe or a device may be for writing only
+        if (file.get() < 0 && (errno == EACCES || errno == EINVAL || errno == ESPIPE))
             file = FileDescriptor(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
         if (file.get() < 0)
             throw InputError(path_ + " can't be written: " + systemError());
@@ -99,7 +101,8 @@ void SharedLines::filter(const std::function<bool(const std::string& line)>& kee
     const FileDescriptor file = openLocked();
     const std::string content = contentOf(file.get(), lengthOfWholeLines(file.get()));
     std::string kept;
-    for (size_t begin = 0, end; begin < content.size() && (end = content.find('\n', begin)) != std::string::npos; begin = end + 1)
+    for (size_t begin = 0, end; begin < content.size() && (end = content.find('\n', begin)) != std::string::npos;
+         begin = end + 1)
         if (keep(content.substr(begin, end - begin)))
             kept.append(content, begin, end + 1 - begin);
     if (lengthOf(file.get()) >= 0 && off_t(kept.size()) != lengthOf(file.get()))

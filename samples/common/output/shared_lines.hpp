@@ -12,8 +12,8 @@ namespace rsackermann_samples {
 
 /** A text file to which several processes append lines.
 
-Lines that are appended together stay together, and they are there for others, and after the process is killed, when append() returns. A last line
-without its end was left by a process that was killed while it wrote; it is removed.
+Lines that are appended together stay together, and they are there for others, and after the process is killed, when
+append() returns. A last line without its end was left by a process that was killed while it wrote; it is removed.
 */
 class SharedLines
 {
