@@ -1,8 +1,8 @@
 # The counterpart of ocv_add_dispatched_file(FILE MODES...) inside of OpenCV, for a build against an installed OpenCV.
 #
 # warp/maps.simd.hpp would hold the code; warp/maps.dispatch.cpp includes "maps.simd.hpp" and the generated
-# "warp/maps.simd_declarations.hpp", and chooses with CV_CPU_DISPATCH. The code is compiled again for each of the modes (AVX2,
-# AVX512_SKX) that the compiler knows.
+# "warp/maps.simd_declarations.hpp", and chooses with CV_CPU_DISPATCH. The code is compiled again for each of the modes
+# (AVX2, AVX512_SKX) that the compiler knows.
 
 include(CheckCXXCompilerFlag)
 
@@ -14,7 +14,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND RSACKERMANN_FLAGS_AVX512_SKX -Wno-maybe-uninitialized -Wno-uninitialized)
 endif()
 
-# Adds to the target the files below module_dir/src for which the CMakeLists.txt of the module has ocv_add_dispatched_file().
+# Adds to the target the files below module_dir/src for which the CMakeLists.txt of the module has
+# ocv_add_dispatched_file().
 function(rsackermann_add_dispatched_files target module_dir)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${module_dir}/CMakeLists.txt")
   file(STRINGS "${module_dir}/CMakeLists.txt" calls REGEX "^ocv_add_dispatched_file\\(")

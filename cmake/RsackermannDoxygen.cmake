@@ -1,4 +1,5 @@
-# The target doc: pages of the classes and the tutorials in doxygen/html. Every warning is an error, so that it is a test, too.
+# The target doc: pages of the classes and the tutorials in doxygen/html. Every warning is an error, so that it is a
+# test, too.
 
 find_program(DOXYGEN_PROGRAM doxygen)
 find_program(BIBTEX_PROGRAM bibtex) # doxygen calls it

@@ -13,7 +13,8 @@ install(TARGETS opencv_rsackermann EXPORT rsackermannTargets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
 install(DIRECTORY "${RSACKERMANN_MODULE_DIR}/include/opencv2" DESTINATION "${RSACKERMANN_INSTALL_INCLUDEDIR}"
   COMPONENT development)
-install(EXPORT rsackermannTargets NAMESPACE rsackermann:: DESTINATION "${RSACKERMANN_INSTALL_CMAKEDIR}" COMPONENT development)
+install(EXPORT rsackermannTargets NAMESPACE rsackermann:: DESTINATION "${RSACKERMANN_INSTALL_CMAKEDIR}"
+  COMPONENT development)
 
 configure_package_config_file(cmake/rsackermannConfig.cmake.in "${PROJECT_BINARY_DIR}/rsackermannConfig.cmake"
   INSTALL_DESTINATION "${RSACKERMANN_INSTALL_CMAKEDIR}")
@@ -29,4 +30,5 @@ list(TRANSFORM RSACKERMANN_PKGCONFIG_OPENCV_INCLUDES PREPEND "-I")
 list(JOIN RSACKERMANN_PKGCONFIG_OPENCV_INCLUDES " " RSACKERMANN_PKGCONFIG_OPENCV_INCLUDES)
 configure_file(cmake/rsackermann.pc.in "${PROJECT_BINARY_DIR}/rsackermann.pc.configured" @ONLY)
 file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/rsackermann.pc" INPUT "${PROJECT_BINARY_DIR}/rsackermann.pc.configured")
-install(FILES "${PROJECT_BINARY_DIR}/rsackermann.pc" DESTINATION "${RSACKERMANN_INSTALL_PKGCONFIGDIR}" COMPONENT development)
+install(FILES "${PROJECT_BINARY_DIR}/rsackermann.pc" DESTINATION "${RSACKERMANN_INSTALL_PKGCONFIGDIR}"
+  COMPONENT development)

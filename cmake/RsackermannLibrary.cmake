@@ -23,7 +23,8 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
 endif()
 set(RSACKERMANN_INSTALL_INCLUDEDIR "${CMAKE_INSTALL_INCLUDEDIR}/opencv${OpenCV_VERSION_MAJOR}")
 target_include_directories(opencv_rsackermann
-  PUBLIC "$<BUILD_INTERFACE:${RSACKERMANN_MODULE_DIR}/include>" "$<INSTALL_INTERFACE:${RSACKERMANN_INSTALL_INCLUDEDIR}>")
+  PUBLIC "$<BUILD_INTERFACE:${RSACKERMANN_MODULE_DIR}/include>"
+         "$<INSTALL_INTERFACE:${RSACKERMANN_INSTALL_INCLUDEDIR}>")
 target_link_libraries(opencv_rsackermann
   PUBLIC opencv_core opencv_imgproc opencv_video
   PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")

@@ -1,4 +1,5 @@
-# What OpenCV's cl2cpp.cmake does for modules inside of OpenCV, for a build against an installed OpenCV: it isn't installed.
+# What OpenCV's cl2cpp.cmake does for modules inside of OpenCV, for a build against an installed OpenCV: it isn't
+# installed.
 
 # Adds the kernels NAME.cl in cl_dir to the target as cv::ocl::rsackermann::NAME_oclsrc, declared in
 # opencl_kernels_rsackermann.hpp. They are used if OpenCV has been built with OpenCL.
@@ -13,7 +14,8 @@ function(rsackermann_embed_opencl target cl_dir)
     file(READ "${kernel}" code)
     string(MD5 hash "${code}")
     string(APPEND RSACKERMANN_KERNEL_DECLARATIONS "extern struct cv::ocl::internal::ProgramEntry ${name}_oclsrc;\n")
-    string(APPEND RSACKERMANN_KERNEL_DEFINITIONS "struct cv::ocl::internal::ProgramEntry ${name}_oclsrc = {\"rsackermann\", \"${name}\",\n"
+    string(APPEND RSACKERMANN_KERNEL_DEFINITIONS
+      "struct cv::ocl::internal::ProgramEntry ${name}_oclsrc = {\"rsackermann\", \"${name}\",\n"
       "R\"kernel(${code})kernel\", \"${hash}\", NULL};\n")
   endforeach()
   foreach(extension hpp cpp)
@@ -24,6 +26,7 @@ function(rsackermann_embed_opencl target cl_dir)
   target_include_directories(${target} PRIVATE "${generated_dir}")
 
   # opencv2/core/opencl/ocl_defs.hpp includes cvconfig.h without a folder.
-  find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS} PATH_SUFFIXES opencv${OpenCV_VERSION_MAJOR}/opencv2 opencv2)
+  find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS}
+    PATH_SUFFIXES opencv${OpenCV_VERSION_MAJOR}/opencv2 opencv2)
   target_include_directories(${target} SYSTEM PRIVATE "${OPENCV_CVCONFIG_DIR}")
 endfunction()

@@ -1,5 +1,5 @@
-# The Python package rsackermann for the OpenCV that is installed: OpenCV's own generator and converters, from its source, make an
-# extension of their own of the headers of core and of this module. It is in the build's folder python.
+# The Python package rsackermann for the OpenCV that is installed: OpenCV's own generator and converters, from its
+# source, make an extension of their own of the headers of core and of this module. It is in the build's folder python.
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development NumPy)
 set(opencv_modules "${OPENCV_TS_SOURCE_DIR}/modules")
@@ -54,7 +54,8 @@ set_target_properties(rsackermann_python PROPERTIES OUTPUT_NAME bindings LIBRARY
 target_compile_features(rsackermann_python PRIVATE cxx_std_14)
 target_compile_definitions(rsackermann_python PRIVATE PyInit_cv2=PyInit_bindings)
 target_compile_options(rsackermann_python PRIVATE -w)
-target_include_directories(rsackermann_python PRIVATE "${generated}" "${generated}/src2" "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")
+target_include_directories(rsackermann_python
+  PRIVATE "${generated}" "${generated}/src2" "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")
 target_link_libraries(rsackermann_python PRIVATE opencv_rsackermann Python3::NumPy)
 install(TARGETS rsackermann_python LIBRARY DESTINATION "${RSACKERMANN_PYTHON_DIR}/rsackermann" COMPONENT python)
 install(FILES "${package}/__init__.py" DESTINATION "${RSACKERMANN_PYTHON_DIR}/rsackermann" COMPONENT python)

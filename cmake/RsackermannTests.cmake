@@ -1,5 +1,5 @@
-# opencv_ts, OpenCV's test framework, and the module's test programs. OpenCV doesn't install opencv_ts, so it is built from
-# the source of the same version.
+# opencv_ts, OpenCV's test framework, and the module's test programs. OpenCV doesn't install opencv_ts, so it is built
+# from the source of the same version.
 
 set(ts_dir "${OPENCV_TS_SOURCE_DIR}/modules/ts")
 if(NOT OPENCV_TS_SOURCE_DIR OR NOT EXISTS "${ts_dir}/include/opencv2/ts.hpp")
@@ -9,7 +9,8 @@ endif()
 
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio highgui)
 find_package(Threads REQUIRED)
-find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS} PATH_SUFFIXES opencv${OpenCV_VERSION_MAJOR}/opencv2 opencv2)
+find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS}
+  PATH_SUFFIXES opencv${OpenCV_VERSION_MAJOR}/opencv2 opencv2)
 
 file(GLOB ts_sources "${ts_dir}/src/*.cpp")
 add_library(opencv_ts STATIC ${ts_sources})
@@ -17,7 +18,8 @@ target_compile_options(opencv_ts PRIVATE -w)
 target_include_directories(opencv_ts SYSTEM
   PUBLIC "${ts_dir}/include" "${OPENCV_CVCONFIG_DIR}"
   PRIVATE "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")
-target_link_libraries(opencv_ts PUBLIC opencv_core opencv_imgproc opencv_imgcodecs opencv_videoio opencv_highgui Threads::Threads)
+target_link_libraries(opencv_ts
+  PUBLIC opencv_core opencv_imgproc opencv_imgcodecs opencv_videoio opencv_highgui Threads::Threads)
 if(SANITIZERS MATCHES thread)
   target_sources(opencv_ts INTERFACE "${PROJECT_SOURCE_DIR}/test/sanitize/std_threads.cpp")
 endif()
@@ -43,12 +45,14 @@ if(BUILD_TESTING)
   set_tests_properties(opencv_test_rsackermann_opencl PROPERTIES ENVIRONMENT "OPENCV_OPENCL_DEVICE=:CPU:")
   # What a processor with the widest vectors would not run: the kernels for others.
   foreach(kernels IN ITEMS avx2 baseline)
-    add_test(NAME opencv_test_rsackermann_${kernels} COMMAND opencv_test_rsackermann "--gtest_filter=*Warp*:*Passage*-*OpenCL*"
-      "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/opencv_test_rsackermann_${kernels}.xml")
+    add_test(NAME opencv_test_rsackermann_${kernels}
+      COMMAND opencv_test_rsackermann "--gtest_filter=*Warp*:*Passage*-*OpenCL*"
+        "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/opencv_test_rsackermann_${kernels}.xml")
   endforeach()
   set_tests_properties(opencv_test_rsackermann_avx2 PROPERTIES ENVIRONMENT "OPENCV_CPU_DISABLE=AVX512-SKX")
   set_tests_properties(opencv_test_rsackermann_baseline PROPERTIES ENVIRONMENT "OPENCV_CPU_DISABLE=AVX512-SKX,AVX2")
 endif()
 if(BUILD_PERF_TESTS)
-  rsackermann_add_ts_program(opencv_perf_rsackermann perf --perf_min_samples=1 --perf_force_samples=1 --perf_verify_sanity)
+  rsackermann_add_ts_program(opencv_perf_rsackermann perf
+    --perf_min_samples=1 --perf_force_samples=1 --perf_verify_sanity)
 endif()

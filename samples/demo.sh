@@ -12,8 +12,8 @@ fi
 programs=$1/samples
 out=${2:-$1/demo}
 
-"$programs/rsackermann_simulate" --output="$out" --overwrite --size=640x380 --focal=816 --height=1.2 --left=2.5 --right=3 \
-    --readout=0.0133333 --speed=60 --yaw_rate=40 --seed=3
+"$programs/rsackermann_simulate" --output="$out" --overwrite --size=640x380 --focal=816 --height=1.2 --left=2.5 \
+    --right=3 --readout=0.0133333 --speed=60 --yaw_rate=40 --seed=3
 "$programs/rsackermann_correct" "$out/rolling.png" --camera="$out/camera.yml" --wall=2.5 --gravity_sigma=0 --overwrite \
     --output="$out/corrected.png" --overlay="$out/overlay.png" --maps="$out/maps.yml" --report="$out/report.jsonl"
 "$programs/rsackermann_evaluate" --truth="$out/truth.json" --maps="$out/maps.yml" --report="$out/report.jsonl"

@@ -1,8 +1,8 @@
 #!/bin/bash
 # Builds the module inside of OpenCV, in the version that is installed, with its tests and the Python wrapper.
 #
-# The build directory is kept in the cache, so that OpenCV itself is built once. The module is seen through a link there,
-# so that ccache finds its objects again from another checkout, and is always built anew from this one.
+# The build directory is kept in the cache, so that OpenCV itself is built once. The module is seen through a link
+# there, so that ccache finds its objects again from another checkout, and is always built anew from this one.
 # usage: build_in_tree.sh BUILD_DIRECTORY LINK_TO_CHECKOUT LOG_DIRECTORY
 
 . "$(dirname "$0")/common.sh"
@@ -35,7 +35,8 @@ options=(
 )
 export CCACHE_BASEDIR=$cache CCACHE_NOHASHDIR=1
 logged "$logs/in-tree-configure.log" cmake -G Ninja -S "$source" -B "$build" "${options[@]}"
-logged "$logs/in-tree-build.log" cmake --build "$build" --target opencv_test_rsackermann opencv_perf_rsackermann opencv_python3
+logged "$logs/in-tree-build.log" cmake --build "$build" \
+    --target opencv_test_rsackermann opencv_perf_rsackermann opencv_python3
 
 # OpenCV accepts no contribution with warnings.
 if grep -E 'rsackermann[^ ]*:[0-9]+:[0-9]+: warning:' "$logs/in-tree-build.log" >&2; then

@@ -1,9 +1,10 @@
 #!/bin/bash
 # Builds the module with a version of OpenCV, against an installed one and inside of its source, and runs all tests.
 #
-# The installed version is used as it is. Others are taken from the release of Debian that has them, in a bare system in the cache.
-# Exit status: 0 all was built and has passed, 3 all that could be built has passed, but the mirror doesn't have OpenCV's source,
-# so that there is no build inside of it and opencv_ts comes from another version; 1 otherwise.
+# The installed version is used as it is. Others are taken from the release of Debian that has them, in a bare system in
+# the cache.
+# Exit status: 0 all was built and has passed, 3 all that could be built has passed, but the mirror doesn't have
+# OpenCV's source, so that there is no build inside of it and opencv_ts comes from another version; 1 otherwise.
 # usage: build_with_opencv.sh VERSION
 
 . "$(dirname "$0")/common.sh"

@@ -34,7 +34,8 @@ make_chroot()
     {
         echo 'APT::Install-Recommends "false";'
         echo 'Acquire::Languages "none";'
-        # A mirror that is a snapshot of Debian has lists older than they say they may be: it is for the system to allow that.
+        # A mirror that is a snapshot of Debian has lists older than they say they may be: it is for the system to allow
+        # that.
         apt-config dump --format 'Acquire::Check-Valid-Until "%v";%n' Acquire::Check-Valid-Until
     } >"$directory/etc/apt/apt.conf.d/bare"
     printf '#!/bin/sh\nexit 101\n' >"$directory/usr/sbin/policy-rc.d"
@@ -42,7 +43,8 @@ make_chroot()
     touch "$directory/complete"
 }
 
-# Runs a command in the system, with the checkout at /src, read-only. The mounts are seen by the command alone and go with it.
+# Runs a command in the system, with the checkout at /src, read-only. The mounts are seen by the command alone and go
+# with it.
 # usage: in_chroot DIRECTORY COMMAND...
 in_chroot()
 {
@@ -59,7 +61,8 @@ in_chroot()
         mount --rbind /sys "$directory/sys" # has the processors, without which OpenCL finds no device
         mount --bind "$root" "$directory/src"
         mount -o remount,bind,ro "$directory/src"
-        exec chroot "$directory" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 TERM=dumb \
-            DEBIAN_FRONTEND=noninteractive ${CMAKE_BUILD_PARALLEL_LEVEL:+CMAKE_BUILD_PARALLEL_LEVEL=$CMAKE_BUILD_PARALLEL_LEVEL} "$@"
+        exec chroot "$directory" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
+            TERM=dumb DEBIAN_FRONTEND=noninteractive \
+            ${CMAKE_BUILD_PARALLEL_LEVEL:+CMAKE_BUILD_PARALLEL_LEVEL=$CMAKE_BUILD_PARALLEL_LEVEL} "$@"
     ' in_chroot "$directory" "$root" "$@"
 }

@@ -33,7 +33,8 @@ if [ ! -d "$target" ]; then
     mkdir -p "$work/lists/partial"
 
     # The sources of Debian that the system has, with deb-src for deb.
-    targets=(apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian')
+    targets=(apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(COMPONENT)'
+             'Created-By: Packages' 'Origin: Debian')
     "${targets[@]}" | sort -u | sed 's/^/deb-src /' >"$work/sources.list"
     if [ ! -s "$work/sources.list" ]; then
         logged "$cache/apt-update.log" as_root apt-get update
@@ -41,8 +42,9 @@ if [ ! -d "$target" ]; then
     fi
     [ -s "$work/sources.list" ] || die "apt has no source of Debian configured"
 
-    apt=(apt-get -o "Dir::Etc::sourcelist=$work/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$work/lists"
-         -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=root)
+    apt=(apt-get -o "Dir::Etc::sourcelist=$work/sources.list" -o Dir::Etc::sourceparts=-
+         -o "Dir::State::lists=$work/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache=
+         -o APT::Sandbox::User=root)
     logged "$cache/source-update.log" "${apt[@]}" update
     cd "$work"
     # Fetches what there is of the package: a mirror may lack the small file that describes it.

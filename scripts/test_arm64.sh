@@ -1,6 +1,6 @@
 #!/bin/bash
-# Builds the library, the programs and the tests for arm64 against Debian's arm64 packages of OpenCV and runs the tests with
-# qemu's emulation of an arm64 processor. All of it is in a system of its own in the cache. Needs root.
+# Builds the library, the programs and the tests for arm64 against Debian's arm64 packages of OpenCV and runs the tests
+# with qemu's emulation of an arm64 processor. All of it is in a system of its own in the cache. Needs root.
 # usage: test_arm64.sh [GTEST_FILTER]    default: all tests
 
 . "$(dirname "$0")/common.sh"
@@ -14,8 +14,8 @@ make_chroot "$system" $release "$logs/debootstrap.log"
 step "Installing the cross compiler, qemu and OpenCV for arm64"
 logged "$logs/architecture.log" in_chroot "$system" dpkg --add-architecture arm64
 logged "$logs/update.log" in_chroot "$system" apt-get update
-logged "$logs/install.log" in_chroot "$system" apt-get install -y crossbuild-essential-arm64 qemu-user-static cmake ninja-build \
-    ccache pkg-config dpkg-dev patch python3 libopencv-dev:arm64 libeigen3-dev nlohmann-json3-dev \
+logged "$logs/install.log" in_chroot "$system" apt-get install -y crossbuild-essential-arm64 qemu-user-static \
+    cmake ninja-build ccache pkg-config dpkg-dev patch python3 libopencv-dev:arm64 libeigen3-dev nlohmann-json3-dev \
     libyaml-cpp-dev:arm64 zlib1g-dev:arm64
 source=$(in_chroot "$system" /src/scripts/get_opencv_source.sh)
 
@@ -43,7 +43,8 @@ logged "$logs/wrappers.log" in_chroot "$system" sh -ec '
 status=0
 for program in /build/opencv_test_rsackermann /build/test/samples/rsackermann_test_samples; do
     name=$(basename $program)
-    in_chroot "$system" sh -c "cd /build && qemu-aarch64-static $program '--gtest_filter=$filter'" >"$logs/$name.log" 2>&1 || status=1
+    in_chroot "$system" sh -c "cd /build && qemu-aarch64-static $program '--gtest_filter=$filter'" \
+        >"$logs/$name.log" 2>&1 || status=1
     grep -E '^\[ *(PASSED|FAILED) *\]' "$logs/$name.log" || { tail -n 20 "$logs/$name.log" >&2; status=1; }
 done
 exit $status

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Follows the README in a bare Debian 12: clone, demo, correction of an image of one's own. Prints how long each step took, and all of them. Needs root.
+# Follows the README in a bare Debian 12: clone, demo, correction of an image of one's own. Prints how long each step
+# took, and all of them. Needs root.
 # usage: test_from_clone.sh
 
 . "$(dirname "$0")/common.sh"

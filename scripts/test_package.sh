@@ -1,8 +1,8 @@
 #!/bin/bash
 # Makes the Debian packages, installs them in a bare system, uses them and removes them again. Needs root.
 #
-# The programs must run with what their packages depend on, test/consumer must build with CMake and with pkg-config, and after
-# the removal no file may be left.
+# The programs must run with what their packages depend on, test/consumer must build with CMake and with pkg-config, and
+# after the removal no file may be left.
 # usage: test_package.sh [RELEASE]    of the system that the packages are built on; default: its own one
 
 . "$(dirname "$0")/common.sh"
@@ -63,7 +63,8 @@ logged "$logs/remove.log" in_chroot "$system" sh -ec '
     done </tmp/files >/tmp/left
     cat /tmp/left
     test ! -s /tmp/left
-    ! find / -xdev -name "*rsackermann*" -not -path "/packages/*" -not -path "/src/*" -not -path "/tmp/*" -not -path "/proc/*" |
+    ! find / -xdev -name "*rsackermann*" -not -path "/packages/*" -not -path "/src/*" -not -path "/tmp/*" \
+        -not -path "/proc/*" |
         grep .
     ! ldconfig -p | grep rsackermann'
 echo "The packages install, work and go."

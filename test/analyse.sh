@@ -3,8 +3,8 @@
 # clang-tidy with --tidy.
 # Prints what they find and fails if there is anything.
 # usage: analyse.sh [--tidy=BUILD_DIRECTORY]
-#   --tidy   also clang-tidy, with the compile_commands.json of a build with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON: some minutes the first time,
-#            then for what has changed
+#   --tidy   also clang-tidy, with the compile_commands.json of a build with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON: some
+#            minutes the first time, then for what has changed
 
 . "$(dirname "$0")/../scripts/common.sh"
 tidy=
@@ -29,8 +29,9 @@ step "clang-format, ${#formatted[@]} files"
 clang-format-14 --dry-run --Werror "${formatted[@]}"
 
 step "cppcheck, ${#sources[@]} sources"
-cppcheck --quiet --std=c++14 --language=c++ --enable=warning,portability --inline-suppr --library=opencv2 --suppress=unknownMacro \
-    --suppressions-list=test/cppcheck_suppressions.txt --error-exitcode=1 --template='{file}:{line}: {id}: {message}' \
+cppcheck --quiet --std=c++14 --language=c++ --enable=warning,portability --inline-suppr --library=opencv2 \
+    --suppress=unknownMacro --suppressions-list=test/cppcheck_suppressions.txt --error-exitcode=1 \
+    --template='{file}:{line}: {id}: {message}' \
     -I modules/rsackermann/include -I modules/rsackermann/src -I samples/common "${sources[@]}"
 
 if [ -n "$tidy" ]; then

@@ -69,7 +69,8 @@ def check_options(readme, program, problems):
     help_text = subprocess.run([program, '--help'], stdout=subprocess.PIPE, universal_newlines=True, check=True).stdout
     known = set(re.findall(r'^\s+--(\w+)', help_text, re.M)) - {'help'}
     table = re.search(r'<!-- options of %s -->(.*?)\n\n' % os.path.basename(program), read(readme), re.S)
-    described = set(re.findall(r'`--(\w+)', ''.join(row.split('|')[1] for row in re.findall(r'^\|.*$', table.group(1), re.M))))
+    described = set(re.findall(r'`--(\w+)', ''.join(
+        row.split('|')[1] for row in re.findall(r'^\|.*$', table.group(1), re.M))))
     for option in sorted(known - described):
         problems.append('%s: the option --%s of %s isn\'t described' % (readme, option, os.path.basename(program)))
     for option in sorted(described - known):

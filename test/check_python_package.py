@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Runs the module's Python test with the package rsackermann beside the installed cv2, which doesn't know the module.
 
-What the package has of its own, since its types aren't those of cv2, takes the place of cv2's; images and results go from one to the other.
+What the package has of its own, since its types aren't those of cv2, takes the place of cv2's; images and results go
+from one to the other.
 
 usage: check_python_package.py PACKAGE_FOLDER OPENCV_SOURCE TEST_FOLDER
 """

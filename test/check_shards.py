@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the recipes of doc/many_images.md with two shards in two processes, and the inputs in the opposite order, and compares with a run
-of one process in the usual order.
+"""Runs the recipes of doc/many_images.md with two shards in two processes, and the inputs in the opposite order, and
+compares with a run of one process in the usual order.
 
 The Slurm recipe runs as its array would: with the variables that Slurm sets, once for each task.
 
@@ -26,7 +26,8 @@ def render(simulate, folder):
     os.mkdir(os.path.join(folder, 'frames'))
     for seed in range(IMAGES):
         street = os.path.join(folder, 'street%d' % seed)
-        subprocess.run([simulate, '--output=' + street, '--seed=%d' % seed, '--size=320x190', '--focal=400'], check=True)
+        subprocess.run([simulate, '--output=' + street, '--seed=%d' % seed, '--size=320x190', '--focal=400'],
+                       check=True)
         os.rename(os.path.join(street, 'rolling.png'), os.path.join(folder, 'frames', 'frame%d.png' % seed))
         os.rename(os.path.join(street, 'camera.yml'), os.path.join(folder, 'camera.yml'))
 
@@ -61,7 +62,8 @@ def main(root, correct, simulate):
         whole = run(folder, os.path.join(folder, 'whole'),
                     'rsackermann_correct frames --camera=camera.yml --output=corrected --report=report.jsonl', [{}])
         backwards = run(folder, os.path.join(folder, 'backwards'),
-                        'rsackermann_correct $(ls -r frames/*) --camera=camera.yml --output=corrected --report=report.jsonl', [{}])
+                        'rsackermann_correct $(ls -r frames/*) --camera=camera.yml --output=corrected '
+                        '--report=report.jsonl', [{}])
         parallel = run(folder, os.path.join(folder, 'parallel'), recipe(root, 'parallel'), [{}])
         tasks = [{'SLURM_ARRAY_TASK_ID': str(i + 1), 'SLURM_ARRAY_TASK_COUNT': '2'} for i in range(2)]
         slurm = run(folder, os.path.join(folder, 'slurm'), recipe(root, 'slurm'), tasks)

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Plants the faults of planted_faults.txt one at a time in a scratch copy of the tree, builds it and runs the tests that have to fail.
-# Prints a page in Markdown, doc/planted_faults.md, and fails if a fault was missed. It takes hours, and may be interrupted: faults that
-# SCRATCH_DIRECTORY/rows.txt has as caught aren't planted again.
+# Plants the faults of planted_faults.txt one at a time in a scratch copy of the tree, builds it and runs the tests that
+# have to fail. Prints a page in Markdown, doc/planted_faults.md, and fails if a fault was missed. It takes hours, and
+# may be interrupted: faults that SCRATCH_DIRECTORY/rows.txt has as caught aren't planted again.
 # usage: plant_faults.sh SCRATCH_DIRECTORY [PATTERN]
 #   PATTERN: only the faults whose line matches this regular expression
 
@@ -13,10 +13,11 @@ tree=$scratch/src build=$scratch/b log=$scratch/log.txt rows=$scratch/rows.txt
 rm -rf "$tree"
 mkdir -p "$tree"
 touch "$rows"
-tar -C "$root" --exclude=./.git --exclude='./build*' -cf - . | tar -C "$tree" -xmf - # newer than objects of an interrupted run
+# The copies are newer than the objects of an interrupted run.
+tar -C "$root" --exclude=./.git --exclude='./build*' -cf - . | tar -C "$tree" -xmf -
 export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
-logged "$scratch/configure.txt" cmake -G Ninja -S "$tree" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DBUILD_SAMPLES=ON \
-    -DBUILD_TESTING=ON "-DOPENCV_TS_SOURCE_DIR=$("$root/scripts/get_opencv_source.sh")"
+logged "$scratch/configure.txt" cmake -G Ninja -S "$tree" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+    -DBUILD_SAMPLES=ON -DBUILD_TESTING=ON "-DOPENCV_TS_SOURCE_DIR=$("$root/scripts/get_opencv_source.sh")"
 
 target_of()
 {
@@ -33,7 +34,8 @@ run()
         baseline) variables=("OPENCV_CPU_DISABLE=AVX512-SKX,AVX2") ;;
     esac
     # In a folder of its own: tests leave files there.
-    (cd "$scratch" && env "${variables[@]}" timeout 900 "$(find "$build" -type f -name "$(target_of "$1")")" "--gtest_filter=$2") >"$log" 2>&1
+    (cd "$scratch" && env "${variables[@]}" timeout 900 \
+        "$(find "$build" -type f -name "$(target_of "$1")")" "--gtest_filter=$2") >"$log" 2>&1
 }
 
 mapfile -t faults < <(grep -v '^\(#\|$\)' "$root/test/planted_faults.txt" | grep -E -- "$pattern")
@@ -51,7 +53,8 @@ split()
 caught=0
 echo "# Planted faults"
 echo
-echo "Result of \`test/plant_faults.sh\` of $(date +%F): each fault, a sed expression, was planted alone, and one of the tests has to fail."
+echo "Result of \`test/plant_faults.sh\` of $(date +%F): each fault, a sed expression, was planted alone, \
+and one of the tests has to fail."
 echo
 echo "| file | fault | tests | result |"
 echo "|---|---|---|---|"

@@ -1,11 +1,13 @@
 #!/bin/bash
 # Installs the packages that are needed on Debian 12, builds everything in both ways and runs all tests:
-# - the library against the installed OpenCV, with samples, the Python package, tests and performance tests (one sample each),
+# - the library against the installed OpenCV, with samples, the Python package, tests and performance tests (one sample
+#   each),
 # - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests,
 # - static analysis, the fuzzers for a minute each, and the tests with sanitizers.
 # Prints the number of test cases as its last line and fails if one of them failed.
 # usage: run_all.sh [--ts-source=DIRECTORY] [BUILD_DIRECTORY]
-#   --ts-source   take opencv_ts from this source of OpenCV, which may be of another version, and build nothing inside of OpenCV
+#   --ts-source   take opencv_ts from this source of OpenCV, which may be of another version, and build nothing inside
+#                 of OpenCV
 
 . "$(dirname "$0")/../scripts/common.sh"
 ts_source=
@@ -111,9 +113,10 @@ fi
 
 step "Building against the installed OpenCV in $build"
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
-logged "$logs/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DENABLE_WERROR=ON \
-    -DBUILD_SAMPLES=ON -DBUILD_TESTING=ON -DBUILD_PERF_TESTS=ON "-DOPENCV_TS_SOURCE_DIR=$opencv_source" \
-    -DBUILD_PYTHON=$python -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+logged "$logs/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+    -DENABLE_WERROR=ON -DBUILD_SAMPLES=ON -DBUILD_TESTING=ON -DBUILD_PERF_TESTS=ON \
+    "-DOPENCV_TS_SOURCE_DIR=$opencv_source" -DBUILD_PYTHON=$python -DPython3_EXECUTABLE=/usr/bin/python3 \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 logged "$logs/build.log" cmake --build "$build"
 
 step "Testing"

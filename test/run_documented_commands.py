@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs the commands that README, doc/ and the tutorials print, on small rendered inputs.
 
-A command is a line of a block of the language sh, or of an indented block unless that is output, whose first word ends with a colon. The commands of
-a block run one after another in a folder with the inputs that the documents speak of. What isn't run is in NOT_RUN with its reason; an entry
-there that no document has is an error, too.
+A command is a line of a block of the language sh, or of an indented block unless that is output, whose first word ends
+with a colon. The commands of a block run one after another in a folder with the inputs that the documents speak of.
+What isn't run is in NOT_RUN with its reason; an entry there that no document has is an error, too.
 
 usage: run_documented_commands.py ROOT BUILD
 """
@@ -29,7 +29,8 @@ NOT_RUN = {
     'build/perf/experiments/rsackermann_experiment_frames ': 'needs frames that aren\'t part of the project',
     'build/perf/benchmark/rsackermann_benchmark': 'minutes; that with a filter is run',
     'build/opencv_perf_rsackermann ': 'minutes; a test of its own runs it with one sample',
-    'python3 "$(scripts/get_opencv_source.sh)"/modules/ts/misc/summary.py ': 'fetches the source of OpenCV to compare two long runs',
+    'python3 "$(scripts/get_opencv_source.sh)"/modules/ts/misc/summary.py ':
+        'fetches the source of OpenCV to compare two long runs',
     'test/trust/faults.py ': 'a test of its own',
     'test/check_shards.py ': 'a test of its own',
     'test/fuzz/run.sh ': 'builds everything with clang; minutes',
@@ -59,10 +60,12 @@ LINE_DELAY = 0.025 / SIZE[1]
 
 
 def make_inputs(folder):
-    """street.jpg, frames/ with images, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml, and what is in MADE_BY."""
+    """street.jpg, frames/ with images, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml, and what is in
+    MADE_BY."""
     def render(name, *options):
-        subprocess.run(['rsackermann_simulate', '--output=one', '--overwrite', '--size=%dx%d' % SIZE, '--focal=400', '--line_delay=%r' % LINE_DELAY,
-                        '--left=6', '--right=7', '--speed=36', '--yaw_rate=12', '--samples=1', *options], check=True, cwd=folder)
+        subprocess.run(['rsackermann_simulate', '--output=one', '--overwrite', '--size=%dx%d' % SIZE, '--focal=400',
+                        '--line_delay=%r' % LINE_DELAY, '--left=6', '--right=7', '--speed=36', '--yaw_rate=12',
+                        '--samples=1', *options], check=True, cwd=folder)
         os.rename(os.path.join(folder, 'one', 'rolling.png'), os.path.join(folder, name))
 
     for name in ('frames', 'drive'):
@@ -80,7 +83,8 @@ def make_inputs(folder):
         file.writelines('%d,%r,36,12\n' % (i, i / 30) for i in range(FRAMES))
     shutil.copy(os.path.join(folder, 'frames', '0000.png'), os.path.join(folder, 'street.jpg'))
     shutil.copy(os.path.join(folder, 'camera.yml'), os.path.join(folder, 'calibrated.yml'))
-    subprocess.run(['rsackermann_correct', 'frames', '--camera=camera.yml', '--report=report.jsonl'], check=True, cwd=folder)
+    subprocess.run(['rsackermann_correct', 'frames', '--camera=camera.yml', '--report=report.jsonl'],
+                   check=True, cwd=folder)
 
 
 def blocks_of(path):
@@ -103,8 +107,10 @@ def reasons(command):
 def run(command, folder):
     for old, new in REPLACED.items():
         command = command.replace(old, new)
-    result = subprocess.run(['bash', '-euc', command], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    return '' if result.returncode == 0 else '`%s` ended with %d: %s' % (command, result.returncode, result.stdout[-2000:])
+    result = subprocess.run(['bash', '-euc', command], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            text=True, check=False)
+    return ('' if result.returncode == 0 else
+            '`%s` ended with %d: %s' % (command, result.returncode, result.stdout[-2000:]))
 
 
 def run_block(commands, prepared, folder, root, build):
@@ -138,7 +144,8 @@ def main(root, build):
                 used.update(entry for command in commands for entry in reasons(command))
                 commands = [command for command in commands if not reasons(command)]
                 count += len(commands)
-                problem = run_block(commands, prepared, os.path.join(work, '%s.%d' % (os.path.basename(path), number)), root, build)
+                problem = run_block(commands, prepared,
+                                    os.path.join(work, '%s.%d' % (os.path.basename(path), number)), root, build)
                 if problem:
                     problems.append('%s: %s' % (os.path.relpath(path, root), problem))
     problems += ['NOT_RUN has "%s", which no document has' % entry for entry in NOT_RUN if entry not in used]

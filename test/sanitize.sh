@@ -1,6 +1,7 @@
 #!/bin/bash
-# Runs the tests of the module and of the sample programs with AddressSanitizer and UndefinedBehaviorSanitizer, and the tests about threads,
-# detectors, estimator, maps and corrector with ThreadSanitizer and four threads. Fails if a test fails or a sanitizer reports anything.
+# Runs the tests of the module and of the sample programs with AddressSanitizer and UndefinedBehaviorSanitizer, and the
+# tests about threads, detectors, estimator, maps and corrector with ThreadSanitizer and four threads. Fails if a test
+# fails or a sanitizer reports anything.
 # usage: sanitize.sh [--build=DIRECTORY] [address] [thread]     both if none is told
 # The programs of a run are built in DIRECTORY-address and DIRECTORY-thread, build-sanitize-... if none is told.
 
@@ -27,9 +28,10 @@ build()
 {
     local build=$base-$1 sanitizers=$2 fuzzers=$3
     shift 3
-    logged "$build/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
-        "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DBUILD_SHARED_LIBS=OFF "-DSANITIZERS=$sanitizers" \
-        "-DBUILD_FUZZERS=$fuzzers" -DBUILD_TESTING=ON "-DOPENCV_TS_SOURCE_DIR=$("$root/scripts/get_opencv_source.sh")"
+    logged "$build/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ \
+        -DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+        -DBUILD_SHARED_LIBS=OFF "-DSANITIZERS=$sanitizers" "-DBUILD_FUZZERS=$fuzzers" -DBUILD_TESTING=ON \
+        "-DOPENCV_TS_SOURCE_DIR=$("$root/scripts/get_opencv_source.sh")"
     logged "$build/build.log" cmake --build "$build" --target "$@"
 }
 
@@ -52,7 +54,8 @@ for run in "${runs[@]}"; do
     rm -rf "$logs"
     mkdir -p "$logs"
     options="log_path=$logs/report:abort_on_error=1:print_stacktrace=1"
-    export ASAN_OPTIONS=$options UBSAN_OPTIONS=$options LSAN_OPTIONS="suppressions=$root/test/sanitize/leaks.txt:print_suppressions=0"
+    export ASAN_OPTIONS=$options UBSAN_OPTIONS=$options \
+        LSAN_OPTIONS="suppressions=$root/test/sanitize/leaks.txt:print_suppressions=0"
     export TSAN_OPTIONS=$options
     case $run in
         address)
@@ -60,14 +63,18 @@ for run in "${runs[@]}"; do
             # As for the fuzzers, so that ccache has the library once for both.
             build address address,undefined ON opencv_test_rsackermann rsackermann_test_samples
             run module "$base-address/opencv_test_rsackermann" "-$without" &
-            # The programs load what OpenCV reads videos with, which leaks and is gone in the end, so that no suppression names it.
-            ASAN_OPTIONS=$options:detect_leaks=0 run samples "$base-address/test/samples/rsackermann_test_samples" "-$without_samples" || failures=$((failures + 1))
+            # The programs load what OpenCV reads videos with, which leaks and is gone in the end, so that no
+            # suppression names it.
+            ASAN_OPTIONS=$options:detect_leaks=0 \
+                run samples "$base-address/test/samples/rsackermann_test_samples" "-$without_samples" ||
+                failures=$((failures + 1))
             wait $! || failures=$((failures + 1))
             ;;
         thread)
             step "ThreadSanitizer"
             build thread thread OFF opencv_test_rsackermann
-            run threads "$base-thread/opencv_test_rsackermann" "$threaded-$without:*very_wide*" || failures=$((failures + 1))
+            run threads "$base-thread/opencv_test_rsackermann" "$threaded-$without:*very_wide*" ||
+                failures=$((failures + 1))
             ;;
     esac
     if compgen -G "$logs/report.*" >/dev/null; then

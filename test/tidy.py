@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy, by .clang-tidy, on sources that a build compiles; prints what it finds and fails if there is anything.
+"""Runs clang-tidy, by .clang-tidy, on sources that a build compiles; prints what it finds and fails if there is
+anything.
 
 usage: tidy.py BUILD CACHE SOURCE...
 
-BUILD has a compile_commands.json. A source in which nothing was found isn't looked at again until what the preprocessor makes of it
-changes, or clang-tidy or .clang-tidy does: for that the folder CACHE gets an empty file with the hash of these.
+BUILD has a compile_commands.json. A source in which nothing was found isn't looked at again until what the preprocessor
+makes of it changes, or clang-tidy or .clang-tidy does: for that the folder CACHE gets an empty file with the hash of
+these.
 """
 
 import concurrent.futures
@@ -21,7 +23,8 @@ def preprocessed(command, directory):
     words = shlex.split(command)
     end = words.index('-o')
     # With comments, as those of clang-tidy are among them.
-    return subprocess.run(words[:end] + ['-E', '-C', '-P'] + words[end + 2:], cwd=directory, check=True, stdout=subprocess.PIPE).stdout
+    return subprocess.run(words[:end] + ['-E', '-C', '-P'] + words[end + 2:],
+                          cwd=directory, check=True, stdout=subprocess.PIPE).stdout
 
 
 def main():
@@ -39,7 +42,8 @@ def main():
         key = cache / hashlib.sha256(common + preprocessed(entry['command'], entry['directory'])).hexdigest()
         if key.exists():
             return 0, ''
-        result = subprocess.run(['clang-tidy', '--quiet', '-p', str(build), source], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        result = subprocess.run(['clang-tidy', '--quiet', '-p', str(build), source],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         if result.returncode == 0:
             key.touch()
         # Its errors also have the number of warnings that aren't shown.

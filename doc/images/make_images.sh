@@ -1,5 +1,6 @@
 #!/bin/bash
-# Makes the pictures of the README, of theory.md and of the tutorials; needs gnuplot and graphviz. (Those of the results are made by perf/experiments.)
+# Makes the pictures of the README, of theory.md and of the tutorials; needs gnuplot and graphviz. (Those of the results
+# are made by perf/experiments.)
 # usage: make_images.sh BUILD_DIRECTORY, built with -DBUILD_PERF_TESTS=ON
 set -euo pipefail
 
@@ -9,10 +10,13 @@ images=$(dirname "$0")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# README: a street as a rolling shutter with a read-out of 33 ms sees it at 70 km/h and 60 deg/s, the corrected image and the segments.
+# README: a street as a rolling shutter with a read-out of 33 ms sees it at 70 km/h and 60 deg/s, the corrected image
+# and the segments.
 street=$work/street
-"$programs/rsackermann_simulate" --output="$street" --size=640x380 --focal=560 --readout=0.033 --speed=70 --yaw_rate=60 --seed=3
-correct=("$programs/rsackermann_correct" "$street/rolling.png" "--camera=$street/camera.yml" --gravity_sigma=0 --overwrite)
+"$programs/rsackermann_simulate" --output="$street" --size=640x380 --focal=560 --readout=0.033 --speed=70 \
+    --yaw_rate=60 --seed=3
+correct=("$programs/rsackermann_correct" "$street/rolling.png" "--camera=$street/camera.yml" --gravity_sigma=0
+         --overwrite)
 "${correct[@]}" --model=none --output="$images/street_raw.jpg" # no motion: the image as it is
 "${correct[@]}" --wall=2.5 --output="$images/street_corrected.jpg" --overlay="$images/street_segments.jpg"
 
@@ -27,10 +31,11 @@ gnuplot -c "$images/roll_valley.gp" "$work/valley.txt" "$images/roll_valley.png"
 
 # theory.md and the tutorial: a street with parked cars whose houses aren't in line.
 uneven=$work/uneven
-"$programs/rsackermann_simulate" --output="$uneven" --size=640x400 --focal=560 --readout=0.033 --speed=60 --yaw_rate=50 --left=5 --right=6 \
-    --stagger=1.5 --obstacles=20 --seed=4 --noise=0
-"$programs/rsackermann_correct" "$uneven/rolling.png" --camera="$uneven/camera.yml" --gravity_sigma=0 --wall=5 --maps="$uneven/maps.yml" \
-    --report="$uneven/report.jsonl" --output="$uneven/corrected.png" --overlay="$uneven/overlay.png"
+"$programs/rsackermann_simulate" --output="$uneven" --size=640x400 --focal=560 --readout=0.033 --speed=60 \
+    --yaw_rate=50 --left=5 --right=6 --stagger=1.5 --obstacles=20 --seed=4 --noise=0
+"$programs/rsackermann_correct" "$uneven/rolling.png" --camera="$uneven/camera.yml" --gravity_sigma=0 --wall=5 \
+    --maps="$uneven/maps.yml" --report="$uneven/report.jsonl" --output="$uneven/corrected.png" \
+    --overlay="$uneven/overlay.png"
 "$programs/rsackermann_evaluate" --truth="$uneven/truth.json" --maps="$uneven/maps.yml" --report="$uneven/report.jsonl"
 gnuplot -c "$images/uneven_street.gp" "$uneven" "$images/../../modules/rsackermann/tutorials/correct_frame/images"
 
@@ -38,17 +43,22 @@ gnuplot -c "$images/uneven_street.gp" "$uneven" "$images/../../modules/rsackerma
 tilted=$work/tilted
 for roll in -2 -1 -0.5 0 0.5 1 2; do
     for seed in 1 2 3 4 5; do
-        "$programs/rsackermann_simulate" --output="$tilted" --overwrite --size=640x400 --focal=560 --readout=0.025 --speed=50 --yaw_rate=15 \
-            --left=6 --right=7 --stagger=1 --seed=$seed --roll=$roll
+        "$programs/rsackermann_simulate" --output="$tilted" --overwrite --size=640x400 --focal=560 --readout=0.025 \
+            --speed=50 --yaw_rate=15 --left=6 --right=7 --stagger=1 --seed=$seed --roll=$roll
         line=$roll
         for told in --gravity_sigma=0 --gravity_sigma=1 --yaw_rate=15; do
-            "$programs/rsackermann_correct" "$tilted/rolling.png" --camera="$tilted/camera.yml" --roll=0 $told --overwrite --maps="$tilted/maps.yml" \
-                --report="$tilted/report.jsonl"
-            displacement=$("$programs/rsackermann_evaluate" --truth="$tilted/truth.json" --maps="$tilted/maps.yml" --report="$tilted/report.jsonl" |
-                awk -v before="$([ "$line" = "$roll" ] && echo 1)" '/^mean displacement/ { print before ? $4 " " $5 : $5 }')
+            "$programs/rsackermann_correct" "$tilted/rolling.png" --camera="$tilted/camera.yml" --roll=0 $told \
+                --overwrite --maps="$tilted/maps.yml" --report="$tilted/report.jsonl"
+            displacement=$(
+                "$programs/rsackermann_evaluate" --truth="$tilted/truth.json" --maps="$tilted/maps.yml" \
+                    --report="$tilted/report.jsonl" |
+                    awk -v before="$([ "$line" = "$roll" ] && echo 1)" \
+                        '/^mean displacement/ { print before ? $4 " " $5 : $5 }'
+            )
             line="$line $displacement"
         done
         echo "$line"
     done
 done >"$work/gravity.txt"
-gnuplot -c "$images/gravity_error.gp" "$work/gravity.txt" "$images/../../modules/rsackermann/tutorials/your_camera/images/gravity_error.png"
+gnuplot -c "$images/gravity_error.gp" "$work/gravity.txt" \
+    "$images/../../modules/rsackermann/tutorials/your_camera/images/gravity_error.png"

@@ -1,15 +1,19 @@
 #!/bin/bash
-# Reproduces the figures and the table of the paper by its own method and by the library, and measures more than it has: tables in OUTPUT/tables,
-# plots in OUTPUT/images/paper, strips of photographs in OUTPUT/tables/strips, and the page OUTPUT/paper.md. Tables that are there already are
-# kept, so that a run that was interrupted goes on. The same for a seed, but for times.
-# usage: reproduce_paper.sh BUILD OUTPUT [--photos=FOLDER] [--quick] [--seed=N] [--threads=N]
-#   --photos  folder with a frames.csv (see rsackermann_reproduce_paper --help), or of such folders
-#   --quick   a part of the cases
+# Reproduces the figures and the table of the paper by its own method and by the library: see usage().
 set -euo pipefail
 
 usage()
 {
-    sed -n '2,8s/^# \{0,1\}//p' "$0" >&2
+    cat >&2 <<END
+Reproduces the figures and the table of the paper by its own method and by the library, and measures more than it has: \
+tables in OUTPUT/tables,
+plots in OUTPUT/images/paper, strips of photographs in OUTPUT/tables/strips, and the page OUTPUT/paper.md. \
+Tables that are there already are
+kept, so that a run that was interrupted goes on. The same for a seed, but for times.
+usage: reproduce_paper.sh BUILD OUTPUT [--photos=FOLDER] [--quick] [--seed=N] [--threads=N]
+  --photos  folder with a frames.csv (see rsackermann_reproduce_paper --help), or of such folders
+  --quick   a part of the cases
+END
     exit 2
 }
 
@@ -42,7 +46,8 @@ echo "$settings" >"$tables/settings.txt"
 # Times are measured on their own, before the others warm up the machine.
 studies=(time solver_time motion patches gravity distances solvers bound conditions)
 [ -z "$photos" ] || { studies+=(photos); options+=("--photos=$photos"); }
-"$build/perf/experiments/paper/rsackermann_reproduce_paper" "${studies[@]}" "--output=$tables" ${options[@]+"${options[@]}"}
+"$build/perf/experiments/paper/rsackermann_reproduce_paper" "${studies[@]}" "--output=$tables" \
+    ${options[@]+"${options[@]}"}
 
 data=$(mktemp -d)
 trap 'rm -rf "$data"' EXIT

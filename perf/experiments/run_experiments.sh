@@ -1,7 +1,7 @@
 #!/bin/bash
-# Runs the experiments of doc/results.md and prints their table in Markdown: what is reached, with the goal if there is one.
-# With a folder of photographs (see rsackermann_experiment_streets --help, option --photos) their rows follow those of the
-# rendered streets. Options after -- are passed on to every experiment.
+# Runs the experiments of doc/results.md and prints their table in Markdown: what is reached, with the goal if there is
+# one. With a folder of photographs (see rsackermann_experiment_streets --help, option --photos) their rows follow those
+# of the rendered streets. Options after -- are passed on to every experiment.
 # usage: run_experiments.sh BUILD_DIRECTORY [PHOTO_FOLDER] [-- OPTION...]
 # Exit code: 0 all goals are reached, 1 some aren't, 2 the command line isn't understood.
 set -euo pipefail
@@ -44,16 +44,19 @@ row()
             for (i = 1; i <= n; i++) {
                 upper = index(parts[i], "<=") > 0
                 split(parts[i], sides, /<=|>=/)
-                if (!(sides[1] in v) || v[sides[1]] == "nan" || (upper ? v[sides[1]] > sides[2] + 0 : v[sides[1]] < sides[2] + 0))
+                if (!(sides[1] in v) || v[sides[1]] == "nan" ||
+                    (upper ? v[sides[1]] > sides[2] + 0 : v[sides[1]] < sides[2] + 0))
                     reached = "no"
             }
-            printf "| %s | %s | %d | %s | %s | %s | %d | %s | %s | %s / %s | %s | %s |\n", title, options, cases, v["raw"], v["left"], v["p90"],
-                   worse, v["yaw_rate"], v["speed"], v["yaw_rate_2_sigma"], v["yaw_rate_3_sigma"], goal, n ? reached : ""
+            printf "| %s | %s | %d | %s | %s | %s | %d | %s | %s | %s / %s | %s | %s |\n",
+                   title, options, cases, v["raw"], v["left"], v["p90"], worse, v["yaw_rate"], v["speed"],
+                   v["yaw_rate_2_sigma"], v["yaw_rate_3_sigma"], goal, n ? reached : ""
             exit reached == "no"
         }' || missed=$((missed + 1))
 }
 
-echo "| data and knowledge | options | cases | raw, px | left, px | left p90, px | worse than raw | yaw rate, deg/s | speed, km/h | yaw rate within 2 / 3 sigma, % | goal | reached |"
+echo "| data and knowledge | options | cases | raw, px | left, px | left p90, px | worse than raw | yaw rate, deg/s \
+| speed, km/h | yaw rate within 2 / 3 sigma, % | goal | reached |"
 echo "|---|---|---|---|---|---|---|---|---|---|---|---|"
 exact=--gravity_sigma=0
 row "rendered" "left<=0.12 p90<=0.35 yaw_rate<=1.5 speed<=3" $exact
@@ -71,8 +74,10 @@ done
 uneven=(--stagger=1.5 --obstacles=15 --left=5 --right=6)
 row "rendered, staggered facades, cars, posts and trees" "left<=0.20 p90<=0.45" $exact "${uneven[@]}"
 row "the same, gravity off by 0.3 degrees" "left<=0.40 worse_percent<=5" --gravity_noise=0.3 "${uneven[@]}"
-row "the same, gravity off by 0.3 degrees, usual yaw rates 30 deg/s" "left<=0.40 worse_percent<=5" --gravity_noise=0.3 --usual_yaw_rate=30 "${uneven[@]}"
-row "the same, gravity off by 0.3 degrees, yaw rate ± 1 deg/s" "left<=0.20 worse_percent<=5" --gravity_noise=0.3 --yaw_rate_sigma=1 "${uneven[@]}"
+row "the same, gravity off by 0.3 degrees, usual yaw rates 30 deg/s" "left<=0.40 worse_percent<=5" \
+    --gravity_noise=0.3 --usual_yaw_rate=30 "${uneven[@]}"
+row "the same, gravity off by 0.3 degrees, yaw rate ± 1 deg/s" "left<=0.20 worse_percent<=5" \
+    --gravity_noise=0.3 --yaw_rate_sigma=1 "${uneven[@]}"
 row "rendered, gravity uncertain" "worse_percent<=5"
 row "rendered, gravity uncertain, speed ± 2 km/h" "worse_percent<=5" --speed_sigma=2
 row "rendered, gravity uncertain, yaw rate ± 1 deg/s" "worse_percent<=5" --yaw_rate_sigma=1
@@ -85,11 +90,14 @@ if [ -n "$photos" ]; then
     row "photographs" "left<=0.80 p90<=1.2" --photos="$photos" $exact
     row "photographs, speed ± 2 km/h" "left<=0.25 p90<=0.60" --photos="$photos" $exact --speed_sigma=2 --draws=10
     row "photographs, yaw rate ± 1 deg/s" "left<=0.25 p90<=0.50" --photos="$photos" $exact --yaw_rate_sigma=1 --draws=10
-    row "photographs, both" "left<=0.10 p90<=0.50" --photos="$photos" $exact --speed_sigma=2 --yaw_rate_sigma=1 --draws=10
-    row "photographs, both and line at infinity, told without errors" "" --photos="$photos" $exact --speed_sigma=2 --yaw_rate_sigma=1 --wall_direction_sigma=0.02 --exact_priors
+    row "photographs, both" "left<=0.10 p90<=0.50" \
+        --photos="$photos" $exact --speed_sigma=2 --yaw_rate_sigma=1 --draws=10
+    row "photographs, both and line at infinity, told without errors" "" \
+        --photos="$photos" $exact --speed_sigma=2 --yaw_rate_sigma=1 --wall_direction_sigma=0.02 --exact_priors
     row "photographs, at rest" "max<=0.10" --photos="$photos" $exact --rest
     row "photographs, gravity ± 0.2 degrees" "left<=0.65 p90<=1.2" --photos="$photos" --gravity_sigma=0.2
-    row "photographs, gravity ± 0.2 degrees, usual yaw rates 30 deg/s" "left<=0.65 p90<=1.2" --photos="$photos" --gravity_sigma=0.2 --usual_yaw_rate=30
+    row "photographs, gravity ± 0.2 degrees, usual yaw rates 30 deg/s" "left<=0.65 p90<=1.2" \
+        --photos="$photos" --gravity_sigma=0.2 --usual_yaw_rate=30
     row "photographs, gravity uncertain" "" --photos="$photos"
     row "photographs, gravity uncertain, both" "" --photos="$photos" --speed_sigma=2 --yaw_rate_sigma=1
 fi

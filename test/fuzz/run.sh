@@ -1,13 +1,15 @@
 #!/bin/bash
-# Fuzzes what takes a caller's values, files and command lines, with clang's libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer.
-# Prints for each fuzzer how often it ran; fails with the first input that crashes, isn't finite, or takes longer than ten seconds.
+# Fuzzes what takes a caller's values, files and command lines, with clang's libFuzzer, AddressSanitizer and
+# UndefinedBehaviorSanitizer. Prints for each fuzzer how often it ran; fails with the first input that crashes, isn't
+# finite, or takes longer than ten seconds.
 # usage: run.sh [--quick[=SECONDS] | --runs=N] [--plain] [--build=DIRECTORY] [FUZZER...]
 #   --quick    so many seconds for each fuzzer, 60 if none are told; this is the default
 #   --runs     so many executions for each fuzzer
-#   --plain    optimised and without sanitizers: some ten times as many executions, and an estimate must not take more than 0.1 s of
-#              processor time
+#   --plain    optimised and without sanitizers: some ten times as many executions, and an estimate must not take more
+#              than 0.1 s of processor time
 #   FUZZER     estimator, solvers, warp, files, command_line; all if none is told
-# What is found goes to DIRECTORY/found, the inputs that reached something new to DIRECTORY/corpus, from which the next run goes on.
+# What is found goes to DIRECTORY/found, the inputs that reached something new to DIRECTORY/corpus, from which the next
+# run goes on.
 
 . "$(dirname "$0")/../../scripts/common.sh"
 here=$root/test/fuzz
@@ -32,30 +34,35 @@ done
 
 install_packages "$build/apt-install.log" "${packages_build[@]}" "${packages_clang[@]}"
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
-logged "$build/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
-    "-DCMAKE_CXX_FLAGS=$optimisation" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DBUILD_SHARED_LIBS=OFF "-DSANITIZERS=$sanitizers" -DBUILD_FUZZERS=ON
+logged "$build/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ \
+    -DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=$optimisation" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+    -DBUILD_SHARED_LIBS=OFF "-DSANITIZERS=$sanitizers" -DBUILD_FUZZERS=ON
 logged "$build/build.log" cmake --build "$build" --target "${fuzzers[@]/#/fuzz_}"
 
 # In memory, since some fuzzers write a file for each execution.
 scratch=$(mktemp -d -p /dev/shm)
 trap 'rm -rf "$scratch"' EXIT
 # What is too large for the memory is refused by OpenCV, as without sanitizers.
-export TMPDIR=$scratch ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 OPENCV_LOG_LEVEL=ERROR OPENCV_FOR_THREADS_NUM=1
+export TMPDIR=$scratch ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
+    OPENCV_LOG_LEVEL=ERROR OPENCV_FOR_THREADS_NUM=1
 
 # usage: fuzz NAME
 fuzz()
 {
-    local name=$1 log=$build/$1.log
-    local options=("-seed=$seed" -timeout=10 -rss_limit_mb=2048 -max_len=1000 -print_final_stats=1 "-artifact_prefix=$build/found/$name-")
+    local name=$1 log=$build/$1.log executions
+    local options=("-seed=$seed" -timeout=10 -rss_limit_mb=2048 -max_len=1000 -print_final_stats=1
+                   "-artifact_prefix=$build/found/$name-")
     [ ! -e "$here/$name.dict" ] || options+=("-dict=$here/$name.dict")
     mkdir -p "$build/corpus/$name" "$build/found"
     local TIMEFORMAT="%U s of processor time"
-    if ! { time "$build/test/fuzz/fuzz_$name" "$limit" "${options[@]}" "$build/corpus/$name" "$here/corpus/$name"; } >"$log" 2>&1; then
+    if ! { time "$build/test/fuzz/fuzz_$name" "$limit" "${options[@]}" \
+            "$build/corpus/$name" "$here/corpus/$name"; } >"$log" 2>&1; then
         tail -n 60 "$log" >&2
         echo "$name: failed, see $log"
         return 1
     fi
-    echo "$name: $(sed -n 's/^Done \(.*\) runs in \(.*\) second(s)$/\1 executions in \2 s/p' "$log"), $(tail -n 1 "$log"), nothing found"
+    executions=$(sed -n 's/^Done \(.*\) runs in \(.*\) second(s)$/\1 executions in \2 s/p' "$log")
+    echo "$name: $executions, $(tail -n 1 "$log"), nothing found"
 }
 
 failures=0

@@ -29,12 +29,14 @@ def read(path):
 
 
 def times_in(folder):
-    return {name: os.stat(os.path.join(folder, name)).st_mtime_ns for name in os.listdir(folder) if name.endswith('.csv')}
+    return {name: os.stat(os.path.join(folder, name)).st_mtime_ns
+            for name in os.listdir(folder) if name.endswith('.csv')}
 
 
 def check_displacement(path):
     rows = list(csv.DictReader(read(path).splitlines()))
-    check(read(path).splitlines()[0] == 'contestant,image,speed_kmh,yaw_rate_deg_s,raw_px,left_px', 'displacement.csv has other columns')
+    check(read(path).splitlines()[0] == 'contestant,image,speed_kmh,yaw_rate_deg_s,raw_px,left_px',
+          'displacement.csv has other columns')
     left = {}
     raw = {}
     for row in rows:
@@ -72,7 +74,8 @@ with tempfile.TemporaryDirectory() as folder:
     after = times_in(tables)
     check('bound.csv' in after, "a missing table wasn't made again")
     check(all(after[name] == before[name] for name in before), 'a complete table was made again')
-    check(subprocess.run([script, build, folder], stderr=subprocess.DEVNULL).returncode == 1, 'tables of other options were used')
+    check(subprocess.run([script, build, folder], stderr=subprocess.DEVNULL).returncode == 1,
+          'tables of other options were used')
 
     # The same for a seed, whatever the number of threads.
     again = os.path.join(folder, 'again')

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """What rsackermann_correct leaves behind when something goes wrong, compared with an undisturbed run.
 
-- Killed: two shards with a common report are killed (SIGKILL) at random moments and go on with --skip_existing; whatever is visible after a
+- Killed: two shards with a common report are killed (SIGKILL) at random moments and go on with --skip_existing; \
+whatever is visible after a
   kill is complete, and in the end everything is as if nothing had happened.
-- A full disk (a small tmpfs, or without the right to mount one a limit on the size of files): exit code 1, nothing incomplete, and
+- A full disk (a small tmpfs, or without the right to mount one a limit on the size of files): exit code 1, \
+nothing incomplete, and
   with room again the rest is done.
 - A folder that can't be written, an input that vanishes while the program runs.
 
@@ -43,7 +45,8 @@ def make_inputs(simulate, folder):
     folder.mkdir()
     for i in range(IMAGES):
         one = folder / 'one'
-        subprocess.run([simulate, '--output=%s' % one, '--size=160x96', '--focal=204', '--samples=1', '--seed=%d' % i, '--overwrite'], check=True)
+        subprocess.run([simulate, '--output=%s' % one, '--size=160x96', '--focal=204', '--samples=1',
+                        '--seed=%d' % i, '--overwrite'], check=True)
         (one / 'rolling.png').rename(folder / ('%02d.png' % i))
     shutil.rmtree(folder / 'one')
     broken = folder / '07.png'
@@ -69,7 +72,8 @@ def report_of(out, whole=True):
 
 def files_of(out, hidden=True):
     return {str(path.relative_to(out)): hashlib.sha256(path.read_bytes()).hexdigest()
-            for folder in RESULTS for path in sorted((out / folder).glob('*')) if hidden or not path.name.startswith('.')}
+            for folder in RESULTS for path in sorted((out / folder).glob('*'))
+            if hidden or not path.name.startswith('.')}
 
 
 def require_part_of(out, reference, lines):
@@ -82,7 +86,8 @@ def require_part_of(out, reference, lines):
 
 
 def require_equal(out, reference, lines):
-    require(files_of(out) == reference, 'the files differ from those of an undisturbed run: %s' % sorted(set(files_of(out)) ^ set(reference)))
+    require(files_of(out) == reference, 'the files differ from those of an undisturbed run: %s' %
+            sorted(set(files_of(out)) ^ set(reference)))
     require(report_of(out) == lines, 'the report differs from that of an undisturbed run')
 
 
@@ -132,7 +137,8 @@ def killed(correct, inputs, out, reference, lines, moments, rng):
 def small_disk(folder, options):
     """A tmpfs, if it may be mounted."""
     folder.mkdir()
-    mounted = subprocess.run(['mount', '-t', 'tmpfs', '-o', options, 'tmpfs', str(folder)], stderr=subprocess.DEVNULL, check=False).returncode == 0
+    mounted = subprocess.run(['mount', '-t', 'tmpfs', '-o', options, 'tmpfs', str(folder)],
+                             stderr=subprocess.DEVNULL, check=False).returncode == 0
     try:
         yield mounted
     finally:
@@ -144,7 +150,8 @@ def full_disk(correct, inputs, out, reference, lines):
     with small_disk(out, 'size=600k') as mounted:
         # Without a tmpfs no file can have more than 40 kB: overlays and reports, but no maps.
         limit = None if mounted else lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000))
-        done = subprocess.run(command(correct, inputs, out), stderr=subprocess.PIPE, universal_newlines=True, preexec_fn=limit, check=False)
+        done = subprocess.run(command(correct, inputs, out), stderr=subprocess.PIPE, universal_newlines=True,
+                              preexec_fn=limit, check=False)
         require(done.returncode == 1, 'exit code %d' % done.returncode)
         require("can't be written" in done.stderr, done.stderr)
         require(not [name for name in files_of(out) if '/.' in name], 'a temporary file is left')
@@ -165,7 +172,8 @@ def read_only_folder(correct, inputs, out):
     with small_disk(out, 'size=1m,ro') as mounted:
         if not mounted:
             out.chmod(0o555)
-        done = subprocess.run(command(correct, inputs, out), stderr=subprocess.PIPE, universal_newlines=True, check=False)
+        done = subprocess.run(command(correct, inputs, out), stderr=subprocess.PIPE, universal_newlines=True,
+                              check=False)
         require(done.returncode == 1, 'exit code %d' % done.returncode)
         require("can't be" in done.stderr, done.stderr)
         require(not list(out.iterdir()), 'something was written')
@@ -183,10 +191,12 @@ def vanished_input(correct, inputs, out, reference):
     messages = process.communicate()[1]
     require(process.returncode == 1, 'exit code %d' % process.returncode)
     require(last.name in messages, messages)
-    expected = {name: content for name, content in reference.items() if pathlib.Path(name).name.split('.')[0] != last.stem}
+    expected = {name: content for name, content in reference.items()
+                if pathlib.Path(name).name.split('.')[0] != last.stem}
     require(files_of(out) == expected, 'the others are not all there')
     failed = [json.loads(line) for line in report_of(out) if json.loads(line)['status'] == 'failed']
-    require(sorted(pathlib.Path(line['input']).name for line in failed) == ['07.png', last.name], 'the failures in the report are others')
+    require(sorted(pathlib.Path(line['input']).name for line in failed) == ['07.png', last.name],
+            'the failures in the report are others')
     return 'the others are done'
 
 
@@ -205,9 +215,11 @@ def main():
         make_inputs(simulate, inputs)
         done = subprocess.run(command(correct, inputs, undisturbed), stderr=subprocess.DEVNULL, check=False)
         reference, lines = files_of(undisturbed), report_of(undisturbed)
-        require(done.returncode == 1 and len(reference) == 3 * (IMAGES - 1) and len(lines) == IMAGES, 'the undisturbed run has failed')
+        require(done.returncode == 1 and len(reference) == 3 * (IMAGES - 1) and len(lines) == IMAGES,
+                'the undisturbed run has failed')
         rng = random.Random(arguments.seed)
-        for title, check in (('killed', lambda: killed(correct, inputs, base / 'killed', reference, lines, arguments.moments, rng)),
+        for title, check in (('killed', lambda: killed(correct, inputs, base / 'killed', reference, lines,
+                                                       arguments.moments, rng)),
                              ('full disk', lambda: full_disk(correct, inputs, base / 'full', reference, lines)),
                              ('read-only folder', lambda: read_only_folder(correct, inputs, base / 'read_only')),
                              ('vanished input', lambda: vanished_input(correct, inputs, base / 'vanished', reference))):

@@ -55,7 +55,8 @@ def root_mean_square(values):
 
 
 def bias_per_degree(rows, kind):
-    """Slope of the yaw rate's error over the error of roll or pitch: the median over all pairs of draws (Theil and Sen)."""
+    """Slope of the yaw rate's error over the error of roll or pitch: the median over all pairs of draws
+    (Theil and Sen)."""
     points = [(row[kind + '_deg'], row['yaw_rate_error']) for row in rows]
     return median([(b[1] - a[1]) / (b[0] - a[0]) for a, b in itertools.combinations(points, 2)])
 

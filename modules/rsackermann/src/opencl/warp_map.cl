@@ -70,7 +70,8 @@ inline float3 bearing(const struct Warp* p, float2 ray)
 // Changes the ray (x, y, 1) as its bearing changes in x and z. The change is small, and so is its rounding error.
 inline int changeRay(const struct Warp* p, float bx, float bz, float2* ray)
 {
-    const float dx = p->up[0] * bx + p->up[6] * bz, dy = p->up[1] * bx + p->up[7] * bz, dz = p->up[2] * bx + p->up[8] * bz;
+    const float dx = p->up[0] * bx + p->up[6] * bz, dy = p->up[1] * bx + p->up[7] * bz,
+                dz = p->up[2] * bx + p->up[8] * bz;
     const float z = 1.f + dz;
     if (!(z > 0.f))
         return 0;
@@ -201,8 +202,10 @@ inline int brownStep(const struct Warp* p, float2 ray, float2 error, float2* ste
                                radial * (p->k[5] + r2 * (2.f * p->k[6] + r2 * 3.f * p->k[7]))) / denominator;
     const float prismX = 2.f * p->k[8] + 4.f * r2 * p->k[9], prismY = 2.f * p->k[10] + 4.f * r2 * p->k[11];
     const float common = x * y * slope + 2.f * (p->k[2] * x + p->k[3] * y);
-    const float xx = radial + x * x * slope + 2.f * p->k[2] * y + 6.f * p->k[3] * x + x * prismX, xy = common + y * prismX;
-    const float yx = common + x * prismY, yy = radial + y * y * slope + 6.f * p->k[2] * y + 2.f * p->k[3] * x + y * prismY;
+    const float xx = radial + x * x * slope + 2.f * p->k[2] * y + 6.f * p->k[3] * x + x * prismX,
+                xy = common + y * prismX;
+    const float yx = common + x * prismY,
+                yy = radial + y * y * slope + 6.f * p->k[2] * y + 2.f * p->k[3] * x + y * prismY;
     const float det = xx * yy - xy * yx;
     *step = (float2)(error.x * yy - error.y * xy, error.y * xx - error.x * yx) / det;
     return det != 0.f;

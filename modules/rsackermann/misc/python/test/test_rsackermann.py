@@ -117,7 +117,8 @@ class rsackermann_test(NewOpenCVTests):
         self.assertEqual(motion.model, cv.rsackermann.MODEL_4LA)
         self.assertAlmostEqual(motion.yawRate(camera)[1], YAW_RATE, delta=0.01 * YAW_RATE)
         self.assertAlmostEqual(motion.speed(camera)[1], SPEED, delta=0.01 * SPEED)
-        walls = np.where(segments[:, 0] < SIZE[0] / 2, cv.rsackermann.SEGMENT_LEFT_WALL, cv.rsackermann.SEGMENT_RIGHT_WALL)
+        walls = np.where(segments[:, 0] < SIZE[0] / 2,
+                         cv.rsackermann.SEGMENT_LEFT_WALL, cv.rsackermann.SEGMENT_RIGHT_WALL)
         np.testing.assert_array_equal(np.ravel(labels), walls)
 
         motion, labels = estimator.estimate(segments[:1])
@@ -135,13 +136,16 @@ class rsackermann_test(NewOpenCVTests):
         map1, map2, mask = generator.initRectifyMap(motion)
         self.assertEqual(map1.shape, (SIZE[1], SIZE[0]))
         self.assertEqual(mask[row, column], 255)
-        np.testing.assert_allclose((map1[row, column], map2[row, column]), project(camera, (x * z, y * z, z)), atol=0.01)
+        np.testing.assert_allclose((map1[row, column], map2[row, column]), project(camera, (x * z, y * z, z)),
+                                   atol=0.01)
 
         # And the maps of the other direction lead back.
         back1, back2, _ = generator.initDistortMap(motion)
         there = map1[row, column], map2[row, column]
-        self.assertAlmostEqual(float(cv.remap(back1, *(np.float32([[v]]) for v in there), cv.INTER_CUBIC)[0, 0]), column, delta=0.05)
-        self.assertAlmostEqual(float(cv.remap(back2, *(np.float32([[v]]) for v in there), cv.INTER_CUBIC)[0, 0]), row, delta=0.05)
+        self.assertAlmostEqual(float(cv.remap(back1, *(np.float32([[v]]) for v in there), cv.INTER_CUBIC)[0, 0]),
+                               column, delta=0.05)
+        self.assertAlmostEqual(float(cv.remap(back2, *(np.float32([[v]]) for v in there), cv.INTER_CUBIC)[0, 0]),
+                               row, delta=0.05)
 
     def test_corrector(self):
         corrector = cv.rsackermann.RollingShutterCorrector.create(make_camera())
@@ -247,7 +251,8 @@ class rsackermann_test(NewOpenCVTests):
         self.assertEqual(motion.status, cv.rsackermann.MOTION_OK)
         # Roll, which isn't known exactly, looks like a yaw rate.
         self.assertGreater(motion.expectedRaw, motion.expectedLeft)
-        self.assertAlmostEqual(motion.yawRate(camera)[1], YAW_RATE, delta=3 * math.sqrt(motion.metricCovariance(camera)[0][0]))
+        self.assertAlmostEqual(motion.yawRate(camera)[1], YAW_RATE,
+                               delta=3 * math.sqrt(motion.metricCovariance(camera)[0][0]))
         self.assertEqual(corrected.shape, image.shape)
         self.assertEqual(mask.shape, image.shape[:2])
 
