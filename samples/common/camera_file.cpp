@@ -201,7 +201,9 @@ void readKalibr(const YAML::Node& camera, CameraSettings& s)
 
 void readYaml(const std::string& text, CameraSettings& s)
 {
-    const YAML::Node file = YAML::Load(withoutDirective(text));
+    // cv::FileStorage writes a directive that isn't YAML.
+    const bool hasDirective = text.compare(0, 5, "%YAML") == 0;
+    const YAML::Node file = YAML::Load(hasDirective ? text.substr(std::min(text.find('\n'), text.size())) : text);
     require(file.IsMap(), "is neither a calibration of OpenCV nor a camera_info of ROS nor a camchain of Kalibr");
     const YAML::Node root = file["cam0"] ? file["cam0"] : file;
     if (root["intrinsics"])

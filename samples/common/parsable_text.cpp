@@ -7,7 +7,7 @@
 
 #include <cctype>
 #include <fstream>
-#include <yaml-cpp/yaml.h>
+#include <sstream>
 
 namespace rsackermann_samples {
 
@@ -38,27 +38,27 @@ void checkNesting(const std::string& text)
     }
 }
 
-bool hasDirective(const std::string& text)
-{
-    return text.compare(0, 5, "%YAML") == 0;
-}
-
+// The parser of cv::FileStorage may search for ever for what comes after the first collection. That ends before the
+// file does with "...", or if it isn't a map that begins in the first column.
 void checkDocuments(const std::string& text)
-try
 {
-    require(!hasDirective(text) || YAML::LoadAll(withoutDirective(text)).size() <= 1, "holds more than one document");
-}
-catch (const YAML::Exception& e)
-{
-    throw UsageError(e.what());
+    std::istringstream lines(text);
+    bool begun = false, ended = false;
+    for (std::string line; std::getline(lines, line);)
+    {
+        line.erase(line.find_last_not_of(" \r") + 1);
+        const size_t first = line.find_first_not_of(' ');
+        if (first == std::string::npos || line[first] == '#' || (!begun && (line[0] == '%' || line == "---")))
+            continue;
+        require(!ended, "holds more than one document");
+        ended = line.compare(0, 3, "...") == 0;
+        require(line.size() == 3 || !ended, "has text in the line that ends the document");
+        require(begun || std::isalnum((unsigned char)line[0]) || line[0] == '_', "doesn't begin with a key");
+        begun = true;
+    }
 }
 
 } // namespace
-
-std::string withoutDirective(const std::string& text)
-{
-    return hasDirective(text) ? text.substr(std::min(text.find('\n'), text.size())) : text;
-}
 
 std::string readParsableText(const std::string& path)
 {
@@ -71,7 +71,8 @@ std::string readParsableText(const std::string& path)
     file.seekg(0);
     require(size == 0 || file.read(&text[0], size), "can't be read");
     checkNesting(text);
-    checkDocuments(text);
+    if (text.compare(0, 5, "%YAML") == 0)
+        checkDocuments(text);
     return text;
 }
 

@@ -9,13 +9,10 @@
 
 namespace rsackermann_samples {
 
-/** The text of a YAML, XML or JSON file of up to a megabyte that can be given to a parser: parsers are for files that
-somebody means well with. Throws UsageError for one that is nested so deeply that a parser, which calls itself, ends the
-program, and for a YAML file of cv::FileStorage with more than one document, which its parser may read for ever. */
+/** The text of a YAML, XML or JSON file of up to a megabyte that can be given to a parser. Throws UsageError for one
+that is nested so deeply that a parser, which calls itself, would end the program, and for a YAML file of
+cv::FileStorage, known by its first line, that isn't one map: its parser may never come to the end of it. */
 std::string readParsableText(const std::string& path);
-
-//! Without the first line of a YAML file of cv::FileStorage, a directive that isn't YAML.
-std::string withoutDirective(const std::string& text);
 
 } // namespace rsackermann_samples
 

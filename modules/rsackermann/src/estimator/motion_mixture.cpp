@@ -86,15 +86,12 @@ Posterior MotionMixture::best() const
                 probability[i] / std::max(least, DisplacementField::meanDistance(components[i].displacement, correction,
                                                                                  components[i].variance));
     }
-    none = DisplacementField::Values();
     double translating[3] = {0, 0, 0}, rest = 0;
     for (size_t i = 0; i < components.size(); i++)
     {
         const Component& c = components[i];
-        const double raw = DisplacementField::meanDistance(c.displacement, none, c.variance);
-        const double left = DisplacementField::meanDistance(c.displacement, correction, c.variance);
-        result.expectedRaw += probability[i] * raw;
-        result.expectedLeft += probability[i] * left;
+        result.expectedRaw += probability[i] * DisplacementField::meanDistance(c.displacement, none, c.variance);
+        result.expectedLeft += probability[i] * DisplacementField::meanDistance(c.displacement, correction, c.variance);
         rest += c.hypothesis.turns() || c.hypothesis.translates() ? 0 : probability[i];
         Vec<double, PARAMETERS> difference;
         for (int p = 0; p < PARAMETERS; p++)

@@ -105,7 +105,8 @@ public:
         CV_PROP_RW double wallDeviationSigma;
         /** radians per second; how fast the vehicle usually turns, if gravity is uncertain and no yaw rate is told: the
         scale of Student's t distribution with two degrees of freedom, half of all yaw rates are below 0.82 of it.
-        Default 5 degrees per second, as cars drive */
+        A drive, whose frames tell the yaw rate, begins with a normal distribution of three times that sigma. Default
+        5 degrees per second, as cars drive */
         CV_PROP_RW double usualYawRate;
         CV_PROP_RW double reverseProbability; //!< probability that the car drives backward, default 0.02
 
