@@ -5,16 +5,21 @@
 # - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests,
 # - static analysis, the fuzzers for a minute each, and the tests with sanitizers.
 # Prints the number of test cases as its last line and fails if one of them failed.
-# usage: run_all.sh [--ts-source=DIRECTORY] [BUILD_DIRECTORY]
+# usage: run_all.sh [--tests] [--ts-source=DIRECTORY] [BUILD_DIRECTORY]
+#   --tests       no analysis, fuzzers and sanitizers, which are for the tools of Debian 12
 #   --ts-source   take opencv_ts from this source of OpenCV, which may be of another version, and build nothing inside
 #                 of OpenCV
 
 . "$(dirname "$0")/../scripts/common.sh"
-ts_source=
-case ${1:-} in
-    --ts-source=*) ts_source=${1#*=}; shift ;;
-esac
-build=${1:-$root/build-test}
+ts_source='' only_tests=no build=$root/build-test
+for argument in "$@"; do
+    case $argument in
+        --tests) only_tests=yes ;;
+        --ts-source=*) ts_source=${argument#*=} ;;
+        -*) die "unknown option $argument" ;;
+        *) build=$argument ;;
+    esac
+done
 logs=$build/logs
 results=$build/test-results
 
@@ -149,6 +154,8 @@ PYTHONPATH=$in_tree/build/python_loader:$opencv_source/modules/python/test \
 count "Inside of OpenCV, python" $status "$logs/in-tree-python.log" unittest "$logs/in-tree-python.log"
 check "Inside of OpenCV, consumer" "$logs/in-tree-consumer.log" consumer_of_opencv
 flock -u 9
+finished=$only_tests
+[ $only_tests = no ] || exit
 
 step "Analysing"
 check "Static analysis" "$logs/analyse.log" "$root/test/analyse.sh" "--tidy=$build"
