@@ -16,9 +16,8 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Renders a drive of ten seconds (straight, a bend to and fro, a stop, a wall that ends, roll of the suspension) "
-    "and measures what the\n"
-    "correction leaves, frame by frame alone and as a drive, against the true correspondence; and how much the "
+    "Renders a drive (straight, a bend to and fro, a stop, a wall that ends, roll of the suspension) and measures what\n"
+    "the correction leaves, frame by frame alone and as a drive, against the true correspondence; and how much the\n"
     "correction flickers.\n"
     "usage: rsackermann_experiment_rendered_drive [--option=value]...\n";
 
@@ -26,6 +25,7 @@ const char* const KEYS = "{help       |        | print this message}"
                          "{frames     | 300    | number of frames, 30 a second}"
                          "{seed       | 1      | of the street}"
                          "{stagger    | 1.5    | metres by which houses stand back}"
+                         "{walls      |        | weave through a street whose walls come and go, instead}"
                          "{roll       | 0.5    | amplitude of the suspension's roll, which isn't told, degrees}"
                          "{save       |        | folder for the images}"
                          "{quiet      |        | print the summary only}"
@@ -37,6 +37,10 @@ struct Series
 {
     std::vector<double> raw, left, change; // pixels
     std::vector<cv::Point2d> before;       // error of the correction of the frame before
+    std::vector<double> yawRate;           // errors in degrees a second, of the frames that tell one
+    int within3;                           // of these
+
+    Series() : within3(0) {}
 };
 
 // Adds what maps leave at the points of a grid.
@@ -76,6 +80,10 @@ void summarise(const char* name, const Series& s)
         flicker += c * c / s.change.size();
     std::printf("%-8s raw %.3f left mean %.3f median %.3f p99 %.3f largest %.3f flicker %.3f px\n", name, mean(s.raw),
                 mean(s.left), quantile(s.left, 0.5), quantile(s.left, 0.99), quantile(s.left, 1), std::sqrt(flicker));
+    if (!s.yawRate.empty())
+        std::printf("%-8s yaw rate told in %d of %d frames: error median %.2f p99 %.2f deg/s, within 3 sigma %.1f %%\n",
+                    name, int(s.yawRate.size()), int(s.left.size()), quantile(s.yawRate, 0.5),
+                    quantile(s.yawRate, 0.99), 100. * s.within3 / double(s.yawRate.size()));
 }
 
 int run(const Options& options)
@@ -89,7 +97,9 @@ int run(const Options& options)
     scene.clutter = 0.2;
     RenderedDrive drive(eye, scene);
     drive.sway[0] = options.number("roll", 0, 10) * DEGREE;
-    const int frames = options.integer("frames", 2, 300);
+    if (options.flag("walls"))
+        drive.course = RenderedDrive::CHANGING_WALLS;
+    const int frames = options.integer("frames", 2, 3000);
     const bool quiet = options.flag("quiet");
 
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(eye.size, eye.fx);
@@ -114,7 +124,12 @@ int run(const Options& options)
             (k == 0 ? alone : carried)->getMaps(maps[k][0], maps[k][1]);
             measure(renderer, maps[k], series[k]);
             double yawRate = 0;
-            motion.yawRate(camera, yawRate);
+            if (motion.status == MOTION_OK && motion.yawRate(camera, yawRate))
+            {
+                const double sigma = std::sqrt(motion.metricCovariance(camera)(0, 0));
+                series[k].yawRate.push_back(std::abs(yawRate - drive.yawRate()) / DEGREE);
+                series[k].within3 += std::abs(yawRate - drive.yawRate()) <= 3 * sigma;
+            }
             if (!quiet)
                 std::printf(
                     "%3d %s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n",

@@ -24,9 +24,17 @@ street::StreetRenderer RenderedDrive::next()
     camera.roll += sway[0] * std::sin(2 * seconds_ + phase) * std::cos(0.7 * seconds_ + phase);
     camera.pitch += sway[1] * std::sin(2.9 * seconds_ + 2 * phase) * std::cos(0.9 * seconds_ + phase);
     scene.wallDirection = mounted.heading - yaw;
-    scene.left = course == BEND_AND_STOP && seconds_ > 1 && seconds_ < 2 ? 0 : TO_THE_LEFT + sideways;
-    scene.right = STREET - TO_THE_LEFT - sideways;
+    scene.left = hasWall(0) ? TO_THE_LEFT + sideways : 0;
+    scene.right = hasWall(1) ? STREET - TO_THE_LEFT - sideways : 0;
     return street::StreetRenderer(camera, scene);
+}
+
+bool RenderedDrive::hasWall(int side) const
+{
+    if (course == BEND_AND_STOP)
+        return side != 0 || !(seconds_ > 1 && seconds_ < 2);
+    const double period = 5, begin = 1 + side, gap = 1.5, passed = std::fmod(seconds_, period);
+    return course == WEAVING || !(passed > begin && passed < begin + gap);
 }
 
 void RenderedDrive::drive()
@@ -39,7 +47,7 @@ void RenderedDrive::drive()
         sideways += scene.speed * std::sin(yaw) * duration;
         yaw += scene.yawRate * duration;
     }
-    if (course == WEAVING)
+    if (course != BEND_AND_STOP)
     {
         // The angle is an oscillation without an offset from the first frame on.
         const double frequency = CV_PI / 2;

@@ -16,7 +16,8 @@ public:
     enum Course {
         //! 12 m/s, from 1 to 2 s without a left wall, a bend to and fro from 2.5 to 6.5 s, standing from 7.2 to 8.2 s
         BEND_AND_STOP,
-        WEAVING //!< 12 m/s, to and fro all the time
+        WEAVING,       //!< 12 m/s, to and fro all the time
+        CHANGING_WALLS //!< the same, with gaps of 1.5 s in each wall, every 5 s, that overlap for half a second
     };
 
     Course course;
@@ -37,6 +38,7 @@ public:
 
 private:
     void drive();
+    bool hasWall(int side) const; // 0: left, 1: right
 
     const street::StreetCamera mounted;
     street::StreetScene scene;

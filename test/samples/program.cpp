@@ -51,6 +51,8 @@ RunningProgram::RunningProgram(const std::string& program, Arguments arguments) 
 {
     if (process_ != 0)
         return;
+    // What is started in the background of a shell, these tests for one, inherits that SIGINT is ignored.
+    std::signal(SIGINT, SIG_DFL);
     arguments.insert(arguments.begin(), program);
     std::vector<char*> words;
     for (std::string& word : arguments)
