@@ -18,13 +18,14 @@ packages=(shellcheck clang-format-14 cppcheck)
 [ -z "$tidy" ] || packages+=(clang-tidy)
 install_packages "$logs/rsackermann-apt-install.log" "${packages[@]}"
 cd "$root"
-mapfile -t scripts < <(git ls-files '*.sh' .ci/run)
-mapfile -t sources < <(git ls-files 'modules/rsackermann/src/*.cpp' 'samples/*.cpp')
+# Not by git, which doesn't answer in somebody else's checkout or a copy without its history.
+mapfile -t scripts < <(find .ci/run cmake doc modules perf samples scripts test -name '*.sh' -o -path .ci/run | sort)
+mapfile -t sources < <(find modules/rsackermann/src samples -name '*.cpp' | sort)
+mapfile -t formatted < <(find cmake modules perf samples test -name '*.[ch]pp' | sort)
 
 step "shellcheck, ${#scripts[@]} scripts"
 shellcheck "${scripts[@]}"
 
-mapfile -t formatted < <(git ls-files '*.cpp' '*.hpp')
 step "clang-format, ${#formatted[@]} files"
 clang-format-14 --dry-run --Werror "${formatted[@]}"
 
