@@ -268,6 +268,8 @@ private:
         {
             motion = estimator->estimate(segments, labels, drive.priorOfFrame(prior));
             drive.learn(motion);
+            if (motion.status == MOTION_TOO_FEW_SEGMENTS)
+                drive.expectMotion(prior, motion, labels);
         }
         return motion;
     }

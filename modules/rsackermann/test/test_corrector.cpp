@@ -544,6 +544,52 @@ TEST(RSAckermann_Corrector, another_scene_is_recognised)
     expectSame(c.alone(b), c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 2), b, dst));
 }
 
+//! The image of a street after some steps in a bend to the right.
+Mat approached(const Mat& street, int steps)
+{
+    const Point2f centre(street.cols / 2.f, street.rows / 2.f);
+    Mat change = getRotationMatrix2D(centre, 0, 1 + 0.03 * steps), image;
+    change.at<double>(0, 2) -= 4 * steps;
+    warpAffine(street, image, change, street.size(), INTER_CUBIC, BORDER_REFLECT);
+    return image;
+}
+
+// As between two street lamps. It ends with the scene, a second after the last frame that showed something.
+TEST(RSAckermann_Corrector, frame_that_shows_nothing_goes_on_as_expected)
+{
+    CorrectorOfFrames c;
+    const Mat street = texturedImage(c.camera.imageSize, 1), nothing(0, 4, CV_32F);
+    for (int again = 0; again < 2; again++)
+    {
+        Mat dst;
+        AckermannMotion motion;
+        for (int i = 0; i < 4; i++)
+            motion = c.corrector->correctWithSegments(approached(street, i), nothing, dst);
+        ASSERT_EQ(MOTION_OK, motion.status);
+        const double sigma = motion.covariance(0, 0);
+        double seen = 0, yawRate = 0;
+        ASSERT_TRUE(motion.yawRate(c.camera, seen));
+        EXPECT_GT(seen, 0.02);
+        if (again)
+        {
+            c.corrector->reset();
+            EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, c.frame(nothing).status);
+            continue;
+        }
+        for (int i = 1; i * INTERVAL < 1 - 1e-6; i++)
+        {
+            motion = c.frame(nothing);
+            ASSERT_EQ(MOTION_OK, motion.status) << i;
+            EXPECT_LT(motion.expectedLeft, motion.expectedRaw);
+            EXPECT_EQ(0, motion.candidates);
+            motion.yawRate(c.camera, yawRate);
+            EXPECT_NEAR(seen * std::exp(-i * INTERVAL / 2), yawRate, 1e-6);
+        }
+        EXPECT_GT(motion.covariance(0, 0), 2 * sigma);
+        EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, c.frame(nothing).status);
+    }
+}
+
 TEST(RSAckermann_Corrector, points_arent_tracked_unless_asked_for)
 {
     CorrectorOfFrames c;

@@ -13,7 +13,8 @@ static const size_t MANY_POINTS = 80;    // if next to none of them was there be
 static const double LEAST_TRACKED = 0.3; // of the points that a frame has
 
 DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
-    : camera(camera_), params(params_), state(camera_, params_), time(0), hasFrame(false), isVague(true)
+    : camera(camera_), params(params_), state(camera_, params_), time(0), hasFrame(false), isVague(true), last(state),
+      seen(std::numeric_limits<double>::quiet_NaN())
 {
 }
 
@@ -48,6 +49,7 @@ void DriveEstimator::forget()
 {
     state = DriveState(camera, params);
     isVague = true;
+    seen = std::numeric_limits<double>::quiet_NaN();
 }
 
 // Points of the frame that are seen in the one before and in the one after.
@@ -104,6 +106,8 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
     }
     state = fit.state;
     isVague = false;
+    last = fit;
+    seen = time;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
     for (size_t i = 0; i < verticals.size(); i++)
         labels.at<uchar>(verticals[i].index) = SEGMENT_OUTLIER;
@@ -113,7 +117,7 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
 }
 
 // Points aren't spread as pixels are: they show the share of the displacement that is left.
-Model DriveEstimator::expect(const DriveFit& fit, AckermannMotion& motion) const
+Model DriveEstimator::predictDisplacement(const DriveFit& fit, AckermannMotion& motion) const
 {
     const double unit = camera.secondsPerUnitTime();
     Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
@@ -139,7 +143,7 @@ void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegmen
                             AckermannMotion& motion, Mat& labels) const
 {
     motion.candidates = int(verticals.size());
-    const Model model = expect(fit, motion);
+    const Model model = predictDisplacement(fit, motion);
     if (!fit.moves || !(motion.expectedLeft < motion.expectedRaw))
     {
         motion.expectedLeft = motion.expectedRaw;
@@ -159,6 +163,20 @@ void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegmen
         const bool hasLeft = fit.state.value[DRIVE_LEFT] > 0;
         motion.wallDistance = 1 / std::max(fit.state.value[hasLeft ? DRIVE_LEFT : DRIVE_RIGHT], double(FLT_EPSILON));
     }
+}
+
+void DriveEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
+{
+    if (!(std::abs(time - seen) < LONGEST_INTERVAL))
+        return;
+    DriveFit expected = last;
+    expected.state = state;
+    AckermannMotion result;
+    report(expected, std::vector<UprightSegment>(), prior, result, labels);
+    if (result.status != MOTION_OK)
+        return;
+    result.candidates = motion.candidates;
+    motion = result;
 }
 
 MotionPrior DriveEstimator::priorOfFrame(const MotionPrior& prior) const

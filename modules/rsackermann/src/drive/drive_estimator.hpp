@@ -39,6 +39,10 @@ public:
     bool estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments, const MotionPrior& prior,
                   AckermannMotion& motion, Mat& labels);
 
+    /** The motion that the frames of the last second let expect of the present one, if it shows nothing itself.
+    @param motion the estimate from the image alone; changed only if one is expected and helps. */
+    void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
+
     //! The prior of an estimate from the image alone: the told one and the yaw rate of the frames before.
     MotionPrior priorOfFrame(const MotionPrior& prior) const;
 
@@ -55,14 +59,16 @@ private:
     DriveState state; // of the last frame
     double time;      // of the last frame
     bool hasFrame;
-    bool isVague; // whether no frame has told the motion yet
+    bool isVague;  // whether no frame has told the motion yet
+    DriveFit last; // whose points told the motion
+    double seen;   // time of that; not finite if there is none
     std::vector<PointPair> pairs;
     std::vector<Sight> sights;
 
     void addPairs(double seconds);
     void forget();
     void look(const GrayFrame& frame, const GrayFrame& next, double passed);
-    Model expect(const DriveFit& fit, AckermannMotion& motion) const;
+    Model predictDisplacement(const DriveFit& fit, AckermannMotion& motion) const;
     void report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
                 AckermannMotion& motion, Mat& labels) const;
 };
