@@ -27,11 +27,10 @@ using cv::rsackermann::MountCalibrator;
 const char* const ABOUT =
     "Finds how a car's camera is mounted, and its line delay, from the frames of a drive.\n"
     "usage: rsackermann_calibrate [--option=value]... [--] INPUT...\n"
-    "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line, "
-    "in the order of the drive.\n"
-    "Writes a camera file for rsackermann_correct --camera, with roll, pitch, heading and line_delay and a standard "
-    "deviation of each.\n"
-    "Exit code: 0 done, 1 inputs failed or no car moves in them, 2 the command line isn't understood, 130 or 143 "
+    "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line,\n"
+    "in the order of the drive. Writes a camera file for rsackermann_correct --camera, with roll, pitch, heading and\n"
+    "line_delay and a standard deviation of each.\n"
+    "Exit code: 0 done, 1 inputs failed or no car moves in them, 2 the command line isn't understood, 130 or 143\n"
     "interrupted.\n";
 
 const char* const KEYS =

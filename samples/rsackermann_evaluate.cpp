@@ -18,9 +18,8 @@ namespace {
 using namespace rsackermann_samples;
 
 const char* const ABOUT =
-    "Compares the results of rsackermann_correct with the truth of rsackermann_simulate: motion, and mean displacement "
-    "of the\n"
-    "pixels before and after the correction.\n"
+    "Compares the results of rsackermann_correct with the truth of rsackermann_simulate: motion, and mean\n"
+    "displacement of the pixels before and after the correction.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
 const char* const KEYS = "{help   | | print this message}"

@@ -21,8 +21,8 @@ using namespace rsackermann_samples;
 using namespace cv::rsackermann;
 
 const char* const ABOUT =
-    "Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by side, "
-    "with the numbers.\n"
+    "Undoes the rolling shutter of a camera or a video while it is seen: the raw and the corrected image side by\n"
+    "side, with the numbers.\n"
     "usage: rsackermann_live [--option=value]... INPUT\n"
     "INPUT is a video or the number of a camera. Every key ends the program.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";

@@ -18,9 +18,8 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Measures the correction of single frames of real drives against the optical flow to the next frame, and what "
-    "becomes of frames of\n"
-    "global-shutter cameras, of which every motion is false.\n"
+    "Measures the correction of single frames of real drives against the optical flow to the next frame, and what\n"
+    "becomes of frames of global-shutter cameras, of which every motion is false.\n"
     "usage: rsackermann_experiment_drives [FOLDER...] [--option=value]...\n"
     "FOLDER has consecutive frames and frames.csv (calibration, time to the next frame, speed and yaw rate).\n";
 

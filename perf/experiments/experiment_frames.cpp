@@ -19,12 +19,10 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Compares corrected rolling-shutter frames with global-shutter images: PSNR in dB before, and what is gained by "
-    "the estimated\n"
-    "motion, by the motion that fits the global-shutter image best, and by that with roll and pitch fitted, too; then "
-    "the number of\n"
-    "candidates for verticals, and how many of them are vertical to half a pixel after the estimated and after the "
-    "best motion.\n";
+    "Compares corrected rolling-shutter frames with global-shutter images: PSNR in dB before, and what is gained by\n"
+    "the estimated motion, by the motion that fits the global-shutter image best, and by that with roll and pitch\n"
+    "fitted, too; then the number of candidates for verticals, and how many of them are vertical to half a pixel\n"
+    "after the estimated and after the best motion.\n";
 
 const char* const KEYS =
     "{help       |        | print this message}"

@@ -19,11 +19,9 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Renders frames of streets at random, with motions, scenes, errors of the camera and bad images each as often as "
-    "in a drive, corrects\n"
-    "each alone, and counts those that are made worse. Prints what was expected to be left against what is left, and "
-    "how often the yaw\n"
-    "rate is within its standard deviations.\n";
+    "Renders frames of streets at random, with motions, scenes, errors of the camera and bad images each as often as\n"
+    "in a drive, corrects each alone, and counts those that are made worse. Prints what was expected to be left\n"
+    "against what is left, and how often the yaw rate is within its standard deviations.\n";
 
 const char* const KEYS = "{help       |        | print this message}"
                          "{frames     | 1000   | number of frames}"

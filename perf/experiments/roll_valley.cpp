@@ -20,11 +20,9 @@ using namespace rsackermann_samples;
 namespace {
 
 const char* const ABOUT =
-    "Renders one image of a street and tells the estimator one roll and yaw rate after the other, as if both were "
-    "exact. Writes a table\n"
-    "(roll error in degrees, yaw rate in deg/s, px): the median of the distances between the columns of the two ends "
-    "of an upright segment,\n"
-    "after the correction by the motion and the walls that fit best.\n";
+    "Renders one image of a street and tells the estimator one roll and yaw rate after the other, as if both were\n"
+    "exact. Writes a table (roll error in degrees, yaw rate in deg/s, px): the median of the distances between the\n"
+    "columns of the two ends of an upright segment, after the correction by the motion and the walls that fit best.\n";
 
 const char* const KEYS = "{help     |     | print this message}"
                          "{speed    | 40  | km/h}"
