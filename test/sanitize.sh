@@ -40,7 +40,7 @@ build()
 run()
 {
     local name=$1 program=$2 filter=$3 status=0
-    (cd "$logs" && "$program" "--gtest_filter=$filter" >"$logs/$name.log" 2>&1) || status=$?
+    (cd "$logs" && "${fixed_addresses[@]}" "$program" "--gtest_filter=$filter" >"$logs/$name.log" 2>&1) || status=$?
     [ $status -eq 0 ] || tail -n 60 "$logs/$name.log" >&2
     echo "$name: $(grep -c '^\[       OK \]' "$logs/$name.log") tests passed, exit status $status"
     return $status

@@ -40,7 +40,7 @@ logged "$build/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_
 logged "$build/build.log" cmake --build "$build" --target "${fuzzers[@]/#/fuzz_}"
 
 # In memory, since some fuzzers write a file for each execution.
-scratch=$(mktemp -d -p /dev/shm)
+scratch=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 # What is too large for the memory is refused by OpenCV, as without sanitizers.
 export TMPDIR=$scratch ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
@@ -55,7 +55,7 @@ fuzz()
     [ ! -e "$here/$name.dict" ] || options+=("-dict=$here/$name.dict")
     mkdir -p "$build/corpus/$name" "$build/found"
     local TIMEFORMAT="%U s of processor time"
-    if ! { time "$build/test/fuzz/fuzz_$name" "$limit" "${options[@]}" \
+    if ! { time "${fixed_addresses[@]}" "$build/test/fuzz/fuzz_$name" "$limit" "${options[@]}" \
             "$build/corpus/$name" "$here/corpus/$name"; } >"$log" 2>&1; then
         tail -n 60 "$log" >&2
         echo "$name: failed, see $log"
