@@ -15,6 +15,13 @@ find_path(OPENCV_CVCONFIG_DIR cvconfig.h REQUIRED HINTS ${OpenCV_INCLUDE_DIRS}
 file(GLOB ts_sources "${ts_dir}/src/*.cpp")
 add_library(opencv_ts STATIC ${ts_sources})
 target_compile_options(opencv_ts PRIVATE -w)
+if(OpenCV_VERSION_MAJOR GREATER_EQUAL 5 AND EXISTS "${ts_dir}/src/ts_arrtest.cpp")
+  # That of OpenCV 4, where that of 5 can't be had: without what needs the old C interface or other matrices.
+  list(FILTER ts_sources EXCLUDE REGEX "/ts_(arrtest|func)\\.cpp$")
+  set_property(TARGET opencv_ts PROPERTY SOURCES
+    ${ts_sources} "${PROJECT_SOURCE_DIR}/cmake/opencv_ts_without_c/ts_func.cpp")
+  target_include_directories(opencv_ts SYSTEM PUBLIC "${PROJECT_SOURCE_DIR}/cmake/opencv_ts_without_c")
+endif()
 target_include_directories(opencv_ts SYSTEM
   PUBLIC "${ts_dir}/include" "${OPENCV_CVCONFIG_DIR}"
   PRIVATE "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")

@@ -361,7 +361,7 @@ TEST(Correct, without_motion_the_lens_is_corrected)
     const cv::Mat image = CorrectDoesNoHarm::make("noise");
     cv::imwrite(folder / "in.png", image);
     const cv::Matx33d K(300, 0, 160, 0, 310, 118, 0, 0, 1);
-    const cv::Mat lens = (cv::Mat_<double>(1, 5) << -0.28, 0.07, 1e-3, -5e-4, 0.01);
+    const cv::Mat lens(cv::Matx<double, 1, 5>(-0.28, 0.07, 1e-3, -5e-4, 0.01));
     cv::FileStorage fs(folder / "camera.yml", cv::FileStorage::WRITE);
     fs << "image_width" << 320 << "image_height" << 240 << "camera_matrix" << cv::Mat(K) << "distortion_coefficients"
        << lens;

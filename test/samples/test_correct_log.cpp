@@ -136,8 +136,9 @@ TEST_F(CorrectLog, time_between_frames_of_a_drive)
     // A picture that grows, as when the car drives on.
     cv::Mat nearer;
     const cv::Mat street = streetImage();
-    cv::warpAffine(street, nearer, cv::getRotationMatrix2D(cv::Point2f(320, 190), 0, 1.03), street.size(),
-                   cv::INTER_CUBIC, cv::BORDER_REFLECT);
+    const double larger = 1.03;
+    cv::warpAffine(street, nearer, cv::Matx23d(larger, 0, (1 - larger) * 320, 0, larger, (1 - larger) * 190),
+                   street.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
     cv::imwrite(folder_ / "a.png", street);
     cv::imwrite(folder_ / "b.png", nearer);
     const Arguments inputs = {folder_ / "a.png", folder_ / "b.png"};

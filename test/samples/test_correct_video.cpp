@@ -99,9 +99,9 @@ void writeApproach(const std::string& path, int frames)
     for (int i = 0; i < frames; i++)
     {
         cv::Mat frame;
-        const cv::Mat larger =
-            cv::getRotationMatrix2D(cv::Point2f(street.cols / 2.f, street.rows / 2.f), 0, 1 + 0.03 * i);
-        cv::warpAffine(street, frame, larger, street.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+        const double larger = 1 + 0.03 * i, kept = (1 - larger) / 2;
+        cv::warpAffine(street, frame, cv::Matx23d(larger, 0, kept * street.cols, 0, larger, kept * street.rows),
+                       street.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
         writer.write(frame);
     }
 }

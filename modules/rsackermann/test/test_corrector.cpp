@@ -547,9 +547,9 @@ TEST(RSAckermann_Corrector, another_scene_is_recognised)
 //! The image of a street after some steps in a bend to the right.
 Mat approached(const Mat& street, int steps)
 {
-    const Point2f centre(street.cols / 2.f, street.rows / 2.f);
-    Mat change = getRotationMatrix2D(centre, 0, 1 + 0.03 * steps), image;
-    change.at<double>(0, 2) -= 4 * steps;
+    const double larger = 1 + 0.03 * steps, kept = (1 - larger) / 2;
+    const Matx23d change(larger, 0, kept * street.cols - 4 * steps, 0, larger, kept * street.rows);
+    Mat image;
     warpAffine(street, image, change, street.size(), INTER_CUBIC, BORDER_REFLECT);
     return image;
 }

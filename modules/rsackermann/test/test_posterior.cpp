@@ -144,7 +144,7 @@ TEST(RSAckermann_Posterior, roll_that_is_not_told_is_no_motion)
 
 TEST(RSAckermann_Posterior, copies_of_a_segment_are_one_witness)
 {
-    const Mat one = (Mat_<double>(1, 4) << 1500, 300, 1512, 700);
+    const Mat one(Matx14d(1500, 300, 1512, 700));
     Mat copies;
     repeat(one, 6, 1, copies);
     EXPECT_NE(MOTION_OK, estimate(carCamera(), copies).status);

@@ -26,7 +26,7 @@ void addContacts(const Simulator& simulator, double height, int count, RNG& rng,
         if (!simulator.project(foot, low) || !simulator.project(top, high) || cv::norm(low - high) < 40 ||
             !Rect(Point(), size).contains(low) || !Rect(Point(), size).contains(high))
             continue;
-        Mat row = (Mat_<double>(1, 4) << low.x, low.y, high.x, high.y);
+        Mat row(Matx14d(low.x, low.y, high.x, high.y));
         for (int j = 0; j < 4; j++)
             row.at<double>(j) += rng.gaussian(0.3);
         segments.push_back(row);

@@ -95,7 +95,7 @@ TEST(RSAckermann_StreetDirection, is_found_at_every_angle)
                 if (!still.projectAt(offset + along * 5, 0, u) || !still.projectAt(offset + along * 12, 0, v) ||
                     !still.inside(u) || !still.inside(v))
                     continue;
-                Mat row = (Mat1d(1, 4) << u.x, u.y, v.x, v.y);
+                Mat row(Matx14d(u.x, u.y, v.x, v.y));
                 segments.push_back(row);
             }
         RefinementProblem problem = makeProblem(camera, AckermannEstimator::Params(), segments);

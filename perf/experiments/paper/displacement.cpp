@@ -5,6 +5,10 @@
 #include "displacement.hpp"
 
 #include "opencv2/imgproc.hpp"
+#include "opencv2/opencv_modules.hpp"
+#ifdef HAVE_OPENCV_FEATURES // where OpenCV 5 has goodFeaturesToTrack
+#include "opencv2/features.hpp"
+#endif
 #include <cmath>
 #include <limits>
 
