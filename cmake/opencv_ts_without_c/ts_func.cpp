@@ -13,8 +13,12 @@ double norm(InputArray a, int type, InputArray mask)
     return cv::norm(a, type, mask);
 }
 
-double norm(InputArray a, InputArray b, int type, InputArray mask)
+double norm(InputArray a_, InputArray b_, int type, InputArray mask)
 {
+    const Mat a = a_.getMat(), b = b_.getMat();
+    // A vector is a row in OpenCV 5, and was a column.
+    if (a.size != b.size && a.total() == b.total())
+        return cv::norm(a.reshape(0, 1), b.reshape(0, 1), type, mask);
     return cv::norm(a, b, type, mask);
 }
 
