@@ -29,7 +29,7 @@ public:
         : truth(rsackermann_samples::readTruth(streetFolder() + "/truth.json")), renderer(truth.camera, truth.scene)
     {
         cv::FileStorage fs(folder / "motion.yml", cv::FileStorage::WRITE);
-        fs.write("input", "street/rolling.png");
+        fs.write("input", std::string("street/rolling.png"));
         fs.startWriteStruct("motion", cv::FileNode::MAP);
         rsackermann_samples::libraryMotion(truth.camera, truth.scene).write(fs);
         fs.endWriteStruct();
