@@ -164,6 +164,35 @@ const Knowledge knowledges[] = {
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, RSAckermann_Covariance, testing::ValuesIn(knowledges));
 
+// A focal length so much longer that the inclined camera would see no vertical: there is no other motion to compare
+// with.
+TEST(RSAckermann_CovarianceOf, a_focal_length_with_which_nothing_is_upright)
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 480), 300);
+    camera.lineDelay = 40e-6;
+    camera.setRollPitch(0, 0.35);
+    const Simulator simulator = Simulator::fromMetric(camera, 0.2, 10, 12, 12, 0);
+    RNG rng(5);
+    const Mat all = randomFrame(simulator, 0, 0, rng);
+    Mat segments;
+    for (int i = 0; i < all.rows; i++)
+        if (std::abs(all.at<double>(i, 0) - 320) > 240)
+            segments.push_back(all.row(i));
+    AckermannEstimator::Params params;
+    params.wallDistance = 12;
+    params.maxSpeed = 12;
+    params.maxYawRate = 0.5;
+    params.slantTolerance = 0.02;
+    params.gravitySigma = 0;
+    const AckermannMotion exact = AckermannEstimator::create(camera, params)->estimate(segments);
+    ASSERT_EQ(MOTION_OK, exact.status);
+    ASSERT_GT(exact.wallRatio, 0);
+    camera.focalSigma = 3 * 300;
+    const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments);
+    EXPECT_EQ(MOTION_OK, motion.status);
+    EXPECT_EQ(exact.covariance, motion.covariance);
+}
+
 // Mean absolute logarithm of the ratio of the yaw rate's standard deviations from two equivalent descriptions of
 // frames.
 double inequality(const RollingShutterCamera& other, double speed)

@@ -35,6 +35,8 @@ void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterC
     changed.usual = problem.usual ? &usual : 0;
     changed.focal = other.cameraMatrix(0, 0);
     selectCandidates(segments, other, params, changed.verticals, changed.others);
+    if (changed.verticals.empty())
+        return; // a camera that sees nothing upright
     changed.arrange();
 
     Model model = found.model, otherModel = found.model;
