@@ -135,8 +135,8 @@ TEST_F(MixtureOfMotions, walls_are_averaged_as_inverse_distances)
     EXPECT_EQ(2, best.hypothesis.walls);
     EXPECT_EQ(MODEL_3LA, best.hypothesis.motion);
     double G[2], variance;
-    usual.road(moving(0.1, 0.5).model, G[0], variance);
-    usual.road(moving(0.3, 1.5).model, G[1], variance);
+    usual.road(moving(0.1, 0.5).model, RoadContact(), G[0], variance);
+    usual.road(moving(0.3, 1.5).model, RoadContact(), G[1], variance);
     EXPECT_NEAR((1 - t) * G[0] + t * G[1], best.G, 1e-9);
 }
 

@@ -7,6 +7,7 @@
 #include "../src/estimator/displacement_field.cpp"
 #include "../src/estimator/motion_mixture.cpp"
 #include "../src/estimator/refinement.cpp"
+#include "../src/estimator/road_contact.cpp"
 #include "../src/estimator/slant_noise.cpp"
 #include "../src/estimator/residuals/prior_residuals.cpp"
 #include "../src/estimator/residuals/usual_drive.cpp"

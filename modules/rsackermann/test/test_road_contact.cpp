@@ -3,7 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "test_simulator.hpp"
+#include "test_private_problem.hpp"
+#include "../src/estimator/road_contact.hpp"
 
 namespace opencv_test { namespace {
 
@@ -76,6 +77,68 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
     RecordProperty("median_speed_error", format("%.3f", speedErrors[10]));
     EXPECT_LT(distanceErrors[10], 0.1);
     EXPECT_LT(speedErrors[10], 0.15);
+}
+
+// Each wall tells its own distance; what the speed rests on is the mean of both, whatever their ratio is taken for.
+TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
+{
+    RNG rng(12);
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const double left = 3, right = 4;
+    const Simulator simulator = Simulator::fromMetric(camera, 0, 12, left, right, 0);
+    Mat both;
+    addContacts(simulator, camera.height, 40, rng, both);
+    for (int k = 0; k < 3; k++)
+    {
+        Mat segments;
+        for (int i = 0; i < both.rows; i++)
+            if (k == 0 || (both.at<double>(i, 0) < 320) == (k == 1))
+                segments.push_back(both.row(i));
+        const RefinementProblem problem = makeProblem(camera, AckermannEstimator::Params(), segments);
+        Model model = modelOf(simulator);
+        Matx<double, PARAMETERS, PARAMETERS> covariance = Matx<double, PARAMETERS, PARAMETERS>::zeros();
+        const double sigma = 0.2;
+        covariance(P_LAMBDA, P_LAMBDA) = std::pow(sigma * model[P_LAMBDA], 2);
+        const RoadContact contact = findRoadContact(problem, model, covariance, 2);
+        EXPECT_NEAR(left / camera.height, contact.ratio, 0.06 * left / camera.height) << k;
+        if (k == 0)
+            EXPECT_LT(contact.logSigma, 0.1);
+        else
+            EXPECT_NEAR(std::hypot(sigma / 2, std::log(1.06)), contact.logSigma, 1e-12);
+        model = Model();
+        EXPECT_EQ(0, findRoadContact(problem, model, covariance, 2).ratio);
+    }
+    // With a wrong ratio both walls still tell their mean.
+    const RefinementProblem problem = makeProblem(camera, AckermannEstimator::Params(), both);
+    Model model = modelOf(simulator);
+    const double wrong = 1.2;
+    model[P_LAMBDA] *= wrong;
+    const Matx<double, PARAMETERS, PARAMETERS> exact = Matx<double, PARAMETERS, PARAMETERS>::zeros();
+    const double ratio = findRoadContact(problem, model, exact, 5).ratio;
+    EXPECT_NEAR(left / camera.height * std::sqrt(wrong), ratio, 0.06 * ratio);
+}
+
+// In a narrow street that is passed at a usual speed the walls alone would make the road half as far away as it is.
+TEST(RSAckermann_RoadContact, road_of_a_narrow_street)
+{
+    RNG rng(13);
+    const RollingShutterCamera camera = simulation::paperCamera();
+    for (int i = 0; i < 5; i++)
+    {
+        const double speed = 12, left = rng.uniform(1.8, 2.2), right = rng.uniform(1.8, 2.2);
+        const Simulator simulator = Simulator::fromMetric(camera, 0.02, speed, left, right, 0);
+        Mat segments;
+        addContacts(simulator, camera.height, 30, rng, segments);
+        MotionPrior prior; // roll and yaw rate can't be told apart, and don't matter here
+        prior.yawRate = 0.02;
+        prior.yawRateSigma = 0.01;
+        const double G = speed * camera.secondsPerUnitTime() / camera.height;
+        AckermannEstimator::Params params;
+        const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
+        ASSERT_EQ(MOTION_OK, motion.status);
+        EXPECT_NEAR(G, motion.roadSlope, 0.3 * G);
+        EXPECT_EQ(SCALE_UNKNOWN, motion.scale) << "it is no measurement";
+    }
 }
 
 }} // namespace

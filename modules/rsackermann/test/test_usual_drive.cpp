@@ -201,13 +201,13 @@ TEST(RSAckermann_UsualDrive, road_of_walls_that_pass)
             const double mean = sum / count, sigma = std::sqrt(squares / count - mean * mean),
                          error = 4 * sigma / std::sqrt(double(count));
             double G, variance;
-            makeDrive(camera).road(model, G, variance);
+            makeDrive(camera).road(model, RoadContact(), G, variance);
             EXPECT_NEAR(mean, std::log(G), error);
             EXPECT_NEAR(sigma, std::sqrt(variance) / G, error);
             model[P_B] = -B;
             model.direction = 1;
             double other;
-            makeDrive(camera).road(model, other, variance);
+            makeDrive(camera).road(model, RoadContact(), other, variance);
             EXPECT_EQ(G, other) << "a right wall";
         }
 }
@@ -217,37 +217,95 @@ TEST(RSAckermann_UsualDrive, road)
     RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime(), height = camera.height;
     double G, variance;
-    makeDrive(camera).road(Model(), G, variance);
+    makeDrive(camera).road(Model(), RoadContact(), G, variance);
     EXPECT_EQ(0, G);
     EXPECT_EQ(0, variance);
     // Speed and height are the road's slope; the walls add next to nothing.
-    makeDrive(camera, toldSpeed(15, 0.5)).road(movingModel(0.05, 0.2), G, variance);
+    makeDrive(camera, toldSpeed(15, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_NEAR(15 * unit / height, G, 0.1 * 0.5 * unit / height);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 0.01 * 0.5 * unit / height);
     // At rest, too.
-    makeDrive(camera, toldSpeed(0, 0.5)).road(movingModel(0.05, 0.2), G, variance);
+    makeDrive(camera, toldSpeed(0, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_EQ(0, G);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 1e-12);
     // With wall and height nothing is left open.
     Params params;
     params.wallDistance = 2.5;
-    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), G, variance);
+    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_NEAR(0.05 * 2.5 / height, G, 1e-12);
     EXPECT_EQ(0, variance);
     params.roadRatio = 3;
-    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), G, variance);
+    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_NEAR(0.05 * 3, G, 1e-12);
     // A camera of unknown height is where cameras are; one that looks to the side may not see the road.
     camera.height = 0;
     double known;
-    makeDrive(simulation::paperCamera()).road(movingModel(0.05, 0.2), known, variance);
+    makeDrive(simulation::paperCamera()).road(movingModel(0.05, 0.2), RoadContact(), known, variance);
     const double share = variance / (known * known);
-    makeDrive(camera).road(movingModel(0.05, 0.2), G, variance);
+    makeDrive(camera).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_NEAR(known * height / 1.3, G, 1e-12);
     EXPECT_NEAR(share + 0.35 * 0.35, variance / (G * G), 1e-12);
     camera.heading = CV_PI / 2;
-    makeDrive(camera).road(movingModel(0.05, 0.2), G, variance);
+    makeDrive(camera).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_EQ(0, G);
+}
+
+// Against drives at random: those whose walls stand where segments on the road allow it.
+TEST(RSAckermann_UsualDrive, road_of_walls_that_stand_on_it)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const double unit = camera.secondsPerUnitTime(), width = 0.03, B = 0.15, lambda = 0.4;
+    Model model = movingModel(B, 0);
+    model[P_LAMBDA] = lambda;
+    double open, openVariance;
+    makeDrive(camera).road(model, RoadContact(), open, openVariance);
+    for (int k = 0; k < 4; k++)
+    {
+        RoadContact contact;
+        contact.ratio = (k % 2 ? 1 : 3) * open / B; // far away, or nearer than is usual
+        contact.logSigma = k < 2 ? 0.06 : 0.4;
+        RNG rng(7);
+        double sum = 0, squares = 0;
+        int count = 0;
+        for (int i = 0; i < 4000000; i++)
+        {
+            // A right wall 2.5 times as far away.
+            const double left = USUAL_WALL * std::exp(rng.gaussian(0.6 / std::sqrt(2.))) * std::sqrt(lambda);
+            const double speed = USUAL_SPEED * std::exp(rng.gaussian(0.8));
+            if (std::abs(std::log(speed * unit / left / B)) > width ||
+                left / camera.height > contact.ratio * std::exp(rng.gaussian(contact.logSigma)))
+                continue;
+            const double logG = std::log(speed * unit / camera.height);
+            sum += logG;
+            squares += logG * logG;
+            count++;
+        }
+        ASSERT_GT(count, 1000);
+        const double mean = sum / count, sigma = std::sqrt(squares / count - mean * mean),
+                     error = 4 * sigma / std::sqrt(double(count));
+        double G, variance;
+        makeDrive(camera).road(model, contact, G, variance);
+        EXPECT_NEAR(mean, std::log(G), error) << k;
+        EXPECT_NEAR(sigma, std::sqrt(variance) / G, error) << k;
+        EXPECT_LT(G, (k == 1 ? 0.8 : 1) * open);
+        EXPECT_GT(G, (k == 0 ? 0.99 : 0) * open);
+        // What is told is not to be corrected by what is seen.
+        Params params;
+        params.roadRatio = 5;
+        makeDrive(camera, MotionPrior(), params).road(model, contact, G, variance);
+        EXPECT_NEAR(5 * B, G, 1e-12);
+    }
+    // Beyond all bounds it is finite.
+    RoadContact contact;
+    for (contact.ratio = 1e-300; contact.ratio < 1e300; contact.ratio *= 1e30)
+    {
+        double G, variance;
+        makeDrive(camera).road(model, contact, G, variance);
+        EXPECT_GT(G, 0);
+        EXPECT_LT(G, 1.001 * open);
+        EXPECT_GE(variance, 0);
+        EXPECT_LE(variance, 1.001 * openVariance);
+    }
 }
 
 }} // namespace

@@ -81,7 +81,7 @@ private:
     RefinementProblem makeProblem(const MotionPrior& prior) const;
     int findMotion(RefinementProblem& problem, const UsualDrive& usual, Posterior& found, AckermannMotion& motion,
                    Mat& labels) const;
-    Posterior withExpectation(const UsualDrive& usual, const Fit& fit) const;
+    Posterior withExpectation(const RefinementProblem& problem, const UsualDrive& usual, const Fit& fit) const;
     double label(const RefinementProblem& problem, const Posterior& found, AckermannMotion& motion, Mat& labels) const;
     void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
                 AckermannMotion& motion) const;
@@ -155,7 +155,7 @@ int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDr
     }
     else
     {
-        found = withExpectation(usual, selectMotion(problem, params));
+        found = withExpectation(problem, usual, selectMotion(problem, params));
         const double chance = label(problem, found, motion, labels);
         if (logFalseAlarms(motion.candidates, motion.inliers, found.hypothesis.sampleSize(), chance) > 0)
             return MOTION_NO_CONSENSUS;
@@ -163,7 +163,8 @@ int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const UsualDr
     return found.hypothesis.motion != MODEL_NONE ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
 }
 
-Posterior AckermannEstimatorImpl::withExpectation(const UsualDrive& usual, const Fit& fit) const
+Posterior AckermannEstimatorImpl::withExpectation(const RefinementProblem& problem, const UsualDrive& usual,
+                                                  const Fit& fit) const
 {
     const DisplacementField field(camera);
     Posterior found;
@@ -171,7 +172,7 @@ Posterior AckermannEstimatorImpl::withExpectation(const UsualDrive& usual, const
     found.hypothesis = fit.hypothesis;
     found.covariance = fit.covariance;
     double variance;
-    usual.road(fit.model, found.G, variance);
+    usual.road(fit.model, findRoadContact(problem, fit.model, fit.covariance, params.threshold), found.G, variance);
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
     field.displacement(found.model, found.G, displacement);
@@ -213,7 +214,7 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
         return;
     if (params.scaleFromRoad && camera.height > 0)
     {
-        const double ratio = roadRatioFromContacts(problem, m, params.threshold);
+        const double ratio = findRoadContact(problem, m, found.covariance, params.threshold).ratio;
         if (ratio > 0)
         {
             motion.scale = SCALE_ROAD;

@@ -24,7 +24,7 @@ void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, doub
                    0,
                    DisplacementField::Values(),
                    DisplacementField::Variances()};
-    usual.road(c.model, c.G, varianceOfG);
+    usual.road(c.model, contact, c.G, varianceOfG);
     field.displacement(c.model, c.G, c.displacement);
     field.variance(c.model, c.G, varianceOfG, c.covariance, c.variance);
     components.push_back(c);

@@ -15,6 +15,9 @@ class MotionMixture
 public:
     MotionMixture(const DisplacementField& field_, const UsualDrive& usual_) : field(field_), usual(usual_) {}
 
+    //! Of the motions that are added from now on.
+    void setRoadContact(const RoadContact& found) { contact = found; }
+
     //! @param hypothesis whose unknowns the model has; the others are 0.
     void add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight);
 
@@ -39,6 +42,7 @@ private:
 
     const DisplacementField& field;
     const UsualDrive& usual;
+    RoadContact contact;
     std::vector<Component> components;
 };
 

@@ -6,6 +6,7 @@
 #include "consensus.hpp"
 #include "lo_ransac.hpp"
 #include "motion_mixture.hpp"
+#include "road_contact.hpp"
 #include "slant_noise.hpp"
 #include "street_direction.hpp"
 #include "uncertainty.hpp"
@@ -60,6 +61,7 @@ public:
         if (!(fits[best].cost < DBL_MAX))
             return false;
         measureNoise(fits, best);
+        mixture.setRoadContact(roadContact(fits));
         addRest();
         for (size_t i = 0; i < all.size(); i++)
             if (fits[i].cost < DBL_MAX)
@@ -253,6 +255,16 @@ private:
         if (hypothesis.walls == 2)
             volume -= std::log(fit.model[P_LAMBDA]);
         return volume - fit.cost / 2;
+    }
+
+    // As the best of the motions along walls shows it.
+    RoadContact roadContact(const std::vector<Fit>& fits) const
+    {
+        const Fit* best = 0;
+        for (size_t i = 0; i < fits.size(); i++)
+            if (fits[i].hypothesis.translates() && fits[i].cost < (best ? best->cost : DBL_MAX))
+                best = &fits[i];
+        return best ? findRoadContact(problem, best->model, best->covariance, params.threshold) : RoadContact();
     }
 
     // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.

@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "../scene.hpp"
 #include "residuals/direction_residual.hpp"
+#include "residuals/prior_residuals.hpp"
 #include "road_contact.hpp"
 #include "residuals/vertical_residual.hpp"
 
@@ -15,28 +16,9 @@ static const double SAME_RATIO = 1.06;    // of the largest to the smallest of t
 static const size_t LEAST_CONTACTS = 3;
 static const size_t CONTACTS_OF_ONE = 10; // one in so many has to agree
 
-double roadRatioFromContacts(const RefinementProblem& problem, const Model& model, double threshold)
+// The smallest ratio on which several agree; 0: there is none.
+static double smallestAgreed(std::vector<double>& ratios)
 {
-    const double size = std::hypot(model[P_B], model[P_D]);
-    if (!(size > 0))
-        return 0;
-    const PreparedModel prepared(model, problem.heading);
-    std::vector<double> ratios;
-    for (size_t i = 0; i < problem.verticals.size(); i++)
-    {
-        int wall;
-        const UprightSegment& c = problem.verticals[i];
-        const double r = problem.focal * verticalResidual(c, prepared, wall, 0);
-        if (!(std::abs(r) < threshold) || (wall != Scene::LEFT_WALL && wall != Scene::RIGHT_WALL))
-            continue;
-        Point2d u, v;
-        compensateEnds(c, prepared, u, v);
-        const Point2d& low = u.y > v.y ? u : v;
-        const double scale = wall == Scene::LEFT_WALL ? 1 : -model[P_LAMBDA];
-        const double w = model.direction * scale * (model[P_D] - model[P_B] * low.x);
-        if (low.y > BELOW_HORIZON && w > 0)
-            ratios.push_back(w / (size * low.y));
-    }
     std::sort(ratios.begin(), ratios.end());
     const size_t enough = std::max<size_t>(LEAST_CONTACTS, ratios.size() / CONTACTS_OF_ONE);
     for (size_t first = 0; first + enough <= ratios.size(); first++)
@@ -47,6 +29,40 @@ double roadRatioFromContacts(const RefinementProblem& problem, const Model& mode
             return ratios[first + (end - first) / 2];
     }
     return 0;
+}
+
+RoadContact findRoadContact(const RefinementProblem& problem, const Model& model,
+                            const Matx<double, PARAMETERS, PARAMETERS>& covariance, double threshold)
+{
+    RoadContact contact;
+    const double size = std::hypot(model[P_B], model[P_D]), lambda = model[P_LAMBDA];
+    if (!(size > 0))
+        return contact;
+    const PreparedModel prepared(model, problem.heading);
+    std::vector<double> ratios[2]; // of the left and the right wall, each in its own distance
+    for (size_t i = 0; i < problem.verticals.size(); i++)
+    {
+        int wall;
+        const UprightSegment& c = problem.verticals[i];
+        const double r = problem.focal * verticalResidual(c, prepared, wall, 0);
+        if (!(std::abs(r) < threshold) || (wall != Scene::LEFT_WALL && wall != Scene::RIGHT_WALL))
+            continue;
+        Point2d u, v;
+        compensateEnds(c, prepared, u, v);
+        const Point2d& low = u.y > v.y ? u : v;
+        const bool isLeft = wall == Scene::LEFT_WALL;
+        const double w = model.direction * (isLeft ? 1 : -1) * (model[P_D] - model[P_B] * low.x);
+        if (low.y > BELOW_HORIZON && w > 0)
+            ratios[isLeft ? 0 : 1].push_back(w / (size * low.y));
+    }
+    const double left = smallestAgreed(ratios[0]), right = lambda * smallestAgreed(ratios[1]);
+    contact.ratio = left > 0 && right > 0 ? std::sqrt(left * right) : left + right;
+    contact.logSigma = std::log(SAME_RATIO);
+    // The speed rests on the geometric mean of both distances.
+    if (lambda > 0 && (left == 0 || right == 0))
+        contact.logSigma = std::hypot(
+            contact.logSigma, 0.5 * std::min(std::sqrt(covariance(P_LAMBDA, P_LAMBDA)) / lambda, USUAL_LOG_RATIO));
+    return contact;
 }
 
 }} // namespace cv::rsackermann

@@ -139,7 +139,21 @@ double UsualDrive::restProbability()
     return REST;
 }
 
-void UsualDrive::road(const Model& model, double& G, double& variance) const
+// Mean and variance of a normal distribution below a limit that is known up to a standard deviation.
+static void truncate(double limit, double limitSigma, double& mean, double& variance)
+{
+    const double farthest = 6; // sigmas
+    const double total = std::sqrt(variance + limitSigma * limitSigma);
+    if (!(total > 0))
+        return;
+    const double z = std::max((limit - mean) / total, -farthest),
+                 ratio = std::exp(-z * z / 2) / (std::sqrt(CV_PI / 2) * std::erfc(-z / std::sqrt(2.)));
+    const double share = variance / total;
+    mean -= share * ratio;
+    variance -= share * share * ratio * (z + ratio);
+}
+
+void UsualDrive::road(const Model& model, const RoadContact& contact, double& G, double& variance) const
 {
     G = variance = 0;
     const double speed = std::hypot(model[P_B], model[P_D]);
@@ -151,8 +165,12 @@ void UsualDrive::road(const Model& model, double& G, double& variance) const
     const double speedVariance = logSpeedSigma * logSpeedSigma,
                  wallVariance = logWallSigma * logWallSigma / (hasBoth ? 2 : 1);
     const double share = roadRatioIsTold ? 0 : wallVariance / (wallVariance + speedVariance);
-    G = (model.direction < 0 ? -1 : 1) * mean * ratio * std::pow(mean / usualScaledSpeed(model.direction), -share);
-    variance = G * G * (logHeightSigma * logHeightSigma + (1 - share) * wallVariance);
+    double logG = std::log(mean * ratio) - share * std::log(mean / usualScaledSpeed(model.direction));
+    variance = logHeightSigma * logHeightSigma + (1 - share) * wallVariance;
+    if (contact.ratio > 0 && !roadRatioIsTold)
+        truncate(std::log(speed * contact.ratio), contact.logSigma, logG, variance);
+    G = (model.direction < 0 ? -1 : 1) * std::exp(logG);
+    variance *= G * G;
     const double toldSigma = toldSpeedSigma / height;
     if (toldSpeedSigma > 0 && height > 0 && toldSigma * toldSigma < variance)
     {

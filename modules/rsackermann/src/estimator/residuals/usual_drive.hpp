@@ -13,6 +13,15 @@ namespace cv { namespace rsackermann {
 const double USUAL_HEIGHT = 1.3;      //!< metres, of a camera above the road
 const double LOG_HEIGHT_SIGMA = 0.35; //!< of its logarithm, if it isn't told
 
+//! What segments that stand on the road say about its distance.
+struct RoadContact
+{
+    double ratio;    //!< distance of the left (or only) wall over the height of the camera, at most; 0: not known
+    double logSigma; //!< standard deviation of its logarithm
+
+    RoadContact() : ratio(0), logSigma(0) {}
+};
+
 /** How cars drive and how far away walls are, as a distribution (doc/theory.md, "Posterior").
 
 It takes the place of a choice among motion models: what the segments don't tell stays where it usually is.
@@ -41,7 +50,7 @@ public:
     static double restProbability();
 
     //! Slope G of the road's scaled inverse depth for a motion, and its variance.
-    void road(const Model& model, double& G, double& variance) const;
+    void road(const Model& model, const RoadContact& contact, double& G, double& variance) const;
 
     double alphaScale() const { return toldAlphaSigma > 0 ? toldAlphaSigma : yawScale; }
     bool motionIsTold() const { return toldAlphaSigma > 0 || toldSpeedSigma > 0; }
