@@ -3,7 +3,8 @@
 # UndefinedBehaviorSanitizer. Prints for each fuzzer how often it ran; fails with the first input that crashes, isn't
 # finite, or takes longer than ten seconds.
 # usage: run.sh [--quick[=SECONDS] | --runs=N] [--plain] [--build=DIRECTORY] [FUZZER...]
-#   --quick    so many seconds for each fuzzer, 60 if none are told; this is the default
+#   --quick    so many seconds for each fuzzer, 60 if none are told, but not more executions than two processors manage
+#              in 60 seconds, with the same inputs everywhere; this is the default
 #   --runs     so many executions for each fuzzer
 #   --plain    optimised and without sanitizers: some ten times as many executions, and an estimate must not take more
 #              than 0.1 s of processor time
@@ -15,7 +16,8 @@
 here=$root/test/fuzz
 build=
 limit=-max_total_time=60
-seed=1 # a short run begins with the same inputs each time, a long one with others
+seed=1 # a short run has the same inputs each time, a long one others
+declare -A executions_of_short_run=([estimator]=8000 [solvers]=2000000 [warp]=40000 [files]=400000 [command_line]=5000)
 sanitizers=address,undefined optimisation="-O1 -gline-tables-only"
 fuzzers=()
 for argument in "$@"; do
@@ -50,12 +52,13 @@ export TMPDIR=$scratch ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=pr
 fuzz()
 {
     local name=$1 log=$build/$1.log executions
-    local options=("-seed=$seed" -timeout=10 -rss_limit_mb=2048 -max_len=1000 -print_final_stats=1
+    local options=("$limit" "-seed=$seed" -timeout=10 -rss_limit_mb=2048 -max_len=1000 -print_final_stats=1
                    "-artifact_prefix=$build/found/$name-")
     [ ! -e "$here/$name.dict" ] || options+=("-dict=$here/$name.dict")
+    [ "$seed" = 0 ] || options+=("-runs=${executions_of_short_run[$name]}")
     mkdir -p "$build/corpus/$name" "$build/found"
     local TIMEFORMAT="%U s of processor time"
-    if ! { time "${fixed_addresses[@]}" "$build/test/fuzz/fuzz_$name" "$limit" "${options[@]}" \
+    if ! { time "${fixed_addresses[@]}" "$build/test/fuzz/fuzz_$name" "${options[@]}" \
             "$build/corpus/$name" "$here/corpus/$name"; } >"$log" 2>&1; then
         tail -n 60 "$log" >&2
         echo "$name: failed, see $log"
