@@ -8,6 +8,7 @@ namespace experiments {
 
 // Metres: width of the street, and from the car to the left wall at the start
 static const double FRAMES_PER_SECOND = 30, STREET = 17, TO_THE_LEFT = 6;
+static const double TOP_YAW_RATE = 10 * CV_PI / 180, WEAVING_FREQUENCY = CV_PI / 2; // radians
 
 RenderedDrive::RenderedDrive(const street::StreetCamera& camera, const street::StreetScene& street)
     : course(BEND_AND_STOP), phase(0), mounted(camera), scene(street), frames(0), seconds_(0), sideways(0), yaw(0)
@@ -37,31 +38,40 @@ bool RenderedDrive::hasWall(int side) const
     return course == WEAVING || !(passed > begin && passed < begin + gap);
 }
 
+double RenderedDrive::speedAt(double seconds) const
+{
+    if (course != BEND_AND_STOP)
+        return 12;
+    return seconds < 6 ? 12 : seconds < 7.2 ? 10 * (7.2 - seconds) : seconds < 8.2 ? 0 : 4 * (seconds - 8.2);
+}
+
+double RenderedDrive::yawRateAt(double seconds) const
+{
+    if (course != BEND_AND_STOP)
+        return TOP_YAW_RATE * std::sin(seconds * WEAVING_FREQUENCY + phase);
+    return seconds > 2.5 && seconds < 6.5 ? TOP_YAW_RATE * std::sin((seconds - 2.5) * WEAVING_FREQUENCY) : 0;
+}
+
 void RenderedDrive::drive()
 {
     const int steps = 20;
-    const double duration = 1 / FRAMES_PER_SECOND / steps, top = 10 * CV_PI / 180;
-    for (int i = 0; i < steps; i++)
-    {
-        scene.travelled += scene.speed * std::cos(yaw) * duration;
-        sideways += scene.speed * std::sin(yaw) * duration;
-        yaw += scene.yawRate * duration;
-    }
-    if (course != BEND_AND_STOP)
+    const double duration = 1 / FRAMES_PER_SECOND / steps;
+    if (frames == 1)
     {
         // The angle is an oscillation without an offset from the first frame on.
-        const double frequency = CV_PI / 2;
-        scene.speed = 12;
-        scene.yawRate = top * std::sin(seconds_ * frequency + phase);
-        if (frames == 1)
-            yaw = -top / frequency * std::cos(phase);
-        return;
+        if (course != BEND_AND_STOP)
+            yaw = -TOP_YAW_RATE / WEAVING_FREQUENCY * std::cos(phase);
     }
-    scene.speed = seconds_ < 6     ? 12
-                  : seconds_ < 7.2 ? 10 * (7.2 - seconds_)
-                  : seconds_ < 8.2 ? 0
-                                   : 4 * (seconds_ - 8.2);
-    scene.yawRate = seconds_ > 2.5 && seconds_ < 6.5 ? top * std::sin((seconds_ - 2.5) * CV_PI / 2) : 0;
+    else
+        for (int i = 0; i < steps; i++)
+        {
+            const double at = seconds_ - (steps - 0.5 - i) * duration;
+            scene.travelled += speedAt(at) * std::cos(yaw) * duration;
+            sideways += speedAt(at) * std::sin(yaw) * duration;
+            yaw += yawRateAt(at) * duration;
+        }
+    scene.speed = speedAt(seconds_);
+    scene.yawRate = yawRateAt(seconds_);
 }
 
 } // namespace experiments

@@ -37,6 +37,8 @@ public:
     double yawRate() const { return scene.yawRate; }
 
 private:
+    double speedAt(double seconds) const;
+    double yawRateAt(double seconds) const;
     void drive();
     bool hasWall(int side) const; // 0: left, 1: right
 
