@@ -57,9 +57,13 @@ TEST_F(Live, raw_and_corrected_image_are_side_by_side)
 TEST_F(Live, goes_on_to_the_end)
 {
     ASSERT_EQ(0, live({video_, camera_, "--picture=" + picture_}).exitCode);
-    EXPECT_LT(differenceInside(cv::Mat(SIZE, CV_8UC3, cv::Scalar::all(90)),
-                               cv::imread(picture_).colRange(SIZE.width, 2 * SIZE.width)),
-              1);
+    // as the decoder sees it, whose grey isn't the same everywhere
+    cv::VideoCapture video(video_);
+    cv::Mat frame, last;
+    while (video.read(frame))
+        last = frame.clone();
+    EXPECT_LT(cv::norm(last, cv::Mat(SIZE, CV_8UC3, cv::Scalar::all(90)), cv::NORM_INF), 5);
+    EXPECT_LT(differenceInside(last, cv::imread(picture_).colRange(SIZE.width, 2 * SIZE.width)), 1);
 }
 
 TEST_F(Live, usage)

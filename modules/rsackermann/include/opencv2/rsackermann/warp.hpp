@@ -87,7 +87,8 @@ public:
     @param map2 second map.
     @param m1type type of map1 with the meaning of cv::initUndistortRectifyMap: CV_32FC1, CV_32FC2 or CV_16SC2; 0 or
     less stands for CV_16SC2.
-    @param mask receives a CV_8U mask, 255 where the pixel is seen in the raw image and 0 elsewhere.
+    @param mask receives a CV_8U mask, 255 where the pixel is seen in the raw image and 0 elsewhere; to 1/64 pixel, as
+    cv::remap of OpenCV 4 rounds places to 1/32.
 
     A pixel for which there is no place in the raw image (behind the camera, beyond the lens model, no convergence, at
     an instant at which the camera would have passed a wall, a coordinate beyond +-32767, where cv::remap finds nothing)
