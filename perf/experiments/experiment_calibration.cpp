@@ -32,6 +32,8 @@ const char* const KEYS =
     "{tilt     | 0.25 | standard deviation of roll and pitch of the suspension, degrees}"
     "{rendered |      | rendered images (640 x 380) of a car that weaves through a street instead of simulated points "
     "and segments}"
+    "{clutter  | 0.2  | share of slanted lines in the rendered street}"
+    "{stagger  | 1.5  | metres by which rendered houses stand back}"
     "{seed     | 0    | of the first drive}";
 
 const char* const NAMES[] = {"roll, deg", "pitch, deg", "heading, deg", "line delay, %"};
@@ -143,17 +145,14 @@ void simulate(int seed, int frames, const StreetDrive::Options& options, Errors 
     contest.addErrors(errors);
 }
 
-void render(int seed, int frames, double tilt, Errors errors[2][4])
+void render(int seed, int frames, double tilt, street::StreetScene scene, Errors errors[2][4])
 {
     Contest contest(cv::Size(640, 380), 620, 0.025 / 380, 1.3, delayScale(seed), seed);
     street::StreetCamera camera(contest.camera().imageSize, 620, delayScale(seed) * contest.camera().lineDelay, 1.3);
     camera.roll = ROLL;
     camera.pitch = PITCH;
     camera.heading = HEADING;
-    street::StreetScene scene;
     scene.seed = unsigned(seed);
-    scene.stagger = 1.5;
-    scene.clutter = 0.2;
     experiments::RenderedDrive drive(camera, scene);
     drive.course = experiments::RenderedDrive::WEAVING;
     drive.phase = seed;
@@ -176,12 +175,15 @@ int run(const Options& arguments)
     const int drives = arguments.integer("drives", 1, 10000), frames = arguments.integer("frames", 2, 100000),
               seed = arguments.integer("seed", 0, 1 << 30);
     const bool rendered = arguments.flag("rendered");
+    street::StreetScene scene;
+    scene.clutter = arguments.number("clutter", 0, 1);
+    scene.stagger = arguments.number("stagger", 0, 10);
     Errors errors[2][4];
     Progress progress;
     for (int i = 0; i < drives; i++)
     {
         if (rendered)
-            render(seed + i, frames, options.tilt, errors);
+            render(seed + i, frames, options.tilt, scene, errors);
         else
             simulate(seed + i, frames, options, errors);
         progress.update(i + 1, drives, "drives");
