@@ -238,6 +238,34 @@ TEST(RSAckermann_Drive, rest_is_rest)
     }
 }
 
+// What is seen of the car itself stands still where a road without texture has hardly any points.
+TEST(RSAckermann_Drive, own_bonnet_is_no_distant_road)
+{
+    RNG rng(9);
+    const RollingShutterCamera camera = driveCamera();
+    const double seconds = 0.1, bonnet = 0.85 * camera.imageSize.height;
+    std::vector<double> errors;
+    for (int i = 0; i < 40; i++)
+    {
+        const Truth truth = {rng.uniform(-0.1, 0.1), 11, 8, 6, 0.05};
+        std::vector<PointPair> all = randomPairs(simulate(camera, truth), seconds, 250, 0.3, 0.1, rng), pairs;
+        for (size_t k = 0; k < all.size(); k++)
+            if (all[k].now.y < 0.6 * camera.imageSize.height || (all[k].now.y < bonnet && rng.uniform(0., 1.) < 0.3))
+                pairs.push_back(all[k]);
+        for (int k = 0; k < 40; k++)
+        {
+            PointPair own;
+            own.now = uniformPoint(rng, Point2d(300, bonnet), Point2d(660, camera.imageSize.height));
+            own.other = own.now + gaussianPoint(rng, 0.1);
+            pairs.push_back(own);
+        }
+        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, seconds), std::vector<UprightSegment>(),
+                                      stateOf(camera, truth), false);
+        errors.push_back(std::abs(fit.state.value[DRIVE_ROAD] * camera.height - 1));
+    }
+    EXPECT_LT(*std::max_element(errors.begin(), errors.end()), 0.2);
+}
+
 //! Median error in degrees of the roll that verticals tell, with the motion known from points, or else from the frames
 //! before.
 double rollError(bool hasPoints)

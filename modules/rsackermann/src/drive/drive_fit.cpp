@@ -17,6 +17,13 @@ typedef Eigen::Matrix<double, FLOW_VALUES, 1> Unknowns;
 typedef Eigen::Matrix<double, FLOW_VALUES, FLOW_VALUES> Information;
 typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
 
+struct Minimum
+{
+    Unknowns at;
+    Information information;
+    double cost;
+};
+
 class DriveProblem
 {
 public:
@@ -55,45 +62,59 @@ public:
         return sum / POINT_DEPENDENCE;
     }
 
-    // Gauss-Newton with ever less tolerance for points that disagree. Returns the cost.
-    double refine(Unknowns& u, Information& information) const
+    // Gauss-Newton with ever less tolerance for points that disagree.
+    Minimum refine(const Unknowns& start) const
     {
-        const double scales[] = {8, 3, 1};
-        double least = 0;
-        for (int i = 0; i < 3; i++)
-        {
-            least = cost(u, scales[i]);
-            for (int k = 0; k < ITERATIONS && step(scales[i], u, information, least); k++)
-                ;
-        }
-        return least;
+        const double scales[] = {8, 3};
+        Minimum m;
+        m.at = start;
+        for (int i = 0; i < 2; i++)
+            descend(scales[i], m);
+        descend(1, m);
+        return m;
+    }
+
+    // With none from the beginning: finds what is next to the start.
+    Minimum refineNearby(const Unknowns& start) const
+    {
+        Minimum m;
+        m.at = start;
+        descend(1, m);
+        return m;
     }
 
     const std::vector<Sight>& sights;
     const FlowResidual residual;
 
 private:
+    void descend(double scale, Minimum& m) const
+    {
+        m.cost = cost(m.at, scale);
+        for (int k = 0; k < ITERATIONS && step(scale, m); k++)
+            ;
+    }
+
     // Returns whether there is more to be gained.
-    bool step(double scale, Unknowns& u, Information& information, double& least) const
+    bool step(double scale, Minimum& m) const
     {
         const double enough = 1e-3;
         const int halvings = 4;
-        Unknowns gradient = prior * (u - expected);
-        information = prior;
-        addPoints(u, scale, information, gradient);
-        addVerticals(u, information, gradient);
-        Unknowns change = information.selfadjointView<Eigen::Lower>().llt().solve(gradient);
+        Unknowns gradient = prior * (m.at - expected);
+        m.information = prior;
+        addPoints(m.at, scale, m.information, gradient);
+        addVerticals(m.at, m.information, gradient);
+        Unknowns change = m.information.selfadjointView<Eigen::Lower>().llt().solve(gradient);
         for (int half = 0; half < halvings; half++, change *= 0.5)
         {
-            Unknowns next = u - change;
+            Unknowns next = m.at - change;
             for (int i = DRIVE_LEFT; i <= DRIVE_ROAD; i++)
                 next[i] = std::max(next[i], 0.);
             const double after = cost(next, scale);
-            if (!(after < least))
+            if (!(after < m.cost))
                 continue;
-            const bool isMore = least - after > enough;
-            u = next;
-            least = after;
+            const bool isMore = m.cost - after > enough;
+            m.at = next;
+            m.cost = after;
             return isMore;
         }
         return false;
@@ -194,33 +215,34 @@ DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& 
     Unknowns u = Unknowns::Zero();
     for (int i = 0; i < DRIVE_VALUES; i++)
         u[i] = prediction.value[i];
-    Unknowns best = u;
-    Information information;
-    double least = problem.refine(best, information);
-    expect(problem, best, camera.cameraMatrix(0, 0), fit);
+    Minimum best = problem.refine(u);
+    if (!isVague)
+    {
+        // What doesn't move with the scene, such as the car's own bonnet, may lead astray from where the scene was.
+        const Minimum nearby = problem.refineNearby(u);
+        if (nearby.cost < best.cost)
+            best = nearby;
+    }
+    expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
     if (isVague || fit.agreeing < enough)
     {
         const double speeds[] = {0, 10, 10, -3}, walls[] = {0.1, 0.2, 0.08, 0.1}; // m/s, 1/m
         for (int i = 0; i < 4; i++)
         {
             Unknowns start = u;
-            Information startInformation;
             start[DRIVE_SPEED] = speeds[i];
             start[DRIVE_LEFT] = start[DRIVE_RIGHT] = walls[i];
-            const double cost = problem.refine(start, startInformation);
-            if (cost < least)
-            {
-                least = cost;
-                best = start;
-                information = startInformation;
-            }
+            const Minimum other = problem.refine(start);
+            if (other.cost < best.cost)
+                best = other;
         }
-        expect(problem, best, camera.cameraMatrix(0, 0), fit);
+        expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
     }
-    const Information covariance = information.selfadjointView<Eigen::Lower>().llt().solve(Information::Identity());
+    const Information covariance =
+        best.information.selfadjointView<Eigen::Lower>().llt().solve(Information::Identity());
     for (int i = 0; i < DRIVE_VALUES; i++)
     {
-        fit.state.value[i] = best[i];
+        fit.state.value[i] = best.at[i];
         for (int j = 0; j < DRIVE_VALUES; j++)
             fit.state.covariance(i, j) = covariance(i, j);
     }
