@@ -238,32 +238,60 @@ TEST(RSAckermann_Drive, rest_is_rest)
     }
 }
 
-// What is seen of the car itself stands still where a road without texture has hardly any points.
-TEST(RSAckermann_Drive, own_bonnet_is_no_distant_road)
+//! Largest relative error of the road where it hardly has points, and the car itself has some that stand still.
+double roadErrorBesideBonnet(int ownPoints, bool isVague)
 {
     RNG rng(9);
     const RollingShutterCamera camera = driveCamera();
     const double seconds = 0.1, bonnet = 0.85 * camera.imageSize.height;
-    std::vector<double> errors;
+    double largest = 0;
     for (int i = 0; i < 40; i++)
     {
         const Truth truth = {rng.uniform(-0.1, 0.1), 11, 8, 6, 0.05};
-        std::vector<PointPair> all = randomPairs(simulate(camera, truth), seconds, 250, 0.3, 0.1, rng), pairs;
+        const std::vector<PointPair> all = randomPairs(simulate(camera, truth), seconds, 250, 0.3, 0.1, rng);
+        std::vector<PointPair> pairs;
         for (size_t k = 0; k < all.size(); k++)
             if (all[k].now.y < 0.6 * camera.imageSize.height || (all[k].now.y < bonnet && rng.uniform(0., 1.) < 0.3))
                 pairs.push_back(all[k]);
-        for (int k = 0; k < 40; k++)
+        for (int k = 0; k < ownPoints; k++)
         {
             PointPair own;
             own.now = uniformPoint(rng, Point2d(300, bonnet), Point2d(660, camera.imageSize.height));
             own.other = own.now + gaussianPoint(rng, 0.1);
             pairs.push_back(own);
         }
-        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, seconds), std::vector<UprightSegment>(),
-                                      stateOf(camera, truth), false);
-        errors.push_back(std::abs(fit.state.value[DRIVE_ROAD] * camera.height - 1));
+        const DriveState before = isVague ? DriveState(camera, AckermannEstimator::Params()) : stateOf(camera, truth);
+        const DriveFit fit =
+            fitDrive(camera, sightsOf(camera, pairs, seconds), std::vector<UprightSegment>(), before, isVague);
+        EXPECT_TRUE(fit.moves) << i;
+        EXPECT_GT(fit.agreeing, 0.7) << i;
+        largest = std::max(largest, std::abs(fit.state.value[DRIVE_ROAD] * camera.height - 1));
     }
-    EXPECT_LT(*std::max_element(errors.begin(), errors.end()), 0.2);
+    return largest;
+}
+
+TEST(RSAckermann_Drive, own_bonnet_is_no_distant_road)
+{
+    EXPECT_LT(roadErrorBesideBonnet(40, false), 0.2);
+    EXPECT_LT(roadErrorBesideBonnet(150, false), 0.2);
+    EXPECT_LT(roadErrorBesideBonnet(40, true), 0.2);
+    EXPECT_LT(roadErrorBesideBonnet(150, true), 0.2);
+}
+
+// All points stand still then, but that isn't the car itself.
+TEST(RSAckermann_Drive, sudden_stop_is_rest)
+{
+    RNG rng(10);
+    const RollingShutterCamera camera = driveCamera();
+    const Truth truth = {0.1, 12, 6, 7, 0};
+    std::vector<PointPair> pairs = randomPairs(simulate(camera, truth), 0.05, 200, 0, 0, rng);
+    for (size_t k = 0; k < pairs.size(); k++)
+        pairs[k].other = pairs[k].now + gaussianPoint(rng, 0.2);
+    DriveState before = stateOf(camera, truth);
+    before.covariance *= 0.1;
+    const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<UprightSegment>(), before, false);
+    EXPECT_FALSE(fit.moves);
+    EXPECT_GT(fit.agreeing, 0.9);
 }
 
 //! Median error in degrees of the roll that verticals tell, with the motion known from points, or else from the frames

@@ -57,7 +57,8 @@ public:
         for (size_t i = 0; i < sights.size(); i++)
         {
             const Point2d r = residual.evaluate(sights[i], u.data(), 0);
-            sum += cauchyLoss(r.dot(r) / (POINT_SIGMA * POINT_SIGMA), scale);
+            const double squared = r.dot(r) / (POINT_SIGMA * POINT_SIGMA);
+            sum += cauchyLoss(isOfOwnCar(sights[i], squared) ? AGREES * AGREES : squared, scale);
         }
         return sum / POINT_DEPENDENCE;
     }
@@ -126,10 +127,10 @@ private:
         {
             double jacobian[2][FLOW_VALUES];
             const Point2d r = residual.evaluate(sights[i], u.data(), jacobian);
-            if (!(r.dot(r) < 1e6))
+            const double variance = POINT_SIGMA * POINT_SIGMA, squared = r.dot(r) / variance;
+            if (!(r.dot(r) < 1e6) || isOfOwnCar(sights[i], squared))
                 continue;
-            const double variance = POINT_SIGMA * POINT_SIGMA,
-                         weight = cauchyWeight(r.dot(r) / variance, scale) / variance / POINT_DEPENDENCE;
+            const double weight = cauchyWeight(squared, scale) / variance / POINT_DEPENDENCE;
             const Eigen::Map<const FlowGradient> J(jacobian[0]);
             information.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
             gradient += weight * (J * Eigen::Vector2d(r.x, r.y));
@@ -180,28 +181,32 @@ private:
 };
 
 // The share of the displacement that is left, as the points show it; those that don't move with the scene don't count.
-void expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveFit& fit)
+// Returns the share of all points that agree.
+double expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveFit& fit)
 {
-    const double agrees = 4 * POINT_SIGMA;
-    size_t count = 0;
+    size_t count = 0, others = 0;
     double displacement = 0, missed = 0;
     for (size_t i = 0; i < problem.sights.size(); i++)
     {
         const Sight& s = problem.sights[i];
         const double left = norm(problem.residual.evaluate(s, u.data(), 0));
-        if (!(left < agrees))
+        if (!(left < AGREES * POINT_SIGMA))
+        {
+            others += !s.isStill; // what stands still is of the car itself
             continue;
+        }
         count++;
         displacement += FlowResidual::shutterPart(s) * focal * norm(s.now - s.other);
         missed += FlowResidual::shutterPart(s) * left;
     }
-    fit.agreeing = problem.sights.empty() ? 0 : double(count) / problem.sights.size();
+    fit.agreeing = count > 0 ? double(count) / double(count + others) : 0;
     fit.left = displacement > 0 ? missed / displacement : 1;
     // A motion has to explain more than its unknowns would by chance.
     const int unknowns = 6;
     Unknowns still = u;
     still[DRIVE_YAW_RATE] = still[DRIVE_SPEED] = 0;
     fit.moves = problem.pointCost(still, 1) - problem.pointCost(u, 1) > 2 * unknowns;
+    return problem.sights.empty() ? 0 : double(count) / double(problem.sights.size());
 }
 
 } // namespace
@@ -218,13 +223,13 @@ DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& 
     Minimum best = problem.refine(u);
     if (!isVague)
     {
-        // What doesn't move with the scene, such as the car's own bonnet, may lead astray from where the scene was.
+        // What doesn't move with the scene may lead astray from where it was.
         const Minimum nearby = problem.refineNearby(u);
         if (nearby.cost < best.cost)
             best = nearby;
     }
-    expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
-    if (isVague || fit.agreeing < enough)
+    const double share = expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
+    if (isVague || share < enough)
     {
         const double speeds[] = {0, 10, 10, -3}, walls[] = {0.1, 0.2, 0.08, 0.1}; // m/s, 1/m
         for (int i = 0; i < 4; i++)

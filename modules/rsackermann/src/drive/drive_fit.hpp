@@ -20,7 +20,7 @@ struct DriveFit
     DriveState state; //!< prediction and frame together
     bool moves;       //!< whether the points tell the motion from a camera at rest
     double left;      //!< by which part of their displacement in the raw image the points that agree miss the motion
-    double agreeing;  //!< share of the points that agree with the motion
+    double agreeing;  //!< share of the points that agree with the motion, without those on the car itself
 
     explicit DriveFit(const DriveState& prediction) : state(prediction), moves(false), left(1), agreeing(0) {}
 };

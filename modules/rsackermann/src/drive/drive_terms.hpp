@@ -11,7 +11,7 @@
 namespace cv { namespace rsackermann {
 
 // How the residuals of points and verticals are weighed; doc/theory.md, "Drive", has the reasons.
-const double POINT_SIGMA = 1.5;                  //!< pixels by which points of the scene miss its planes
+const double AGREES = 4;                         //!< sigmas by which a point of the scene may miss its planes
 const double POINT_DEPENDENCE = 5;               //!< neighbouring points err together
 const double END_SIGMA = 0.5;                    //!< pixels, of a vertical's slant in the image
 const double SLANT_SCALE = 2;                    //!< of the robust loss, in sigmas
@@ -27,6 +27,13 @@ inline double cauchyLoss(double squared, double scale)
 inline double cauchyWeight(double squared, double scale)
 {
     return 1 / (1 + squared / (scale * scale));
+}
+
+//! Whether a point is seen on the car itself: it stands still where the scene moves. @param squared its residual, in
+//! sigmas.
+inline bool isOfOwnCar(const Sight& sight, double squared)
+{
+    return sight.isStill && squared > AGREES * AGREES;
 }
 
 //! Slant of a vertical that the motion should have made upright, and its derivatives, in sigmas.

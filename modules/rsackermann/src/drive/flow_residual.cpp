@@ -30,7 +30,8 @@ void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>&
                          camera.rowTime(pixels[2 * i]) - seconds / camera.secondsPerUnitTime(),
                          camera.rowTime(pixels[2 * i + 1]),
                          seconds > 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER,
-                         seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER};
+                         seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER,
+                         norm(pairs[i].now - pairs[i].other) < POINT_SIGMA};
         if (std::abs(s.timeNow - s.timeOther) > FLT_EPSILON)
             sights.push_back(s);
     }

@@ -11,6 +11,8 @@
 
 namespace cv { namespace rsackermann {
 
+const double POINT_SIGMA = 1.5; //!< pixels by which points of the scene miss its planes
+
 /** The state of a drive, and the differences of other frames from the present one: the change of the yaw rate, and
 turns about the other axes from the frame before and to the frame after. */
 enum {
@@ -29,6 +31,7 @@ struct Sight
     Point2d other, now;
     double timeOther, timeNow;
     int pitch, roll; // the turns of the other frame, among FLOW_VALUES
+    bool isStill;    // at the same place of both images
 };
 
 //! Adds sights. @param seconds from the other frame's reference row to the present one; negative if the other frame

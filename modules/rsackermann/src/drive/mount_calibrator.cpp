@@ -9,6 +9,7 @@
 #include "../detect/segment_finder.hpp"
 #include "../segments.hpp"
 #include "../storage.hpp"
+#include "drive_terms.hpp"
 #include "mount_solver.hpp"
 
 namespace cv { namespace rsackermann {
@@ -255,6 +256,7 @@ private:
         isVague = false;
         if (!fit.moves)
             return false;
+        removeOwnCar(start, fit, frame.sights);
         for (int i = 0; i < FRAME_VALUES; i++)
             frame.value[i] = i < DRIVE_VALUES ? fit.state.value[i] : 0;
         DriveState usual(start, gates);
@@ -266,6 +268,21 @@ private:
         }
         keep(frame);
         return true;
+    }
+
+    static void removeOwnCar(const RollingShutterCamera& camera, const DriveFit& fit, std::vector<Sight>& sights)
+    {
+        double values[FLOW_VALUES] = {0};
+        std::copy(fit.state.value.val, fit.state.value.val + DRIVE_VALUES, values);
+        const FlowResidual residual(camera);
+        size_t kept = 0;
+        for (size_t i = 0; i < sights.size(); i++)
+        {
+            const Point2d r = residual.evaluate(sights[i], values, 0);
+            if (!isOfOwnCar(sights[i], r.dot(r) / (POINT_SIGMA * POINT_SIGMA)))
+                sights[kept++] = sights[i];
+        }
+        sights.resize(kept);
     }
 
     void restart()
