@@ -120,6 +120,35 @@ TEST(RSAckermann_Calibration, straight_drive_does_not_tell_the_line_delay)
     EXPECT_NEAR(HEADING, c.heading, 0.2 * degree);
 }
 
+// What is seen of the car itself stands still.
+TEST(RSAckermann_Calibration, own_bonnet_is_left_out)
+{
+    const RollingShutterCamera truth = mounted(1.2);
+    StreetDrive street(truth, ROLL, PITCH, StreetDrive::Options(), 3);
+    const Ptr<MountCalibrator> calibrators[] = {MountCalibrator::create(guess()), MountCalibrator::create(guess())};
+    RNG rng(4);
+    for (int i = 0; i < 100; i++)
+    {
+        const StreetDrive::Frame f = street.frame(i / 30., 1 / 30.);
+        const MotionPrior log = logOf(f, rng);
+        Mat points = f.points.clone();
+        for (int k = 0; k < 80; k++)
+        {
+            const Point2d own = uniformPoint(rng, Point2d(200, 450), Point2d(760, 539)),
+                          before = own + gaussianPoint(rng, 0.1);
+            if (before.y < 539)
+                points.push_back(Mat(Matx14d(before.x, before.y, own.x, own.y)));
+        }
+        calibrators[0]->addPoints(f.points, f.segments, f.seconds, log);
+        EXPECT_EQ(i > 0, calibrators[1]->addPoints(points, f.segments, f.seconds, log)) << i;
+    }
+    const MountCalibration without = calibrators[0]->calibrate(), with = calibrators[1]->calibrate();
+    EXPECT_NEAR(without.roll, with.roll, 0.02 * degree);
+    EXPECT_NEAR(without.pitch, with.pitch, 0.02 * degree);
+    EXPECT_NEAR(without.heading, with.heading, 0.02 * degree);
+    EXPECT_NEAR(without.lineDelay, with.lineDelay, 0.005 * with.lineDelay);
+}
+
 TEST(RSAckermann_Calibration, unknown_line_delay)
 {
     RollingShutterCamera camera = guess();
