@@ -159,7 +159,7 @@ TEST(RSAckermann_Corrector, lens_of_a_camera_at_rest)
     Mat dst, expected, none(0, 4, CV_32F);
     const AckermannMotion motion = corrector->correctWithSegments(src, none, dst);
     EXPECT_EQ(MOTION_TOO_FEW_SEGMENTS, motion.status);
-    // not cv::undistort, whose maps have fixed points, which OpenCV 5 doesn't round the others to
+    // Maps in float as the corrector's: cv::undistort rounds places to 1/32 pixel, remap in OpenCV 5 doesn't.
     Mat map1, map2;
     cv::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix, src.size(),
                                 CV_32FC1, map1, map2);

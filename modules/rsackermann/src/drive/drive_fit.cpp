@@ -63,24 +63,20 @@ public:
         return sum / POINT_DEPENDENCE;
     }
 
-    // Gauss-Newton with ever less tolerance for points that disagree.
-    Minimum refine(const Unknowns& start) const
-    {
-        const double scales[] = {8, 3};
-        Minimum m;
-        m.at = start;
-        for (int i = 0; i < 2; i++)
-            descend(scales[i], m);
-        descend(1, m);
-        return m;
-    }
-
-    // With none from the beginning: finds what is next to the start.
-    Minimum refineNearby(const Unknowns& start) const
+    // Gauss-Newton with ever less tolerance for points that disagree. Without tolerance from the beginning it finds
+    // what is next to the start.
+    Minimum refine(const Unknowns& start, bool isTolerant) const
     {
         Minimum m;
         m.at = start;
-        descend(1, m);
+        for (double scale : {8., 3., 1.})
+        {
+            if (!isTolerant && scale > 1)
+                continue;
+            m.cost = cost(m.at, scale);
+            for (int k = 0; k < ITERATIONS && step(scale, m); k++)
+                ;
+        }
         return m;
     }
 
@@ -88,13 +84,6 @@ public:
     const FlowResidual residual;
 
 private:
-    void descend(double scale, Minimum& m) const
-    {
-        m.cost = cost(m.at, scale);
-        for (int k = 0; k < ITERATIONS && step(scale, m); k++)
-            ;
-    }
-
     // Returns whether there is more to be gained.
     bool step(double scale, Minimum& m) const
     {
@@ -220,11 +209,11 @@ DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& 
     Unknowns u = Unknowns::Zero();
     for (int i = 0; i < DRIVE_VALUES; i++)
         u[i] = prediction.value[i];
-    Minimum best = problem.refine(u);
+    Minimum best = problem.refine(u, true);
     if (!isVague)
     {
         // What doesn't move with the scene may lead astray from where it was.
-        const Minimum nearby = problem.refineNearby(u);
+        const Minimum nearby = problem.refine(u, false);
         if (nearby.cost < best.cost)
             best = nearby;
     }
@@ -237,7 +226,7 @@ DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& 
             Unknowns start = u;
             start[DRIVE_SPEED] = speeds[i];
             start[DRIVE_LEFT] = start[DRIVE_RIGHT] = walls[i];
-            const Minimum other = problem.refine(start);
+            const Minimum other = problem.refine(start, true);
             if (other.cost < best.cost)
                 best = other;
         }

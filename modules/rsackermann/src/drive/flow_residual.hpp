@@ -31,7 +31,7 @@ struct Sight
     Point2d other, now;
     double timeOther, timeNow;
     int pitch, roll; // the turns of the other frame, among FLOW_VALUES
-    bool isStill;    // at the same place of both images
+    bool isStill;    // at the same place of both images, to POINT_SIGMA
 };
 
 //! Adds sights. @param seconds from the other frame's reference row to the present one; negative if the other frame

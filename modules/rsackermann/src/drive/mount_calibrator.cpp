@@ -256,9 +256,9 @@ private:
         isVague = false;
         if (!fit.moves)
             return false;
-        removeOwnCar(start, fit, frame.sights);
         for (int i = 0; i < FRAME_VALUES; i++)
             frame.value[i] = i < DRIVE_VALUES ? fit.state.value[i] : 0;
+        removeOwnCar(start, frame);
         DriveState usual(start, gates);
         tell(usual, prior);
         for (int i = 0; i < SCENE_VALUES; i++)
@@ -270,19 +270,14 @@ private:
         return true;
     }
 
-    static void removeOwnCar(const RollingShutterCamera& camera, const DriveFit& fit, std::vector<Sight>& sights)
+    static void removeOwnCar(const RollingShutterCamera& camera, CalibrationFrame& frame)
     {
-        double values[FLOW_VALUES] = {0};
-        std::copy(fit.state.value.val, fit.state.value.val + DRIVE_VALUES, values);
         const FlowResidual residual(camera);
-        size_t kept = 0;
-        for (size_t i = 0; i < sights.size(); i++)
-        {
-            const Point2d r = residual.evaluate(sights[i], values, 0);
-            if (!isOfOwnCar(sights[i], r.dot(r) / (POINT_SIGMA * POINT_SIGMA)))
-                sights[kept++] = sights[i];
-        }
-        sights.resize(kept);
+        const auto isOfCar = [&](const Sight& sight) {
+            const Point2d r = residual.evaluate(sight, frame.value.data(), 0);
+            return isOfOwnCar(sight, r.dot(r) / (POINT_SIGMA * POINT_SIGMA));
+        };
+        frame.sights.erase(std::remove_if(frame.sights.begin(), frame.sights.end(), isOfCar), frame.sights.end());
     }
 
     void restart()
