@@ -30,8 +30,8 @@ const char* const KEYS =
     "{frames   | 300  | of each drive, 30 in a second}"
     "{yaw_rate | 12   | standard deviation of the yaw rate, deg/s}"
     "{tilt     | 0.25 | standard deviation of roll and pitch of the suspension, degrees}"
-    "{rendered |      | rendered images (640 x 380) of a car that weaves through a street instead of simulated points "
-    "and segments}"
+    "{rendered |      | rendered images of a car that weaves through a street instead of simulated points and segments}"
+    "{width    | 640  | of rendered images, pixels}"
     "{clutter  | 0.2  | share of slanted lines in the rendered street}"
     "{stagger  | 1.5  | metres by which rendered houses stand back}"
     "{seed     | 0    | of the first drive}";
@@ -145,10 +145,12 @@ void simulate(int seed, int frames, const StreetDrive::Options& options, Errors 
     contest.addErrors(errors);
 }
 
-void render(int seed, int frames, double tilt, street::StreetScene scene, Errors errors[2][4])
+void render(int seed, int frames, int width, double tilt, street::StreetScene scene, Errors errors[2][4])
 {
-    Contest contest(cv::Size(640, 380), 620, 0.025 / 380, 1.3, delayScale(seed), seed);
-    street::StreetCamera camera(contest.camera().imageSize, 620, delayScale(seed) * contest.camera().lineDelay, 1.3);
+    const cv::Size size(width, width * 19 / 32);
+    const double focal = width * 31. / 32;
+    Contest contest(size, focal, 0.025 / size.height, 1.3, delayScale(seed), seed);
+    street::StreetCamera camera(size, focal, delayScale(seed) * contest.camera().lineDelay, 1.3);
     camera.roll = ROLL;
     camera.pitch = PITCH;
     camera.heading = HEADING;
@@ -173,7 +175,7 @@ int run(const Options& arguments)
     options.yawRate = arguments.number("yaw_rate", 0, 90) * DEGREE;
     options.tilt = arguments.number("tilt", 0, 5) * DEGREE;
     const int drives = arguments.integer("drives", 1, 10000), frames = arguments.integer("frames", 2, 100000),
-              seed = arguments.integer("seed", 0, 1 << 30);
+              seed = arguments.integer("seed", 0, 1 << 30), width = arguments.integer("width", 320, 4096);
     const bool rendered = arguments.flag("rendered");
     street::StreetScene scene;
     scene.clutter = arguments.number("clutter", 0, 1);
@@ -183,7 +185,7 @@ int run(const Options& arguments)
     for (int i = 0; i < drives; i++)
     {
         if (rendered)
-            render(seed + i, frames, options.tilt, scene, errors);
+            render(seed + i, frames, width, options.tilt, scene, errors);
         else
             simulate(seed + i, frames, options, errors);
         progress.update(i + 1, drives, "drives");
