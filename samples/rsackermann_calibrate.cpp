@@ -55,9 +55,10 @@ Task readTask(const Options& options)
     Task task;
     if (options.arguments().empty())
         throw UsageError("there is no input");
-    for (const char* name : {"camera", "output"})
-        if (!options.given(name))
-            throw UsageError(std::string("--") + name + " is missing");
+    if (!options.given("camera") && !options.given("focal"))
+        throw UsageError("--camera is missing; without a calibration --focal takes its place");
+    if (!options.given("output"))
+        throw UsageError("--output is missing");
     task.camera = readCameraOptions(options);
     if (task.camera.scan == cv::rsackermann::SCAN_LEFT_TO_RIGHT ||
         task.camera.scan == cv::rsackermann::SCAN_RIGHT_TO_LEFT)
@@ -66,7 +67,8 @@ Task readTask(const Options& options)
     task.params.estimator.detector = readDetector(options);
     task.inputs = listInputs(options.arguments());
     OutputPlan plan;
-    plan.addInput(options.text("camera"));
+    if (options.given("camera"))
+        plan.addInput(options.text("camera"));
     if (options.given("log"))
     {
         task.log = DriveLog(options.text("log"));
@@ -96,16 +98,17 @@ CameraSettings settingsOf(const MountCalibration& c, CameraSettings s)
 {
     s.size = c.camera.imageSize;
     s.K = c.camera.cameraMatrix;
-    if (c.rollObserved)
-        s.roll = c.roll / DEGREE;
-    if (c.pitchObserved)
-        s.pitch = c.pitch / DEGREE;
-    if (c.headingObserved)
-        s.heading = c.heading / DEGREE;
-    s.rollSigma = c.rollSigma / DEGREE;
-    s.pitchSigma = c.pitchSigma / DEGREE;
-    s.headingSigma = c.headingSigma / DEGREE;
-    if (c.lineDelay > 0)
+    s.focalSigma = c.camera.focalSigma;
+    const auto set = [](bool isObserved, double found, double sigma, double& value, double& sigmaOfValue) {
+        if (!isObserved)
+            return;
+        value = found / DEGREE;
+        sigmaOfValue = sigma / DEGREE;
+    };
+    set(c.rollObserved, c.roll, c.rollSigma, s.roll, s.rollSigma);
+    set(c.pitchObserved, c.pitch, c.pitchSigma, s.pitch, s.pitchSigma);
+    set(c.headingObserved, c.heading, c.headingSigma, s.heading, s.headingSigma);
+    if (c.lineDelayObserved)
     {
         s.readOut = 0;
         s.lineDelay = c.lineDelay;

@@ -30,6 +30,8 @@ const char* const KEYS = "{help   | | print this message}"
 nlohmann::json lastLine(const std::string& path)
 {
     std::ifstream file(path.c_str());
+    if (!file)
+        throw InputError(path + " can't be read");
     std::string last;
     for (std::string line; std::getline(file, line);)
         last = line;

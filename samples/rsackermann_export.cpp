@@ -11,6 +11,9 @@
 #include "export/tracks.hpp"
 #include "export/warp_mesh.hpp"
 #include "output/atomic_file.hpp"
+#include "output/output_plan.hpp"
+
+#include <set>
 
 namespace {
 
@@ -18,7 +21,7 @@ using namespace rsackermann_samples;
 
 const char* const ABOUT =
     "Writes the motion that rsackermann_correct has found in the forms that other tools read (doc/exports.md).\n"
-    "The options for the camera are those that rsackermann_correct was called with.\n"
+    "The options for the camera are those that rsackermann_correct was called with. Existing results are replaced.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
 const char* const KEYS =
@@ -45,6 +48,42 @@ cv::rsackermann::RollingShutterCamera readCamera(const Options& options)
     return settings.makeCamera(size);
 }
 
+void checkResults(const Options& options)
+{
+    for (const char* name : {"row_poses", "colmap", "stmap", "tracks", "mesh"})
+        if (options.given(name))
+            return;
+    throw UsageError("no result is asked for: --row_poses, --colmap, --stmap, --tracks or --mesh");
+}
+
+// No result may replace an input or another result.
+void checkTargets(const Options& options, const std::vector<MotionFrame>& frames)
+{
+    OutputPlan plan;
+    for (const char* name : {"camera", "report", "motion", "tracks"})
+        if (options.given(name))
+            plan.addInput(options.text(name));
+    for (const char* name : {"row_poses", "tracks_output", "mesh"})
+        if (options.given(name))
+            plan.addOutput(options.text(name), std::string("--") + name);
+    const bool hasMasks = options.given("colmap"), hasStMaps = options.given("stmap");
+    if (hasMasks)
+        plan.addOutput(options.text("colmap") + "/cameras.txt", "--colmap");
+    std::set<std::pair<std::string, int>> planned; // a report may have a frame twice, and the last line counts
+    for (const MotionFrame& frame : frames)
+    {
+        if (!planned.insert(std::make_pair(frame.input, frame.frame)).second)
+            continue;
+        if (hasMasks)
+            plan.addOutput(colmapMask(options.text("colmap"), frame), frame.input);
+        for (const char* direction : {"rectify", "distort"})
+            if (hasStMaps)
+                plan.addOutput(stMapFile(options.text("stmap"), frame, direction, options.text("stmap_format")),
+                               frame.input);
+    }
+    plan.removeLeftovers();
+}
+
 int run(const Options& options)
 {
     options.refuseArguments();
@@ -60,6 +99,8 @@ int run(const Options& options)
     const cv::rsackermann::RollingShutterCamera camera = readCamera(options);
     const std::vector<MotionFrame> frames =
         options.given("report") ? readReport(options.text("report")) : readMotionFile(options.text("motion"));
+    checkResults(options);
+    checkTargets(options, frames);
     if (options.given("row_poses"))
         writeFile(options.text("row_poses"), rowPosesText(camera, frames));
     if (options.given("colmap"))

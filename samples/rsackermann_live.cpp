@@ -7,7 +7,9 @@
 
 #include "camera_settings.hpp"
 #include "correct/video_timing.hpp"
+#include "export/image_file.hpp"
 #include "motion_words.hpp"
+#include "output/output_plan.hpp"
 #include "units.hpp"
 
 #include "opencv2/highgui.hpp"
@@ -39,7 +41,7 @@ public:
     explicit Source(const std::string& name) : isCamera_(name.find_first_not_of("0123456789") == std::string::npos)
     {
         if (!isCamera_)
-            capture_ = openVideo(name);
+            capture_ = namingFile(name, openVideo);
         else if (!capture_.open(parseInteger(name, "number of the camera", 0, 99)))
             throw InputError("there is no camera " + name);
         clock_.reset(new FrameClock(capture_));
@@ -84,8 +86,8 @@ public:
 
     void close() const
     {
-        if (!path_.empty() && !cv::imwrite(path_, last_))
-            throw InputError(path_ + " can't be written");
+        if (!path_.empty())
+            writeImage(path_, last_);
     }
 
 private:
@@ -122,6 +124,18 @@ void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const Ac
           cv::format("%d of %d verticals, %.0f ms", motion.inliers, motion.candidates, cv::sum(milliseconds)[0]));
 }
 
+void checkPicture(const Options& options)
+{
+    const std::string path = options.text("picture");
+    if (!cv::haveImageWriter(path))
+        throw UsageError("option --picture: " + path + " has the extension of no image format that can be written");
+    OutputPlan plan;
+    plan.addInput(options.arguments()[0]);
+    if (options.given("camera"))
+        plan.addInput(options.text("camera"));
+    plan.addOutput(path, "--picture");
+}
+
 int run(const Options& options)
 {
     if (options.arguments().size() != 1)
@@ -131,6 +145,9 @@ int run(const Options& options)
     RollingShutterCorrector::Params params;
     if (options.given("wall"))
         params.estimator.wallDistance = options.number("wall", 0, 1e5, false);
+
+    if (options.given("picture"))
+        checkPicture(options);
 
     Source source(options.arguments()[0]);
     Screen screen(options.text("picture"));

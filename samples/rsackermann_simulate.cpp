@@ -141,7 +141,9 @@ int run(const Options& options)
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 4096));
 
-    const cv::Mat image = options.given("image") ? readImage(options.text("image")) : cv::Mat();
+    cv::Mat image;
+    if (options.given("image"))
+        image = namingFile(options.text("image"), [](const std::string& path) { return readImage(path); });
     const cv::Size size = image.empty() ? parseSize(options.text("size"), "option --size", 2, 20000) : image.size();
     const CameraSettings settings =
         readSettings(options, size, image.empty() ? 816 : 0.9 * std::max(size.width, size.height));

@@ -54,6 +54,8 @@ cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
 std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, const std::vector<uchar>& exif)
 {
     const std::string format = extension(path);
+    if (!cv::haveImageWriter(path))
+        throw InputError(path + " has the extension of no image format that can be written");
     // Not every format has colours, 16 bits or an alpha channel, and encoders drop them in silence.
     const bool isPortableMap = format == ".pbm" || format == ".pgm" || format == ".ppm" || format == ".pnm";
     std::vector<uchar> bytes;

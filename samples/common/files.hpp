@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_FILES_HPP
 
 #include "opencv2/core.hpp"
+#include "options.hpp"
 #include <string>
 #include <vector>
 
@@ -24,6 +25,20 @@ std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image,
 
 //! The bytes of a file; throws InputError.
 std::vector<uchar> readBytes(const std::string& path);
+
+//! What read(path) returns; the message of an InputError begins with the path.
+template <class Read>
+auto namingFile(const std::string& path, const Read& read) -> decltype(read(path))
+{
+    try
+    {
+        return read(path);
+    }
+    catch (const InputError& e)
+    {
+        throw InputError(path + ": " + e.what());
+    }
+}
 
 //! Line segments from a text file with four numbers x1 y1 x2 y2 a line (N x 4, CV_32F); throws UsageError.
 cv::Mat readSegments(const std::string& path);

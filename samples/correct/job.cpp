@@ -29,7 +29,8 @@ const char* const JOB_KEYS =
     "{log        |        | CSV file with facts on each frame (columns file, frame, time_s, speed_kmh, "
     "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it goes before "
     "the options}"
-    "{carry      |        | the inputs, or the frames of each video, are consecutive: each helps with the next}"
+    "{carry      |        | the inputs, or the frames of each video, are consecutive: each helps with the next; needs the "
+    "line delay}"
     "{smooth     |        | --carry, and each frame is helped by the one after it, too}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's "
     "roll 1, of its pitch 0.3)}"
@@ -100,6 +101,8 @@ MotionPrior readPrior(const Options& options, const Job& job)
         readMeasurement(options, "yaw_rate", 1000, YAW_RATE_SIGMA, DEGREE, prior.yawRate, prior.yawRateSigma);
     const bool metric = job.camera.lineDelay > 0 || job.camera.readOut > 0;
     const std::string delay = "the line delay (--line_delay, --readout or in the camera file)";
+    if (job.params.carryMotion && !metric)
+        warnUseless(job.smooth ? "--smooth" : "--carry", delay);
     if (speed && !metric)
         warnUseless("--speed", delay);
     if (yawRate && !metric)
@@ -199,9 +202,9 @@ Job readJob(const Options& options)
     checkScale(job);
     if (options.given("log"))
         job.log = DriveLog(options.text("log"));
-    job.prior = readPrior(options, job);
     job.smooth = options.flag("smooth");
     job.params.carryMotion = job.smooth || options.flag("carry");
+    job.prior = readPrior(options, job);
     job.output = target(options, "output");
     job.overlay = target(options, "overlay");
     job.maps = target(options, "maps");

@@ -6,6 +6,7 @@
 #include "files.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include "opencv2/imgcodecs.hpp"
 
 namespace rsackermann_samples {
 
@@ -43,6 +44,9 @@ void Targets::leaveOutExisting()
 
 void Targets::check(const Job& job) const
 {
+    for (const std::string& path : {output, overlay})
+        if (!path.empty() && !isVideo(input_) && !cv::haveImageWriter(path))
+            throw InputError(path + " has the extension of no image format that can be written");
     for (const std::string& path : {output, overlay, maps})
     {
         if (cv::utils::fs::isDirectory(path))

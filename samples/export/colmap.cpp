@@ -22,6 +22,11 @@ std::string colmapCameras(const RollingShutterCamera& camera)
                       camera.imageSize.width, camera.imageSize.height, K(0, 0), K(1, 1), K(0, 2) + 0.5, K(1, 2) + 0.5);
 }
 
+std::string colmapMask(const std::string& folder, const MotionFrame& frame)
+{
+    return folder + "/masks/" + frame.name() + ".png";
+}
+
 void writeColmap(const std::string& folder, const RollingShutterCamera& camera, const std::vector<MotionFrame>& frames)
 {
     writeFile(folder + "/cameras.txt", colmapCameras(camera));
@@ -30,7 +35,7 @@ void writeColmap(const std::string& folder, const RollingShutterCamera& camera, 
     {
         cv::Mat columns, rows, mask;
         generator->initRectifyMap(frame.motion, columns, rows, CV_32FC1, mask);
-        writeImage(folder + "/masks/" + frame.name() + ".png", mask);
+        writeImage(colmapMask(folder, frame), mask);
     }
 }
 

@@ -12,7 +12,10 @@ namespace rsackermann_samples {
 //! cameras.txt of COLMAP for the corrected images.
 std::string colmapCameras(const cv::rsackermann::RollingShutterCamera& camera);
 
-//! Writes cameras.txt and, for each frame, masks/NAME.png, which is 0 where the corrected image shows nothing.
+//! The file of a frame's mask.
+std::string colmapMask(const std::string& folder, const MotionFrame& frame);
+
+//! Writes cameras.txt and, for each frame, a mask, which is 0 where the corrected image shows nothing.
 void writeColmap(const std::string& folder, const cv::rsackermann::RollingShutterCamera& camera,
                  const std::vector<MotionFrame>& frames);
 

@@ -26,21 +26,27 @@ cv::Mat stMap(const cv::Mat& columns, const cv::Mat& rows, const cv::Size& sourc
     return image;
 }
 
+std::string stMapFile(const std::string& folder, const MotionFrame& frame, const std::string& direction,
+                      const std::string& format)
+{
+    return folder + "/" + frame.name() + "." + direction + "." + format;
+}
+
 void writeStMaps(const std::string& folder, const std::string& format, const RollingShutterCamera& camera,
                  const std::vector<MotionFrame>& frames)
 {
     const int depth = format == "png" ? CV_16U : CV_32F;
     const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
-    const auto write = [&](const std::string& name, const cv::Mat& columns, const cv::Mat& rows) {
-        writeImage(folder + "/" + name + "." + format, stMap(columns, rows, camera.imageSize, depth));
-    };
     for (const MotionFrame& frame : frames)
     {
         cv::Mat columns, rows;
+        const auto write = [&](const char* direction) {
+            writeImage(stMapFile(folder, frame, direction, format), stMap(columns, rows, camera.imageSize, depth));
+        };
         generator->initRectifyMap(frame.motion, columns, rows);
-        write(frame.name() + ".rectify", columns, rows);
+        write("rectify");
         generator->initDistortMap(frame.motion, columns, rows);
-        write(frame.name() + ".distort", columns, rows);
+        write("distort");
     }
 }
 

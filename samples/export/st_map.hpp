@@ -18,7 +18,11 @@ image.
 */
 cv::Mat stMap(const cv::Mat& columns, const cv::Mat& rows, const cv::Size& source, int depth);
 
-//! Writes NAME.rectify.EXTENSION and NAME.distort.EXTENSION for each frame. @param format png or exr.
+//! A frame's file. @param direction rectify or distort. @param format png or exr.
+std::string stMapFile(const std::string& folder, const MotionFrame& frame, const std::string& direction,
+                      const std::string& format);
+
+//! Writes the files of both directions for each frame.
 void writeStMaps(const std::string& folder, const std::string& format,
                  const cv::rsackermann::RollingShutterCamera& camera, const std::vector<MotionFrame>& frames);
 

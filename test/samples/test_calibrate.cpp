@@ -139,8 +139,26 @@ TEST_F(Calibrate, straight_drive_leaves_the_line_delay)
     EXPECT_NE(std::string::npos, outcome.output.find("line delay  not told")) << outcome.output;
     const CameraSettings c = readCamera(output_);
     EXPECT_NEAR(0.8 * LINE_DELAY, c.lineDelay, 1e-12);
-    EXPECT_GT(c.lineDelaySigma, 0.2 * c.lineDelay);
+    EXPECT_EQ(0, c.lineDelaySigma); // as it was
     EXPECT_NEAR(1.5, c.heading, 0.5);
+    EXPECT_GT(c.headingSigma, 0);
+}
+
+TEST_F(Calibrate, focal_length_takes_the_place_of_a_camera_file)
+{
+    addBend(0, 0, 15);
+    writeContent(folder_ / "log.csv", log_);
+    Arguments arguments = inputs_;
+    for (const std::string& option :
+         {std::string("--focal=500"), std::string("--height=1.4"), cv::format("--line_delay=%.17g", LINE_DELAY),
+          "--output=" + output_, "--log=" + (folder_ / "log.csv")})
+        arguments.push_back(option);
+    const Outcome outcome = calibrate(arguments);
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const CameraSettings c = readCamera(output_);
+    EXPECT_EQ(500, c.K(0, 0));
+    EXPECT_EQ(SIZE, c.size);
+    EXPECT_NEAR(LINE_DELAY, c.lineDelay, 1e-12);
 }
 
 TEST_F(Calibrate, mount_sigma_adds_to_the_vehicles)
@@ -175,6 +193,7 @@ TEST_F(Calibrate, bad_arguments)
     const std::pair<Arguments, const char*> usages[] = {
         {{camera, output}, "no input"},
         {{inputs_[0], output}, "--camera is missing"},
+        {{inputs_[0], output, camera, "--focal=500"}, "exclude each other"},
         {{inputs_[0], camera}, "--output is missing"},
         {{inputs_[0], camera, output, "--carry"}, "carry"},
         {{inputs_[0], camera, output, "--detector=canny"}, "canny"},

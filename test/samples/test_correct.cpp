@@ -255,7 +255,11 @@ TEST(Correct, what_is_known_but_of_no_use)
     EXPECT_NE(std::string::npos, outcome.messages.find("--yaw_rate is of no use without the line delay"))
         << outcome.messages;
 
-    EXPECT_EQ("", correct(image + Arguments{"--readout=0.0133", "--speed=10"}).messages);
+    const Outcome carried = correct(image + Arguments{"--carry"});
+    EXPECT_NE(std::string::npos, carried.messages.find("--carry is of no use without the line delay"))
+        << carried.messages;
+
+    EXPECT_EQ("", correct(image + Arguments{"--readout=0.0133", "--speed=10", "--carry"}).messages);
     EXPECT_EQ("", correct(streetArguments() + Arguments{"--report=-", "--speed=60", "--yaw_rate=40"}).messages);
 }
 

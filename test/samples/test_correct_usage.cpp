@@ -98,6 +98,25 @@ TEST(CorrectUsage, options_that_exclude_each_other)
     EXPECT_EQ(2, correct({image, "--report=-", "--carry", "--shard=1/2"}).exitCode);
 }
 
+TEST(CorrectUsage, names_of_results_that_can_not_be)
+{
+    const TemporaryFolder folder;
+    const std::string image = streetFolder() + "/rolling.png";
+    const std::pair<Arguments, const char*> cases[] = {
+        {{"--output=" + (folder / "o.unknown")}, "o.unknown has the extension of no image format"},
+        {{"--overlay=" + (folder / "o")}, "/o has the extension of no image format"},
+        {{"--output=" + (folder / "o.jpg"), "--overlay=" + (folder / "o.jpg")}, "two results of "}};
+    for (const std::pair<Arguments, const char*>& c : cases)
+    {
+        Arguments arguments = c.first;
+        arguments.push_back(image);
+        const Outcome outcome = correct(arguments);
+        EXPECT_NE(0, outcome.exitCode) << c.second;
+        EXPECT_NE(std::string::npos, outcome.messages.find(c.second)) << outcome.messages;
+        EXPECT_TRUE(namesIn(folder.path()).empty());
+    }
+}
+
 TEST(CorrectUsage, sigmas_of_what_is_known)
 {
     const std::string image = streetFolder() + "/rolling.png";

@@ -426,7 +426,39 @@ TEST_F(Export, usage)
     EXPECT_NE(std::string::npos, damaged.messages.find("damaged.yml holds no motion")) << damaged.messages;
     writeContent(folder / "twice.yml", "%YAML:1.2\n   data: [ 570., 0., 3., 1. ]\nstatus: !!opencv-matrix\n");
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "twice.yml"), camera}).exitCode);
-    EXPECT_EQ(0, exportMotion({motion, "--size=640x380", "--focal=500"}).exitCode);
+    EXPECT_EQ(0, exportMotion({motion, "--size=640x380", "--focal=500", "--mesh=" + (folder / "m.json")}).exitCode);
+    const Outcome nothing = exportMotion({motion, camera, "--mesh_size=5x5"});
+    EXPECT_EQ(2, nothing.exitCode);
+    EXPECT_NE(std::string::npos, nothing.messages.find("no result is asked for")) << nothing.messages;
+}
+
+TEST_F(Export, no_result_replaces_an_input_or_another_result)
+{
+    const std::string camera = "--camera=" + streetFolder() + "/camera.yml", tracks = folder / "t.csv",
+                      report = folder / "r.jsonl";
+    writeContent(tracks, "file,x,y\n");
+    std::string lines;
+    for (const char* input : {"a/1.jpg", "b/1.jpg"})
+        lines += std::string("{\"input\": \"") + input + "\", \"status\": \"not_significant\"}\n";
+    writeContent(report, lines);
+    const Arguments conflicts[] = {{"--mesh=" + report},
+                                   {"--tracks=" + tracks, "--tracks_output=" + folder.path() + "/./t.csv"},
+                                   {"--mesh=" + (folder / "a.json"), "--row_poses=" + (folder / "a.json")},
+                                   {"--colmap=" + (folder / "colmap")},
+                                   {"--stmap=" + (folder / "stmap")}};
+    for (const Arguments& conflict : conflicts)
+    {
+        Arguments arguments = {"--report=" + report, camera, "--size=640x380"};
+        arguments.insert(arguments.end(), conflict.begin(), conflict.end());
+        const Outcome outcome = exportMotion(arguments);
+        EXPECT_EQ(2, outcome.exitCode) << conflict[0] << outcome.messages;
+        EXPECT_EQ(lines, contentOf(report));
+        EXPECT_EQ("file,x,y\n", contentOf(tracks));
+    }
+    // The same frame twice is no conflict.
+    writeContent(report, lines.substr(0, lines.find('\n') + 1) + lines.substr(0, lines.find('\n') + 1));
+    const Outcome twice = exportMotion({"--report=" + report, camera, "--size=640x380", "--stmap=" + (folder / "s")});
+    EXPECT_EQ(0, twice.exitCode) << twice.messages;
 }
 
 }} // namespace

@@ -77,7 +77,14 @@ TEST_F(Live, usage)
     EXPECT_EQ(2, live({video_, "--frames=-1", "--picture=" + picture_}).exitCode);
     EXPECT_EQ(2, live({video_, "--frame=1", "--picture=" + picture_}).exitCode);
     EXPECT_EQ(1, live({"/no/such/video.avi", "--picture=" + picture_}).exitCode);
-    EXPECT_EQ(1, live({video_, "--frames=1", "--picture=/no/such/folder/x.png"}).exitCode);
+    EXPECT_EQ(1, live({video_, "--frames=1", "--picture=/dev/null/x.png"}).exitCode);
+    const Outcome missing = live({"/no/such/video.avi", "--picture=" + picture_});
+    EXPECT_NE(std::string::npos, missing.messages.find("/no/such/video.avi: there is no such file"))
+        << missing.messages;
+    const std::string before = contentOf(street_ / "rolling.png");
+    EXPECT_EQ(2, live({street_ / "rolling.png", "--picture=" + (street_ / "rolling.png")}).exitCode);
+    EXPECT_EQ(before, contentOf(street_ / "rolling.png"));
+    EXPECT_EQ(2, live({video_, "--picture=" + (folder_ / "picture.unknown")}).exitCode);
     EXPECT_EQ((std::vector<std::string>{"drive.avi"}), namesIn(folder_.path()));
 }
 

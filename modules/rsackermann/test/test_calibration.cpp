@@ -105,6 +105,61 @@ TEST(RSAckermann_Calibration, sigmas_cover_the_errors)
     EXPECT_GE(within, 0.9 * count);
 }
 
+//! Adds a drive that is seen twice, with times that begin again after some seconds.
+MountCalibration calibrateTwice(double later)
+{
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+    StreetDrive::Options options;
+    options.points = 100;
+    options.segments = 25;
+    for (int pass = 0; pass < 2; pass++)
+    {
+        StreetDrive street(mounted(1.2), ROLL, PITCH, options, pass);
+        for (int i = 0; i < 60; i++)
+        {
+            const StreetDrive::Frame f = street.frame(i / 30., 1 / 30.);
+            calibrator->addPoints(i > 0 ? f.points : Mat(), f.segments, f.seconds + pass * later);
+        }
+    }
+    return calibrator->calibrate();
+}
+
+TEST(RSAckermann_Calibration, another_drive_may_have_the_same_times)
+{
+    const MountCalibration far = calibrateTwice(1000);
+    // The second drive begins at the last frame of the first one and within it.
+    for (const double later : {0., 58 / 30., 59 / 30. - 1e-5, 0.5, -1.})
+    {
+        const MountCalibration c = calibrateTwice(later);
+        EXPECT_TRUE(c.rollObserved && c.pitchObserved && c.headingObserved) << later;
+        EXPECT_NEAR(far.roll, c.roll, 1e-3 * degree) << later;
+        EXPECT_NEAR(far.pitch, c.pitch, 1e-3 * degree) << later;
+        EXPECT_NEAR(far.rollSigma, c.rollSigma, 0.1 * far.rollSigma) << later;
+    }
+}
+
+TEST(RSAckermann_Calibration, told_sigma_of_the_line_delay_counts)
+{
+    RollingShutterCamera camera = guess();
+    camera.lineDelay *= 1.2;
+    camera.lineDelaySigma = 0.001 * camera.lineDelay;
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+    drive(*calibrator, StreetDrive(mounted(1.2), ROLL, PITCH, StreetDrive::Options(), 3), 90, true);
+    const MountCalibration kept = calibrator->calibrate();
+    EXPECT_FALSE(kept.lineDelayObserved);
+    EXPECT_EQ(camera.lineDelay, kept.lineDelay);
+    EXPECT_NEAR(camera.lineDelaySigma, kept.lineDelaySigma, 1e-9 * camera.lineDelaySigma);
+    EXPECT_EQ(camera.lineDelaySigma, kept.camera.lineDelaySigma);
+
+    camera.lineDelaySigma = 0;
+    calibrator->setCamera(camera);
+    drive(*calibrator, StreetDrive(mounted(1.2), ROLL, PITCH, StreetDrive::Options(), 3), 90, true);
+    const MountCalibration found = calibrator->calibrate();
+    EXPECT_TRUE(found.lineDelayObserved);
+    EXPECT_GT(found.lineDelaySigma, 0);
+    EXPECT_EQ(found.lineDelaySigma, found.camera.lineDelaySigma);
+}
+
 TEST(RSAckermann_Calibration, straight_drive_does_not_tell_the_line_delay)
 {
     StreetDrive::Options options;

@@ -138,8 +138,9 @@ void OutputPlan::add(const Place& place, const std::string& path, const std::str
     const auto similar = outputs_.equal_range(lowerCase(name));
     for (auto it = similar.first; it != similar.second; ++it)
         if (it->second.name == name || makesNoDifferenceOfCase(place.folder))
-            throw UsageError("the results of " + it->second.source + " and " + source + " would have the same name " +
-                             path);
+            throw UsageError((it->second.source == source ? "two results of " + source
+                                                          : "the results of " + it->second.source + " and " + source) +
+                             " would have the same name " + path);
     outputs_.insert(std::make_pair(lowerCase(name), Output{name, source}));
 }
 

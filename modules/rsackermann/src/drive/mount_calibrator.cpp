@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "opencv2/rsackermann/calibration.hpp"
 #include "../camera/axis_rotations.hpp"
+#include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "../detect/segment_finder.hpp"
 #include "../segments.hpp"
@@ -213,7 +214,8 @@ private:
 
     MountVector sigmaBefore() const
     {
-        const double delay = params.lineDelaySigma * (given.lineDelay > 0 ? 1 : 2);
+        const double told = relativeLineDelaySigma(given),
+                     delay = told > 0 ? told : params.lineDelaySigma * (given.lineDelay > 0 ? 1 : 2);
         MountVector sigma;
         sigma << params.tiltSigma, params.tiltSigma, params.headingSigma, delay, delay;
         return sigma;
@@ -340,6 +342,8 @@ private:
         c.pitchSigma = sigma[MOUNT_PITCH];
         c.headingSigma = sigma[MOUNT_HEADING];
         c.lineDelaySigma = (c.lineDelayObserved ? sigma : before)[MOUNT_DELAY] * c.lineDelay;
+        if (c.lineDelayObserved)
+            c.camera.lineDelaySigma = c.lineDelaySigma;
         return c;
     }
 

@@ -15,6 +15,7 @@ static const double SAME_TURN = 0.02 * CV_PI / 180;
 // rad/s^2: a drive that tells the line delay weaves, and many frames tell the change
 static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180;
 static const double YAW_CHANGE_MEMORY = 0.5; // seconds
+static const double SAME_TIME = 1e-6;        // seconds
 static const double SAME_DELAY = 0.03;       // relative; error of the line delay if the scene isn't plane
 // Cars slip on a crowned road, tilts turn the direction from which it counts, streets aren't plane
 static const double HEADING_SIGMA = 0.1 * CV_PI / 180;
@@ -70,7 +71,7 @@ public:
         for (size_t k = 0; k < frames.size(); k++)
             problem.addResiduals(frames[k], points, slants);
         // A Rayleigh distribution's median is 1.18 sigma, that of a normal distribution's absolute value 0.67.
-        pointSigma = relativeSigma(points, 1.18 * 1.5);
+        pointSigma = relativeSigma(points, 1.18 * POINT_SIGMA);
         slantSigma = relativeSigma(slants, 0.67);
     }
 
@@ -112,6 +113,13 @@ private:
 
     static int unknownOf(size_t frame, int linked) { return int(frame) * LINKED_VALUES + linked; }
 
+    // Seconds since the frame before in the list; ages if that is of another drive, whose times may be the same.
+    double passedBefore(size_t k) const
+    {
+        const double passed = k > 0 ? frames[k].time - frames[k - 1].time : 0;
+        return passed < frames[k].interval - SAME_TIME ? DBL_MAX : passed;
+    }
+
     // The connections of a frame with the one before and with the mount.
     void termsOf(size_t k, std::vector<LinearTerm>& terms) const
     {
@@ -120,9 +128,9 @@ private:
         static const int mounts[] = {MOUNT_ROLL, MOUNT_PITCH};
         terms.clear();
         const FrameVector& now = frames[k].value;
-        const double passed = k > 0 ? frames[k].time - frames[k - 1].time : DBL_MAX;
-        const double kept = passed < 0 ? 0 : std::exp(-passed / suspension.memory);
-        const bool follows = std::abs(passed - frames[k].interval) < 1e-6;
+        const double passed = passedBefore(k);
+        const double kept = std::exp(-passed / suspension.memory);
+        const bool follows = passed < frames[k].interval + SAME_TIME;
         terms.push_back(yawChangeTerm(k, passed));
         for (int i = 0; i < 2; i++)
         {
@@ -149,7 +157,7 @@ private:
     LinearTerm yawChangeTerm(size_t k, double passed) const
     {
         const int which = FrameEquations::YAW_CHANGE;
-        const double kept = passed < 0 ? 0 : std::exp(-passed / YAW_CHANGE_MEMORY),
+        const double kept = std::exp(-passed / YAW_CHANGE_MEMORY),
                      inverse = 1 / (LARGE_YAW_CHANGE_SIGMA * std::sqrt(1 - kept * kept));
         const double before = k > 0 ? frames[k - 1].value[SCENE_VALUES + which] : 0;
         LinearTerm term(inverse * (frames[k].value[SCENE_VALUES + which] - kept * before));

@@ -30,7 +30,8 @@ public:
 
     //! Frames of a moving car that were used; with 0 the camera is that of create()
     CV_PROP_RW int frames;
-    //! That of create() with the upright rotation, the heading and the line delay that were found
+    //! That of create() with the upright rotation, the heading and, if the drive shows it, the line delay that were
+    //! found, and the standard deviation of the latter
     CV_PROP_RW RollingShutterCamera camera;
     CV_PROP_RW double roll;           //!< radians, as in RollingShutterCamera::setRollPitch()
     CV_PROP_RW double rollSigma;      //!< standard deviation of roll
@@ -84,7 +85,8 @@ public:
         //! Radians; standard deviation of the roll and the pitch of the camera that is given, default 3 degrees
         CV_PROP_RW double tiltSigma;
         CV_PROP_RW double headingSigma; //!< radians; the same of its heading, default 5 degrees
-        //! The same of its line delay, relative, default 0.3; twice as much if none is given
+        //! The same of its line delay, relative, default 0.3; twice as much if none is given, and
+        //! RollingShutterCamera::lineDelaySigma instead if the camera has one
         CV_PROP_RW double lineDelaySigma;
         //! Radians; by which suspension and road tilt the car, default 0.4 degrees
         CV_PROP_RW double suspensionSigma;

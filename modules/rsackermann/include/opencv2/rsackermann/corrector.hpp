@@ -119,9 +119,10 @@ public:
 
     /** @brief Forgets the motion that is carried to the next frame: for the first frame of another sequence.
 
-    It is also forgotten if a camera is set that differs in more than uprightRotation, after more than a second without
-    an image, and if hardly anything of the image before is found again. An image that shows nothing itself is corrected
-    by the motion that is expected of it, for a second and as long as that is expected to help.
+    It is also forgotten if a camera is set that differs in more than uprightRotation and standard deviations, after
+    more than a second without an image, and if hardly anything of the image before is found again. An image that shows
+    nothing itself is corrected by the motion that is expected of it, for a second and as long as that is expected to
+    help.
      */
     CV_WRAP virtual void reset() = 0;
 

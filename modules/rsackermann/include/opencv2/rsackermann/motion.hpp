@@ -165,7 +165,7 @@ public:
     CV_PROP_RW double expectedLeft; //!< mean displacement in pixels that is to be expected of the corrected image
 };
 
-/** @brief Knowledge of the motion from elsewhere: the car's bus, a gyro, calibration, the frame before.
+/** @brief Knowledge of the motion from elsewhere: the car's bus, a gyro, calibration.
 
 Each piece is used if its standard deviation is positive.
 

@@ -98,12 +98,12 @@ CV_EXPORTS int solve4LA(const VerticalSegment* segments, bool twoWalls, const So
 /** @brief Yaw rate and translation along two walls (4-LA) with the exact motion and the depth at the global-shutter
 point.
 
-The roots inside the limits of a polynomial of degree 8 or less in alpha, polished on the exact trigonometric equation.
+The roots inside the limits of a polynomial of degree 6 or less in alpha, polished on the exact trigonometric equation.
 @param segments three images of vertical lines on the left (or only) wall and, if twoWalls, a fourth one on the right
 wall.
 @param twoWalls whether there is a fourth segment; otherwise lambda is 0.
 @param options heading and limits.
-@param solutions receives at most eight solutions.
+@param solutions receives at most six solutions; room for eight is kept.
 @return number of solutions; 0 for degenerate segments.
 @sa @cite purkait2018minimal section 3.4
  */

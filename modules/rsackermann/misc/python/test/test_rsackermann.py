@@ -200,6 +200,8 @@ class rsackermann_test(NewOpenCVTests):
         corrector_params = cv.rsackermann.RollingShutterCorrector.Params()
         corrector_params.carryMotion = True
         corrector_params.setEstimatorParams(estimator_params)
+        calibrator_params = cv.rsackermann.MountCalibrator.Params()
+        calibrator_params.maxFrames = 500
         return [
             (camera, lambda c: (c.lineDelay, c.height, c.imageSize, c.cameraMatrix.tolist())),
             (motion, lambda m: (m.status, m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope)),
@@ -207,6 +209,7 @@ class rsackermann_test(NewOpenCVTests):
             (estimator_params, lambda p: p.seed),
             (warp_params, lambda p: p.tolerance),
             (corrector_params, lambda p: (p.carryMotion, p.getEstimatorParams().seed)),
+            (calibrator_params, lambda p: p.maxFrames),
         ]
 
     def test_pickle_and_copy(self):

@@ -13,6 +13,7 @@ _VALUE_TYPES = {
     'RollingShutterCamera': cv.rsackermann.RollingShutterCamera,
     'AckermannMotion': cv.rsackermann.AckermannMotion,
     'MotionPrior': cv.rsackermann.MotionPrior,
+    'MountCalibrator.Params': cv.rsackermann.MountCalibrator.Params,
     'AckermannEstimator.Params': cv.rsackermann.AckermannEstimator.Params,
     'WarpMapGenerator.Params': cv.rsackermann.WarpMapGenerator.Params,
     'RollingShutterCorrector.Params': cv.rsackermann.RollingShutterCorrector.Params,
