@@ -9,6 +9,18 @@
 
 namespace cv { namespace rsackermann {
 
+//! Rows and columns that a file tells of a matrix; -1 x -1 if it tells none.
+inline Size toldSize(const FileNode& matrix)
+{
+    Size told(-1, -1);
+    if (matrix.isMap())
+    {
+        cv::read(matrix["rows"], told.height, -1);
+        cv::read(matrix["cols"], told.width, -1);
+    }
+    return told;
+}
+
 /** Reads a matrix; it keeps its values if there is none. One of another size is refused before OpenCV takes the memory
 for the size that the file tells, whatever elements there are.
 */
@@ -18,15 +30,10 @@ void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& m
     const FileNode node = fn[key];
     if (node.empty())
         return;
-    int toldRows = -1, toldCols = -1;
-    if (node.isMap())
-    {
-        cv::read(node["rows"], toldRows, -1);
-        cv::read(node["cols"], toldCols, -1);
-    }
-    if (toldRows != rows || toldCols != cols)
+    const Size told = toldSize(node);
+    if (told != Size(cols, rows))
         CV_Error(Error::StsBadArg,
-                 format("%s is %d x %d; a matrix of %d x %d is expected", key, toldRows, toldCols, rows, cols));
+                 format("%s is %d x %d; a matrix of %d x %d is expected", key, told.height, told.width, rows, cols));
     cv::read(node, matrix, matrix);
 }
 

@@ -79,6 +79,10 @@ inline AckermannMotion exampleMotion()
     m.expectedLeft = 1.25;
     for (int i = 0; i < 16; i++)
         m.covariance.val[i] = 0.01 * (i + 1);
+    m.relief.create(4, 5, CV_64F);
+    for (int i = 0; i < 20; i++)
+        m.relief.at<double>(i / 5, i % 5) = 0.001 * (i - 7);
+    m.reliefArea = Rect2d(-0.5, -0.25, 1.125, 0.75);
     return m;
 }
 
@@ -91,6 +95,10 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
     EXPECT_EQ(a.covariance, b.covariance);
+    ASSERT_EQ(a.relief.size(), b.relief.size());
+    ASSERT_EQ(a.relief.type(), b.relief.type());
+    EXPECT_TRUE(a.relief.empty() || cvtest::norm(a.relief, b.relief, NORM_INF) == 0);
+    EXPECT_EQ(a.reliefArea, b.reliefArea);
 }
 
 inline MotionPrior examplePrior()

@@ -156,6 +156,7 @@ TEST(RSAckermann_Storage, size_of_matrices)
     checkSizeOfMatrix<RollingShutterCamera>("camera_matrix");
     checkSizeOfMatrix<RollingShutterCamera>("upright_rotation");
     checkSizeOfMatrix<AckermannMotion>("covariance");
+    checkSizeOfMatrix<AckermannMotion>("relief");
 }
 
 //! @param text file with something that is out of range, and with other values that aren't.

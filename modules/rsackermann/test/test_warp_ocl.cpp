@@ -62,7 +62,14 @@ TEST_P(WarpOpenCL, equals_CPU)
         AckermannMotion motion = randomMotion(camera, rng);
         if (round == 0)
             motion.status = MOTION_NOT_SIGNIFICANT;
+        if (round > 1)
+        {
+            motion.reliefArea = distort ? Rect2d(-0.3, -0.2, 0.7, 0.35) : Rect2d(-1, -0.8, 2, 1.6);
+            motion.relief.create(distort ? Size(9, 6) : Size(19, 16), CV_64F);
+            rng.fill(motion.relief, RNG::NORMAL, 0, 0.05 * std::hypot(motion.wallSlope, motion.wallOffset));
+        }
         WarpMapGenerator::Params params;
+        params.tolerance = 1e-4; // of both
         if (round % 2)
         {
             params.newCameraMatrix = Matx33d(600, 3, 290, 0, 640, 210, 0, 0, 1);
@@ -80,7 +87,7 @@ TEST_P(WarpOpenCL, equals_CPU)
         EXPECT_LE(cv::countNonZero(mask.getMat(ACCESS_READ) != expectedMask), 20) << "round " << round;
         EXPECT_LE(maxDifference(map1, expected1, seen), 1e-3) << "round " << round;
         EXPECT_LE(maxDifference(map2, expected2, seen), 1e-3) << "round " << round;
-        EXPECT_GE(cv::countNonZero(seen), distort ? 60000 : 100000);
+        EXPECT_GE(cv::countNonZero(seen), distort ? 60000 : 90000);
         // in single precision there are differences, or the device hasn't been used
         EXPECT_GT(maxDifference(map1, expected1, seen) + maxDifference(map2, expected2, seen), 0) << "round " << round;
     }

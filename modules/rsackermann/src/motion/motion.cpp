@@ -7,6 +7,7 @@
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "../compensation.hpp"
+#include "../relief.hpp"
 #include "../storage.hpp"
 
 namespace cv { namespace rsackermann {
@@ -131,8 +132,29 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance"
        << wallDistance;
     fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_left" << expectedLeft;
+    if (!relief.empty())
+        fs << "relief" << relief << "relief_area" << reliefArea;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
+}
+
+// A size that no relief has is refused before OpenCV takes the memory for it.
+static void readRelief(const FileNode& fn, Mat& relief, Rect2d& area)
+{
+    const int most = 1024;
+    const FileNode node = fn["relief"];
+    if (node.empty())
+        return;
+    const Size told = toldSize(node);
+    if (told.height < SplineWeights::ALONG || told.width < SplineWeights::ALONG || told.height > most ||
+        told.width > most)
+        CV_Error(Error::StsBadArg,
+                 format("relief is %d x %d; a matrix of %d x %d to %d x %d is expected", told.height, told.width,
+                        int(SplineWeights::ALONG), int(SplineWeights::ALONG), most, most));
+    Mat values; // copies of the motion keep theirs
+    cv::read(node, values);
+    relief = values;
+    cv::read(fn["relief_area"], area, area);
 }
 
 void AckermannMotion::read(const FileNode& fn)
@@ -152,6 +174,7 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["expected_raw"], expectedRaw, expectedRaw);
     cv::read(fn["expected_left"], expectedLeft, expectedLeft);
     readMatrix(fn, "covariance", covariance);
+    readRelief(fn, relief, reliefArea);
     cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);
     cv::read(fn["candidates"], candidates, candidates);
     cv::read(fn["inliers"], inliers, inliers);

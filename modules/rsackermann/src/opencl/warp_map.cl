@@ -6,6 +6,7 @@
 //   RECTIFY (for each pixel of the global-shutter camera the raw pixel) or DISTORT (the other way round)
 //   LENS_BROWN or LENS_FISHEYE (none: no distortion), TILTED (with LENS_BROWN)
 //   MOVING: there is a motion besides the lens
+//   RELIEF: the scene of the motion deviates from its planes
 //   MAP_32FC1, MAP_32FC2 or MAP_16SC2
 //   MASK: the mask is wanted
 
@@ -19,6 +20,8 @@ struct Warp
     float maxRadius2;
     float up[9];
     float B, D, lambda, G, direction;
+    float reliefX, reliefY, cellsPerX, cellsPerY; // where the cells of the relief begin, and how many there are for 1
+    int reliefColumns, reliefRows;                // control values
     float alpha, cosHeading, sinHeading;
     float reference, timeStep;
     float timeTolerance;
@@ -83,6 +86,43 @@ inline int changeRay(const struct Warp* p, float bx, float bz, float2* ray)
 inline float nearest(const struct Warp* p, float left, float right, float road)
 {
     return p->direction * fmax(fmax(fmax(p->direction * left, p->direction * right), p->direction * road), 0.f);
+}
+
+#ifdef RELIEF
+// The first of the four control values that count along one axis, and their weights.
+inline int splineWeights(float at, int controls, float4* weights)
+{
+    const float place = at > 0.f ? fmin(at, controls - 3.f) : 0.f; // NaN too
+    const int cell = min((int)place, controls - 4);
+    const float f = place - cell, g = 1.f - f;
+    *weights = (float4)(g * g * g, 4.f + 3.f * f * f * (f - 2.f), 4.f + 3.f * g * g * (g - 2.f), f * f * f) / 6.f;
+    return cell;
+}
+#endif
+
+// By how much the scene is nearer than its planes in the direction b.
+inline float relief(const struct Warp* p, __global const float* controls, float3 b)
+{
+    float sum = 0.f;
+#ifdef RELIEF
+    if (!(b.z > 0.f))
+        return 0.f;
+    float4 x, y;
+    const int column = splineWeights((b.x / b.z - p->reliefX) * p->cellsPerX, p->reliefColumns, &x);
+    const int row = splineWeights((b.y / b.z - p->reliefY) * p->cellsPerY, p->reliefRows, &y);
+    const float weights[4] = {y.x, y.y, y.z, y.w};
+    for (int i = 0; i < 4; i++)
+        sum += weights[i] * dot(x, vload4(0, controls + (row + i) * p->reliefColumns + column));
+    sum *= b.z;
+#endif
+    return sum;
+}
+
+// The same of the planes and the relief together.
+inline float inverseDepth(const struct Warp* p, __global const float* controls, float3 b)
+{
+    const float left = p->D * b.z - p->B * b.x;
+    return nearest(p, left, -p->lambda * left, p->G * b.y) + relief(p, controls, b);
 }
 
 #ifdef LENS_BROWN
@@ -152,7 +192,7 @@ inline int project(const struct Warp* p, float2 ray, float3 b, float w, float t,
     return changeRay(p, m.c1 * bx - m.s * bz - w * m.ex, m.s * bx + m.c1 * bz - w * m.ez, &ray) && lens(p, ray, raw);
 }
 
-inline float2 placeOf(const struct Warp* p, float2 pixel)
+inline float2 placeOf(const struct Warp* p, __global const float* controls, float2 pixel)
 {
     const float2 none = (float2)(FAR_OUTSIDE, FAR_OUTSIDE);
     const float y = (pixel.y - p->newCy) / p->newFy;
@@ -163,8 +203,7 @@ inline float2 placeOf(const struct Warp* p, float2 pixel)
     return hasLensPixel ? raw : none;
 #else
     const float3 b = bearing(p, ray);
-    const float left = p->D * b.z - p->B * b.x;
-    const float w = nearest(p, left, -p->lambda * left, p->G * b.y);
+    const float w = inverseDepth(p, controls, b);
 
     float time = hasLensPixel ? rowTime(p, raw) : 0.f;
     float slope = 0.f, lastTime = 0.f, lastValue = 0.f;
@@ -268,7 +307,7 @@ inline int inverseLens(const struct Warp* p, float2* ray)
 }
 #endif
 
-inline float2 placeOf(const struct Warp* p, float2 pixel)
+inline float2 placeOf(const struct Warp* p, __global const float* controls, float2 pixel)
 {
     const float2 none = (float2)(FAR_OUTSIDE, FAR_OUTSIDE);
     float2 ray = (float2)((pixel.x - p->cx) / p->fx, (pixel.y - p->cy) / p->fy);
@@ -281,7 +320,16 @@ inline float2 placeOf(const struct Warp* p, float2 pixel)
     const float3 b = bearing(p, ray);
     const float dx = m.c1 * b.x + m.s * b.z, dz = m.c1 * b.z - m.s * b.x;
     const float left = p->D * (b.z + dz) - p->B * (b.x + dx);
-    const float w = nearest(p, left / (1.f - m.passed), -p->lambda * left / (1.f + p->lambda * m.passed), p->G * b.y);
+    float w = nearest(p, left / (1.f - m.passed), -p->lambda * left / (1.f + p->lambda * m.passed), p->G * b.y);
+#ifdef RELIEF
+    for (int i = 0; i < 30; i++)
+    {
+        const float last = w;
+        w = inverseDepth(p, controls, (float3)(b.x + dx + w * m.ex, b.y, b.z + dz + w * m.ez));
+        if (fabs(w - last) <= 1e-7f)
+            break;
+    }
+#endif
     if (!changeRay(p, dx + w * m.ex, dz + w * m.ez, &ray))
         return none;
 #endif
@@ -297,13 +345,19 @@ __kernel void warpMap(__global uchar* map1, int map1Step, int map1Offset,
 #ifdef MASK
                       __global uchar* mask, int maskStep, int maskOffset,
 #endif
+#ifdef RELIEF
+                      __global const float* controls,
+#endif
                       int rows, int cols, struct Warp p)
 {
+#ifndef RELIEF
+    __global const float* controls = 0;
+#endif
     const int u = get_global_id(0), v = get_global_id(1);
     if (u >= cols || v >= rows)
         return;
 
-    float2 place = placeOf(&p, (float2)(u, v));
+    float2 place = placeOf(&p, controls, (float2)(u, v));
     if (!(fabs(place.x) <= 32767.f && fabs(place.y) <= 32767.f))
         place = (float2)(FAR_OUTSIDE, FAR_OUTSIDE);
 

@@ -57,7 +57,7 @@ public:
     bool solve(const Point2d& raw, Vec3d& ray) const
     {
         View v;
-        return view(raw, v) && rayTo(v, shutter.moving ? shutter.scene.inverseDepth(v.direction, v.x, v.z) : 0, ray);
+        return view(raw, v) && rayTo(v, shutter.moving ? inverseDepth(v) : 0, ray);
     }
 
     /** The same for a point of known depth.
@@ -84,6 +84,24 @@ public:
     }
 
 private:
+    // The relief tells the depth at the place where the global-shutter camera sees the point, which depends on it: a
+    // fixed point. It is a contraction as long as the camera moves less than the scene is away.
+    double inverseDepth(const View& v) const
+    {
+        double w = shutter.scene.inverseDepth(v.direction, v.x, v.z);
+        const int iterations = 30;
+        const double enough = 1e-13;
+        for (int i = 0; i < iterations && !shutter.relief.empty(); i++)
+        {
+            const double next = shutter.inverseDepth(v.direction + Vec3d(w * v.x, 0, w * v.z));
+            const bool isLast = std::abs(next - w) < enough;
+            w = next;
+            if (isLast)
+                break;
+        }
+        return w;
+    }
+
     bool undistort(const Point2d& raw, Vec3d& ray) const
     {
         Point2d p;

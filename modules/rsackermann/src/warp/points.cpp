@@ -86,7 +86,7 @@ void distortPoints(const RollingShutterCamera& camera, const Matx33d& matrix, co
         const bool onPlane = !inverseDepths.known(i);
         Rectifier::Guess guess;
         Point2d raw;
-        if (rectifier.solve(ray, b, onPlane ? shutter.scene.inverseDepth(b) : inverseDepths[i], onPlane, guess, raw))
+        if (rectifier.solve(ray, b, onPlane ? shutter.inverseDepth(b) : inverseDepths[i], onPlane, guess, raw))
             setPlace(raw, places[i]);
     }
 }

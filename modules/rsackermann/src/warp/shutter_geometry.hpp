@@ -7,6 +7,7 @@
 
 #include "../camera/lens.hpp"
 #include "../compensation.hpp"
+#include "../relief.hpp"
 #include "../scene.hpp"
 
 namespace cv { namespace rsackermann {
@@ -21,9 +22,10 @@ class ShutterGeometry
 {
 public:
     ShutterGeometry(const RollingShutterCamera& camera, const AckermannMotion& motion)
-        : moving(motion.status == MOTION_OK), scene(motion), lens(camera), up(motion.uprightRotation(camera)),
-          down(up.t()), alpha(motion.alpha), heading(camera.heading), byRows(camera.isRowShutter()),
-          time0(camera.rowTime(Point2d(0, 0))), timeStep(camera.rowTime(Point2d(1, 1)) - time0)
+        : moving(motion.status == MOTION_OK), scene(motion), relief(motion), lens(camera),
+          up(motion.uprightRotation(camera)), down(up.t()), alpha(motion.alpha), heading(camera.heading),
+          byRows(camera.isRowShutter()), time0(camera.rowTime(Point2d(0, 0))),
+          timeStep(camera.rowTime(Point2d(1, 1)) - time0)
     {
     }
 
@@ -36,6 +38,9 @@ public:
 
     //! Whether the camera is still between the walls; otherwise the planes mean nothing.
     bool isInside(const RowMotion& m) const { return scene.isInside(m.tau * m.s2, m.tau * m.c2); }
+
+    //! w of the point that is seen with a bearing of the global-shutter camera.
+    double inverseDepth(const Vec3d& b) const { return scene.inverseDepth(b) + relief.at(b); }
 
     //! Bearing of the global-shutter camera to the bearing of the moved camera.
     Vec3d toRolling(const Vec3d& b, double w, const RowMotion& m) const
@@ -68,6 +73,7 @@ public:
 
     bool moving; //!< false: there is only a lens
     Scene scene;
+    Relief relief;
     Lens<double> lens;
     Matx33d up;   //!< camera frame to upright frame
     Matx33d down; //!< upright frame to camera frame

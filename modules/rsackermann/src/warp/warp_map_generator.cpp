@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../checks.hpp"
+#include "../relief.hpp"
 #include "../storage.hpp"
 #include "maps/map_ocl.hpp"
 #include "maps/maps.hpp"
@@ -78,8 +80,28 @@ void WarpMapGenerator::Params::check() const
         CV_Error(Error::StsBadArg, format("tolerance is %g; a positive number of pixels is expected", tolerance));
 }
 
+static void checkRelief(const AckermannMotion& motion)
+{
+    const Mat& relief = motion.relief;
+    const Rect2d& area = motion.reliefArea;
+    if (relief.empty())
+        return;
+    const int least = SplineWeights::ALONG;
+    if (relief.dims != 2 || relief.type() != CV_64FC1 || relief.rows < least || relief.cols < least)
+        CV_Error(Error::StsBadArg,
+                 format("motion.relief is a %d x %d matrix of type %s; at least %d x %d values CV_64FC1 are expected",
+                        relief.rows, relief.cols, typeToString(relief.type()).c_str(), least, least));
+    if (!cv::checkRange(relief, true, 0, -LARGEST_VALUE, LARGEST_VALUE))
+        CV_Error(Error::StsBadArg, format("motion.relief has values that aren't finite or beyond +-%g", LARGEST_VALUE));
+    checkFinite(area.x, "motion.reliefArea.x");
+    checkFinite(area.y, "motion.reliefArea.y");
+    checkPositive(area.width, "motion.reliefArea.width");
+    checkPositive(area.height, "motion.reliefArea.height");
+}
+
 static void checkMotion(const AckermannMotion& motion)
 {
+    checkRelief(motion);
     const double values[] = {motion.alpha,     motion.wallSlope,      motion.wallOffset,      motion.wallRatio,
                              motion.roadSlope, motion.rollCorrection, motion.pitchCorrection, motion.wallDistance};
     const char* const names[] = {"alpha",     "wallSlope",      "wallOffset",      "wallRatio",

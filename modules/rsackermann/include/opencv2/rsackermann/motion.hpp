@@ -60,8 +60,8 @@ public:
 The scaled inverse depth \f$w = \beta / s\f$ of the scene is linear on each plane at the global-shutter point
 \f$(x, y)\f$ of the upright frame: left (or only) wall \f$D - B x\f$, right wall \f$\lambda (B x - D)\f$, road \f$G y\f$
 with the slope B (wallSlope) and the offset D (wallOffset) of the left wall, the ratio \f$\lambda\f$ (wallRatio) and the
-slope G (roadSlope). The nearest plane is seen. A scene with only one wall has \f$\lambda = 0\f$; there the wall may be
-on either side and B may have either sign.
+slope G (roadSlope). The nearest plane is seen; if the motion has a relief, it is added. A scene with only one wall has
+\f$\lambda = 0\f$; there the wall may be on either side and B may have either sign.
 
 The methods take the values as they are, whatever the status, unless they say something else.
 
@@ -144,7 +144,15 @@ public:
     CV_PROP_RW double wallOffset; //!< left (or only) wall's scaled inverse depth at x = 0
     CV_PROP_RW double wallRatio;  //!< ratio of the wall distances left / right; 0: one wall
     CV_PROP_RW double roadSlope;  //!< slope of the road's scaled inverse depth; 0: no road
-    CV_PROP_RW int direction;     //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
+    /** By how much the scene is nearer than its planes, in scaled inverse depth: control values CV_64FC1 of a uniform
+    cubic B-spline over reliefArea, at least 4 x 4, rows downward and columns to the right. Empty (default): not at all.
+    Beyond the area the nearest place of it counts. Frames of a drive have one, see
+    RollingShutterCorrector::Params::carryMotion; copies of a motion share the values, as copies of a Mat do. */
+    CV_PROP_RW Mat relief;
+    //! The rectangle of (x, y) in the upright frame that the relief covers, in as many cells as there are control
+    //! values less 3 along each side
+    CV_PROP_RW Rect2d reliefArea;
+    CV_PROP_RW int direction; //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch

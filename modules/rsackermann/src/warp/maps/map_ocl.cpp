@@ -23,6 +23,8 @@ struct KernelWarp
     float maxRadius2;
     float up[9];
     float B, D, lambda, G, direction;
+    float reliefX, reliefY, cellsPerX, cellsPerY;
+    int reliefColumns, reliefRows;
     float alpha, cosHeading, sinHeading;
     float reference, timeStep;
     float timeTolerance;
@@ -30,7 +32,7 @@ struct KernelWarp
     int maxIterations;
     int width, height;
 };
-static_assert(sizeof(KernelWarp) == 55 * sizeof(float), "a kernel's struct has no padding");
+static_assert(sizeof(KernelWarp) == 61 * sizeof(float), "a kernel's struct has no padding");
 
 static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& camera,
                              const WarpMapGenerator::Params& params, const AckermannMotion& motion)
@@ -61,6 +63,14 @@ static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& cam
     r.lambda = float(scene.lambda);
     r.G = float(scene.G);
     r.direction = float(scene.direction);
+    const Rect2d& area = motion.reliefArea;
+    const Size cells = Relief(motion).cells();
+    r.reliefX = float(area.x);
+    r.reliefY = float(area.y);
+    r.cellsPerX = float(cells.width / area.width);
+    r.cellsPerY = float(cells.height / area.height);
+    r.reliefColumns = motion.relief.cols;
+    r.reliefRows = motion.relief.rows;
     r.alpha = float(motion.alpha);
     r.cosHeading = float(std::cos(camera.heading));
     r.sinHeading = float(std::sin(camera.heading));
@@ -75,8 +85,10 @@ static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& cam
     return r;
 }
 
-static String buildOptions(WarpDirection warp, const Lens<float>& lens, bool moving, int m1type, bool mask)
+static String buildOptions(WarpDirection warp, const Lens<float>& lens, const AckermannMotion& motion, int m1type,
+                           bool mask)
 {
+    const bool moving = motion.status == MOTION_OK;
     String options = warp == WARP_RECTIFY ? "-D RECTIFY" : "-D DISTORT";
     options += m1type == CV_32FC1 ? " -D MAP_32FC1" : m1type == CV_32FC2 ? " -D MAP_32FC2" : " -D MAP_16SC2";
     if (lens.kind == Lens<float>::BROWN)
@@ -87,6 +99,8 @@ static String buildOptions(WarpDirection warp, const Lens<float>& lens, bool mov
         options += " -D TILTED";
     if (moving)
         options += " -D MOVING";
+    if (moving && !motion.relief.empty())
+        options += " -D RELIEF";
     if (mask)
         options += " -D MASK";
     return options;
@@ -96,7 +110,7 @@ bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const Wa
                 const AckermannMotion& motion, int m1type, OutputArray map1_, OutputArray map2_, OutputArray mask_)
 {
     ocl::Kernel kernel("warpMap", ocl::rsackermann::warp_map_oclsrc,
-                       buildOptions(warp, Lens<float>(camera), motion.status == MOTION_OK, m1type, mask_.needed()));
+                       buildOptions(warp, Lens<float>(camera), motion, m1type, mask_.needed()));
     if (kernel.empty())
         return false;
 
@@ -122,6 +136,12 @@ bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const Wa
         else
             mask.create(size, CV_8UC1);
         index = kernel.set(index, ocl::KernelArg::WriteOnlyNoSize(mask));
+    }
+    UMat relief;
+    if (motion.status == MOTION_OK && !motion.relief.empty())
+    {
+        motion.relief.convertTo(relief, CV_32F);
+        index = kernel.set(index, ocl::KernelArg::PtrReadOnly(relief));
     }
     index = kernel.set(index, size.height);
     index = kernel.set(index, size.width);

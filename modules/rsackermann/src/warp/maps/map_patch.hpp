@@ -54,7 +54,7 @@ private:
 //! A square part of a map.
 struct MapPatch
 {
-    enum { NODES = Bicubic::NODES, CHECKS = 4 };
+    enum { NODES = Bicubic::NODES, CHECKS = 4, CHECKS_WITH_KNOTS = CHECKS + (NODES - 1) * (NODES - 1) };
 
     Bicubic x, y;
 
@@ -78,12 +78,16 @@ struct MapPatch
     /** The pixels at which the error is measured.
 
 It is of fourth order along both axes. At these pixels it is nearly as large as anywhere on their side of the square,
-with signs of its two parts that are the same at some and opposite at others.
+with signs of its two parts that are the same at some and opposite at others. The knots of a relief can be anywhere:
+the centres between the nodes are checked, too.
 */
     static Point2d check(int i, double step)
     {
         static const double places[CHECKS][2] = {{0.38, 0.38}, {2.62, 2.62}, {0.38, 1.5}, {1.5, 2.62}};
-        return Point2d(places[i][0] * step, places[i][1] * step);
+        if (i < CHECKS)
+            return Point2d(places[i][0] * step, places[i][1] * step);
+        const int centre = i - CHECKS, along = NODES - 1;
+        return Point2d((centre % along + 0.5) * step, (centre / along + 0.5) * step);
     }
 
     //! Whether a place that a patch gives is near enough to the exact one; false for NaN, too.

@@ -17,7 +17,8 @@ TileDistorter::TileDistorter(const ShutterGeometry& shutter_, const Matx33d& mat
 bool TileDistorter::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
 {
     Nodes nodes;
-    if (!look(square, nodes))
+    // Its depth isn't known before the place is.
+    if (!shutter.relief.empty() || !look(square, nodes))
         return false;
     int visible[PLANES];
     const int count = visiblePlanes(nodes, visible);

@@ -32,6 +32,8 @@ TileRectifier::TileRectifier(const ShutterGeometry& shutter_, const Matx33d& mat
 
 bool TileRectifier::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
 {
+    if (!isSmooth(square))
+        return false;
     PlaneInverseDepth visible[PLANES];
     MapPatch patches[PLANES];
     const int count = visiblePlanes(square, visible);
@@ -42,6 +44,18 @@ bool TileRectifier::fillByPatches(const Rect& square, MapWriter::Tile& tile) con
     const Size size(square.width, (square & tile.area()).height);
     evaluatePatches(patches, visible, count, size, tile.x(square.tl()), tile.y(square.tl()), tile.step);
     return true;
+}
+
+// A relief has an edge where its area ends.
+bool TileRectifier::isSmooth(const Rect& square) const
+{
+    bool is = true;
+    for (int k = 0; k < 4; k++)
+    {
+        const Point corner(square.x + k % 2 * square.width, square.y + k / 2 * square.height);
+        is = is && (shutter.relief.empty() || shutter.relief.contains(upright * Vec3d(corner.x, corner.y, 1)));
+    }
+    return is;
 }
 
 // A linear function that is nowhere above another one at the corners of a square is nowhere above it in between.
@@ -110,7 +124,8 @@ bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth,
     }
 
     patch = MapPatch(nodes, step);
-    for (int i = 0; i < MapPatch::CHECKS; i++)
+    const int checks = shutter.relief.empty() ? MapPatch::CHECKS : MapPatch::CHECKS_WITH_KNOTS;
+    for (int i = 0; i < checks; i++)
     {
         const Point2d check = MapPatch::check(i, step), expected = patch.at(check.x, check.y);
         Point2d place;
@@ -124,9 +139,9 @@ bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth,
 bool TileRectifier::solve(const Rect& square, double column, double row, const PlaneInverseDepth& depth,
                           Rectifier::Guess& guess, Point2d& place) const
 {
-    const Vec3d pixel(square.x + column, square.y + row, 1);
-    const double w = shutter.scene.direction * depth.at(column, row);
-    return forPatches.solve(inverse * pixel, upright * pixel, w, true, guess, place) && isAddressable(place);
+    const Vec3d pixel(square.x + column, square.y + row, 1), b = upright * pixel;
+    const double w = shutter.scene.direction * depth.at(column, row) + shutter.relief.at(b);
+    return forPatches.solve(inverse * pixel, b, w, true, guess, place) && isAddressable(place);
 }
 
 void TileRectifier::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
@@ -138,7 +153,7 @@ void TileRectifier::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
         {
             const Vec3d pixel(x, y, 1), b = upright * pixel;
             Point2d place;
-            if (forPixels.solve(inverse * pixel, b, shutter.scene.inverseDepth(b), true, guess, place))
+            if (forPixels.solve(inverse * pixel, b, shutter.inverseDepth(b), true, guess, place))
                 tile.set(Point(x, y), place);
             else
                 tile.setNone(Point(x, y));

@@ -25,6 +25,7 @@ protected:
 private:
     enum { PLANES = Scene::PLANES };
 
+    bool isSmooth(const Rect& square) const;
     int visiblePlanes(const Rect& square, PlaneInverseDepth visible[PLANES]) const;
     bool fitPatch(const Rect& square, const PlaneInverseDepth& depth, MapPatch& patch) const;
     bool solve(const Rect& square, double column, double row, const PlaneInverseDepth& depth, Rectifier::Guess& guess,

@@ -1,0 +1,51 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_RELIEF_HPP
+#define OPENCV_RSACKERMANN_SRC_RELIEF_HPP
+
+#include "opencv2/rsackermann/motion.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! The control values of a uniform cubic B-spline that count at a place, and their weights (doc/theory.md, "Relief").
+struct SplineWeights
+{
+    enum { ALONG = 4 }; // control values along each side
+
+    int column, row; // of the first one
+    double x[ALONG], y[ALONG];
+
+    //! @param place beyond the area the nearest one of it counts.
+    SplineWeights(const Rect2d& area, const Size& controls, const Point2d& place);
+};
+
+//! By how much the scene is nearer than its planes, from place to place: AckermannMotion::relief.
+class Relief
+{
+public:
+    explicit Relief(const AckermannMotion& motion) : controls(motion.relief), area(motion.reliefArea) {}
+
+    bool empty() const { return controls.empty(); }
+
+    //! Number of cells along both axes.
+    Size cells() const { return controls.size() - Size(SplineWeights::ALONG - 1, SplineWeights::ALONG - 1); }
+
+    //! Whether a direction is in the area.
+    bool contains(const Vec3d& ray) const
+    {
+        return ray[2] > 0 && area.contains(Point2d(ray[0] / ray[2], ray[1] / ray[2]));
+    }
+
+    //! To be added to Scene::inverseDepth() in the direction of the global-shutter camera; 0 if it isn't in front.
+    double at(const Vec3d& ray) const;
+
+private:
+    Mat controls; // CV_64F
+    Rect2d area;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_RELIEF_HPP
