@@ -570,6 +570,7 @@ TEST(RSAckermann_Corrector, frame_that_shows_nothing_goes_on_as_expected)
         for (int i = 0; i < 4; i++)
             motion = c.corrector->correctWithSegments(approached(street, i), nothing, dst);
         ASSERT_EQ(MOTION_OK, motion.status);
+        EXPECT_FALSE(motion.relief.empty()) << "the texture isn't on the planes of a street";
         const double sigma = motion.covariance(0, 0);
         double seen = 0, yawRate = 0;
         ASSERT_TRUE(motion.yawRate(c.camera, seen));
@@ -586,6 +587,7 @@ TEST(RSAckermann_Corrector, frame_that_shows_nothing_goes_on_as_expected)
             ASSERT_EQ(MOTION_OK, motion.status) << i;
             EXPECT_LT(motion.expectedLeft, motion.expectedRaw);
             EXPECT_EQ(0, motion.candidates);
+            EXPECT_TRUE(motion.relief.empty());
             motion.yawRate(c.camera, yawRate);
             EXPECT_NEAR(seen * std::exp(-i * INTERVAL / 2), yawRate, 1e-6);
         }
@@ -617,6 +619,33 @@ TEST(RSAckermann_Corrector, next_frame)
     c.corrector->reset();
     EXPECT_EQ(MOTION_OK, c.corrector->correctWithSegments(image, a, dst).status);
     EXPECT_THROW(c.corrector->setNextFrame(Mat(10, 10, CV_8U, Scalar(0)), 1), cv::Exception);
+}
+
+// A recorded drive has the time to track more points.
+TEST(RSAckermann_Corrector, next_frame_refines_the_relief)
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(1600, 900));
+    camera.lineDelay = 0.02 / 900;
+    RollingShutterCorrector::Params params;
+    params.carryMotion = true;
+    params.frameInterval = INTERVAL;
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+    const Mat street = texturedImage(camera.imageSize, 1), nothing(0, 4, CV_32F);
+    Mat dst;
+    size_t values[4] = {0};
+    for (int i = 0; i < 4; i++)
+    {
+        // Once the next frame is left out.
+        if (i != 2)
+            corrector->setNextFrame(approached(street, i + 1), std::numeric_limits<double>::quiet_NaN());
+        const AckermannMotion motion = corrector->correctWithSegments(approached(street, i), nothing, dst);
+        ASSERT_EQ(MOTION_OK, motion.status) << i;
+        values[i] = motion.relief.total();
+    }
+    EXPECT_GT(values[1], 2 * values[2]);
+    EXPECT_GT(values[3], values[2]);
+    // The frame before wasn't looked at closely: the points to it would be those to another one.
+    EXPECT_LT(values[3], 0.8 * values[1]);
 }
 
 TEST(RSAckermann_Corrector, carrying_pays_in_a_steady_drive)

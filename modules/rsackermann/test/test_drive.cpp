@@ -432,7 +432,7 @@ TEST(RSAckermann_Drive, points_are_tracked)
     GaussianBlur(noise, texture, Size(), 3);
     normalize(texture, texture, 0, 255, NORM_MINMAX);
     const Point shift(24, -10);
-    PointTracker tracker;
+    PointTracker tracker(COARSE_PIXELS);
     std::vector<PointPair> pairs;
     tracker.track(texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);
     EXPECT_TRUE(pairs.empty());

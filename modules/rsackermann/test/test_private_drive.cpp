@@ -10,3 +10,5 @@
 #include "../src/drive/drive_state.cpp"
 #include "../src/drive/flow_residual.cpp"
 #include "../src/drive/point_tracker.cpp"
+#include "../src/drive/relief_fit.cpp"
+#include "../src/relief.cpp"

@@ -6,6 +6,7 @@
 #include "../estimator/account.hpp"
 #include "../estimator/displacement_field.hpp"
 #include "drive_estimator.hpp"
+#include "relief_fit.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -13,8 +14,8 @@ static const size_t MANY_POINTS = 80;    // if next to none of them was there be
 static const double LEAST_TRACKED = 0.3; // of the points that a frame has
 
 DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
-    : camera(camera_), params(params_), state(camera_, params_), time(0), hasFrame(false), isVague(true), last(state),
-      seen(std::numeric_limits<double>::quiet_NaN())
+    : camera(camera_), params(params_), tracker(COARSE_PIXELS), fineTracker(FINE_PIXELS), state(camera_, params_),
+      time(0), hasFrame(false), isVague(true), last(state), seen(std::numeric_limits<double>::quiet_NaN())
 {
 }
 
@@ -40,6 +41,7 @@ void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEst
 void DriveEstimator::reset()
 {
     tracker.reset();
+    fineTracker.reset();
     hasFrame = false;
     forget();
 }
@@ -56,22 +58,31 @@ void DriveEstimator::forget()
 void DriveEstimator::look(const GrayFrame& frame, const GrayFrame& next, double passed)
 {
     sights.clear();
+    fineSights.clear();
     if (!camera.isRowShutter() || !(camera.secondsPerUnitTime() > 0) || frame.gray.empty())
         return;
-    tracker.track(frame.gray, frame.scale, pairs);
-    addPairs(passed);
     const double ahead = next.seconds - frame.seconds;
-    if (next.gray.empty() || ahead == 0 || !(std::abs(ahead) < LONGEST_INTERVAL))
-        return;
-    tracker.trackNext(next.gray, pairs);
-    addPairs(-ahead);
+    const bool hasNext = !next.gray.empty() && ahead != 0 && std::abs(ahead) < LONGEST_INTERVAL;
+    follow(tracker, frame, passed, hasNext ? &next : 0, sights);
+    // A recorded drive has the time for it. In small images it would be the same points.
+    if (hasNext && frame.gray.total() > COARSE_PIXELS)
+        follow(fineTracker, frame, passed, &next, fineSights);
+    else
+        fineTracker.reset();
 }
 
 // Between frames of different scenes some points find something that looks like them.
-void DriveEstimator::addPairs(double seconds)
+void DriveEstimator::follow(PointTracker& points, const GrayFrame& frame, double passed, const GrayFrame* next,
+                            std::vector<Sight>& found)
 {
-    if (pairs.size() >= LEAST_TRACKED * tracker.pointCount())
-        addSights(camera, pairs, seconds, sights);
+    points.track(frame.gray, frame.scale, pairs);
+    if (pairs.size() >= LEAST_TRACKED * points.pointCount())
+        addSights(camera, pairs, passed, found);
+    if (!next)
+        return;
+    points.trackNext(next->gray, pairs);
+    if (pairs.size() >= LEAST_TRACKED * points.pointCount())
+        addSights(camera, pairs, frame.seconds - next->seconds, found);
 }
 
 bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
@@ -113,6 +124,8 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
         labels.at<uchar>(verticals[i].index) = SEGMENT_OUTLIER;
     motion = AckermannMotion();
     report(fit, verticals, prior, motion, labels);
+    if (motion.status == MOTION_OK)
+        fitRelief(camera, fineSights.empty() ? sights : fineSights, fit.values, motion);
     return true;
 }
 

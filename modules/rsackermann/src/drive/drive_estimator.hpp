@@ -55,7 +55,7 @@ public:
 private:
     RollingShutterCamera camera;
     AckermannEstimator::Params params;
-    PointTracker tracker;
+    PointTracker tracker, fineTracker;
     DriveState state; // of the last frame
     double time;      // of the last frame
     bool hasFrame;
@@ -63,9 +63,10 @@ private:
     DriveFit last; // whose points told the motion
     double seen;   // time of that; not finite if there is none
     std::vector<PointPair> pairs;
-    std::vector<Sight> sights;
+    std::vector<Sight> sights, fineSights; // those of the fit, and of the relief if there is time for more
 
-    void addPairs(double seconds);
+    void follow(PointTracker& points, const GrayFrame& frame, double passed, const GrayFrame* next,
+                std::vector<Sight>& found);
     void forget();
     void look(const GrayFrame& frame, const GrayFrame& next, double passed);
     Model predictDisplacement(const DriveFit& fit, AckermannMotion& motion) const;

@@ -117,7 +117,7 @@ private:
             double jacobian[2][FLOW_VALUES];
             const Point2d r = residual.evaluate(sights[i], u.data(), jacobian);
             const double variance = POINT_SIGMA * POINT_SIGMA, squared = r.dot(r) / variance;
-            if (!(r.dot(r) < 1e6) || isOfOwnCar(sights[i], squared))
+            if (FlowResidual::isBehind(r) || isOfOwnCar(sights[i], squared))
                 continue;
             const double weight = cauchyWeight(squared, scale) / variance / POINT_DEPENDENCE;
             const Eigen::Map<const FlowGradient> J(jacobian[0]);
@@ -232,6 +232,7 @@ DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& 
         }
         expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
     }
+    std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     const Information covariance =
         best.information.selfadjointView<Eigen::Lower>().llt().solve(Information::Identity());
     for (int i = 0; i < DRIVE_VALUES; i++)

@@ -17,12 +17,13 @@ const double LEAST_AGREEING = 0.3; //!< share of the points; with fewer of them 
 //! The evidence of a frame of a drive.
 struct DriveFit
 {
-    DriveState state; //!< prediction and frame together
-    bool moves;       //!< whether the points tell the motion from a camera at rest
-    double left;      //!< by which part of their displacement in the raw image the points that agree miss the motion
-    double agreeing;  //!< share of the points that agree with the motion, without those on the car itself
+    DriveState state;           //!< prediction and frame together
+    double values[FLOW_VALUES]; //!< state and turns
+    bool moves;                 //!< whether the points tell the motion from a camera at rest
+    double left;     //!< by which part of their displacement in the raw image the points that agree miss the motion
+    double agreeing; //!< share of the points that agree with the motion, without those on the car itself
 
-    explicit DriveFit(const DriveState& prediction) : state(prediction), moves(false), left(1), agreeing(0) {}
+    explicit DriveFit(const DriveState& prediction) : state(prediction), values(), moves(false), left(1), agreeing(0) {}
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to

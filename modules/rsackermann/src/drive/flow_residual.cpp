@@ -46,51 +46,73 @@ FlowResidual::FlowResidual(double heading_, double unit_, double focal_) : headi
 {
 }
 
-Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobian)[FLOW_VALUES]) const
+static const double LEAST = 0.1; // of a depth, relative to what it is at the reference row
+
+FlowResidual::View FlowResidual::look(const Sight& s, const double* u) const
 {
     const double alpha = u[DRIVE_YAW_RATE] * unit / 2, length = u[DRIVE_SPEED] * unit;
     const double cosine = std::cos(u[DRIVE_DIRECTION]), sine = std::sin(u[DRIVE_DIRECTION]);
-    const RowMotion now(alpha, heading, s.timeNow), other(alpha, heading, s.timeOther);
-    Vec3d ray(0, s.now.y, 0);
-    now.turn(s.now.x, 1, ray[0], ray[2]);
-    const double placeX = now.tau * now.s2, placeZ = now.tau * now.c2;
+    const RowMotion now(alpha, heading, s.timeNow);
+    View v;
+    v.ray[1] = s.now.y;
+    now.turn(s.now.x, 1, v.ray[0], v.ray[2]);
+    v.place = Vec3d(now.tau * now.s2, 0, now.tau * now.c2);
 
     // The inverse depth of the nearest plane, over the speed. A camera that would have passed a wall is kept before it.
-    const double across = sine * ray[2] - cosine * ray[0], passed = length * (sine * placeZ - cosine * placeX),
-                 least = 0.1;
-    const double planes[3] = {u[DRIVE_LEFT] * across / std::max(least, 1 - u[DRIVE_LEFT] * passed),
-                              -u[DRIVE_RIGHT] * across / std::max(least, 1 + u[DRIVE_RIGHT] * passed),
-                              u[DRIVE_ROAD] * ray[1]};
-    const int plane = int(std::max_element(planes, planes + 3) - planes);
-    const double w = length * std::max(0., planes[plane]);
+    const double across = sine * v.ray[2] - cosine * v.ray[0],
+                 passed = length * (sine * v.place[2] - cosine * v.place[0]);
+    const double planes[3] = {u[DRIVE_LEFT] * across / std::max(LEAST, 1 - u[DRIVE_LEFT] * passed),
+                              -u[DRIVE_RIGHT] * across / std::max(LEAST, 1 + u[DRIVE_RIGHT] * passed),
+                              u[DRIVE_ROAD] * v.ray[1]};
+    v.plane = int(std::max_element(planes, planes + 3) - planes);
+    v.inverseDepth = length * std::max(0., planes[v.plane]);
+    return v;
+}
 
-    const double x = ray[0] + w * (placeX - other.tau * other.s2), z = ray[2] + w * (placeZ - other.tau * other.c2);
+Point2d FlowResidual::miss(const Sight& s, const double* u, const View& v) const
+{
+    const RowMotion other(u[DRIVE_YAW_RATE] * unit / 2, heading, s.timeOther);
+    const double x = v.ray[0] + v.inverseDepth * (v.place[0] - other.tau * other.s2),
+                 z = v.ray[2] + v.inverseDepth * (v.place[2] - other.tau * other.c2);
     // By how much the other row has turned further from this one.
-    const double halfSquare = 0.5 * (s.timeOther * s.timeOther - s.timeNow * s.timeNow) * unit * unit,
-                 further = halfSquare * u[FLOW_YAW_CHANGE];
+    const double further = halfSquare(s) * u[FLOW_YAW_CHANGE];
     const double c = other.c - further * other.s, sn = other.s + further * other.c;
-    const double turnedX = c * x - sn * z, turnedZ = sn * x + c * z, behind = 1e3;
-    if (!(turnedZ > least))
+    const double turnedX = c * x - sn * z, turnedZ = sn * x + c * z, behind = 1e3; // pixels
+    if (!(turnedZ > LEAST))
         return Point2d(behind, behind);
-    const double px = turnedX / turnedZ, py = ray[1] / turnedZ;
-    const Point2d residual(px + px * py * u[s.pitch] - py * u[s.roll] - s.other.x,
+    const double px = turnedX / turnedZ, py = v.ray[1] / turnedZ;
+    return focal * Point2d(px + px * py * u[s.pitch] - py * u[s.roll] - s.other.x,
                            py + (1 + py * py) * u[s.pitch] + px * u[s.roll] - s.other.y);
+}
+
+// Half of the difference of the squares of the two times, in seconds: what a change of the yaw rate counts by.
+double FlowResidual::halfSquare(const Sight& s) const
+{
+    return 0.5 * (s.timeOther * s.timeOther - s.timeNow * s.timeNow) * unit * unit;
+}
+
+Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobian)[FLOW_VALUES]) const
+{
+    const View view = look(s, u);
+    const Point2d residual = miss(s, u, view);
     if (jacobian)
     {
+        const double length = u[DRIVE_SPEED] * unit;
+        const double cosine = std::cos(u[DRIVE_DIRECTION]), sine = std::sin(u[DRIVE_DIRECTION]);
         double *jx = jacobian[0], *jy = jacobian[1];
         std::fill(jx, jx + 2 * FLOW_VALUES, 0.);
         const double mx = (s.now.x + s.other.x) / 2, my = (s.now.y + s.other.y) / 2,
                      f = focal * (s.timeNow - s.timeOther);
         const double xByW = f * (heading.s - mx * heading.c), yByW = -f * my * heading.c;
         double wBy[DRIVE_VALUES] = {0};
-        if (plane == 2)
+        if (view.plane == 2)
         {
             wBy[DRIVE_SPEED] = unit * u[DRIVE_ROAD] * my;
             wBy[DRIVE_ROAD] = length * my;
         }
         else
         {
-            const int wall = plane == 0 ? DRIVE_LEFT : DRIVE_RIGHT, side = plane == 0 ? 1 : -1;
+            const int wall = view.plane == 0 ? DRIVE_LEFT : DRIVE_RIGHT, side = view.plane == 0 ? 1 : -1;
             const double slope = side * (sine - cosine * mx);
             wBy[DRIVE_SPEED] = unit * u[wall] * slope;
             wBy[wall] = length * slope;
@@ -103,14 +125,14 @@ Point2d FlowResidual::evaluate(const Sight& s, const double* u, double (*jacobia
         }
         jx[DRIVE_YAW_RATE] = f * unit * (1 + mx * mx);
         jy[DRIVE_YAW_RATE] = f * unit * mx * my;
-        jx[FLOW_YAW_CHANGE] = -focal * halfSquare * (1 + mx * mx);
-        jy[FLOW_YAW_CHANGE] = -focal * halfSquare * mx * my;
+        jx[FLOW_YAW_CHANGE] = -focal * halfSquare(s) * (1 + mx * mx);
+        jy[FLOW_YAW_CHANGE] = -focal * halfSquare(s) * mx * my;
         jx[s.pitch] = focal * mx * my;
         jy[s.pitch] = focal * (1 + my * my);
         jx[s.roll] = -focal * my;
         jy[s.roll] = focal * mx;
     }
-    return focal * residual;
+    return residual;
 }
 
 }} // namespace cv::rsackermann

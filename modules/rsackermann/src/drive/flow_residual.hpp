@@ -55,10 +55,28 @@ public:
     @return pixels. */
     Point2d evaluate(const Sight& sight, const double* values, double (*jacobian)[FLOW_VALUES]) const;
 
+    //! How a point is seen from the present image.
+    struct View
+    {
+        Vec3d ray;           // turned into the orientation of the reference row
+        Vec3d place;         // of the camera
+        int plane;           // 0 left wall, 1 right wall, 2 road
+        double inverseDepth; // scaled, to the scale of the ray: the point is at ray + inverseDepth place
+    };
+    View look(const Sight& sight, const double* values) const;
+
+    //! The residual of a view, with whatever inverse depth it has.
+    Point2d miss(const Sight& sight, const double* values, const View& view) const;
+
+    //! Whether a residual stands for a point that would be behind the camera, or might.
+    static bool isBehind(const Point2d& residual) { return !(residual.dot(residual) < 1e6); }
+
     //! Part of a point's displacement between the frames that the shutter makes in the present image.
     static double shutterPart(const Sight& s) { return std::abs(s.timeNow / (s.timeNow - s.timeOther)); }
 
 private:
+    double halfSquare(const Sight& sight) const;
+
     Heading heading;
     double unit, focal;
 };

@@ -356,7 +356,7 @@ private:
     Params params;
     AckermannEstimator::Params gates; // of segments and of the fit of a frame
     SegmentFinder finder;
-    PointTracker tracker;
+    PointTracker tracker{COARSE_PIXELS};
     std::vector<PointPair> pairs;
     Mat found;
 

@@ -9,8 +9,6 @@
 
 namespace cv { namespace rsackermann {
 
-// Larger images are halved: points can still be told to a tenth of a pixel of the result
-static const size_t MAX_PIXELS = 300000;
 static const int WINDOW = 11;       // pixels, of the tracker
 static const int LEVELS = 4;        // of the pyramid, besides the image itself
 static const int CELL = 8;          // pixels of the halved image; each cell has one point at most
@@ -46,7 +44,7 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
 {
     int halvings = 0;
     image = gray;
-    for (; image.total() > MAX_PIXELS; halvings++)
+    for (; image.total() > maxPixels; halvings++)
     {
         Mat& target = smaller[halvings % 2];
         resize(image, target, Size(image.cols / 2, image.rows / 2), 0, 0, INTER_AREA);

@@ -9,6 +9,11 @@
 
 namespace cv { namespace rsackermann {
 
+//! For the motion: points can still be told to a tenth of a pixel of the result.
+const size_t COARSE_PIXELS = 300000;
+//! For the relief, which more points show better, if there is time.
+const size_t FINE_PIXELS = 1200000;
+
 //! A point of the scene in the present raw image and in another one, pixels.
 struct PointPair
 {
@@ -23,7 +28,8 @@ looked for in the present image and followed back and forth; those that don't re
 class PointTracker
 {
 public:
-    PointTracker() : levels(0), scale(1) {}
+    //! @param maxPixels larger images are halved.
+    explicit PointTracker(size_t maxPixels_) : maxPixels(maxPixels_), levels(0), scale(1) {}
 
     /** @param gray present image, 8 bit, which may have been made smaller by scale.
     @param pairs receives the points, in pixels of the raw images; none for the first image. */
@@ -43,6 +49,7 @@ private:
     void findPoints(const Mat& gray);
     void follow(const std::vector<Mat>& from, const std::vector<Mat>& to, std::vector<PointPair>& pairs);
 
+    size_t maxPixels;
     std::vector<Mat> before, now; // pyramids
     int levels, scale;            // of the present one
     Mat smaller[2], half, response;

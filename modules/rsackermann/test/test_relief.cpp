@@ -1,0 +1,438 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_warp_cameras.hpp"
+#include "../src/drive/relief_fit.hpp"
+
+// Scenes that deviate from their planes: how maps and points follow them, against the simulator, and how tracked points
+// show them.
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+//! Value of the basis function of a B-spline with knots at whole numbers from first on, by the recursion of de Boor.
+double basis(int first, int degree, double at)
+{
+    if (degree == 0)
+        return at >= first && at < first + 1 ? 1 : 0;
+    return (at - first) / degree * basis(first, degree - 1, at) +
+           (first + degree + 1 - at) / degree * basis(first + 1, degree - 1, at);
+}
+
+//! AckermannMotion::relief as its documentation says.
+double reliefAt(const AckermannMotion& motion, double x, double y)
+{
+    const Rect2d& area = motion.reliefArea;
+    const int columns = motion.relief.cols, rows = motion.relief.rows;
+    const double inside = 1e-12, // the last knot belongs to no cell
+        u = std::min(std::max((x - area.x) / area.width, 0.), 1 - inside) * (columns - 3),
+                 v = std::min(std::max((y - area.y) / area.height, 0.), 1 - inside) * (rows - 3);
+    double sum = 0;
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++)
+            sum += motion.relief.at<double>(i, j) * basis(j - 3, 3, u) * basis(i - 3, 3, v);
+    return sum;
+}
+
+//! A relief of about a part of the inverse depth of the walls.
+void addRelief(AckermannMotion& motion, double part, RNG& rng)
+{
+    const Size controls(rng.uniform(4, 14), rng.uniform(4, 9));
+    motion.reliefArea = Rect2d(-0.5, -0.3, 1.1, 0.55);
+    motion.relief.create(controls, CV_64F);
+    rng.fill(motion.relief, RNG::NORMAL, 0, part * std::hypot(motion.wallSlope, motion.wallOffset));
+}
+
+Vec3d bearingOf(const RollingShutterCamera& camera, const AckermannMotion& motion, const Point2d& pixel)
+{
+    return motion.uprightRotation(camera) * (camera.cameraMatrix.inv() * Vec3d(pixel.x, pixel.y, 1));
+}
+
+//! The point that a pixel of the global-shutter camera shows; false if it would be behind or beyond infinity.
+bool pointAt(const Simulator& simulator, const AckermannMotion& motion, const Point2d& pixel, Vec3d& P)
+{
+    const Vec3d b = bearingOf(simulator.camera, motion, pixel);
+    if (!(b[2] > 0.05))
+        return false;
+    const simulation::Surface plane = simulator.street.first(Vec3d(), b);
+    const double planes = plane == simulation::NOTHING ? 0 : 1 / simulator.street.distance(plane, Vec3d(), b),
+                 nearness = planes + motion.direction * b[2] * reliefAt(motion, b[0] / b[2], b[1] / b[2]);
+    P = b * (1 / nearness);
+    return nearness > 1e-6;
+}
+
+typedef testing::TestWithParam<std::tuple<int, int>> Relief; // TestLens, ScanDirection
+
+RollingShutterCamera randomCamera(const Relief::ParamType& param, RNG& rng)
+{
+    RollingShutterCamera camera = lensCamera(std::get<0>(param));
+    mountAtRandom(camera, rng);
+    camera.scanDirection = std::get<1>(param);
+    return camera;
+}
+
+TEST_P(Relief, rectify_map_is_that_of_the_simulator)
+{
+    RNG rng(31);
+    int compared = 0;
+    double moved = 0;
+    for (int round = 0; round < 8; round++)
+    {
+        const RollingShutterCamera camera = randomCamera(GetParam(), rng);
+        AckermannMotion motion = randomMotion(camera, rng);
+        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+        Mat columns, rows, planeColumns, planeRows;
+        generator->initRectifyMap(motion, planeColumns, planeRows);
+        addRelief(motion, 0.15, rng);
+        generator->initRectifyMap(motion, columns, rows);
+        const Simulator simulator = Simulator::fromMotion(camera, motion);
+        for (int i = 0; i < 60; i++)
+        {
+            const Point pixel = uniformPoint(rng, Point2d(0, 0), Point2d(columns.cols - 1, columns.rows - 1));
+            Vec3d P;
+            Point2d truth;
+            if (!pointAt(simulator, motion, pixel, P) || !simulator.project(P, truth))
+                continue;
+            EXPECT_LE(cv::norm(Point2d(columns.at<float>(pixel), rows.at<float>(pixel)) - truth), 2e-3)
+                << "pixel " << pixel << ", round " << round;
+            moved = std::max(moved, std::abs(double(columns.at<float>(pixel)) - planeColumns.at<float>(pixel)));
+            compared++;
+        }
+    }
+    EXPECT_GE(compared, 200);
+    EXPECT_GE(moved, 0.5);
+}
+
+TEST_P(Relief, points_and_distort_map_are_the_inverse)
+{
+    RNG rng(32);
+    int compared = 0;
+    for (int round = 0; round < 8; round++)
+    {
+        const RollingShutterCamera camera = randomCamera(GetParam(), rng);
+        AckermannMotion motion = randomMotion(camera, rng);
+        addRelief(motion, 0.15, rng);
+        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+        const Simulator simulator = Simulator::fromMotion(camera, motion);
+        std::vector<Point2d> pixels, truths, raw, back, atRaw;
+        for (int i = 0; i < 60; i++)
+        {
+            const Point2d pixel =
+                uniformPoint(rng, Point2d(0, 0), Point2d(camera.imageSize.width, camera.imageSize.height));
+            Vec3d P;
+            Point2d truth;
+            if (!pointAt(simulator, motion, pixel, P) || !simulator.project(P, truth))
+                continue;
+            pixels.push_back(pixel);
+            truths.push_back(truth);
+        }
+        if (pixels.empty())
+            continue;
+        std::vector<uchar> exists;
+        generator->distortPoints(motion, pixels, raw, noArray(), exists);
+        generator->correctPoints(motion, truths, back);
+        Mat columns, rows;
+        generator->initDistortMap(motion, columns, rows);
+        std::vector<Point2d> whole;
+        for (size_t i = 0; i < truths.size(); i++)
+            whole.push_back(Point(truths[i]));
+        generator->correctPoints(motion, whole, atRaw);
+        for (size_t i = 0; i < pixels.size(); i++)
+        {
+            // Where depth changes fast a raw pixel may show one of two points.
+            const bool isOne = cv::norm(back[i] - pixels[i]) < 2;
+            if (!exists[i] || !isOne)
+                continue;
+            EXPECT_LE(cv::norm(raw[i] - truths[i]), 1e-4) << "round " << round;
+            EXPECT_LE(cv::norm(back[i] - pixels[i]), 1e-4) << "round " << round;
+            EXPECT_LE(cv::norm(Point2d(columns.at<float>(whole[i]), rows.at<float>(whole[i])) - atRaw[i]), 1e-3);
+            compared++;
+        }
+    }
+    EXPECT_GE(compared, 200);
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann_Warp, Relief,
+                        testing::Combine(testing::Values(ALL_LENSES),
+                                         testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_RIGHT_TO_LEFT))));
+
+// Reliefs as drives have them; maps as exact as without one.
+TEST(RSAckermann_Relief, every_pixel_of_a_map_is_exact)
+{
+    RNG rng(40);
+    for (int round = 0; round < 4; round++)
+    {
+        const RollingShutterCamera camera = lensCamera(round % 2 ? int(BROWN_5) : int(NO_LENS));
+        AckermannMotion motion = motionFromMetric(camera, rng.uniform(-0.3, 0.3), rng.uniform(5., 20.), 3, 5, 0);
+        addRelief(motion, 0.03, rng);
+        motion.reliefArea = Rect2d(-0.5, -0.32, 1, 0.64);
+        WarpMapGenerator::Params params;
+        params.tolerance = 1e-5;
+        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera, params);
+        Mat columns, rows;
+        generator->initRectifyMap(motion, columns, rows);
+        std::vector<Point2d> pixels, exact;
+        for (int i = 0; i < int(columns.total()); i++)
+            pixels.push_back(Point(i % columns.cols, i / columns.cols));
+        std::vector<uchar> exists;
+        generator->distortPoints(motion, pixels, exact, noArray(), exists);
+        double largest = 0;
+        for (size_t i = 0; i < pixels.size(); i++)
+            if (exists[i])
+                largest = std::max(largest, cv::norm(exact[i] - Point2d(columns.at<float>(Point(pixels[i])),
+                                                                        rows.at<float>(Point(pixels[i])))));
+        EXPECT_LT(largest, 5e-4) << "round " << round;
+    }
+}
+
+TEST(RSAckermann_Relief, of_nothing_is_none)
+{
+    RNG rng(33);
+    const RollingShutterCamera camera = lensCamera(BROWN_5);
+    AckermannMotion motion = randomMotion(camera, rng);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    Mat maps[2][4];
+    for (int k = 0; k < 2; k++)
+    {
+        generator->initRectifyMap(motion, maps[k][0], maps[k][1]);
+        generator->initDistortMap(motion, maps[k][2], maps[k][3]);
+        addRelief(motion, 0, rng);
+    }
+    for (int i = 0; i < 4; i++)
+        EXPECT_LE(cvtest::norm(maps[0][i], maps[1][i], NORM_INF), 1e-3) << i;
+}
+
+TEST(RSAckermann_Relief, of_any_size_gives_finite_maps)
+{
+    RNG rng(34);
+    const RollingShutterCamera camera = lensCamera(BROWN_5);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    for (double part : {1., 1e2, 1e10, 1e28})
+    {
+        AckermannMotion motion = motionFromMetric(camera, 0.3, 15, 3, 4, 0);
+        addRelief(motion, part, rng);
+        Mat maps[4];
+        generator->initRectifyMap(motion, maps[0], maps[1]);
+        generator->initDistortMap(motion, maps[2], maps[3]);
+        for (int i = 0; i < 4; i++)
+            EXPECT_TRUE(cv::checkRange(maps[i], true, 0, -32768, 32768)) << part << ", map " << i;
+    }
+}
+
+TEST(RSAckermann_Relief, bad_ones_are_refused)
+{
+    RNG rng(35);
+    const RollingShutterCamera camera = lensCamera(NO_LENS);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    AckermannMotion good = randomMotion(camera, rng);
+    addRelief(good, 0.1, rng);
+    Mat map1, map2;
+    const auto expectRefused = [&](const AckermannMotion& motion, const std::string& words) {
+        try
+        {
+            generator->initRectifyMap(motion, map1, map2);
+            ADD_FAILURE() << words;
+        }
+        catch (const cv::Exception& e)
+        {
+            EXPECT_EQ(Error::StsBadArg, e.code);
+            EXPECT_NE(std::string::npos, e.err.find(words)) << e.err;
+        }
+    };
+    AckermannMotion bad = good;
+    bad.relief = Mat::zeros(3, 9, CV_64F);
+    expectRefused(bad, "motion.relief is a 3 x 9 matrix of type CV_64FC1");
+    bad.relief = Mat::zeros(9, 3, CV_64F);
+    expectRefused(bad, "motion.relief is a 9 x 3 matrix");
+    bad.relief = Mat::zeros(5, 9, CV_32F);
+    expectRefused(bad, "of type CV_32FC1");
+    bad.relief = good.relief.clone();
+    bad.relief.at<double>(1, 2) = std::numeric_limits<double>::quiet_NaN();
+    expectRefused(bad, "motion.relief has values");
+    bad = good;
+    bad.reliefArea.width = 0;
+    expectRefused(bad, "motion.reliefArea.width is 0");
+    bad = good;
+    bad.reliefArea.height = -1;
+    expectRefused(bad, "motion.reliefArea.height is -1");
+    bad = good;
+    bad.reliefArea.x = std::numeric_limits<double>::infinity();
+    expectRefused(bad, "motion.reliefArea.x is inf");
+    bad = good;
+    bad.reliefArea.y = std::numeric_limits<double>::quiet_NaN();
+    expectRefused(bad, "motion.reliefArea.y is nan");
+}
+
+//! A drive past things that stand before and behind the planes of its street.
+struct BumpyStreet
+{
+    RollingShutterCamera camera;
+    AckermannMotion motion; // with the true relief
+    Simulator simulator;
+    double values[FLOW_VALUES];
+
+    BumpyStreet(double speed, double deviation, RNG& rng)
+        : camera(Size(960, 540), Matx33d(700, 0, 470, 0, 840, 280, 0, 0, 1)), simulator(camera, Drive(), Street()),
+          values()
+    {
+        camera.lineDelay = 0.03 / 540;
+        camera.height = 1.3;
+        camera.heading = 0.05;
+        camera.setRollPitch(0.01, 0.04);
+        const double yawRate = rng.uniform(-0.3, 0.3), unit = camera.secondsPerUnitTime();
+        simulator = Simulator::fromMetric(camera, yawRate, speed, 6, 9, 0.1);
+        DriveState state(camera, AckermannEstimator::Params());
+        const double known[] = {yawRate, speed, 0.1, 1 / 6., 1 / 9., 1 / 1.3, 0, 0};
+        std::copy(known, known + DRIVE_VALUES, state.value.val);
+        std::copy(known, known + DRIVE_VALUES, values);
+        state.toMotion(unit, motion);
+        motion.status = MOTION_OK;
+        motion.relief.create(6, 9, CV_64F);
+        motion.reliefArea = Rect2d(-0.7, -0.4, 1.4, 0.75);
+        rng.fill(motion.relief, RNG::NORMAL, 0, deviation * speed * unit);
+    }
+
+    //! Metres of the point that a pixel of the global-shutter camera shows.
+    bool pointAt(const Point2d& pixel, Vec3d& P) const
+    {
+        const Vec3d b = bearingOf(camera, motion, pixel);
+        const simulation::Surface plane = simulator.street.first(Vec3d(), b);
+        const double perMetre = values[DRIVE_SPEED] * camera.secondsPerUnitTime(),
+                     planes = plane == simulation::NOTHING ? 0 : 1 / simulator.street.distance(plane, Vec3d(), b),
+                     nearness = planes + b[2] * reliefAt(motion, b[0] / b[2], b[1] / b[2]) / perMetre;
+        P = b * (1 / nearness);
+        return nearness > 0.005;
+    }
+
+    std::vector<Sight> sights(int count, double noise, double outliers, RNG& rng) const
+    {
+        const double seconds = 0.05, T = seconds / camera.secondsPerUnitTime();
+        std::vector<PointPair> pairs;
+        for (int tries = 0; int(pairs.size()) < count && tries < 100 * count; tries++)
+        {
+            const Point2d pixel = uniformPoint(rng, Point2d(0, 0), Point2d(960, 540));
+            PointPair pair;
+            Vec3d P;
+            if (!pointAt(pixel, P) || !simulator.project(P, pair.now) ||
+                !simulator.project(simulator.drive.toCamera(P, -T), pair.other))
+                continue;
+            pair.other += gaussianPoint(rng, noise);
+            if (rng.uniform(0., 1.) < outliers)
+                pair.other += uniformPoint(rng, Point2d(-40, -20), Point2d(40, 20));
+            pairs.push_back(pair);
+        }
+        std::vector<Sight> result;
+        addSights(camera, pairs, seconds, result);
+        return result;
+    }
+
+    //! Mean distance in pixels of what a motion says from the truth.
+    double error(const AckermannMotion& found) const
+    {
+        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+        std::vector<Point2d> pixels, truths, raw;
+        for (double y = 20; y < 530; y += 30)
+            for (double x = 20; x < 950; x += 30)
+            {
+                Vec3d P;
+                Point2d truth;
+                if (!pointAt(Point2d(x, y), P) || !simulator.project(P, truth))
+                    continue;
+                pixels.push_back(Point2d(x, y));
+                truths.push_back(truth);
+            }
+        generator->distortPoints(found, pixels, raw);
+        double sum = 0;
+        for (size_t i = 0; i < raw.size(); i++)
+            sum += cv::norm(raw[i] - truths[i]);
+        return sum / double(raw.size());
+    }
+
+private:
+    typedef simulation::Drive Drive;
+    typedef simulation::Street Street;
+};
+
+AckermannMotion withoutRelief(const AckermannMotion& motion)
+{
+    AckermannMotion m = motion;
+    m.relief.release();
+    return m;
+}
+
+TEST(RSAckermann_Relief, points_show_it)
+{
+    RNG rng(36);
+    double planes = 0, few = 0, many = 0;
+    const int rounds = 20;
+    for (int i = 0; i < rounds; i++)
+    {
+        const BumpyStreet street(i % 5 == 0 ? -4 : 12, 0.03, rng);
+        AckermannMotion withFew = withoutRelief(street.motion), withMany = withFew;
+        fitRelief(street.camera, street.sights(250, 0.3, 0.1, rng), street.values, withFew);
+        fitRelief(street.camera, street.sights(1500, 0.3, 0.1, rng), street.values, withMany);
+        ASSERT_FALSE(withFew.relief.empty());
+        ASSERT_LT(withFew.relief.total(), withMany.relief.total());
+        planes += street.error(withoutRelief(street.motion));
+        few += street.error(withFew);
+        many += street.error(withMany);
+        EXPECT_LT(street.error(street.motion), 1e-6);
+    }
+    RecordProperty("planes", format("%.3f", planes / rounds));
+    RecordProperty("points_250", format("%.3f", few / rounds));
+    RecordProperty("points_1500", format("%.3f", many / rounds));
+    EXPECT_LT(few, 0.5 * planes);
+    EXPECT_LT(many, 0.3 * planes);
+}
+
+TEST(RSAckermann_Relief, of_planes_is_next_to_nothing)
+{
+    RNG rng(37);
+    for (int i = 0; i < 10; i++)
+    {
+        const BumpyStreet street(12, 0, rng);
+        AckermannMotion found = withoutRelief(street.motion);
+        fitRelief(street.camera, street.sights(250, 0.3, 0.2, rng), street.values, found);
+        EXPECT_LT(street.error(found), 0.1);
+    }
+}
+
+TEST(RSAckermann_Relief, needs_points_and_a_way)
+{
+    RNG rng(38);
+    const BumpyStreet street(12, 0.03, rng);
+    AckermannMotion found = withoutRelief(street.motion);
+    fitRelief(street.camera, street.sights(15, 0.3, 0, rng), street.values, found);
+    EXPECT_TRUE(found.relief.empty());
+
+    const std::vector<Sight> sights = street.sights(250, 0.3, 0, rng);
+    double turning[FLOW_VALUES] = {0.3, 0, 0, 0.1, 0.1, 1, 0, 0};
+    fitRelief(street.camera, sights, turning, found);
+    EXPECT_TRUE(found.relief.empty());
+}
+
+TEST(RSAckermann_Relief, of_the_car_itself_is_none)
+{
+    RNG rng(39);
+    const BumpyStreet street(12, 0, rng);
+    AckermannMotion found = withoutRelief(street.motion), misled = found;
+    std::vector<Sight> sights = street.sights(250, 0, 0, rng);
+    fitRelief(street.camera, sights, street.values, found);
+    // The lower third stands still.
+    std::vector<PointPair> still;
+    for (int i = 0; i < 80; i++)
+    {
+        const Point2d at = uniformPoint(rng, Point2d(0, 480), Point2d(960, 540));
+        const PointPair pair = {at, at};
+        still.push_back(pair);
+    }
+    addSights(street.camera, still, 0.05, sights);
+    fitRelief(street.camera, sights, street.values, misled);
+    EXPECT_LT(street.error(misled), street.error(found) + 0.05);
+}
+
+}} // namespace opencv_test::
