@@ -38,6 +38,24 @@ const char* modelWord(int model)
     }
 }
 
+// To a billionth: what is left out moves a pixel by less than 1e-6.
+Json rounded(double value)
+{
+    return std::round(value * 1e9) / 1e9;
+}
+
+// AckermannMotion::relief and the area that it covers.
+Json reliefOf(const AckermannMotion& motion)
+{
+    const cv::Rect2d& area = motion.reliefArea;
+    Json values = Json::array();
+    for (int i = 0; i < int(motion.relief.total()); i++)
+        values.push_back(rounded(motion.relief.at<double>(i / motion.relief.cols, i % motion.relief.cols)));
+    return {{"columns", motion.relief.cols},
+            {"values", values},
+            {"area", {rounded(area.x), rounded(area.y), rounded(area.width), rounded(area.height)}}};
+}
+
 // A file's name needn't be valid UTF-8.
 std::string dumped(const Json& json)
 {
@@ -75,6 +93,8 @@ std::string reportLine(const FrameReport& frame)
     line["wall_offset"] = orNull(ok, m.wallOffset);
     line["wall_ratio"] = orNull(ok && m.wallRatio > 0, m.wallRatio);
     line["road_slope"] = orNull(ok, m.roadSlope);
+    if (ok && !m.relief.empty())
+        line["relief"] = reliefOf(m);
     line["direction"] = ok ? Json(m.direction) : Json();
     line["roll_correction_deg"] = orNull(ok, m.rollCorrection / DEGREE);
     line["pitch_correction_deg"] = orNull(ok, m.pitchCorrection / DEGREE);

@@ -362,6 +362,26 @@ TEST_F(Export, report)
     }
 }
 
+//! Compares a map of rsackermann_correct with one that has been exported, where the raw image is seen.
+void expectSameMap(const std::string& maps, const std::string& exported)
+{
+    cv::Mat columns, rows;
+    cv::FileStorage fs(maps, cv::FileStorage::READ);
+    fs["map1"] >> columns;
+    fs["map2"] >> rows;
+    const cv::Mat map = cv::imread(exported, cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(columns.size(), map.size());
+    for (int y = 0; y < map.rows; y++)
+        for (int x = 0; x < map.cols; x++)
+        {
+            const cv::Point2d expected(columns.at<float>(y, x), rows.at<float>(y, x));
+            if (expected.x >= 0 && expected.y >= 0 && expected.x <= 639 && expected.y <= 379)
+            {
+                ASSERT_LT(cv::norm(placeOf(map, x, y, map.size(), 1) - expected), 1e-3) << x << ", " << y;
+            }
+        }
+}
+
 // What is rebuilt from a line of a report makes the same map as rsackermann_correct has made.
 TEST_F(Export, report_of_rsackermann_correct)
 {
@@ -373,21 +393,54 @@ TEST_F(Export, report_of_rsackermann_correct)
     const Outcome exported = exportMotion({"--report=" + (folder / "report.jsonl"), camera, "--roll=1",
                                            "--stmap=" + folder.path(), "--stmap_format=exr"});
     ASSERT_EQ(0, exported.exitCode) << exported.messages;
-    cv::Mat columns, rows;
-    cv::FileStorage fs(folder / "maps.yml", cv::FileStorage::READ);
-    fs["map1"] >> columns;
-    fs["map2"] >> rows;
-    const cv::Mat map = cv::imread(folder / "rolling.png.rectify.exr", cv::IMREAD_UNCHANGED);
-    ASSERT_EQ(columns.size(), map.size());
-    for (int y = 0; y < map.rows; y++)
-        for (int x = 0; x < map.cols; x++)
-        {
-            const cv::Point2d expected(columns.at<float>(y, x), rows.at<float>(y, x));
-            if (expected.x >= 0 && expected.y >= 0 && expected.x <= 639 && expected.y <= 379)
-            {
-                ASSERT_LT(cv::norm(placeOf(map, x, y, map.size(), 1) - expected), 1e-3) << x << ", " << y;
-            }
-        }
+    expectSameMap(folder / "maps.yml", folder / "rolling.png.rectify.exr");
+}
+
+// A frame of a drive has a relief, which the line of the report has, too.
+TEST_F(Export, report_of_a_drive)
+{
+    const std::string camera = "--camera=" + streetFolder() + "/camera.yml", first = streetFolder() + "/rolling.png",
+                      second = folder / "second.png";
+    cv::Mat image = cv::imread(first), nearer;
+    cv::warpAffine(image, nearer, cv::Matx23d(1.04, 0, -12.8, 0, 1.04, -7.6), image.size(), cv::INTER_CUBIC);
+    cv::imwrite(second, nearer);
+    const Outcome corrected =
+        correct({first, second, camera, "--carry", "--maps=" + folder.path(), "--report=" + (folder / "report.jsonl")});
+    ASSERT_EQ(0, corrected.exitCode) << corrected.messages;
+    std::istringstream lines(contentOf(folder / "report.jsonl"));
+    std::string line;
+    std::getline(lines, line);
+    std::getline(lines, line);
+    json frame = json::parse(line);
+    ASSERT_EQ("ok", frame["status"]);
+    ASSERT_TRUE(frame.contains("relief"));
+    const Arguments stmap = {"--report=" + (folder / "report.jsonl"), camera, "--stmap=" + folder.path(),
+                             "--stmap_format=exr"};
+    const Outcome exported = exportMotion(stmap);
+    ASSERT_EQ(0, exported.exitCode) << exported.messages;
+    expectSameMap(folder / "second.yml.gz", folder / "second.png.rectify.exr");
+
+    const json good = frame["relief"];
+    for (int i = 0; i < 5; i++)
+    {
+        json bad = good;
+        if (i == 0)
+            bad["columns"] = 3;
+        else if (i == 1)
+            bad["columns"] = bad["columns"].get<int>() + 1;
+        else if (i == 2)
+            bad["area"].erase(0);
+        else if (i == 3)
+            bad["values"][1] = "near";
+        else
+            bad["area"][2] = 0;
+        frame["relief"] = bad;
+        writeContent(folder / "report.jsonl", frame.dump() + "\n");
+        const Outcome refused = exportMotion(stmap);
+        EXPECT_NE(0, refused.exitCode) << i;
+        EXPECT_NE(std::string::npos, refused.messages.find(i == 3 ? "report.jsonl, line 1" : "relief"))
+            << refused.messages;
+    }
 }
 
 TEST_F(Export, frames_without_a_motion_stay_as_they_are)
