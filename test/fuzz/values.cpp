@@ -143,7 +143,19 @@ AckermannMotion Values::motion(const RollingShutterCamera& camera)
     motion.rollCorrection = around(0, -0.2, 0.2);
     motion.pitchCorrection = around(0, -0.2, 0.2);
     motion.wallDistance = around(3, 0, 20);
+    if (flag())
+        addRelief(motion);
     return motion;
+}
+
+void Values::addRelief(AckermannMotion& motion)
+{
+    motion.relief.create(integer(3, 12), integer(3, 12), integer(0, 31) ? CV_64F : CV_32F);
+    motion.relief.setTo(number(-0.1, 0.1));
+    for (int i = 0; i < 4 && motion.relief.depth() == CV_64F; i++)
+        motion.relief.at<double>(integer(0, motion.relief.rows - 1), integer(0, motion.relief.cols - 1)) =
+            number(-1, 1);
+    motion.reliefArea = Rect2d(number(-2, 1), number(-2, 1), number(-0.1, 4), number(-0.1, 4));
 }
 
 MotionPrior Values::prior()

@@ -53,6 +53,7 @@ public:
 
 private:
     double any();
+    void addRelief(cv::rsackermann::AckermannMotion& motion);
 
     FuzzedDataProvider bytes_;
 };

@@ -30,18 +30,29 @@ public:
     bool empty() const { return controls.empty(); }
 
     //! Number of cells along both axes.
-    Size cells() const { return controls.size() - Size(SplineWeights::ALONG - 1, SplineWeights::ALONG - 1); }
+    Size cells() const { return empty() ? Size() : controls.size() - Size(ADDED, ADDED); }
 
-    //! Whether a direction is in the area.
-    bool contains(const Vec3d& ray) const
+    //! Where a direction is, counted in cells from the corner of the area, be it in the area or not.
+    Point2d cellOf(const Vec3d& ray) const
     {
-        return ray[2] > 0 && area.contains(Point2d(ray[0] / ray[2], ray[1] / ray[2]));
+        return Point2d((ray[0] / ray[2] - area.x) / area.width * cells().width,
+                       (ray[1] / ray[2] - area.y) / area.height * cells().height);
     }
+
+    //! Whether so many control values can be a relief.
+    static bool isPossible(const Size& size)
+    {
+        return std::min(size.width, size.height) > ADDED && std::max(size.width, size.height) <= MOST;
+    }
+    //! What is possible, in words.
+    static String possibleSizes() { return format("from %d x %d to %d x %d values", ADDED + 1, ADDED + 1, MOST, MOST); }
 
     //! To be added to Scene::inverseDepth() in the direction of the global-shutter camera; 0 if it isn't in front.
     double at(const Vec3d& ray) const;
 
 private:
+    enum { ADDED = SplineWeights::ALONG - 1, MOST = 1024 };
+
     Mat controls; // CV_64F
     Rect2d area;
 };

@@ -33,30 +33,31 @@ struct Scene
     double inverseDepth(const Vec3d& ray) const
     {
         const double left = D * ray[2] - B * ray[0];
-        return nearestOf(left, -lambda * left, G * ray[1]);
+        return nearestOf(0, left, -lambda * left, G * ray[1]);
     }
 
     /** The same for the point that a camera at another place sees in the direction (x, y, z).
 
     The place is (x, z) in the unit of length in which depths are 1/w, inside the walls (isInside). The global-shutter
     camera sees the point in the direction ray + inverseDepth(...) (place.x, 0, place.z).
+    @param added to the w z of each plane at the point that is seen.
     */
-    double inverseDepth(const Vec3d& ray, double placeX, double placeZ) const
+    double inverseDepth(const Vec3d& ray, double placeX, double placeZ, double added = 0) const
     {
         double planes[PLANES];
-        inverseDepths(ray, placeX, placeZ, planes);
-        return nearestOf(planes[LEFT_WALL], planes[RIGHT_WALL], planes[ROAD]);
+        inverseDepths(ray, placeX, placeZ, planes, added);
+        return nearestOf(planes[INFINITE], planes[LEFT_WALL], planes[RIGHT_WALL], planes[ROAD]);
     }
 
     //! The same for each Plane, whether or not another one hides it.
-    void inverseDepths(const Vec3d& ray, double placeX, double placeZ, double planes[PLANES]) const
+    void inverseDepths(const Vec3d& ray, double placeX, double placeZ, double planes[PLANES], double added = 0) const
     {
         const double left = D * ray[2] - B * ray[0];
         const double passed = D * placeZ - B * placeX;
-        planes[INFINITE] = 0;
-        planes[LEFT_WALL] = left / (1 - passed);
-        planes[RIGHT_WALL] = -lambda * left / (1 + lambda * passed);
-        planes[ROAD] = G * ray[1];
+        planes[INFINITE] = added;
+        planes[LEFT_WALL] = (left + added) / (1 - passed);
+        planes[RIGHT_WALL] = (-lambda * left + added) / (1 + lambda * passed);
+        planes[ROAD] = G * ray[1] + added;
     }
 
     //! Whether a camera at that place hasn't passed a wall. The planes never hide one another from such a place.
@@ -67,10 +68,10 @@ struct Scene
     }
 
 private:
-    double nearestOf(double left, double right, double road) const
+    double nearestOf(double infinite, double left, double right, double road) const
     {
         const double w = std::max(std::max(direction * left, direction * right), direction * road);
-        return direction * std::max(w, 0.);
+        return direction * std::max(w, direction * infinite);
     }
 };
 

@@ -96,8 +96,9 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
     EXPECT_EQ(a.covariance, b.covariance);
     ASSERT_EQ(a.relief.size(), b.relief.size());
-    ASSERT_EQ(a.relief.type(), b.relief.type());
-    EXPECT_TRUE(a.relief.empty() || cvtest::norm(a.relief, b.relief, NORM_INF) == 0);
+    EXPECT_TRUE(a.relief.empty() || a.relief.type() == b.relief.type());
+    EXPECT_TRUE(a.relief.empty() || a.relief.type() != b.relief.type() ||
+                cvtest::norm(a.relief, b.relief, NORM_INF) == 0);
     EXPECT_EQ(a.reliefArea, b.reliefArea);
 }
 

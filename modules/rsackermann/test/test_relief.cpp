@@ -110,7 +110,7 @@ TEST_P(Relief, rectify_map_is_that_of_the_simulator)
 TEST_P(Relief, points_and_distort_map_are_the_inverse)
 {
     RNG rng(32);
-    int compared = 0;
+    int seen = 0, inverse = 0;
     for (int round = 0; round < 4; round++)
     {
         const RollingShutterCamera camera = randomCamera(GetParam(), rng);
@@ -143,22 +143,47 @@ TEST_P(Relief, points_and_distort_map_are_the_inverse)
         generator->correctPoints(motion, whole, atRaw);
         for (size_t i = 0; i < pixels.size(); i++)
         {
-            // Where depth changes fast a raw pixel may show one of two points.
-            const bool isOne = cv::norm(back[i] - pixels[i]) < 2;
-            if (!exists[i] || !isOne)
+            if (!exists[i])
                 continue;
             EXPECT_LE(cv::norm(raw[i] - truths[i]), 1e-4) << "round " << round;
-            EXPECT_LE(cv::norm(back[i] - pixels[i]), 1e-4) << "round " << round;
+            seen++;
+            // Where depth changes fast a raw pixel may show one of two points.
+            if (cv::norm(back[i] - pixels[i]) > 1e-4)
+                continue;
             EXPECT_LE(cv::norm(Point2d(columns.at<float>(whole[i]), rows.at<float>(whole[i])) - atRaw[i]), 1e-3);
-            compared++;
+            inverse++;
         }
     }
-    EXPECT_GE(compared, 100);
+    EXPECT_GE(seen, 100);
+    EXPECT_GE(inverse, 0.95 * seen);
 }
 
 INSTANTIATE_TEST_CASE_P(RSAckermann_Warp, Relief,
                         testing::Combine(testing::Values(ALL_LENSES),
                                          testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_RIGHT_TO_LEFT))));
+
+//! Largest distance in pixels of the places of a rectify map from those of single points.
+double largestError(const RollingShutterCamera& camera, const AckermannMotion& motion,
+                    const Matx33d& newCameraMatrix = Matx33d::zeros())
+{
+    WarpMapGenerator::Params params;
+    params.tolerance = 1e-5;
+    params.newCameraMatrix = newCameraMatrix;
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera, params);
+    Mat columns, rows;
+    generator->initRectifyMap(motion, columns, rows);
+    std::vector<Point2d> pixels, exact;
+    for (int i = 0; i < int(columns.total()); i++)
+        pixels.push_back(Point(i % columns.cols, i / columns.cols));
+    std::vector<uchar> exists;
+    generator->distortPoints(motion, pixels, exact, noArray(), exists);
+    double largest = 0;
+    for (size_t i = 0; i < pixels.size(); i++)
+        if (exists[i])
+            largest = std::max(largest, cv::norm(exact[i] - Point2d(columns.at<float>(Point(pixels[i])),
+                                                                    rows.at<float>(Point(pixels[i])))));
+    return largest;
+}
 
 // Reliefs as drives have them; maps as exact as without one.
 TEST(RSAckermann_Relief, every_pixel_of_a_map_is_exact)
@@ -170,23 +195,50 @@ TEST(RSAckermann_Relief, every_pixel_of_a_map_is_exact)
         AckermannMotion motion = motionFromMetric(camera, rng.uniform(-0.3, 0.3), rng.uniform(5., 20.), 3, 5, 0);
         addRelief(motion, 0.03, rng);
         motion.reliefArea = Rect2d(-0.5, -0.32, 1, 0.64);
-        WarpMapGenerator::Params params;
-        params.tolerance = 1e-5;
-        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera, params);
-        Mat columns, rows;
-        generator->initRectifyMap(motion, columns, rows);
-        std::vector<Point2d> pixels, exact;
-        for (int i = 0; i < int(columns.total()); i++)
-            pixels.push_back(Point(i % columns.cols, i / columns.cols));
-        std::vector<uchar> exists;
-        generator->distortPoints(motion, pixels, exact, noArray(), exists);
-        double largest = 0;
-        for (size_t i = 0; i < pixels.size(); i++)
-            if (exists[i])
-                largest = std::max(largest, cv::norm(exact[i] - Point2d(columns.at<float>(Point(pixels[i])),
-                                                                        rows.at<float>(Point(pixels[i])))));
-        EXPECT_LT(largest, 5e-4) << "round " << round;
+        EXPECT_LT(largestError(camera, motion), 5e-4) << "round " << round;
     }
+}
+
+// What is between the places that are solved isn't overlooked.
+TEST(RSAckermann_Relief, with_fine_cells)
+{
+    const RollingShutterCamera camera = lensCamera(NO_LENS);
+    AckermannMotion motion = motionFromMetric(camera, 0.2, 10, 3, 5, 0);
+    motion.relief = Mat::zeros(60, 100, CV_64F);
+    motion.relief.at<double>(20, 31) = 0.05;
+    motion.relief.at<double>(41, 77) = -0.05;
+    motion.reliefArea = Rect2d(-0.5, -0.32, 1, 0.64);
+    EXPECT_LT(largestError(camera, motion), 5e-4);
+}
+
+// An image that shows more than the area of the relief.
+TEST(RSAckermann_Relief, beyond_its_area)
+{
+    RNG rng(41);
+    const RollingShutterCamera camera = lensCamera(NO_LENS);
+    AckermannMotion motion = motionFromMetric(camera, 0.2, 10, 3, 5, 0);
+    addRelief(motion, 0.03, rng);
+    motion.reliefArea = Rect2d(-0.1, -0.05, 0.15, 0.12);
+    EXPECT_LT(largestError(camera, motion, Matx33d(600, 0, 320, 0, 600, 190, 0, 0, 1)), 2e-3);
+}
+
+TEST(RSAckermann_Relief, of_a_camera_at_rest_does_nothing)
+{
+    RNG rng(42);
+    const RollingShutterCamera camera = lensCamera(BROWN_5);
+    AckermannMotion motion;
+    motion.relief.create(5, 6, CV_64F);
+    rng.fill(motion.relief, RNG::NORMAL, 0, 0.1);
+    motion.reliefArea = Rect2d(-0.5, -0.32, 1, 0.64);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    Mat maps[2][4];
+    for (int k = 0; k < 2; k++)
+    {
+        generator->initRectifyMap(k ? motion : AckermannMotion(), maps[k][0], maps[k][1]);
+        generator->initDistortMap(k ? motion : AckermannMotion(), maps[k][2], maps[k][3]);
+    }
+    for (int i = 0; i < 4; i++)
+        EXPECT_LE(cvtest::norm(maps[0][i], maps[1][i], NORM_INF), 2e-3) << i;
 }
 
 TEST(RSAckermann_Relief, of_nothing_is_none)
@@ -220,6 +272,13 @@ TEST(RSAckermann_Relief, of_any_size_gives_finite_maps)
         generator->initDistortMap(motion, maps[2], maps[3]);
         for (int i = 0; i < 4; i++)
             EXPECT_TRUE(cv::checkRange(maps[i], true, 0, -32768, 32768)) << part << ", map " << i;
+        std::vector<Point2d> pixels, places[2];
+        for (int i = 0; i < 100; i++)
+            pixels.push_back(uniformPoint(rng, Point2d(-1e4, -1e4), Point2d(1e4, 1e4)));
+        generator->distortPoints(motion, pixels, places[0]);
+        generator->correctPoints(motion, pixels, places[1]);
+        for (int i = 0; i < 2; i++)
+            EXPECT_TRUE(cv::checkRange(Mat(places[i]), true, 0, -32768, 32768)) << part << ", points " << i;
     }
 }
 
@@ -245,9 +304,11 @@ TEST(RSAckermann_Relief, bad_ones_are_refused)
     };
     AckermannMotion bad = good;
     bad.relief = Mat::zeros(3, 9, CV_64F);
-    expectRefused(bad, "motion.relief is a 3 x 9 matrix of type CV_64FC1");
+    expectRefused(bad, "motion.relief is a 3 x 9 matrix of type CV_64FC1; from 4 x 4 to 1024 x 1024 values");
     bad.relief = Mat::zeros(9, 3, CV_64F);
     expectRefused(bad, "motion.relief is a 9 x 3 matrix");
+    bad.relief = Mat::zeros(4, 1025, CV_64F);
+    expectRefused(bad, "motion.relief is a 4 x 1025 matrix");
     bad.relief = Mat::zeros(5, 9, CV_32F);
     expectRefused(bad, "of type CV_32FC1");
     bad.relief = good.relief.clone();
@@ -422,7 +483,7 @@ TEST(RSAckermann_Relief, of_the_car_itself_is_none)
     AckermannMotion found = withoutRelief(street.motion), misled = found;
     std::vector<Sight> sights = street.sights(250, 0, 0, rng);
     fitRelief(street.camera, sights, street.values, found);
-    // The lower third stands still.
+    // The lowest part stands still.
     std::vector<PointPair> still;
     for (int i = 0; i < 80; i++)
     {

@@ -63,6 +63,29 @@ TEST(RSAckermann_Storage, motion)
     checkStorage(exampleMotion(), "alpha", &AckermannMotion::alpha);
 }
 
+TEST(RSAckermann_Storage, motion_without_relief)
+{
+    AckermannMotion motion = exampleMotion(), restored = motion;
+    motion.relief.release();
+    motion.reliefArea = Rect2d();
+    readFrom(written(motion, ".yml"), restored);
+    expectSame(motion, restored);
+}
+
+TEST(RSAckermann_Storage, relief_of_another_type)
+{
+    for (const char* type : {"f", "2d", "512d", "u"})
+    {
+        AckermannMotion motion = exampleMotion();
+        const std::string text =
+            format("%%YAML:1.0\n---\nvalue:\n   relief_area: [ 0., 0., 1., 1. ]\n   relief: "
+                   "!!opencv-matrix\n      rows: 4\n      cols: 4\n      dt: %s\n      data: [ 1 ]\n",
+                   type);
+        EXPECT_THROW(readFrom(text, motion), cv::Exception) << type;
+        expectSame(exampleMotion(), motion);
+    }
+}
+
 TEST(RSAckermann_Storage, prior)
 {
     checkStorage(examplePrior(), "yaw_rate", &MotionPrior::yawRate);

@@ -125,7 +125,7 @@ bool DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, con
     motion = AckermannMotion();
     report(fit, verticals, prior, motion, labels);
     if (motion.status == MOTION_OK)
-        fitRelief(camera, fineSights.empty() ? sights : fineSights, fit.values, motion);
+        fitRelief(camera, fineSights.size() < LEAST_POINTS ? sights : fineSights, fit.values, motion);
     return true;
 }
 

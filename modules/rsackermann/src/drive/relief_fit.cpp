@@ -62,6 +62,8 @@ Rect2d seenArea(const RollingShutterCamera& camera, const Matx33d& upright)
         low = Point2d(std::max(std::min(low.x, p.x), -WIDEST), std::max(std::min(low.y, p.y), -WIDEST));
         high = Point2d(std::min(std::max(high.x, p.x), WIDEST), std::min(std::max(high.y, p.y), WIDEST));
     }
+    if (!(low.x < high.x && low.y < high.y))
+        return Rect2d(); // nothing is ahead
     // More on each side: maps are made in squares, which may stand out.
     const Point2d added = 0.1 * (high - low);
     return Rect2d(low - added, high + added);
@@ -147,7 +149,9 @@ Eigen::VectorXd solveControls(const std::vector<Deviation>& deviations, const Ei
             weights[i] = cauchyWeight((left[i] * left[i] + across * across) / variance, 1) / variance;
         }
         const Eigen::SparseMatrix<double> information = slopes.transpose() * weights.asDiagonal() * slopes;
-        solver.compute(information + prior);
+        if (k == 0)
+            solver.analyzePattern(information);
+        solver.factorize(information + prior);
         values = -solver.solve(slopes.transpose() * weights.cwiseProduct(along));
     }
     return values;
@@ -161,7 +165,7 @@ void fitRelief(const RollingShutterCamera& camera, const std::vector<Sight>& sig
     const double sigma = DEVIATION_SIGMA * std::abs(values[DRIVE_SPEED]) * camera.secondsPerUnitTime();
     const std::vector<Deviation> deviations = deviationsOf(camera, sights, values, motion);
     const Rect2d area = seenArea(camera, motion.uprightRotation(camera));
-    if (deviations.size() < LEAST_POINTS || !(sigma > FLT_EPSILON) || !(area.width > 0 && area.height > 0))
+    if (deviations.size() < LEAST_POINTS || !(sigma > FLT_EPSILON) || area.empty())
         return;
     const Size controls = controlCount(deviations.size(), area);
     Eigen::VectorXd relief = solveControls(deviations, slopesByControls(deviations, area, controls), sigma);

@@ -120,7 +120,7 @@ void AckermannMotion::pose(const RollingShutterCamera& camera, double time, Matx
     const RowMotion row(alpha, camera.heading, time);
     const Matx33d upright = uprightRotation(camera);
     R = upright.t() * yawRotation(2 * alpha * time) * upright;
-    const bool translates = wallSlope != 0 || wallOffset != 0 || roadSlope != 0;
+    const bool translates = wallSlope != 0 || wallOffset != 0 || roadSlope != 0 || !relief.empty();
     T = translates ? upright.t() * Vec3d(row.s2, 0, row.c2) * (direction * row.tau) : Vec3d();
 }
 
@@ -132,27 +132,29 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance"
        << wallDistance;
     fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_left" << expectedLeft;
+    fs << "relief_area" << reliefArea;
     if (!relief.empty())
-        fs << "relief" << relief << "relief_area" << reliefArea;
+        fs << "relief" << relief;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
 }
 
-// A size that no relief has is refused before OpenCV takes the memory for it.
+// A size or type that no relief has is refused before OpenCV takes the memory for it.
 static void readRelief(const FileNode& fn, Mat& relief, Rect2d& area)
 {
-    const int most = 1024;
-    const FileNode node = fn["relief"];
-    if (node.empty())
+    if (fn["relief_area"].empty() && fn["relief"].empty())
         return;
-    const Size told = toldSize(node);
-    if (told.height < SplineWeights::ALONG || told.width < SplineWeights::ALONG || told.height > most ||
-        told.width > most)
-        CV_Error(Error::StsBadArg,
-                 format("relief is %d x %d; a matrix of %d x %d to %d x %d is expected", told.height, told.width,
-                        int(SplineWeights::ALONG), int(SplineWeights::ALONG), most, most));
     Mat values; // copies of the motion keep theirs
-    cv::read(node, values);
+    const FileNode node = fn["relief"];
+    if (!node.empty())
+    {
+        const Size told = toldSize(node);
+        const String type = node.isMap() ? String(node["dt"]) : String();
+        if (!Relief::isPossible(told) || type != "d")
+            CV_Error(Error::StsBadArg, format("relief is %d x %d of type \"%s\"; %s of type \"d\" are expected",
+                                              told.height, told.width, type.c_str(), Relief::possibleSizes().c_str()));
+        cv::read(node, values);
+    }
     relief = values;
     cv::read(fn["relief_area"], area, area);
 }

@@ -82,10 +82,11 @@ inline int changeRay(const struct Warp* p, float bx, float bz, float2* ray)
     return 1;
 }
 
-// Scaled inverse depth of the nearest plane from its values on the left wall, the right wall and the road.
-inline float nearest(const struct Warp* p, float left, float right, float road)
+// Scaled inverse depth of the nearest plane from its values at infinity, on the left wall, the right wall and the road.
+inline float nearest(const struct Warp* p, float infinite, float left, float right, float road)
 {
-    return p->direction * fmax(fmax(fmax(p->direction * left, p->direction * right), p->direction * road), 0.f);
+    return p->direction * fmax(fmax(fmax(p->direction * left, p->direction * right), p->direction * road),
+                               p->direction * infinite);
 }
 
 #ifdef RELIEF
@@ -116,13 +117,6 @@ inline float relief(const struct Warp* p, __global const float* controls, float3
     sum *= b.z;
 #endif
     return sum;
-}
-
-// The same of the planes and the relief together.
-inline float inverseDepth(const struct Warp* p, __global const float* controls, float3 b)
-{
-    const float left = p->D * b.z - p->B * b.x;
-    return nearest(p, left, -p->lambda * left, p->G * b.y) + relief(p, controls, b);
 }
 
 #ifdef LENS_BROWN
@@ -203,7 +197,8 @@ inline float2 placeOf(const struct Warp* p, __global const float* controls, floa
     return hasLensPixel ? raw : none;
 #else
     const float3 b = bearing(p, ray);
-    const float w = inverseDepth(p, controls, b);
+    const float left = p->D * b.z - p->B * b.x;
+    const float w = nearest(p, 0.f, left, -p->lambda * left, p->G * b.y) + relief(p, controls, b);
 
     float time = hasLensPixel ? rowTime(p, raw) : 0.f;
     float slope = 0.f, lastTime = 0.f, lastValue = 0.f;
@@ -320,15 +315,19 @@ inline float2 placeOf(const struct Warp* p, __global const float* controls, floa
     const float3 b = bearing(p, ray);
     const float dx = m.c1 * b.x + m.s * b.z, dz = m.c1 * b.z - m.s * b.x;
     const float left = p->D * (b.z + dz) - p->B * (b.x + dx);
-    float w = nearest(p, left / (1.f - m.passed), -p->lambda * left / (1.f + p->lambda * m.passed), p->G * b.y);
+    const float toLeft = 1.f - m.passed, toRight = 1.f + p->lambda * m.passed;
+    float w = nearest(p, 0.f, left / toLeft, -p->lambda * left / toRight, p->G * b.y);
 #ifdef RELIEF
-    for (int i = 0; i < 30; i++)
+    int found = 0;
+    for (int i = 0; i < 30 && !found; i++)
     {
-        const float last = w;
-        w = inverseDepth(p, controls, (float3)(b.x + dx + w * m.ex, b.y, b.z + dz + w * m.ez));
-        if (fabs(w - last) <= 1e-7f)
-            break;
+        const float last = w,
+                    added = relief(p, controls, (float3)(b.x + dx + w * m.ex, b.y, b.z + dz + w * m.ez));
+        w = nearest(p, added, (left + added) / toLeft, (added - p->lambda * left) / toRight, p->G * b.y + added);
+        found = fabs(w - last) <= 1e-6f * (1.f + fabs(w));
     }
+    if (!found)
+        return none;
 #endif
     if (!changeRay(p, dx + w * m.ex, dz + w * m.ez, &ray))
         return none;

@@ -9,10 +9,11 @@
 
 namespace cv { namespace rsackermann {
 
-/** Finds the ray of the global-shutter camera to the point that a raw pixel sees, in closed form (doc/theory.md,
-"Warp").
+/** Finds the ray of the global-shutter camera to the point that a raw pixel sees, in closed form unless there is a
+relief (doc/theory.md, "Warp").
 
-Of the planes the nearest along the ray is seen; a ray that meets none sees a point at infinity (w = 0). The planes
+Of the planes the nearest along the ray is seen; a ray that meets none sees a point at infinity (w = 0, and the relief).
+The planes
 surround the camera without hiding one another until it passes a wall; a row at whose instant it would have done so sees
 nothing.
 */
@@ -57,7 +58,8 @@ public:
     bool solve(const Point2d& raw, Vec3d& ray) const
     {
         View v;
-        return view(raw, v) && rayTo(v, shutter.moving ? inverseDepth(v) : 0, ray);
+        double w = 0;
+        return view(raw, v) && (!shutter.moving || findInverseDepth(v, w)) && rayTo(v, w, ray);
     }
 
     /** The same for a point of known depth.
@@ -84,22 +86,23 @@ public:
     }
 
 private:
-    // The relief tells the depth at the place where the global-shutter camera sees the point, which depends on it: a
-    // fixed point. It is a contraction as long as the camera moves less than the scene is away.
-    double inverseDepth(const View& v) const
+    // The relief tells by how much the point is nearer at the place where the global-shutter camera sees it, which
+    // depends on that: a fixed point. It is a contraction unless the relief is steep; then the pixel sees nothing.
+    bool findInverseDepth(const View& v, double& w) const
     {
-        double w = shutter.scene.inverseDepth(v.direction, v.x, v.z);
         const int iterations = 30;
         const double enough = 1e-13;
-        for (int i = 0; i < iterations && !shutter.relief.empty(); i++)
+        w = shutter.scene.inverseDepth(v.direction, v.x, v.z);
+        if (shutter.relief.empty())
+            return true;
+        for (int i = 0; i < iterations; i++)
         {
-            const double next = shutter.inverseDepth(v.direction + Vec3d(w * v.x, 0, w * v.z));
-            const bool isLast = std::abs(next - w) < enough;
-            w = next;
-            if (isLast)
-                break;
+            const double last = w, added = shutter.relief.at(v.direction + Vec3d(w * v.x, 0, w * v.z));
+            w = shutter.scene.inverseDepth(v.direction, v.x, v.z, added);
+            if (std::abs(w - last) <= enough * (1 + std::abs(w)))
+                return true;
         }
-        return w;
+        return false;
     }
 
     bool undistort(const Point2d& raw, Vec3d& ray) const

@@ -86,11 +86,10 @@ static void checkRelief(const AckermannMotion& motion)
     const Rect2d& area = motion.reliefArea;
     if (relief.empty())
         return;
-    const int least = SplineWeights::ALONG;
-    if (relief.dims != 2 || relief.type() != CV_64FC1 || relief.rows < least || relief.cols < least)
+    if (relief.dims != 2 || relief.type() != CV_64FC1 || !Relief::isPossible(relief.size()))
         CV_Error(Error::StsBadArg,
-                 format("motion.relief is a %d x %d matrix of type %s; at least %d x %d values CV_64FC1 are expected",
-                        relief.rows, relief.cols, typeToString(relief.type()).c_str(), least, least));
+                 format("motion.relief is a %d x %d matrix of type %s; %s of type CV_64FC1 are expected", relief.rows,
+                        relief.cols, typeToString(relief.type()).c_str(), Relief::possibleSizes().c_str()));
     if (!cv::checkRange(relief, true, 0, -LARGEST_VALUE, LARGEST_VALUE))
         CV_Error(Error::StsBadArg, format("motion.relief has values that aren't finite or beyond +-%g", LARGEST_VALUE));
     checkFinite(area.x, "motion.reliefArea.x");

@@ -46,8 +46,9 @@ public:
         AckermannEstimator::Params estimator; //!< of the estimation
         WarpMapGenerator::Params warp;        //!< of the maps
         CV_PROP_RW int interpolation;         //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
-        /** whether the images are consecutive frames of a drive, default false: each helps with the next, and tells
-        by how much the scene deviates from planes (AckermannMotion::relief); needs RollingShutterCamera::lineDelay */
+        /** whether the images are consecutive frames of a drive, default false: each helps with the next, and with
+        trackPoints tells by how much the scene deviates from planes (AckermannMotion::relief); needs
+        RollingShutterCamera::lineDelay */
         CV_PROP_RW bool carryMotion;
         //! Whether points are tracked from frame to frame if carryMotion is set, default true
         CV_PROP_RW bool trackPoints;
@@ -108,7 +109,7 @@ public:
     CV_WRAP virtual void setTimestamp(double seconds) = 0;
 
     /** @brief Shows the image after the one that is corrected next: points that are seen in both count, too, and the
-    relief is found from about four times as many.
+    relief is found from more of them if the image is large.
 
     For recorded drives, of which each frame or at least the first one can be corrected with the help of later ones.
     Used if Params::carryMotion and Params::trackPoints are set.

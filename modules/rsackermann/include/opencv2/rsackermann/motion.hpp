@@ -144,15 +144,19 @@ public:
     CV_PROP_RW double wallOffset; //!< left (or only) wall's scaled inverse depth at x = 0
     CV_PROP_RW double wallRatio;  //!< ratio of the wall distances left / right; 0: one wall
     CV_PROP_RW double roadSlope;  //!< slope of the road's scaled inverse depth; 0: no road
-    /** By how much the scene is nearer than its planes, in scaled inverse depth: control values CV_64FC1 of a uniform
-    cubic B-spline over reliefArea, at least 4 x 4, rows downward and columns to the right. Empty (default): not at all.
-    Beyond the area the nearest place of it counts. Frames of a drive have one, see
-    RollingShutterCorrector::Params::carryMotion; copies of a motion share the values, as copies of a Mat do. */
+    /** By how much the scene deviates from its planes, in scaled inverse depth, which has the sign of #direction:
+    control values CV_64FC1, from 4 x 4 to 1024 x 1024, rows downward and columns to the right, of a uniform cubic
+    B-spline over #reliefArea. Empty (default): not at all. Beyond the area the nearest place of it counts.
+
+    With as many cells as there are control values less 3 along each side, the value at (u, v) cells from the corner of
+    the area is the sum of \f$c_{ij} N(v + 3 - i) N(u + 3 - j)\f$ with row i, column j and the cubic B-spline N on the
+    knots 0 to 4.
+
+    Frames of a drive may have one, see RollingShutterCorrector::Params::carryMotion. Copies of a motion share the
+    values, as copies of a Mat do. */
     CV_PROP_RW Mat relief;
-    //! The rectangle of (x, y) in the upright frame that the relief covers, in as many cells as there are control
-    //! values less 3 along each side
-    CV_PROP_RW Rect2d reliefArea;
-    CV_PROP_RW int direction; //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
+    CV_PROP_RW Rect2d reliefArea; //!< the rectangle of (x, y) in the upright frame that the relief covers
+    CV_PROP_RW int direction;     //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch

@@ -191,6 +191,8 @@ class rsackermann_test(NewOpenCVTests):
         """One of each type, with values that aren't the defaults, and a function that tells them."""
         camera = make_camera()
         motion = make_motion(camera)
+        motion.relief = np.arange(30.0).reshape(5, 6) / 1000
+        motion.reliefArea = (-0.5, -0.25, 1.125, 0.75)
         prior = cv.rsackermann.MotionPrior()
         prior.speed = 12.5
         estimator_params = cv.rsackermann.AckermannEstimator.Params()
@@ -204,7 +206,8 @@ class rsackermann_test(NewOpenCVTests):
         calibrator_params.maxFrames = 500
         return [
             (camera, lambda c: (c.lineDelay, c.height, c.imageSize, c.cameraMatrix.tolist())),
-            (motion, lambda m: (m.status, m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope)),
+            (motion, lambda m: (m.status, m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope,
+                                np.array(m.relief).tolist(), m.reliefArea)),
             (prior, lambda p: (p.speed, p.yawRate)),
             (estimator_params, lambda p: p.seed),
             (warp_params, lambda p: p.tolerance),

@@ -46,16 +46,29 @@ bool TileRectifier::fillByPatches(const Rect& square, MapWriter::Tile& tile) con
     return true;
 }
 
-// A relief has an edge where its area ends.
+// A relief has an edge where its area ends, beyond which it doesn't change on that axis any more.
+static bool isSmoothAlong(double low, double high, int cells)
+{
+    const int most = 3; // of the cells in a patch, which its nodes and checks wouldn't notice if there were many
+    return high <= 0 || low >= cells || (low >= 0 && high <= cells && high - low <= most);
+}
+
 bool TileRectifier::isSmooth(const Rect& square) const
 {
-    bool is = true;
+    if (!shutter.moving || shutter.relief.empty())
+        return true;
+    Point2d low(DBL_MAX, DBL_MAX), high = -low;
     for (int k = 0; k < 4; k++)
     {
-        const Point corner(square.x + k % 2 * square.width, square.y + k / 2 * square.height);
-        is = is && (shutter.relief.empty() || shutter.relief.contains(upright * Vec3d(corner.x, corner.y, 1)));
+        const Vec3d ray = upright * Vec3d(square.x + k % 2 * square.width, square.y + k / 2 * square.height, 1);
+        if (!(ray[2] > 0))
+            return false;
+        const Point2d cell = shutter.relief.cellOf(ray);
+        low = Point2d(std::min(low.x, cell.x), std::min(low.y, cell.y));
+        high = Point2d(std::max(high.x, cell.x), std::max(high.y, cell.y));
     }
-    return is;
+    const Size cells = shutter.relief.cells();
+    return isSmoothAlong(low.x, high.x, cells.width) && isSmoothAlong(low.y, high.y, cells.height);
 }
 
 // A linear function that is nowhere above another one at the corners of a square is nowhere above it in between.
