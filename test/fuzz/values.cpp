@@ -155,7 +155,7 @@ void Values::addRelief(AckermannMotion& motion)
     for (int i = 0; i < 4 && motion.relief.depth() == CV_64F; i++)
         motion.relief.at<double>(integer(0, motion.relief.rows - 1), integer(0, motion.relief.cols - 1)) =
             number(-1, 1);
-    motion.reliefArea = Rect2d(number(-2, 1), number(-2, 1), number(-0.1, 4), number(-0.1, 4));
+    motion.reliefArea = cv::Rect2d(number(-2, 1), number(-2, 1), number(-0.1, 4), number(-0.1, 4));
 }
 
 MotionPrior Values::prior()

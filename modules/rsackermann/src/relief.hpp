@@ -14,8 +14,16 @@ struct SplineWeights
 {
     enum { ALONG = 4 }; // control values along each side
 
-    int column, row; // of the first one
-    double x[ALONG], y[ALONG];
+    struct Axis
+    {
+        int first; // control value
+        double weights[ALONG];
+
+        //! The part of the area along the axis has as many cells as there are control values less 3.
+        Axis(double place, double low, double length, int controls);
+    };
+
+    Axis x, y;
 
     //! @param place beyond the area the nearest one of it counts.
     SplineWeights(const Rect2d& area, const Size& controls, const Point2d& place);

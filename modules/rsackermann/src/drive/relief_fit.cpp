@@ -118,9 +118,9 @@ Eigen::SparseMatrix<double> slopesByControls(const std::vector<Deviation>& devia
     {
         const SplineWeights w(area, controls, deviations[i].place);
         for (int k = 0; k < along * along; k++)
-            entries.push_back(Eigen::Triplet<double>(int(i),
-                                                     (w.row + k / along) * controls.width + w.column + k % along,
-                                                     deviations[i].slope * w.y[k / along] * w.x[k % along]));
+            entries.push_back(
+                Eigen::Triplet<double>(int(i), (w.y.first + k / along) * controls.width + w.x.first + k % along,
+                                       deviations[i].slope * w.y.weights[k / along] * w.x.weights[k % along]));
     }
     Eigen::SparseMatrix<double> slopes(int(deviations.size()), controls.area());
     slopes.setFromTriplets(entries.begin(), entries.end());
