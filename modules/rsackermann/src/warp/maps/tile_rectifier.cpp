@@ -60,7 +60,8 @@ bool TileRectifier::isSmooth(const Rect& square) const
     Point2d low(DBL_MAX, DBL_MAX), high = -low;
     for (int k = 0; k < 4; k++)
     {
-        const Vec3d ray = upright * Vec3d(square.x + k % 2 * square.width, square.y + k / 2 * square.height, 1);
+        const Point corner(square.x + k % 2 * square.width, square.y + k / 2 * square.height);
+        const Vec3d ray = upright * Vec3d(corner.x, corner.y, 1);
         if (!(ray[2] > 0))
             return false;
         const Point2d cell = shutter.relief.cellOf(ray);
