@@ -204,9 +204,9 @@ TEST(RSAckermann_Relief, with_fine_cells)
 {
     const RollingShutterCamera camera = lensCamera(NO_LENS);
     AckermannMotion motion = motionFromMetric(camera, 0.2, 10, 3, 5, 0);
-    motion.relief = Mat::zeros(60, 100, CV_64F);
-    motion.relief.at<double>(20, 31) = 0.05;
-    motion.relief.at<double>(41, 77) = -0.05;
+    motion.relief = Mat::zeros(160, 240, CV_64F);
+    motion.relief.at<double>(50, 77) = 0.05;
+    motion.relief.at<double>(103, 181) = -0.05;
     motion.reliefArea = Rect2d(-0.5, -0.32, 1, 0.64);
     EXPECT_LT(largestError(camera, motion), 5e-4);
 }
@@ -438,6 +438,7 @@ TEST(RSAckermann_Relief, points_show_it)
         fitRelief(street.camera, street.sights(1500, 0.3, 0.1, rng), street.values, withMany);
         ASSERT_FALSE(withFew.relief.empty());
         ASSERT_LT(withFew.relief.total(), withMany.relief.total());
+        EXPECT_GT((withMany.relief.rows - 3) * (withMany.relief.cols - 3), 200) << "five points a cell";
         planes += street.error(withoutRelief(street.motion));
         few += street.error(withFew);
         many += street.error(withMany);
