@@ -148,10 +148,11 @@ Eigen::VectorXd solveControls(const std::vector<Deviation>& deviations, const Ei
             const double across = deviations[i].across;
             weights[i] = cauchyWeight((left[i] * left[i] + across * across) / variance, 1) / variance;
         }
-        const Eigen::SparseMatrix<double> information = slopes.transpose() * weights.asDiagonal() * slopes;
+        const Eigen::SparseMatrix<double> ofPoints = slopes.transpose() * weights.asDiagonal() * slopes,
+                                          information = ofPoints + prior;
         if (k == 0)
             solver.analyzePattern(information);
-        solver.factorize(information + prior);
+        solver.factorize(information);
         values = -solver.solve(slopes.transpose() * weights.cwiseProduct(along));
     }
     return values;

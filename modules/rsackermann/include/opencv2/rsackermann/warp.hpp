@@ -107,10 +107,9 @@ public:
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the global-shutter image and 0 elsewhere.
 
     A raw pixel sees the nearest plane along its ray, or infinity if the ray meets none, nearer or farther by the relief
-    of the motion. The planes surround the camera
-    without hiding one another, unless it passes a wall; rows at whose instant it would have done so are mapped to
-    (-16384, -16384), and so are pixels for which the lens model has no ray or whose place has a coordinate beyond
-    +-32767.
+    of the motion. The planes surround the camera without hiding one another, unless it passes a wall; rows at whose
+    instant it would have done so are mapped to (-16384, -16384), and so are pixels for which the lens model has no ray
+    or whose place has a coordinate beyond +-32767, or that could show two points of a steep relief.
      */
     CV_WRAP virtual void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2,
                                         int m1type = CV_32FC1, OutputArray mask = noArray()) const = 0;
