@@ -209,7 +209,7 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
         const float shift = (scale - 1) / 2.f; // centre of the first pixel of the small image
         for (size_t i = 0; i < found.size(); i++)
             found[i] = found[i] * float(scale) + Vec4f::all(shift);
-        if (isRefined)
+        if (isRefined || refinesAll)
         {
             // Ends that move across a segment hardly make it longer. The further away they are, the more steps it
             // takes.

@@ -16,12 +16,14 @@ Time counts here: nearly all that a correction takes is detection.
 -# Unless that is the image itself and LSD searches it, it is cut into strips, of which threads work off one each. Lines
 that are nearly vertical, which the estimation is about, are seldom cut. The strips depend on the size of the image, not
 on the number of threads.
--# The ends are then refined in the image itself; those of LSD in it already are as exact as that.
+-# The ends are then refined in the image itself. Those of LSD in it are nearly as exact: they lean by about a hundredth
+too little, which is nothing for one image and something for a calibration from many.
 */
 class SegmentFinder
 {
 public:
-    SegmentFinder() : scale(1) {}
+    //! @param refinesAll_ whether ends are refined that are nearly as exact already.
+    explicit SegmentFinder(bool refinesAll_ = false) : refinesAll(refinesAll_), scale(1) {}
 
     //! Arguments as in detectSegments().
     void find(InputArray image, int detector, double minLength, OutputArray segments);
@@ -46,6 +48,7 @@ private:
     void findInStrips(const Mat& image, int count, int detector, double minLength, double detectorScale);
     void keepLong(double minLength);
 
+    bool refinesAll;
     Mat gray8U, gray16U, half[2];
     Mat gray, small; // headers of one of these, or of the image
     int scale;

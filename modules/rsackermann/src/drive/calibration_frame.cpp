@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "../camera/axis_rotations.hpp"
 #include "calibration_frame.hpp"
+#include "../scene.hpp"
 #include "drive_terms.hpp"
 #include <Eigen/Cholesky>
 
@@ -37,13 +38,12 @@ static double later(double interval, double givenUnit, double unit)
 }
 
 FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale,
-                           double pointSigma, double slantSigma)
+                           const ResidualSigmas& sigmas_)
     : heading(camera.heading + mount[MOUNT_HEADING]),
       unit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_PASSING])), givenUnit(camera.secondsPerUnitTime()),
       focal(camera.cameraMatrix(0, 0)), turning(std::exp(mount[MOUNT_DELAY] - mount[MOUNT_PASSING])),
       residual(heading, unit, focal), turned(heading + STEP, unit, focal), slower(heading, unit * (1 + STEP), focal),
-      pointLoss(pointScale), pointVariance(POINT_SIGMA * POINT_SIGMA * pointSigma * pointSigma),
-      slantWeight(1 / (slantSigma * slantSigma))
+      pointLoss(pointScale), sigmas(sigmas_)
 {
 }
 
@@ -68,9 +68,63 @@ static Model imageMotion(const FrameVector& value, double unit, double turning,
     return m;
 }
 
-PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame) const
+PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame,
+                                    Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian) const
 {
-    return PreparedModel(imageMotion(frame.value, unit, turning, 0), heading);
+    return PreparedModel(imageMotion(frame.value, unit, turning, jacobian), heading);
+}
+
+// Pixels by which a point is elsewhere in the other image if it is nearer than its plane by a usual deviation.
+Point2d FrameProblem::byDepth(const Sight& sight, const double* values) const
+{
+    const double step = 0.01; // usual deviations
+    FlowResidual::View view = residual.look(sight, values);
+    const Point2d onPlane = residual.miss(sight, values, view);
+    view.inverseDepth += step * values[DRIVE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2];
+    return (residual.miss(sight, values, view) - onPlane) * (1 / step);
+}
+
+// By how much a vertical leans otherwise if it is nearer than its wall by a usual deviation, in usual sigmas.
+double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFrame& frame, const PreparedModel& model,
+                                  const Matx<double, PARAMETERS, DRIVE_VALUES>& byValues) const
+{
+    const double grazing = 0.05; // of a wall as seen from the camera; there is hardly a vertical
+    int plane;
+    verticalResidual(c, model, plane, 0);
+    if (plane != Scene::LEFT_WALL && plane != Scene::RIGHT_WALL)
+        return 0;
+    Vec<double, PARAMETERS> byParameters;
+    slantInSigmas(c, model, focal, byParameters.val);
+    const DriveVector by = byValues.t() * byParameters;
+    // The inverse depth of a wall is its inverse distance times this.
+    const double direction = frame.value[DRIVE_DIRECTION],
+                 across = std::abs(std::sin(direction) - std::cos(direction) * 0.5 * (c.u[0] + c.v[0]));
+    return by[plane == Scene::LEFT_WALL ? DRIVE_LEFT : DRIVE_RIGHT] * DEVIATION_SIGMA / std::max(across, grazing);
+}
+
+void FrameProblem::weigh(CalibrationFrame& frame) const
+{
+    const Matx33d R = tilt(frame.value);
+    const double shift = later(frame.interval, givenUnit, unit);
+    const double pointSigma = POINT_SIGMA * sigmas.points;
+    frame.pointWeights.clear();
+    for (size_t i = 0; i < frame.sights.size(); i++)
+    {
+        // The inverse square root of the covariance pointSigma^2 I + d d^T
+        const Point2d d = sigmas.depths * byDepth(changed(frame.sights[i], R, shift), frame.value.data());
+        const double inverse = 1 / pointSigma, squared = d.dot(d),
+                     less = squared > 0 ? (inverse - 1 / std::hypot(pointSigma, norm(d))) / squared : 0;
+        frame.pointWeights.push_back(Matx22d(inverse - less * d.x * d.x, -less * d.x * d.y, //
+                                             -less * d.x * d.y, inverse - less * d.y * d.y));
+    }
+    Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+    const PreparedModel model = modelOf(frame, &byValues);
+    frame.slantWeights.clear();
+    for (size_t i = 0; i < frame.verticals.size(); i++)
+    {
+        const double uncertain = sigmas.depths * slantByDepth(frame.verticals[i], frame, model, byValues);
+        frame.slantWeights.push_back(1 / std::hypot(sigmas.slants, uncertain));
+    }
 }
 
 double FrameProblem::cost(const CalibrationFrame& frame) const
@@ -80,14 +134,15 @@ double FrameProblem::cost(const CalibrationFrame& frame) const
     double points = 0, slants = 0, known = 0;
     for (size_t i = 0; i < frame.sights.size(); i++)
     {
-        const Point2d r = residual.evaluate(changed(frame.sights[i], R, shift), frame.value.data(), 0);
-        points += cauchyLoss(r.dot(r) / pointVariance, pointLoss);
+        const Point2d r =
+            frame.pointWeights[i] * residual.evaluate(changed(frame.sights[i], R, shift), frame.value.data(), 0);
+        points += cauchyLoss(r.dot(r), pointLoss);
     }
     const PreparedModel model = modelOf(frame);
     for (size_t i = 0; i < frame.verticals.size(); i++)
     {
-        const double r = slantInSigmas(frame.verticals[i], model, focal, 0);
-        slants += cauchyLoss(r * r * slantWeight, SLANT_SCALE);
+        const double r = frame.slantWeights[i] * slantInSigmas(frame.verticals[i], model, focal, 0);
+        slants += cauchyLoss(r * r, SLANT_SCALE);
     }
     for (int i = 0; i < SCENE_VALUES; i++)
     {
@@ -98,16 +153,34 @@ double FrameProblem::cost(const CalibrationFrame& frame) const
     return points / POINT_DEPENDENCE + slants / SLANT_DEPENDENCE + known;
 }
 
-void FrameProblem::addResiduals(const CalibrationFrame& frame, std::vector<double>& points,
-                                std::vector<double>& slants) const
+void FrameProblem::addMisses(const CalibrationFrame& frame, std::vector<double>& across,
+                             std::vector<DepthResidual>& along) const
 {
     const Matx33d R = tilt(frame.value);
     const double shift = later(frame.interval, givenUnit, unit);
     for (size_t i = 0; i < frame.sights.size(); i++)
-        points.push_back(norm(residual.evaluate(changed(frame.sights[i], R, shift), frame.value.data(), 0)));
-    const PreparedModel model = modelOf(frame);
+    {
+        const Sight now = changed(frame.sights[i], R, shift);
+        const Point2d d = byDepth(now, frame.value.data()), r = residual.evaluate(now, frame.value.data(), 0);
+        const double length = norm(d);
+        if (!(length > 0))
+            continue;
+        const DepthResidual a = {std::abs(r.dot(d)) / length, length};
+        across.push_back(std::abs(r.cross(d)) / length);
+        along.push_back(a);
+    }
+}
+
+void FrameProblem::addSlants(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const
+{
+    Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+    const PreparedModel model = modelOf(frame, &byValues);
     for (size_t i = 0; i < frame.verticals.size(); i++)
-        slants.push_back(std::abs(slantInSigmas(frame.verticals[i], model, focal, 0)));
+    {
+        const DepthResidual slant = {std::abs(slantInSigmas(frame.verticals[i], model, focal, 0)),
+                                     slantByDepth(frame.verticals[i], frame, model, byValues)};
+        slants.push_back(slant);
+    }
 }
 
 void FrameProblem::addPoints(const CalibrationFrame& frame, Information& information, Gradient& gradient) const
@@ -137,9 +210,12 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, Information& informa
         J.row(HEADING_COLUMN) << byHeading.x / STEP, byHeading.y / STEP;
         J.row(DELAY_COLUMN).setZero();
         J.row(PASSING_COLUMN) << byPassing.x / STEP, byPassing.y / STEP;
-        const double weight = cauchyWeight(squared / pointVariance, pointLoss) / pointVariance / POINT_DEPENDENCE;
+        const Eigen::Map<const Eigen::Matrix2d> factor(frame.pointWeights[i].val);
+        const Eigen::Vector2d weighed = factor * Eigen::Vector2d(r.x, r.y);
+        J = (J * factor).eval();
+        const double weight = cauchyWeight(weighed.squaredNorm(), pointLoss) / POINT_DEPENDENCE;
         information.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
-        gradient += weight * (J * Eigen::Vector2d(r.x, r.y));
+        gradient += weight * (J * weighed);
     }
 }
 
@@ -161,7 +237,8 @@ void FrameProblem::addVerticals(const CalibrationFrame& frame, Information& info
         J[HEADING_COLUMN] = (slantInSigmas(c, turnedModel, focal, 0) - r) / STEP;
         J[DELAY_COLUMN] = byParameters[P_ALPHA] * motion[P_ALPHA];
         J[PASSING_COLUMN] = (slantInSigmas(c, slowerModel, focal, 0) - r) / STEP;
-        const double weight = cauchyWeight(r * r * slantWeight, SLANT_SCALE) * slantWeight / SLANT_DEPENDENCE;
+        const double squared = frame.slantWeights[i] * frame.slantWeights[i],
+                     weight = cauchyWeight(r * r * squared, SLANT_SCALE) * squared / SLANT_DEPENDENCE;
         information.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
         gradient += weight * r * J;
     }

@@ -28,6 +28,18 @@ typedef Eigen::Matrix<double, MOUNT_VALUES, MOUNT_VALUES> MountMatrix;
 enum { FRAME_VALUES = FLOW_ROLL_BEFORE + 1, SCENE_VALUES = DRIVE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
 typedef Eigen::Matrix<double, FRAME_VALUES, 1> FrameVector;
 
+//! Standard deviations of residuals, over the usual ones.
+struct ResidualSigmas
+{
+    double points, slants, depths;
+};
+
+//! An absolute residual, and by what a usual deviation of the depth changes it.
+struct DepthResidual
+{
+    double value, byDepth;
+};
+
 //! How a frame is seen, and its evidence.
 struct CalibrationFrame
 {
@@ -36,6 +48,9 @@ struct CalibrationFrame
     std::vector<UprightSegment> verticals;
     FrameVector value; //!< unknowns of the frame, with the whole corrections of roll and pitch
     double expected[SCENE_VALUES], sigma[SCENE_VALUES]; //!< of the first of them, as known before
+    // By what residuals are multiplied: see FrameProblem::weigh().
+    std::vector<Matx22d> pointWeights; // symmetric
+    std::vector<double> slantWeights;
 };
 
 //! Values of the mount on which the residuals of a frame depend: the last ones. Roll and pitch are in the frame's own
@@ -65,15 +80,21 @@ struct FrameEquations
 class FrameProblem
 {
 public:
-    //! @param pointSigma, slantSigma of the residuals, over the usual ones.
-    FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale, double pointSigma,
-                 double slantSigma);
+    FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale,
+                 const ResidualSigmas& sigmas);
 
+    /** Sets the weights of a frame's residuals by what it is thought to be. A point that isn't on its plane is seen
+    elsewhere along one line, and a vertical leans otherwise: by as much they are uncertain. */
+    void weigh(CalibrationFrame& frame) const;
+
+    // These take the weights as they are.
     double cost(const CalibrationFrame& frame) const;
     FrameEquations equations(const CalibrationFrame& frame) const;
 
-    //! Adds the absolute residuals of the points in pixels and of the verticals in sigmas.
-    void addResiduals(const CalibrationFrame& frame, std::vector<double>& points, std::vector<double>& slants) const;
+    //! Adds residuals of points across that line and along it, in pixels.
+    void addMisses(const CalibrationFrame& frame, std::vector<double>& across, std::vector<DepthResidual>& along) const;
+    //! Adds residuals of verticals, in usual sigmas.
+    void addSlants(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const;
 
 private:
     enum { COLUMNS = FRAME_VALUES + SHARED_VALUES };
@@ -82,12 +103,16 @@ private:
 
     void addPoints(const CalibrationFrame& frame, Information& information, Gradient& gradient) const;
     void addVerticals(const CalibrationFrame& frame, Information& information, Gradient& gradient) const;
-    PreparedModel modelOf(const CalibrationFrame& frame) const;
+    PreparedModel modelOf(const CalibrationFrame& frame, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian = 0) const;
+    Point2d byDepth(const Sight& sight, const double* values) const;
+    double slantByDepth(const UprightSegment& vertical, const CalibrationFrame& frame, const PreparedModel& model,
+                        const Matx<double, PARAMETERS, DRIVE_VALUES>& byValues) const;
 
     double heading, unit, givenUnit, focal; // unit: as the passing of the scene shows it
     double turning;                         // the unit as the turning shows it, over that
     FlowResidual residual, turned, slower;  // of this heading and line delay, and of slightly larger ones
-    double pointLoss, pointVariance, slantWeight;
+    double pointLoss;
+    ResidualSigmas sigmas;
 };
 
 }} // namespace cv::rsackermann

@@ -178,7 +178,7 @@ public:
     {
         CV_INSTRUMENT_REGION();
         const MountVector before = sigmaBefore();
-        MountFit fit = {MountVector::Zero(), before.cwiseProduct(before).asDiagonal(), before[MOUNT_DELAY]};
+        MountFit fit = {MountVector::Zero(), before, before[MOUNT_DELAY]};
         if (!frames.empty())
         {
             std::vector<CalibrationFrame> fitted = frames;
@@ -323,7 +323,7 @@ private:
         MountCalibration c;
         c.frames = int(frames.size());
         c.camera = given;
-        const MountVector sigma = fit.covariance.diagonal().cwiseSqrt();
+        const MountVector& sigma = fit.sigma;
         c.rollObserved = isObserved(sigma, before, MOUNT_ROLL);
         c.pitchObserved = isObserved(sigma, before, MOUNT_PITCH);
         c.headingObserved = isObserved(sigma, before, MOUNT_HEADING);
@@ -355,7 +355,7 @@ private:
     RollingShutterCamera given, start; // start: with a line delay
     Params params;
     AckermannEstimator::Params gates; // of segments and of the fit of a frame
-    SegmentFinder finder;
+    SegmentFinder finder{true};
     PointTracker tracker{COARSE_PIXELS};
     std::vector<PointPair> pairs;
     Mat found;

@@ -16,14 +16,17 @@ static const double SAME_TURN = 0.02 * CV_PI / 180;
 static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180;
 static const double YAW_CHANGE_MEMORY = 0.5; // seconds
 static const double SAME_TIME = 1e-6;        // seconds
-static const double SAME_DELAY = 0.03;       // relative; error of the line delay if the scene isn't plane
-// Cars slip on a crowned road, tilts turn the direction from which it counts, streets aren't plane
-static const double HEADING_SIGMA = 0.1 * CV_PI / 180;
+static const double SAME_DELAY = 0.01;       // relative; more than deviations of the depth make of it
+// By which the direction in which a car goes, which shows heading and pitch, is another one than that of its axis and
+// its road: cars slip on a crowned road, load and speed tilt them, streets aren't plane
+static const double DIRECTION_SIGMA = 0.1 * CV_PI / 180;
 // Hz; what frames err together is slower, or faster and without effect on the mean
 static const double SLOW = 0.3;
 static const int LEAST_WAVES = 4;
 static const double ASSUMED_FRAMES = 3; // as many count as the weights say
-static const double LEAST_SIGMA = 0.15; // of residuals, over the usual ones
+static const double MEDIAN = 0.67;      // of a normal distribution's absolute value, in sigmas
+// Of residuals, over the usual ones: points are tracked to some hundredths of a pixel at best
+static const double LEAST_POINT_SIGMA = 0.03, LEAST_SLANT_SIGMA = 0.15;
 
 namespace {
 
@@ -51,13 +54,16 @@ class MountProblem
 public:
     MountProblem(const RollingShutterCamera& camera_, std::vector<CalibrationFrame>& frames_, const MountVector& sigma_,
                  const Suspension& suspension_)
-        : camera(camera_), frames(frames_), sigma(sigma_), suspension(suspension_), mount(MountVector::Zero()),
-          pointSigma(1), slantSigma(1)
+        : camera(camera_), frames(frames_), sigma(sigma_), suspension(suspension_),
+          mount(MountVector::Zero()), sigmas{1, 1, 1}
     {
     }
 
     void refine(double scale)
     {
+        const FrameProblem problem(camera, mount, scale, sigmas);
+        for (size_t k = 0; k < frames.size(); k++)
+            problem.weigh(frames[k]);
         double least = cost(scale);
         for (int i = 0; i < ITERATIONS && step(scale, least); i++)
             ;
@@ -66,34 +72,59 @@ public:
     // How much points and verticals of this drive really err.
     void learnSigmas()
     {
-        const FrameProblem problem(camera, mount, 1, 1, 1);
-        std::vector<double> points, slants;
+        const FrameProblem problem(camera, mount, 1, sigmas);
+        std::vector<double> across;
+        std::vector<DepthResidual> along, slants;
         for (size_t k = 0; k < frames.size(); k++)
-            problem.addResiduals(frames[k], points, slants);
-        // A Rayleigh distribution's median is 1.18 sigma, that of a normal distribution's absolute value 0.67.
-        pointSigma = relativeSigma(points, 1.18 * POINT_SIGMA);
-        slantSigma = relativeSigma(slants, 0.67);
+        {
+            problem.addMisses(frames[k], across, along);
+            problem.addSlants(frames[k], slants);
+        }
+        if (!across.empty())
+            sigmas.points = std::min(std::max(median(across) / (MEDIAN * POINT_SIGMA), LEAST_POINT_SIGMA), 1.);
+        sigmas.depths = learn(
+            along, 0, [&](double depths, double by) { return std::hypot(POINT_SIGMA * sigmas.points, depths * by); });
+        sigmas.slants = learn(slants, LEAST_SLANT_SIGMA,
+                              [&](double slant, double by) { return std::hypot(slant, sigmas.depths * by); });
     }
 
-    MountFit result()
+    MountFit result(double scale)
     {
-        linearize(1);
+        linearize(scale);
+        const MountMatrix inverse = reduced.inverse(), covariance = inverse * (scatter() + prior()) * inverse;
         MountFit fit;
         fit.value = mount;
-        const MountMatrix inverse = reduced.inverse();
-        fit.covariance = inverse * (scatter() + prior()) * inverse;
-        fit.covariance(MOUNT_HEADING, MOUNT_HEADING) += HEADING_SIGMA * HEADING_SIGMA;
+        fit.sigma = covariance.diagonal().cwiseSqrt();
         fit.turningSigma = std::sqrt(MountMatrix((reduced - sameDelay()).inverse())(MOUNT_DELAY, MOUNT_DELAY));
+        takeMeanTilts(fit);
+        fit.sigma[MOUNT_HEADING] = std::hypot(fit.sigma[MOUNT_HEADING], DIRECTION_SIGMA);
+        fit.sigma[MOUNT_PITCH] = std::hypot(fit.sigma[MOUNT_PITCH], DIRECTION_SIGMA);
         return fit;
     }
 
 private:
-    static double relativeSigma(std::vector<double>& residuals, double medianOfUsual)
+    static double median(std::vector<double>& values)
     {
-        if (residuals.empty())
-            return 1;
-        std::nth_element(residuals.begin(), residuals.begin() + residuals.size() / 2, residuals.end());
-        return std::min(std::max(residuals[residuals.size() / 2] / medianOfUsual, LEAST_SIGMA), 1.);
+        std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+        return values[values.size() / 2];
+    }
+
+    // The value up to 1 with which residuals have the median of a normal distribution of the standard deviations
+    // sigmaOf(value, byDepth), which grow with it.
+    template <class SigmaOf>
+    static double learn(const std::vector<DepthResidual>& residuals, double least, const SigmaOf& sigmaOf)
+    {
+        const int halvings = 10;
+        double low = least, high = 1;
+        std::vector<double> values(residuals.size());
+        for (int i = 0; i < halvings && !residuals.empty(); i++)
+        {
+            const double middle = (low + high) / 2;
+            for (size_t k = 0; k < residuals.size(); k++)
+                values[k] = residuals[k].value / sigmaOf(middle, residuals[k].byDepth);
+            (median(values) > MEDIAN ? low : high) = middle;
+        }
+        return high;
     }
 
     MountMatrix prior() const
@@ -169,7 +200,7 @@ private:
 
     double cost(double scale) const
     {
-        const FrameProblem problem(camera, mount, scale, pointSigma, slantSigma);
+        const FrameProblem problem(camera, mount, scale, sigmas);
         double sum = mount.dot(prior() * mount);
         std::vector<LinearTerm> terms;
         for (size_t k = 0; k < frames.size(); k++)
@@ -186,7 +217,7 @@ private:
     void linearize(double scale)
     {
         const int unknowns = unknownOf(frames.size(), 0);
-        const FrameProblem problem(camera, mount, scale, pointSigma, slantSigma);
+        const FrameProblem problem(camera, mount, scale, sigmas);
         std::vector<Eigen::Triplet<double>> entries;
         Vector gradient = Vector::Zero(unknowns);
         ByMount mixed = ByMount::Zero(unknowns, int(MOUNT_VALUES));
@@ -313,29 +344,66 @@ private:
         return result;
     }
 
-    /* Covariance of the sum of all pulls as they really scatter, whatever connects them: that of their slowest
-    oscillations, the cosines of half a period and more over the drive. The information of the weights joins it as some
-    more frames would. */
+    // Of the sum of all pulls. The information of the weights joins it as some more frames would.
     MountMatrix scatter() const
     {
         const std::vector<MountVector> pull = pulls();
-        const size_t n = pull.size();
+        const double n = double(pull.size()), more = ASSUMED_FRAMES / (n + ASSUMED_FRAMES);
+        return (1 - more) * covarianceOfSum(pull, 0) + more * (reduced - prior());
+    }
+
+    /* Covariance of the sum of what each frame says as it really scatters, whatever connects frames: that of its
+    slowest oscillations, the cosines of half a period and more over the drive.
+    @param memory seconds after which values that wander have come back; what a drive is too short for to show counts
+    as well. */
+    template <class V>
+    Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> covarianceOfSum(const std::vector<V>& values,
+                                                                                      double memory) const
+    {
+        const size_t n = values.size();
         double seconds = 0;
         for (size_t k = 0; k < n; k++)
             seconds += frames[k].interval;
         const int waves = std::max(LEAST_WAVES, int(seconds * 2 * SLOW));
-        MountMatrix sum = MountMatrix::Zero();
+        Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> sum;
+        sum.setZero();
         for (int j = 1; j <= waves; j++)
         {
-            MountVector wave = MountVector::Zero();
+            V wave = V::Zero();
             for (size_t k = 0; k < n; k++)
-                wave += std::cos(CV_PI * j * (double(k) + 0.5) / double(n)) * pull[k];
-            sum += 2 * wave * wave.transpose();
+                wave += std::cos(CV_PI * j * (double(k) + 0.5) / double(n)) * values[k];
+            const double angle = CV_PI * j / seconds * memory;
+            sum += 2 * (1 + angle * angle) * wave * wave.transpose();
         }
         // So few of them leave the variance itself uncertain: that of Student's t distribution.
-        sum /= waves - 2;
-        const double more = ASSUMED_FRAMES / (double(n) + ASSUMED_FRAMES);
-        return (1 - more) * sum + more * (reduced - prior());
+        return sum / (waves - 2);
+    }
+
+    /* The mount's roll and pitch are the means of what the frames show. By the suspension's assumed memory frames at
+    the ends would count more; the mean is nearly as good if cars sway like that, and doesn't rest on it. */
+    void takeMeanTilts(MountFit& fit) const
+    {
+        const double n = double(frames.size());
+        const int tilts[] = {FrameEquations::ROLL, FrameEquations::PITCH}, mounts[] = {MOUNT_ROLL, MOUNT_PITCH};
+        std::vector<Eigen::Vector2d> shown(frames.size());
+        Eigen::Vector2d sum(0, 0), followed(0, 0);
+        for (size_t k = 0; k < frames.size(); k++)
+        {
+            for (int i = 0; i < 2; i++)
+            {
+                shown[k][i] = frames[k].value[SCENE_VALUES + tilts[i]];
+                followed[i] -= localByMount(unknownOf(k, tilts[i]), mounts[i]);
+            }
+            sum += shown[k];
+        }
+        const Eigen::Matrix2d covariance = covarianceOfSum(shown, suspension.memory) / (n * n);
+        for (int i = 0; i < 2; i++)
+        {
+            // Tilts that frames don't show are those of the mount.
+            const double ofMount = followed[i] / n * fit.sigma[mounts[i]];
+            fit.value[mounts[i]] = sum[i] / n;
+            fit.sigma[mounts[i]] = std::sqrt(covariance(i, i) + ofMount * ofMount);
+        }
     }
 
     const RollingShutterCamera& camera;
@@ -343,7 +411,7 @@ private:
     const MountVector sigma;
     const Suspension suspension;
     MountVector mount;
-    double pointSigma, slantSigma;
+    ResidualSigmas sigmas;
 
     // of the last linearization
     std::vector<FrameEquations> equations;
@@ -358,12 +426,13 @@ private:
 MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma,
                   const Suspension& suspension)
 {
+    const double LAST_SCALE = 2;
     MountProblem problem(camera, frames, sigma, suspension);
     problem.refine(3);
     problem.refine(1);
     problem.learnSigmas();
-    problem.refine(2);
-    return problem.result();
+    problem.refine(LAST_SCALE);
+    return problem.result(LAST_SCALE);
 }
 
 }} // namespace cv::rsackermann

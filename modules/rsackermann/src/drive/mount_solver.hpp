@@ -19,9 +19,8 @@ struct Suspension
 //! The mount as the frames show it.
 struct MountFit
 {
-    MountVector value;
-    MountMatrix covariance;
-    double turningSigma; //!< standard deviation of MOUNT_DELAY without the evidence of the passing scene
+    MountVector value, sigma; //!< and their standard deviations
+    double turningSigma;      //!< standard deviation of MOUNT_DELAY without the evidence of the passing scene
 };
 
 /** Explains all frames of a drive by one mount and one line delay (doc/theory.md, "Self-calibration").

@@ -12,8 +12,6 @@
 
 namespace cv { namespace rsackermann {
 
-// 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
-static const double DEVIATION_SIGMA = 0.03;
 static const int REWEIGHTINGS = 3; // by the robust loss
 static const double IN_FRONT = 0.1;
 static const double WIDEST = 2; // x and y in the upright frame up to which there are cells
