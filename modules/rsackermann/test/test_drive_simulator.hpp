@@ -46,7 +46,7 @@ public:
     {
         Options()
             : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), points(150), segments(40), noise(0.3), endNoise(0.3),
-              outliers(0.1), clutter(0.1)
+              outliers(0.1), clutter(0.1), unevenness(0)
         {
         }
         double yawRate;           // rad/s, standard deviation
@@ -55,6 +55,7 @@ public:
         double noise;             // pixels, of a tracked point
         double endNoise;          // pixels, of the ends of a segment
         double outliers, clutter; // shares of points and of segments
+        double unevenness;        // 1/m, standard deviation of the points' inverse depth from that of their surface
     };
 
     //! The views of a camera of the car and the measurements of the car at a time.
@@ -124,9 +125,13 @@ private:
         const double t = now.time(pixel);
         const Vec3d place = now.drive.position(t), ray = now.drive.turn(now.bearing(pixel), t);
         const Surface surface = now.street.first(place, ray);
+        if (surface == NOTHING)
+            return false;
+        double inverse = 1 / now.street.distance(surface, place, ray);
+        if (options.unevenness > 0)
+            inverse += rng.gaussian(options.unevenness);
         Point2d past;
-        if (surface == NOTHING ||
-            !before.project(now.drive.toCamera(place + now.street.distance(surface, place, ray) * ray, -T), past))
+        if (inverse <= 0 || !before.project(now.drive.toCamera(place + ray * (1 / inverse), -T), past))
             return false;
         past += gaussianPoint(rng, options.noise);
         if (rng.uniform(0., 1.) < options.outliers)
