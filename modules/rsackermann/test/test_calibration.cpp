@@ -95,6 +95,29 @@ TEST(RSAckermann_Calibration, scene_is_uneven)
     }
 }
 
+TEST(RSAckermann_Calibration, mount_is_the_mean_of_the_drive)
+{
+    const int frames = 120;
+    StreetDrive::Options options;
+    options.tilt = 0.5 * degree;
+    for (int i = 0; i < 4; i++)
+    {
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+        StreetDrive street(mounted(1.2), ROLL, PITCH, options, 40 + i);
+        double roll = 0, pitch = 0;
+        for (int k = 0; k < frames; k++)
+        {
+            const StreetDrive::Frame f = street.frame(k / 30., 1 / 30.);
+            calibrator->addPoints(f.points, f.segments, f.seconds);
+            roll += f.roll / frames;
+            pitch += f.pitch / frames;
+        }
+        const MountCalibration c = calibrator->calibrate();
+        EXPECT_NEAR(roll / degree, c.roll / degree, 0.02) << i;
+        EXPECT_NEAR(pitch / degree, c.pitch / degree, 0.02) << i;
+    }
+}
+
 TEST(RSAckermann_Calibration, sigmas_cover_the_errors)
 {
     int within = 0, count = 0;

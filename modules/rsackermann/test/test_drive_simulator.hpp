@@ -62,8 +62,8 @@ public:
     struct Frame
     {
         double seconds;
-        Mat points, segments;  // N x 4
-        double yawRate, speed; // true ones
+        Mat points, segments;               // N x 4
+        double yawRate, speed, roll, pitch; // true ones
     };
 
     StreetDrive(const cv::rsackermann::RollingShutterCamera& camera_, double roll_, double pitch_,
@@ -80,6 +80,8 @@ public:
         f.seconds = seconds;
         f.yawRate = yawRate.at(seconds);
         f.speed = speedAt(seconds);
+        f.roll = rollAt(seconds);
+        f.pitch = pitchAt(seconds);
         const Simulator now = simulator(seconds), before = simulator(seconds - interval);
         std::vector<Vec4d> pairs;
         for (int i = 0; i < options.points; i++)
@@ -101,10 +103,12 @@ private:
     cv::rsackermann::RollingShutterCamera tilted(double seconds) const
     {
         cv::rsackermann::RollingShutterCamera c = camera;
-        c.setRollPitch(roll + swayRoll.at(seconds), pitch + swayPitch.at(seconds));
+        c.setRollPitch(rollAt(seconds), pitchAt(seconds));
         return c;
     }
 
+    double rollAt(double seconds) const { return roll + swayRoll.at(seconds); }
+    double pitchAt(double seconds) const { return pitch + swayPitch.at(seconds); }
     double speedAt(double seconds) const { return 11 + speed.at(seconds); }
 
     Simulator simulator(double seconds) const
