@@ -11,11 +11,11 @@
 namespace cv { namespace rsackermann {
 
 // How the residuals of points and verticals are weighed; doc/theory.md, "Drive", has the reasons.
-const double AGREES = 4;                         //!< sigmas by which a point of the scene may miss its planes
-const double POINT_DEPENDENCE = 5;               //!< neighbouring points err together
-const double END_SIGMA = 0.5;                    //!< pixels, of a vertical's slant in the image
-const double SLANT_SCALE = 2;                    //!< of the robust loss, in sigmas
-const double SLANT_DEPENDENCE = 5;               //!< verticals of one facade err together
+const double AGREES = 4;           //!< sigmas by which a point of the scene may miss its planes
+const double POINT_DEPENDENCE = 5; //!< neighbouring points err together
+const double END_SIGMA = 0.5;      //!< pixels, of a vertical's slant in the image
+const double SLANT_SCALE = 2;      //!< of the robust loss, in sigmas
+const double SLANT_DEPENDENCE = 5; //!< verticals of one facade err together
 //! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
 const double DEVIATION_SIGMA = 0.03;
 const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars steer usually: two frames hardly tell it
