@@ -21,7 +21,7 @@ fi
 
 # Tests of the module that are statistics of thousands of estimates, drives or streets, of code that other tests run,
 # too: left out where tests are slow.
-tests_statistics='*Calibration*mount_and_line_delay*:*Calibration.sigmas*:*Covariance.is_that_of*'
+tests_statistics='*Calibration*mount_and_line_delay*:*Calibration.scene*:*Calibration.sigmas*:*Covariance.is_that_of*'
 tests_statistics+=':*EstimatorPassage.noisy*:*Posterior.improves*'
 
 die()
