@@ -4,8 +4,8 @@
 
 #include "../precomp.hpp"
 #include "../camera/axis_rotations.hpp"
-#include "calibration_frame.hpp"
 #include "../scene.hpp"
+#include "calibration_frame.hpp"
 #include "drive_terms.hpp"
 #include <Eigen/Cholesky>
 
