@@ -423,14 +423,20 @@ TEST(RSAckermann_Drive, derivatives_of_the_model)
     }
 }
 
+Mat randomTexture(const Size& size, double blur)
+{
+    RNG rng(11);
+    Mat noise(size, CV_8U), texture;
+    rng.fill(noise, RNG::UNIFORM, 0, 256);
+    GaussianBlur(noise, texture, Size(), blur);
+    normalize(texture, texture, 0, 255, NORM_MINMAX);
+    return texture;
+}
+
 TEST(RSAckermann_Drive, points_are_tracked)
 {
     // A texture that is shifted by whole pixels, in an image that is searched in a quarter of its size.
-    RNG rng(11);
-    Mat noise(600, 1100, CV_8U), texture;
-    rng.fill(noise, RNG::UNIFORM, 0, 256);
-    GaussianBlur(noise, texture, Size(), 3);
-    normalize(texture, texture, 0, 255, NORM_MINMAX);
+    const Mat texture = randomTexture(Size(1100, 600), 3);
     const Point shift(24, -10);
     PointTracker tracker(COARSE_PIXELS);
     std::vector<PointPair> pairs;
@@ -445,6 +451,26 @@ TEST(RSAckermann_Drive, points_are_tracked)
     tracker.reset();
     tracker.track(texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);
     EXPECT_TRUE(pairs.empty());
+}
+
+// What a car comes nearer to isn't shifted as a whole: a displacement belongs to what has the texture of its window.
+TEST(RSAckermann_Drive, points_are_where_their_displacement_is)
+{
+    const Mat before = randomTexture(Size(640, 400), 1.5);
+    const double grown = 1.08;
+    const Point2d centre(319.5, 199.5);
+    const Matx23d growth(grown, 0, (1 - grown) * centre.x, 0, grown, (1 - grown) * centre.y);
+    Mat now;
+    warpAffine(before, now, growth, before.size(), INTER_CUBIC, BORDER_REFLECT);
+    PointTracker tracker(COARSE_PIXELS);
+    std::vector<PointPair> pairs;
+    tracker.track(before, 1, pairs);
+    tracker.track(now, 1, pairs);
+    ASSERT_GT(pairs.size(), 500u);
+    std::vector<double> errors;
+    for (size_t i = 0; i < pairs.size(); i++)
+        errors.push_back(cv::norm((pairs[i].now - centre) * (1 / grown) + centre - pairs[i].other));
+    EXPECT_LT(median(errors), 0.05);
 }
 
 }} // namespace

@@ -55,25 +55,53 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
     return halvings;
 }
 
+/* Where the displacement is that of the point's window. The tracker minimizes the squares of differences of intensity,
+so that the displacements of its pixels, d + a (x - centre) in what comes nearer, count with the matrix g g^T of the
+gradient g: it finds d for centre = (sum g g^T)^-1 sum g g^T x. */
+Point2f PointTracker::centreOf(const Point2f& point) const
+{
+    const Mat& gradients = now[1];
+    const Rect window = Rect(cvFloor(point.x) - WINDOW / 2, cvFloor(point.y) - WINDOW / 2, WINDOW + 1, WINDOW + 1) &
+                        Rect(Point(), gradients.size());
+    Matx22d sum = Matx22d::eye() * 1e-9; // there may be no texture
+    Vec2d moment;
+    for (int y = window.y; y < window.br().y; y++)
+        for (int x = window.x; x < window.br().x; x++)
+        {
+            const Vec2d gradient = gradients.at<Vec2s>(y, x);
+            const Matx22d weight = gradient * gradient.t();
+            sum += weight;
+            moment += weight * Vec2d(x - point.x, y - point.y);
+        }
+    const Vec2d offset = sum.inv() * moment;
+    return point + Point2f(float(offset[0]), float(offset[1]));
+}
+
 // The points that are found in another image, from where they are followed back.
-void PointTracker::follow(const std::vector<Mat>& from, const std::vector<Mat>& to, std::vector<PointPair>& pairs)
+void PointTracker::follow(const std::vector<Mat>& to, std::vector<PointPair>& pairs)
 {
     pairs.clear();
-    if (points.empty() || to.empty() || from[0].size() != to[0].size())
+    if (points.empty() || to.empty() || now[0].size() != to[0].size())
         return;
     const Size window(WINDOW, WINDOW);
     const TermCriteria criteria(TermCriteria::COUNT + TermCriteria::EPS, 10, 0.03);
-    calcOpticalFlowPyrLK(from, to, points, there, found, error, window, levels, criteria);
+    calcOpticalFlowPyrLK(now, to, points, there, found, error, window, levels, criteria);
     returned = points;
-    calcOpticalFlowPyrLK(to, from, there, returned, foundAgain, error, window, 1, criteria, OPTFLOW_USE_INITIAL_FLOW);
+    calcOpticalFlowPyrLK(to, now, there, returned, foundAgain, error, window, 1, criteria, OPTFLOW_USE_INITIAL_FLOW);
     const double shift = (scale - 1) / 2.; // centre of the first pixel of the small image
     const Point2d origin(shift, shift);
+    const Rect2d inside(0, 0, now[0].cols - 1, now[0].rows - 1);
     for (size_t i = 0; i < points.size(); i++)
-        if (found[i] && foundAgain[i] && norm(returned[i] - points[i]) < RETURN)
-        {
-            const PointPair pair = {Point2d(there[i]) * scale + origin, Point2d(points[i]) * scale + origin};
-            pairs.push_back(pair);
-        }
+    {
+        if (!found[i] || !foundAgain[i] || norm(returned[i] - points[i]) >= RETURN)
+            continue;
+        const Point2d centre = centreOf(points[i]), other = centre + Point2d(there[i] - points[i]);
+        // Texture in nearly one direction alone doesn't tell it.
+        if (norm(centre - Point2d(points[i])) > WINDOW / 2 || !inside.contains(centre))
+            continue;
+        const PointPair pair = {other * scale + origin, centre * scale + origin};
+        pairs.push_back(pair);
+    }
 }
 
 void PointTracker::track(const Mat& gray, int scale_, std::vector<PointPair>& pairs)
@@ -82,7 +110,7 @@ void PointTracker::track(const Mat& gray, int scale_, std::vector<PointPair>& pa
     Mat image;
     scale = scale_ << makePyramid(gray, now, image);
     findPoints(image);
-    follow(now, before, pairs);
+    follow(before, pairs);
 }
 
 void PointTracker::trackNext(const Mat& gray, std::vector<PointPair>& pairs)
@@ -90,7 +118,7 @@ void PointTracker::trackNext(const Mat& gray, std::vector<PointPair>& pairs)
     // Its place is that of the image before, which has been used; track() will make it again.
     Mat image;
     makePyramid(gray, before, image);
-    follow(now, before, pairs);
+    follow(before, pairs);
 }
 
 }} // namespace cv::rsackermann

@@ -47,10 +47,11 @@ public:
 private:
     int makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image);
     void findPoints(const Mat& gray);
-    void follow(const std::vector<Mat>& from, const std::vector<Mat>& to, std::vector<PointPair>& pairs);
+    Point2f centreOf(const Point2f& point) const;
+    void follow(const std::vector<Mat>& to, std::vector<PointPair>& pairs);
 
     size_t maxPixels;
-    std::vector<Mat> before, now; // pyramids
+    std::vector<Mat> before, now; // pyramids, each level with its gradients
     int levels, scale;            // of the present one
     Mat smaller[2], half, response;
     std::vector<Point2f> points, there, returned;
