@@ -161,7 +161,7 @@ void render(int seed, int frames, int width, double tilt, street::StreetScene sc
     drive.sway[0] = drive.sway[1] = 2 * tilt; // amplitudes of products of two oscillations
     for (int i = 0; i < frames; i++)
     {
-        const cv::Mat image = drive.next().rollingShutter(2);
+        const cv::Mat image = drive.next().rollingShutter(2, street::StreetRenderer::STAGGERED);
         contest.add(drive.yawRate(), drive.speed(), [&](MountCalibrator& calibrator, const MotionPrior& log) {
             calibrator.addFrame(image, drive.seconds(), log);
         });

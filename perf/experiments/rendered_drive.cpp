@@ -19,6 +19,7 @@ RenderedDrive::RenderedDrive(const street::StreetCamera& camera, const street::S
 
 street::StreetRenderer RenderedDrive::next()
 {
+    scene.frame = unsigned(frames);
     seconds_ = frames++ / FRAMES_PER_SECOND;
     drive();
     street::StreetCamera camera = mounted;

@@ -41,7 +41,7 @@ StreetCamera::StreetCamera(const cv::Size& imageSize, double focal, double delay
 
 StreetScene::StreetScene()
     : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), travelled(0), seed(0), clutter(0), stagger(0),
-      obstacles(0), noise(1)
+      obstacles(0), noise(1), frame(0)
 {
 }
 
@@ -169,11 +169,12 @@ cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) 
     return paint * clear + sky * (1 - clear);
 }
 
-cv::Mat StreetRenderer::render(bool moving, int samples) const
+cv::Mat StreetRenderer::render(bool moving, int samples, Rays rays) const
 {
     CV_Assert(samples > 0);
     cv::Mat image(camera_.size, CV_32FC3);
     const bool byRow = camera_.scan < 2;
+    const double shift = rays == STAGGERED ? 1. / samples : 0;
     cv::parallel_for_(cv::Range(0, image.rows), [&](const cv::Range& range) {
         for (int y = range.start; y < range.end; y++)
             for (int x = 0; x < image.cols; x++)
@@ -184,7 +185,9 @@ cv::Mat StreetRenderer::render(bool moving, int samples) const
                 for (int i = 0; i < samples; i++)
                     for (int j = 0; j < samples; j++)
                     {
-                        const cv::Point2d p(x + (j + 0.5) / samples - 0.5, y + (i + 0.5) / samples - 0.5);
+                        const double u = j + 0.5 + shift * (i - (samples - 1) / 2.),
+                                     v = i + 0.5 + shift * (j - (samples - 1) / 2.);
+                        const cv::Point2d p(x + u / samples - 0.5, y + v / samples - 0.5);
                         sum += colour(pose.centre, turned(pose.c, pose.s, uprightRay(p, moving)));
                     }
                 image.at<cv::Vec3f>(y, x) = sum * (1.f / (samples * samples));
@@ -193,7 +196,7 @@ cv::Mat StreetRenderer::render(bool moving, int samples) const
     if (scene_.noise > 0)
     {
         cv::Mat noise(image.size(), image.type());
-        cv::RNG rng(scene_.seed * 7919u + (moving ? 1 : 2));
+        cv::RNG rng((scene_.seed + 104729u * scene_.frame) * 7919u + (moving ? 1 : 2));
         rng.fill(noise, cv::RNG::NORMAL, 0, scene_.noise);
         image += noise;
     }
@@ -202,14 +205,14 @@ cv::Mat StreetRenderer::render(bool moving, int samples) const
     return result;
 }
 
-cv::Mat StreetRenderer::rollingShutter(int samples) const
+cv::Mat StreetRenderer::rollingShutter(int samples, Rays rays) const
 {
-    return render(true, samples);
+    return render(true, samples, rays);
 }
 
 cv::Mat StreetRenderer::globalShutter(int samples) const
 {
-    return render(false, samples);
+    return render(false, samples, ON_GRID);
 }
 
 bool StreetRenderer::toGlobal(const cv::Point2d& rolling, cv::Point2d& global) const

@@ -40,6 +40,7 @@ struct StreetScene
     double stagger;   //!< metres: each house stands back from its wall by its own amount between 0 and this
     double obstacles; //!< cars, posts and trees on 100 m of each side
     double noise;     //!< standard deviation of the image noise in grey levels
+    unsigned frame;   //!< of a drive: each has noise of its own
 
     StreetScene();
 };
@@ -53,10 +54,18 @@ measured by it.
 class StreetRenderer
 {
 public:
+    //! Where the rays of a pixel are.
+    enum Rays {
+        ON_GRID,
+        //! Rows and columns of the grid are shifted so that each ray has an x and a y of its own: what leans by less
+        //! than a pixel over its length is drawn as with samples^2 x samples^2 rays.
+        STAGGERED
+    };
+
     StreetRenderer(const StreetCamera& camera, const StreetScene& scene);
 
     //! The view of the rolling-shutter camera, through its lens; each pixel is the mean of samples x samples rays.
-    cv::Mat rollingShutter(int samples = 3) const;
+    cv::Mat rollingShutter(int samples = 3, Rays rays = ON_GRID) const;
     //! The view of a global-shutter camera without lens distortion at the reference line's instant.
     cv::Mat globalShutter(int samples = 3) const;
 
@@ -82,7 +91,7 @@ private:
         StreetSide::Surface surface; // if the plane is that of a wall
     };
 
-    cv::Mat render(bool moving, int samples) const;
+    cv::Mat render(bool moving, int samples, Rays rays) const;
     cv::Vec3f colour(const cv::Vec3d& origin, const cv::Vec3d& ray) const;
     Pose poseAt(double seconds) const;
     double secondsAt(double line) const;
