@@ -10,16 +10,15 @@
 namespace cv { namespace rsackermann {
 
 static const int ITERATIONS = 8; // at each scale
-// By which the change of a tilt differs from the turn between two frames
-static const double SAME_TURN = 0.02 * CV_PI / 180;
+// By which the change of a tilt differs from the turn between two frames. These differences add up, so that a larger
+// one lets tilts follow the yaw rate like a line delay.
+static const double SAME_TURN = 0.005 * CV_PI / 180;
 // rad/s^2: a drive that tells the line delay weaves, and many frames tell the change
 static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180;
 static const double YAW_CHANGE_MEMORY = 0.5; // seconds
 static const double SAME_TIME = 1e-6;        // seconds
-static const double SAME_DELAY = 0.01;       // relative; more than deviations of the depth make of it
-// By which the direction in which a car goes, which shows heading and pitch, is another one than that of its axis and
-// its road: cars slip on a crowned road, load and speed tilt them, streets aren't plane
-static const double DIRECTION_SIGMA = 0.1 * CV_PI / 180;
+// Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
+static const double SAME_DELAY = 0.02;
 // Hz; what frames err together is slower, or faster and without effect on the mean
 static const double SLOW = 0.3;
 static const int LEAST_WAVES = 4;
@@ -97,8 +96,6 @@ public:
         fit.sigma = covariance.diagonal().cwiseSqrt();
         fit.turningSigma = std::sqrt(MountMatrix((reduced - sameDelay()).inverse())(MOUNT_DELAY, MOUNT_DELAY));
         takeMeanTilts(fit);
-        fit.sigma[MOUNT_HEADING] = std::hypot(fit.sigma[MOUNT_HEADING], DIRECTION_SIGMA);
-        fit.sigma[MOUNT_PITCH] = std::hypot(fit.sigma[MOUNT_PITCH], DIRECTION_SIGMA);
         return fit;
     }
 
@@ -349,16 +346,19 @@ private:
     {
         const std::vector<MountVector> pull = pulls();
         const double n = double(pull.size()), more = ASSUMED_FRAMES / (n + ASSUMED_FRAMES);
-        return (1 - more) * covarianceOfSum(pull, 0) + more * (reduced - prior());
+        // Cars slip and streets bend: the direction in which a car goes wanders as its tilt does.
+        MountVector memories = MountVector::Zero();
+        memories[MOUNT_HEADING] = suspension.memory;
+        return (1 - more) * covarianceOfSum(pull, memories) + more * (reduced - prior());
     }
 
     /* Covariance of the sum of what each frame says as it really scatters, whatever connects frames: that of its
     slowest oscillations, the cosines of half a period and more over the drive.
-    @param memory seconds after which values that wander have come back; what a drive is too short for to show counts
-    as well. */
+    @param memories seconds after which values that wander have come back; what a drive is too short for to show
+    counts as well. */
     template <class V>
     Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> covarianceOfSum(const std::vector<V>& values,
-                                                                                      double memory) const
+                                                                                      const V& memories) const
     {
         const size_t n = values.size();
         double seconds = 0;
@@ -372,8 +372,9 @@ private:
             V wave = V::Zero();
             for (size_t k = 0; k < n; k++)
                 wave += std::cos(CV_PI * j * (double(k) + 0.5) / double(n)) * values[k];
-            const double angle = CV_PI * j / seconds * memory;
-            sum += 2 * (1 + angle * angle) * wave * wave.transpose();
+            // The part of what wanders is smaller by as much as at rest.
+            const V atRest = (1 + (CV_PI * j / seconds * memories).array().square()).sqrt() * wave.array();
+            sum += 2 * atRest * atRest.transpose();
         }
         // So few of them leave the variance itself uncertain: that of Student's t distribution.
         return sum / (waves - 2);
@@ -396,7 +397,8 @@ private:
             }
             sum += shown[k];
         }
-        const Eigen::Matrix2d covariance = covarianceOfSum(shown, suspension.memory) / (n * n);
+        const Eigen::Vector2d memories(suspension.memory, suspension.memory);
+        const Eigen::Matrix2d covariance = covarianceOfSum(shown, memories) / (n * n);
         for (int i = 0; i < 2; i++)
         {
             // Tilts that frames don't show are those of the mount.
