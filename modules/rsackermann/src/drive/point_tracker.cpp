@@ -97,7 +97,7 @@ void PointTracker::follow(const std::vector<Mat>& to, std::vector<PointPair>& pa
             continue;
         const Point2d centre = centreOf(points[i]), other = centre + Point2d(there[i] - points[i]);
         // Texture in nearly one direction alone doesn't tell it.
-        if (norm(centre - Point2d(points[i])) > WINDOW / 2 || !inside.contains(centre))
+        if (2 * norm(centre - Point2d(points[i])) > WINDOW || !inside.contains(centre))
             continue;
         const PointPair pair = {other * scale + origin, centre * scale + origin};
         pairs.push_back(pair);
