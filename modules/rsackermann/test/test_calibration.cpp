@@ -54,13 +54,13 @@ int drive(MountCalibrator& calibrator, StreetDrive street, int frames, bool isLo
 }
 
 //! Everything is shown, and found.
-void expectNear(const RollingShutterCamera& truth, const MountCalibration& c, int i, double delayTolerance = 0.03)
+void expectNear(const RollingShutterCamera& truth, const MountCalibration& c, int i)
 {
     EXPECT_TRUE(c.rollObserved && c.pitchObserved && c.headingObserved && c.lineDelayObserved) << i;
     EXPECT_NEAR(ROLL / degree, c.roll / degree, 0.05) << i;
     EXPECT_NEAR(PITCH / degree, c.pitch / degree, 0.05) << i;
     EXPECT_NEAR(HEADING / degree, c.heading / degree, 0.05) << i;
-    EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, delayTolerance) << i;
+    EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03) << i;
 }
 
 typedef testing::TestWithParam<int> CalibrationScans;
@@ -91,7 +91,7 @@ TEST(RSAckermann_Calibration, scene_is_uneven)
         const RollingShutterCamera truth = mounted(i % 2 ? 1.3 : 0.7);
         const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
         drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, 20 + i), 300, true, i);
-        expectNear(truth, calibrator->calibrate(), i, 0.05);
+        expectNear(truth, calibrator->calibrate(), i);
     }
 }
 
