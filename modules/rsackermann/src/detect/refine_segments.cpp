@@ -12,6 +12,12 @@ namespace {
 // Intensities across a segment: at REACH + 1/2, REACH - 1/2 ... -REACH - 1/2 pixels from it.
 enum { REACH = 3, INTENSITIES = 2 * REACH + 2, SLOPES = INTENSITIES - 1 };
 
+// Pixels at each end that don't tell the edge: intensities there may be those of another edge that begins at the end
+// and goes on to one side, as the upper edge of a window does. Such edges mostly rise and fall together, and with them
+// segments would lean. They don't come nearer than they go to the side, and interpolation takes another pixel.
+static const float END = REACH + 1.5f;
+static const float LONGEST_END = 0.15f; // of the length
+
 // Where along a segment, from -1 to 1, and how many pixels beside it the edge was found. Up to the next multiple of
 // LANES the arrays go on with places that don't count.
 struct EdgePlaces
@@ -131,11 +137,12 @@ void refine(const Mat& gray, int maxPlaces, Vec4f& segment)
         return;
     const Point2f along = (last - first) * (1 / length), normal(-along.y, along.x);
 
+    const float inner = 1 - 2 * std::min(END / length, LONGEST_END);
     float slopes[EdgePlaces::CAPACITY][SLOPES], alongs[EdgePlaces::CAPACITY], total = 0;
     int found = 0;
     for (int i = 0; i < count; i++)
     {
-        alongs[found] = (2 * i + 1.f) / count - 1;
+        alongs[found] = inner * ((2 * i + 1.f) / count - 1);
         if (!slopesAcross(gray, middle + alongs[found] * length / 2 * along, normal, slopes[found]))
             continue;
         for (int k = 1; k < SLOPES - 1; k++)
