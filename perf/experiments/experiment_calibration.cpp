@@ -30,6 +30,7 @@ const char* const KEYS =
     "{frames   | 300  | of each drive, 30 in a second}"
     "{yaw_rate | 12   | standard deviation of the yaw rate, deg/s}"
     "{tilt     | 0.25 | standard deviation of roll and pitch of the suspension, degrees}"
+    "{sway     | 0    | memory in seconds of a suspension that sways at random; 0: it oscillates}"
     "{rendered |      | rendered images of a car that weaves through a street instead of simulated points and segments}"
     "{width    | 640  | of rendered images, pixels}"
     "{clutter  | 0.2  | share of slanted lines in the rendered street}"
@@ -145,7 +146,8 @@ void simulate(int seed, int frames, const StreetDrive::Options& options, Errors 
     contest.addErrors(errors);
 }
 
-void render(int seed, int frames, int width, double tilt, street::StreetScene scene, Errors errors[2][4])
+void render(int seed, int frames, int width, const StreetDrive::Options& options, street::StreetScene scene,
+            Errors errors[2][4])
 {
     const cv::Size size(width, width * 19 / 32);
     const double focal = width * 31. / 32;
@@ -158,7 +160,16 @@ void render(int seed, int frames, int width, double tilt, street::StreetScene sc
     experiments::RenderedDrive drive(camera, scene);
     drive.course = experiments::RenderedDrive::WEAVING;
     drive.phase = seed;
-    drive.sway[0] = drive.sway[1] = 2 * tilt; // amplitudes of products of two oscillations
+    cv::RNG rng(seed);
+    for (int i = 0; i < 2; i++)
+    {
+        drive.sway[i] = 2 * options.tilt; // amplitude of the product of two oscillations
+        if (options.swayMemory > 0)
+        {
+            const opencv_test::simulation::RandomSway sway(options.tilt, options.swayMemory, rng);
+            drive.swayAt[i] = [sway](double seconds) { return sway.at(seconds); };
+        }
+    }
     for (int i = 0; i < frames; i++)
     {
         const cv::Mat image = drive.next().rollingShutter(2, street::StreetRenderer::STAGGERED);
@@ -174,6 +185,7 @@ int run(const Options& arguments)
     StreetDrive::Options options;
     options.yawRate = arguments.number("yaw_rate", 0, 90) * DEGREE;
     options.tilt = arguments.number("tilt", 0, 5) * DEGREE;
+    options.swayMemory = arguments.number("sway", 0, 60);
     const int drives = arguments.integer("drives", 1, 10000), frames = arguments.integer("frames", 2, 100000),
               seed = arguments.integer("seed", 0, 1 << 30), width = arguments.integer("width", 320, 4096);
     const bool rendered = arguments.flag("rendered");
@@ -185,7 +197,7 @@ int run(const Options& arguments)
     for (int i = 0; i < drives; i++)
     {
         if (rendered)
-            render(seed + i, frames, width, options.tilt, scene, errors);
+            render(seed + i, frames, width, options, scene, errors);
         else
             simulate(seed + i, frames, options, errors);
         progress.update(i + 1, drives, "drives");

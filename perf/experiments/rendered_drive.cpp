@@ -23,8 +23,12 @@ street::StreetRenderer RenderedDrive::next()
     seconds_ = frames++ / FRAMES_PER_SECOND;
     drive();
     street::StreetCamera camera = mounted;
-    camera.roll += sway[0] * std::sin(2 * seconds_ + phase) * std::cos(0.7 * seconds_ + phase);
-    camera.pitch += sway[1] * std::sin(2.9 * seconds_ + 2 * phase) * std::cos(0.9 * seconds_ + phase);
+    const double oscillations[] = {
+        sway[0] * std::sin(2 * seconds_ + phase) * std::cos(0.7 * seconds_ + phase),
+        sway[1] * std::sin(2.9 * seconds_ + 2 * phase) * std::cos(0.9 * seconds_ + phase),
+    };
+    camera.roll += swayAt[0] ? swayAt[0](seconds_) : oscillations[0];
+    camera.pitch += swayAt[1] ? swayAt[1](seconds_) : oscillations[1];
     scene.wallDirection = mounted.heading - yaw;
     scene.left = hasWall(0) ? TO_THE_LEFT + sideways : 0;
     scene.right = hasWall(1) ? STREET - TO_THE_LEFT - sideways : 0;

@@ -6,6 +6,7 @@
 #define RSACKERMANN_PERF_RENDERED_DRIVE_HPP
 
 #include "street_renderer.hpp"
+#include <functional>
 
 namespace experiments {
 
@@ -21,8 +22,9 @@ public:
     };
 
     Course course;
-    double sway[2]; //!< amplitudes of the suspension's roll and pitch, radians
-    double phase;   //!< of weaving and swaying, radians
+    double sway[2];                          //!< amplitudes of the suspension's roll and pitch, radians
+    std::function<double(double)> swayAt[2]; //!< what they are at a time, if that isn't a product of two oscillations
+    double phase;                            //!< of weaving and swaying, radians
 
     //! @param camera as it is mounted. @param street its yawRate, speed, left, right, wallDirection and travelled are
     //! those of the drive.

@@ -6,6 +6,7 @@
 #define OPENCV_TEST_RSACKERMANN_DRIVE_SIMULATOR_HPP
 
 #include "test_simulator.hpp"
+#include <functional>
 
 namespace opencv_test { namespace simulation {
 
@@ -38,6 +39,39 @@ private:
     double amplitude[COUNT], frequency[COUNT], phase[COUNT];
 };
 
+//! A random process: what it is at a time has been forgotten some seconds later.
+class RandomSway
+{
+public:
+    //! @param size standard deviation. @param memory seconds: integral of the correlation over the time that follows.
+    RandomSway(double size, double memory, RNG& rng)
+    {
+        // The correlation is (1 + t / s) exp(-t / s) with s = memory / 2; its spectrum goes with 1 / (1 + (f s)^2)^2.
+        amplitude = size * std::sqrt(2. / COUNT);
+        for (int i = 0; i < COUNT; i++)
+        {
+            double angle;
+            do
+                angle = rng.uniform(0., CV_PI / 2);
+            while (rng.uniform(0., 1.) > std::cos(angle) * std::cos(angle));
+            frequency[i] = std::tan(angle) / (memory / 2);
+            phase[i] = rng.uniform(0., 2 * CV_PI);
+        }
+    }
+
+    double at(double seconds) const
+    {
+        double sum = 0;
+        for (int i = 0; i < COUNT; i++)
+            sum += amplitude * std::sin(frequency[i] * seconds + phase[i]);
+        return sum;
+    }
+
+private:
+    enum { COUNT = 100 };
+    double amplitude, frequency[COUNT], phase[COUNT];
+};
+
 //! A drive through streets: bends, other speeds, walls that change, a suspension that tilts the car.
 class StreetDrive
 {
@@ -45,15 +79,17 @@ public:
     struct Options
     {
         Options()
-            : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), points(150), segments(40), noise(0.3), endNoise(0.3),
-              outliers(0.1), clutter(0.1), unevenness(0)
+            : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), swayMemory(0), points(150), feet(0), segments(40),
+              noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0)
         {
         }
-        double yawRate;           // rad/s, standard deviation
-        double tilt;              // radians, the same of roll and pitch of the suspension
-        int points, segments;     // of each frame
-        double noise;             // pixels, of a tracked point
-        double endNoise;          // pixels, of the ends of a segment
+        double yawRate;    // rad/s, standard deviation
+        double tilt;       // radians, the same of roll and pitch of the suspension
+        double swayMemory; // seconds; the suspension sways at random with it, not in oscillations, unless it is 0
+        int points, feet;  // of each frame; those at the feet of walls come to the others
+        int segments;      // of each frame
+        double noise;      // pixels, of a tracked point
+        double endNoise;   // pixels, of the ends of a segment
         double outliers, clutter; // shares of points and of segments
         double unevenness;        // 1/m, standard deviation of the points' inverse depth from that of their surface
     };
@@ -69,8 +105,8 @@ public:
     StreetDrive(const cv::rsackermann::RollingShutterCamera& camera_, double roll_, double pitch_,
                 const Options& options_, int seed)
         : camera(camera_), roll(roll_), pitch(pitch_), options(options_), rng(seed),
-          yawRate(options.yawRate, 3, 10, rng), speed(2, 4, 20, rng), swayRoll(options.tilt, 0.8, 4, rng),
-          swayPitch(options.tilt, 0.8, 4, rng), left(2, 4, 20, rng), right(2, 4, 20, rng), direction(0.05, 4, 20, rng)
+          yawRate(options.yawRate, 3, 10, rng), speed(2, 4, 20, rng), swayRoll(sway(options, rng)),
+          swayPitch(sway(options, rng)), left(2, 4, 20, rng), right(2, 4, 20, rng), direction(0.05, 4, 20, rng)
     {
     }
 
@@ -90,6 +126,12 @@ public:
             if (randomPoint(now, before, interval, pair))
                 pairs.push_back(pair);
         }
+        for (int i = 0; i < options.feet; i++)
+        {
+            Vec4d pair;
+            if (randomFoot(now, before, interval, pair))
+                pairs.push_back(pair);
+        }
         f.points = Mat(int(pairs.size()), 4, CV_64F, pairs.data()).clone();
         SegmentOptions s;
         s.count = options.segments;
@@ -100,6 +142,17 @@ public:
     }
 
 private:
+    static std::function<double(double)> sway(const Options& options, RNG& rng)
+    {
+        if (options.swayMemory > 0)
+        {
+            const RandomSway random(options.tilt, options.swayMemory, rng);
+            return [random](double seconds) { return random.at(seconds); };
+        }
+        const Oscillation oscillation(options.tilt, 0.8, 4, rng);
+        return [oscillation](double seconds) { return oscillation.at(seconds); };
+    }
+
     cv::rsackermann::RollingShutterCamera tilted(double seconds) const
     {
         cv::rsackermann::RollingShutterCamera c = camera;
@@ -107,8 +160,8 @@ private:
         return c;
     }
 
-    double rollAt(double seconds) const { return roll + swayRoll.at(seconds); }
-    double pitchAt(double seconds) const { return pitch + swayPitch.at(seconds); }
+    double rollAt(double seconds) const { return roll + swayRoll(seconds); }
+    double pitchAt(double seconds) const { return pitch + swayPitch(seconds); }
     double speedAt(double seconds) const { return 11 + speed.at(seconds); }
 
     Simulator simulator(double seconds) const
@@ -121,21 +174,51 @@ private:
         return s;
     }
 
-    bool randomPoint(const Simulator& now, const Simulator& before, double interval, Vec4d& pair)
+    Point2d randomPixel()
     {
-        const double T = interval / now.camera.secondsPerUnitTime();
-        const Point2d pixel =
-            uniformPoint(rng, Point2d(0, 0), Point2d(camera.imageSize.width - 1, camera.imageSize.height - 1));
-        const double t = now.time(pixel);
+        return uniformPoint(rng, Point2d(0, 0), Point2d(camera.imageSize.width - 1, camera.imageSize.height - 1));
+    }
+
+    //! Where a pixel was in the frame before. @return its surface; nothing if it wasn't seen.
+    Surface lookBack(const Simulator& now, const Simulator& before, double interval, const Point2d& pixel,
+                     Point2d& past)
+    {
+        const double T = interval / now.camera.secondsPerUnitTime(), t = now.time(pixel);
         const Vec3d place = now.drive.position(t), ray = now.drive.turn(now.bearing(pixel), t);
         const Surface surface = now.street.first(place, ray);
         if (surface == NOTHING)
-            return false;
+            return NOTHING;
         double inverse = 1 / now.street.distance(surface, place, ray);
         if (options.unevenness > 0)
             inverse += rng.gaussian(options.unevenness);
+        const bool isSeen = inverse > 0 && before.project(now.drive.toCamera(place + ray * (1 / inverse), -T), past);
+        return isSeen ? surface : NOTHING;
+    }
+
+    //! A point on the road whose window shows a wall, too: it seems to move sideways as the wall above it.
+    bool randomFoot(const Simulator& now, const Simulator& before, double interval, Vec4d& pair)
+    {
+        const double window = 6; // pixels to each side
+        Point2d past, pastAbove;
+        double wall = 0, road = camera.imageSize.height - 1, x = randomPixel().x; // rows
+        while (road - wall > window / 10)
+        {
+            const double middle = (wall + road) / 2;
+            (lookBack(now, before, interval, Point2d(x, middle), past) == ROAD ? road : wall) = middle;
+        }
+        const Point2d pixel(x, road + rng.uniform(0., window)), above(x, wall);
+        const Surface surface = lookBack(now, before, interval, above, pastAbove);
+        if ((surface != LEFT && surface != RIGHT) || lookBack(now, before, interval, pixel, past) != ROAD)
+            return false;
+        pair = Vec4d(pixel.x + pastAbove.x - above.x, past.y, pixel.x, pixel.y);
+        return true;
+    }
+
+    bool randomPoint(const Simulator& now, const Simulator& before, double interval, Vec4d& pair)
+    {
+        const Point2d pixel = randomPixel();
         Point2d past;
-        if (inverse <= 0 || !before.project(now.drive.toCamera(place + ray * (1 / inverse), -T), past))
+        if (lookBack(now, before, interval, pixel, past) == NOTHING)
             return false;
         past += gaussianPoint(rng, options.noise);
         if (rng.uniform(0., 1.) < options.outliers)
@@ -148,7 +231,9 @@ private:
     const double roll, pitch;
     const Options options;
     RNG rng;
-    const Oscillation yawRate, speed, swayRoll, swayPitch, left, right, direction;
+    const Oscillation yawRate, speed;
+    const std::function<double(double)> swayRoll, swayPitch; // of a time
+    const Oscillation left, right, direction;
 };
 
 } // namespace simulation
