@@ -95,6 +95,19 @@ TEST(RSAckermann_Calibration, scene_is_uneven)
     }
 }
 
+TEST(RSAckermann_Calibration, points_at_the_feet_of_walls)
+{
+    StreetDrive::Options options;
+    options.feet = 40;
+    for (int i = 0; i < 2; i++)
+    {
+        const RollingShutterCamera truth = mounted(i % 2 ? 1.3 : 0.7);
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+        drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, 31 + i), 300, true, i);
+        expectNear(truth, calibrator->calibrate(), i);
+    }
+}
+
 TEST(RSAckermann_Calibration, mount_is_the_mean_of_the_drive)
 {
     const int frames = 120;

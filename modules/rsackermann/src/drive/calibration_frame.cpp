@@ -41,9 +41,10 @@ FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector
                            const ResidualSigmas& sigmas_)
     : heading(camera.heading + mount[MOUNT_HEADING]),
       unit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_PASSING])), givenUnit(camera.secondsPerUnitTime()),
-      focal(camera.cameraMatrix(0, 0)), turning(std::exp(mount[MOUNT_DELAY] - mount[MOUNT_PASSING])),
-      residual(heading, unit, focal), turned(heading + STEP, unit, focal), slower(heading, unit * (1 + STEP), focal),
-      pointLoss(pointScale), sigmas(sigmas_)
+      focal(camera.cameraMatrix(0, 0)), reach(PointTracker::reach(camera.imageSize, COARSE_PIXELS)),
+      turning(std::exp(mount[MOUNT_DELAY] - mount[MOUNT_PASSING])), residual(heading, unit, focal),
+      turned(heading + STEP, unit, focal), slower(heading, unit * (1 + STEP), focal), pointLoss(pointScale),
+      sigmas(sigmas_)
 {
 }
 
@@ -72,6 +73,14 @@ PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame,
                                     Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian) const
 {
     return PreparedModel(imageMotion(frame.value, unit, turning, jacobian), heading);
+}
+
+// Whether the surroundings of a point with which it is tracked show both a wall and the road.
+bool FrameProblem::isAtFoot(const Sight& sight, const double* values) const
+{
+    const FlowResidual::View view = residual.look(sight, values);
+    return std::abs(view.inverseDepth - view.behind) <
+           std::abs(values[DRIVE_SPEED]) * unit * values[DRIVE_ROAD] * reach / focal;
 }
 
 // Pixels by which a point is elsewhere in the other image if it is nearer than its plane by a usual deviation.
@@ -110,8 +119,14 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
     frame.pointWeights.clear();
     for (size_t i = 0; i < frame.sights.size(); i++)
     {
+        const Sight now = changed(frame.sights[i], R, shift);
+        if (isAtFoot(now, frame.value.data()))
+        {
+            frame.pointWeights.push_back(Matx22d::zeros());
+            continue;
+        }
         // The inverse square root of the covariance pointSigma^2 I + d d^T
-        const Point2d d = sigmas.depths * byDepth(changed(frame.sights[i], R, shift), frame.value.data());
+        const Point2d d = sigmas.depths * byDepth(now, frame.value.data());
         const double inverse = 1 / pointSigma, squared = d.dot(d),
                      less = squared > 0 ? (inverse - 1 / std::hypot(pointSigma, norm(d))) / squared : 0;
         frame.pointWeights.push_back(Matx22d(inverse - less * d.x * d.x, -less * d.x * d.y, //
@@ -160,6 +175,8 @@ void FrameProblem::addMisses(const CalibrationFrame& frame, std::vector<double>&
     const double shift = later(frame.interval, givenUnit, unit);
     for (size_t i = 0; i < frame.sights.size(); i++)
     {
+        if (frame.pointWeights[i] == Matx22d::zeros())
+            continue;
         const Sight now = changed(frame.sights[i], R, shift);
         const Point2d d = byDepth(now, frame.value.data()), r = residual.evaluate(now, frame.value.data(), 0);
         const double length = norm(d);

@@ -84,7 +84,8 @@ public:
                  const ResidualSigmas& sigmas);
 
     /** Sets the weights of a frame's residuals by what it is thought to be. A point that isn't on its plane is seen
-    elsewhere along one line, and a vertical leans otherwise: by as much they are uncertain. */
+    elsewhere along one line, and a vertical leans otherwise: by as much they are uncertain. Points at the foot of a
+    wall don't count: what is tracked there moves sideways as the wall and downwards as the road. */
     void weigh(CalibrationFrame& frame) const;
 
     // These take the weights as they are.
@@ -104,13 +105,14 @@ private:
     void addPoints(const CalibrationFrame& frame, Information& information, Gradient& gradient) const;
     void addVerticals(const CalibrationFrame& frame, Information& information, Gradient& gradient) const;
     PreparedModel modelOf(const CalibrationFrame& frame, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian = 0) const;
+    bool isAtFoot(const Sight& sight, const double* values) const;
     Point2d byDepth(const Sight& sight, const double* values) const;
     double slantByDepth(const UprightSegment& vertical, const CalibrationFrame& frame, const PreparedModel& model,
                         const Matx<double, PARAMETERS, DRIVE_VALUES>& byValues) const;
 
-    double heading, unit, givenUnit, focal; // unit: as the passing of the scene shows it
-    double turning;                         // the unit as the turning shows it, over that
-    FlowResidual residual, turned, slower;  // of this heading and line delay, and of slightly larger ones
+    double heading, unit, givenUnit, focal, reach; // unit: as the passing of the scene shows it
+    double turning;                                // the unit as the turning shows it, over that
+    FlowResidual residual, turned, slower;         // of this heading and line delay, and of slightly larger ones
     double pointLoss;
     ResidualSigmas sigmas;
 };

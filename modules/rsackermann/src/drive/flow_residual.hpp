@@ -62,6 +62,7 @@ public:
         Vec3d place;         // of the camera
         int plane;           // 0 left wall, 1 right wall, 2 road
         double inverseDepth; // scaled, to the scale of the ray: the point is at ray + inverseDepth place
+        double behind;       // the same of the road if the plane is a wall, and of the nearer wall if it is the road
     };
     View look(const Sight& sight, const double* values) const;
 

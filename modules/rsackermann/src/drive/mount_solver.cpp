@@ -18,7 +18,7 @@ static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180;
 static const double YAW_CHANGE_MEMORY = 0.5; // seconds
 static const double SAME_TIME = 1e-6;        // seconds
 // Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
-static const double SAME_DELAY = 0.02;
+static const double SAME_DELAY = 0.01;
 // Hz; what frames err together is slower, or faster and without effect on the mean
 static const double SLOW = 0.3;
 static const int LEAST_WAVES = 4;

@@ -15,6 +15,16 @@ static const int CELL = 8;          // pixels of the halved image; each cell has
 static const double TEXTURE = 4e-4; // least of cornerMinEigenVal for grey values from 0 to 1
 static const double RETURN = 0.3;   // pixels by which a point that is followed back may miss its origin
 
+double PointTracker::reach(const Size& imageSize, size_t maxPixels)
+{
+    const double gradient = 1; // pixels to each side
+    Size size = imageSize;
+    int scale = 1;
+    for (; size_t(size.area()) > maxPixels; scale *= 2)
+        size = Size(size.width / 2, size.height / 2);
+    return (WINDOW / 2 + gradient) * scale;
+}
+
 void PointTracker::reset()
 {
     now.clear();

@@ -41,6 +41,9 @@ public:
     //! Number of points that the last image has.
     size_t pointCount() const { return points.size(); }
 
+    //! Pixels to each side of a point on which its displacement rests, in images of this size.
+    static double reach(const Size& imageSize, size_t maxPixels);
+
     //! The next image belongs to another sequence.
     void reset();
 
