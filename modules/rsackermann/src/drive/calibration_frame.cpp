@@ -13,6 +13,9 @@ namespace cv { namespace rsackermann {
 
 static const double STEP = 1e-5;  // of numerical derivatives, radians or relative
 static const double BEHIND = 1e6; // squared pixels of points that aren't seen at all
+// Of the robust loss of slants, in sigmas. It is narrower than that of single frames: a line that leans does so in many
+// frames, and those of a street don't cancel.
+static const double LEANING_SCALE = 1;
 enum { HEADING_COLUMN = FRAME_VALUES, DELAY_COLUMN, PASSING_COLUMN };
 
 static Point2d rotated(const Matx33d& R, const Point2d& p)
@@ -157,7 +160,7 @@ double FrameProblem::cost(const CalibrationFrame& frame) const
     for (size_t i = 0; i < frame.verticals.size(); i++)
     {
         const double r = frame.slantWeights[i] * slantInSigmas(frame.verticals[i], model, focal, 0);
-        slants += cauchyLoss(r * r, SLANT_SCALE);
+        slants += cauchyLoss(r * r, LEANING_SCALE);
     }
     for (int i = 0; i < SCENE_VALUES; i++)
     {
@@ -255,7 +258,7 @@ void FrameProblem::addVerticals(const CalibrationFrame& frame, Information& info
         J[DELAY_COLUMN] = byParameters[P_ALPHA] * motion[P_ALPHA];
         J[PASSING_COLUMN] = (slantInSigmas(c, slowerModel, focal, 0) - r) / STEP;
         const double squared = frame.slantWeights[i] * frame.slantWeights[i],
-                     weight = cauchyWeight(r * r * squared, SLANT_SCALE) * squared / SLANT_DEPENDENCE;
+                     weight = cauchyWeight(r * r * squared, LEANING_SCALE) * squared / SLANT_DEPENDENCE;
         information.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
         gradient += weight * r * J;
     }

@@ -22,7 +22,7 @@ double PointTracker::reach(const Size& imageSize, size_t maxPixels)
     int scale = 1;
     for (; size_t(size.area()) > maxPixels; scale *= 2)
         size = Size(size.width / 2, size.height / 2);
-    return (WINDOW / 2 + gradient) * scale;
+    return (0.5 * WINDOW + gradient) * scale;
 }
 
 void PointTracker::reset()

@@ -144,8 +144,8 @@ public:
 
     /** @brief Adds the next frame of the drive with points that were tracked and segments that were found elsewhere.
     @param points N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x, y) in the raw image of the frame
-    before, then (x, y) in that of this frame; empty for the first frame. Points close to where a wall meets the road don't
-    count: tracked ones would contain both.
+    before, then (x, y) in that of this frame; empty for the first frame. Points close to where a wall meets the road
+    don't count: tracked ones would contain both.
     @param segments as in AckermannEstimator::estimate.
     @param seconds as in addFrame().
     @param prior as in addFrame().
