@@ -452,41 +452,6 @@ TEST_P(Detectors, serpentine)
     EXPECT_GE(segments.rows, 30);
 }
 
-// As windows of a facade are seen from the side: upright, with upper and lower edges that rise.
-TEST_P(Detectors, edges_at_the_ends_do_not_make_sides_lean)
-{
-    const Size size(1280, 800);
-    const int finer = 4, width = 30, height = 44;
-    const double rise = 0.6;
-    Mat fine(size * finer, CV_8U, Scalar(60)), image;
-    for (int y = 40; y + height < size.height - 30; y += 71)
-        for (int x = 20; x + width < size.width - 20; x += 61)
-        {
-            const int left = finer * x + (x + y) % finer, right = left + finer * width, top = finer * y,
-                      bottom = top + finer * height, up = int(rise * (right - left));
-            const Point corners[] = {Point(left, top), Point(right, top - up), Point(right, bottom - up),
-                                     Point(left, bottom)};
-            fillConvexPoly(fine, corners, 4, Scalar(150));
-        }
-    resize(fine, image, size, 0, 0, INTER_AREA);
-    Mat segments;
-    detectSegments(image, segments, GetParam(), 30);
-    double sum = 0;
-    int n = 0;
-    for (int i = 0; i < segments.rows; i++)
-    {
-        const Vec4f s = segments.at<Vec4f>(i);
-        const double lean = (s[2] - s[0]) / (s[3] - s[1]);
-        if (std::abs(lean) < 0.1)
-        {
-            sum += lean;
-            n++;
-        }
-    }
-    ASSERT_GE(n, 200);
-    EXPECT_NEAR(0, sum / n, 1e-5);
-}
-
 INSTANTIATE_TEST_CASE_P(RSAckermann, Detectors,
                         testing::Values(DETECTOR_LSD
 #ifdef HAVE_OPENCV_XIMGPROC

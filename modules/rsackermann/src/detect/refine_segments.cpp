@@ -12,7 +12,7 @@ namespace {
 // Intensities across a segment: at REACH + 1/2, REACH - 1/2 ... -REACH - 1/2 pixels from it.
 enum { REACH = 3, INTENSITIES = 2 * REACH + 2, SLOPES = INTENSITIES - 1 };
 
-// Pixels at each end that don't tell the edge: intensities there may be those of another edge that begins at the end
+// Pixels at each end that needn't tell the edge: intensities there may be those of another edge that begins at the end
 // and goes on to one side, as the upper edge of a window does. Such edges mostly rise and fall together, and with them
 // segments would lean. They don't come nearer than they go to the side, and interpolation takes another pixel.
 static const float END = REACH + 1.5f;
@@ -128,7 +128,7 @@ bool fitLine(const EdgePlaces& places, float& offset, float& slope)
     return true;
 }
 
-void refine(const Mat& gray, int maxPlaces, Vec4f& segment)
+void refine(const Mat& gray, int maxPlaces, bool usesEnds, Vec4f& segment)
 {
     const Point2f first(segment[0], segment[1]), last(segment[2], segment[3]), middle = (first + last) * 0.5f;
     const float length = float(norm(last - first));
@@ -137,7 +137,7 @@ void refine(const Mat& gray, int maxPlaces, Vec4f& segment)
         return;
     const Point2f along = (last - first) * (1 / length), normal(-along.y, along.x);
 
-    const float inner = 1 - 2 * std::min(END / length, LONGEST_END);
+    const float inner = usesEnds ? 1 : 1 - 2 * std::min(END / length, LONGEST_END);
     float slopes[EdgePlaces::CAPACITY][SLOPES], alongs[EdgePlaces::CAPACITY], total = 0;
     int found = 0;
     for (int i = 0; i < count; i++)
@@ -166,8 +166,8 @@ void refine(const Mat& gray, int maxPlaces, Vec4f& segment)
 class RefineBody : public ParallelLoopBody
 {
 public:
-    RefineBody(const Mat& gray_, int steps_, std::vector<Vec4f>& segments_)
-        : gray(gray_), steps(steps_), segments(segments_)
+    RefineBody(const Mat& gray_, int steps_, bool usesEnds_, std::vector<Vec4f>& segments_)
+        : gray(gray_), steps(steps_), usesEnds(usesEnds_), segments(segments_)
     {
     }
 
@@ -178,23 +178,24 @@ public:
             // Few places bring a segment near the edge.
             const int fewPlaces = 24;
             for (int step = 1; step < steps; step++)
-                refine(gray, fewPlaces, segments[i]);
-            refine(gray, EdgePlaces::CAPACITY, segments[i]);
+                refine(gray, fewPlaces, usesEnds, segments[i]);
+            refine(gray, EdgePlaces::CAPACITY, usesEnds, segments[i]);
         }
     }
 
 private:
     const Mat& gray;
     int steps;
+    bool usesEnds;
     std::vector<Vec4f>& segments;
 };
 
 } // namespace
 
-void refineSegments(const Mat& gray, int steps, std::vector<Vec4f>& segments)
+void refineSegments(const Mat& gray, int steps, bool usesEnds, std::vector<Vec4f>& segments)
 {
     const double segmentsPerStripe = 32;
-    parallel_for_(Range(0, int(segments.size())), RefineBody(gray, steps, segments),
+    parallel_for_(Range(0, int(segments.size())), RefineBody(gray, steps, usesEnds, segments),
                   segments.size() / segmentsPerStripe);
 }
 

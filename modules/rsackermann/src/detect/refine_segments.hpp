@@ -15,9 +15,11 @@ Across each segment the place of the edge is measured at many points, and a line
 along the normal of the segment only. A segment along which there is no edge stays as it is.
 @param gray CV_8UC1.
 @param steps the further away the ends are, the more it takes.
+@param usesEnds whether the edge is looked for up to the ends. Edges that begin there make short segments lean by some
+hundredths of a degree, all of a wall to the same side; without the ends what is left of short ones errs more.
 @param segments (x1, y1, x2, y2) within some pixels of the edges.
 */
-void refineSegments(const Mat& gray, int steps, std::vector<Vec4f>& segments);
+void refineSegments(const Mat& gray, int steps, bool usesEnds, std::vector<Vec4f>& segments);
 
 }} // namespace cv::rsackermann
 

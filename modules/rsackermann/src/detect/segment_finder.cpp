@@ -209,12 +209,12 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
         const float shift = (scale - 1) / 2.f; // centre of the first pixel of the small image
         for (size_t i = 0; i < found.size(); i++)
             found[i] = found[i] * float(scale) + Vec4f::all(shift);
-        if (isRefined || refinesAll)
+        if (isRefined || isForMany)
         {
             // Ends that move across a segment hardly make it longer. The further away they are, the more steps it
             // takes.
             keepLong(0.9 * minLength);
-            refineSegments(gray, 2 + cvRound(std::log2(double(scale))), found);
+            refineSegments(gray, 2 + cvRound(std::log2(double(scale))), !isForMany, found);
         }
     }
     keepLong(minLength);

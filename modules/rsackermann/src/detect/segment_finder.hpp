@@ -22,8 +22,9 @@ too little, which is nothing for one image and something for a calibration from 
 class SegmentFinder
 {
 public:
-    //! @param refinesAll_ whether ends are refined that are nearly as exact already.
-    explicit SegmentFinder(bool refinesAll_ = false) : refinesAll(refinesAll_), scale(1) {}
+    //! @param isForMany_ whether many images are used together: then ends are refined that are nearly as exact already,
+    //! and without what else is at the ends.
+    explicit SegmentFinder(bool isForMany_ = false) : isForMany(isForMany_), scale(1) {}
 
     //! Arguments as in detectSegments().
     void find(InputArray image, int detector, double minLength, OutputArray segments);
@@ -48,7 +49,7 @@ private:
     void findInStrips(const Mat& image, int count, int detector, double minLength, double detectorScale);
     void keepLong(double minLength);
 
-    bool refinesAll;
+    bool isForMany;
     Mat gray8U, gray16U, half[2];
     Mat gray, small; // headers of one of these, or of the image
     int scale;
