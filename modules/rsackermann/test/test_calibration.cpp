@@ -82,30 +82,30 @@ TEST_P(CalibrationScans, mount_and_line_delay_are_found)
 INSTANTIATE_TEST_CASE_P(RSAckermann_Calibration, CalibrationScans,
                         testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
 
+//! Drives that have logs.
+void expectFound(const StreetDrive::Options& options, int drives, int seed)
+{
+    for (int i = 0; i < drives; i++)
+    {
+        const RollingShutterCamera truth = mounted(i % 2 ? 1.3 : 0.7);
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+        drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, seed + i), 300, true, i);
+        expectNear(truth, calibrator->calibrate(), i);
+    }
+}
+
 TEST(RSAckermann_Calibration, scene_is_uneven)
 {
     StreetDrive::Options options;
     options.unevenness = 0.03;
-    for (int i = 0; i < 4; i++)
-    {
-        const RollingShutterCamera truth = mounted(i % 2 ? 1.3 : 0.7);
-        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
-        drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, 20 + i), 300, true, i);
-        expectNear(truth, calibrator->calibrate(), i);
-    }
+    expectFound(options, 4, 20);
 }
 
 TEST(RSAckermann_Calibration, points_at_the_feet_of_walls)
 {
     StreetDrive::Options options;
     options.feet = 40;
-    for (int i = 0; i < 2; i++)
-    {
-        const RollingShutterCamera truth = mounted(i % 2 ? 1.3 : 0.7);
-        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
-        drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, 31 + i), 300, true, i);
-        expectNear(truth, calibrator->calibrate(), i);
-    }
+    expectFound(options, 2, 31);
 }
 
 TEST(RSAckermann_Calibration, mount_is_the_mean_of_the_drive)

@@ -36,7 +36,7 @@ double refinedLean(bool usesEnds)
     return sum / double(segments.size());
 }
 
-TEST(RSAckermann_PrivateRefinement, edges_at_the_ends_do_not_make_sides_lean)
+TEST(RSAckermann_PrivateDetect, edges_at_the_ends_do_not_make_sides_lean)
 {
     EXPECT_NEAR(0, refinedLean(false), 1e-5);
     EXPECT_GT(std::abs(refinedLean(true)), 1e-4);
