@@ -29,8 +29,8 @@ const char* const KEYS =
     "{drives   | 50   | number of drives}"
     "{frames   | 300  | of each drive, 30 in a second}"
     "{yaw_rate | 12   | standard deviation of the yaw rate, deg/s}"
-    "{tilt     | 0.25 | standard deviation of roll and pitch of the suspension, degrees}"
-    "{sway     | 0    | memory in seconds of a suspension that sways at random; 0: it oscillates}"
+    "{tilt     | 0.1  | standard deviation of roll and pitch of the suspension, degrees}"
+    "{memory   | 0    | seconds after which a tilt of the suspension is forgotten; 0: a rough road shakes it}"
     "{rendered |      | rendered images of a car that weaves through a street instead of simulated points and segments}"
     "{width    | 640  | of rendered images, pixels}"
     "{clutter  | 0.2  | share of slanted lines in the rendered street}"
@@ -161,15 +161,8 @@ void render(int seed, int frames, int width, const StreetDrive::Options& options
     drive.course = experiments::RenderedDrive::WEAVING;
     drive.phase = seed;
     cv::RNG rng(seed);
-    for (int i = 0; i < 2; i++)
-    {
-        drive.sway[i] = 2 * options.tilt; // amplitude of the product of two oscillations
-        if (options.swayMemory > 0)
-        {
-            const opencv_test::simulation::RandomSway sway(options.tilt, options.swayMemory, rng);
-            drive.swayAt[i] = [sway](double seconds) { return sway.at(seconds); };
-        }
-    }
+    for (opencv_test::simulation::Sway& sway : drive.sway)
+        sway = options.sway(options.tilt, rng);
     for (int i = 0; i < frames; i++)
     {
         const cv::Mat image = drive.next().rollingShutter(2, street::StreetRenderer::STAGGERED);
@@ -185,7 +178,12 @@ int run(const Options& arguments)
     StreetDrive::Options options;
     options.yawRate = arguments.number("yaw_rate", 0, 90) * DEGREE;
     options.tilt = arguments.number("tilt", 0, 5) * DEGREE;
-    options.swayMemory = arguments.number("sway", 0, 60);
+    const double memory = arguments.number("memory", 0, 60);
+    options.sway = opencv_test::simulation::onSprings;
+    if (memory > 0)
+        options.sway = [memory](double size, cv::RNG& rng) {
+            return opencv_test::simulation::wandering(size, memory, rng);
+        };
     const int drives = arguments.integer("drives", 1, 10000), frames = arguments.integer("frames", 2, 100000),
               seed = arguments.integer("seed", 0, 1 << 30), width = arguments.integer("width", 320, 4096);
     const bool rendered = arguments.flag("rendered");

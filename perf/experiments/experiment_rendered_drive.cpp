@@ -96,7 +96,8 @@ int run(const Options& options)
     scene.stagger = options.number("stagger", 0, 10);
     scene.clutter = 0.2;
     RenderedDrive drive(eye, scene);
-    drive.sway[0] = options.number("roll", 0, 10) * DEGREE;
+    const double roll = options.number("roll", 0, 10) * DEGREE;
+    drive.sway[0] = [roll](double seconds) { return roll * std::sin(2 * seconds) * std::cos(0.7 * seconds); };
     if (options.flag("walls"))
         drive.course = RenderedDrive::CHANGING_WALLS;
     const int frames = options.integer("frames", 2, 3000);

@@ -13,7 +13,7 @@ static const double TOP_YAW_RATE = 10 * CV_PI / 180, WEAVING_FREQUENCY = CV_PI /
 RenderedDrive::RenderedDrive(const street::StreetCamera& camera, const street::StreetScene& street)
     : course(BEND_AND_STOP), phase(0), mounted(camera), scene(street), frames(0), seconds_(0), sideways(0), yaw(0)
 {
-    sway[0] = sway[1] = 0;
+    sway[0] = sway[1] = [](double) { return 0.; };
     scene.speed = scene.yawRate = scene.travelled = 0;
 }
 
@@ -23,12 +23,8 @@ street::StreetRenderer RenderedDrive::next()
     seconds_ = frames++ / FRAMES_PER_SECOND;
     drive();
     street::StreetCamera camera = mounted;
-    const double oscillations[] = {
-        sway[0] * std::sin(2 * seconds_ + phase) * std::cos(0.7 * seconds_ + phase),
-        sway[1] * std::sin(2.9 * seconds_ + 2 * phase) * std::cos(0.9 * seconds_ + phase),
-    };
-    camera.roll += swayAt[0] ? swayAt[0](seconds_) : oscillations[0];
-    camera.pitch += swayAt[1] ? swayAt[1](seconds_) : oscillations[1];
+    camera.roll += sway[0](seconds_);
+    camera.pitch += sway[1](seconds_);
     scene.wallDirection = mounted.heading - yaw;
     scene.left = hasWall(0) ? TO_THE_LEFT + sideways : 0;
     scene.right = hasWall(1) ? STREET - TO_THE_LEFT - sideways : 0;

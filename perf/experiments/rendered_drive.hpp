@@ -22,9 +22,8 @@ public:
     };
 
     Course course;
-    double sway[2];                          //!< amplitudes of the suspension's roll and pitch, radians
-    std::function<double(double)> swayAt[2]; //!< what they are at a time, if that isn't a product of two oscillations
-    double phase;                            //!< of weaving and swaying, radians
+    std::function<double(double)> sway[2]; //!< the suspension's roll and pitch at a time, radians
+    double phase;                          //!< of weaving, radians
 
     //! @param camera as it is mounted. @param street its yawRate, speed, left, right, wallDirection and travelled are
     //! those of the drive.

@@ -39,38 +39,73 @@ private:
     double amplitude[COUNT], frequency[COUNT], phase[COUNT];
 };
 
-//! A random process: what it is at a time has been forgotten some seconds later.
+//! A normal random process of a given spectrum.
 class RandomSway
 {
 public:
-    //! @param size standard deviation. @param memory seconds: integral of the correlation over the time that follows.
-    RandomSway(double size, double memory, RNG& rng)
+    //! @param size standard deviation. @param spectrum of frequencies in Hz, in any unit. @param highest frequency.
+    template <class Spectrum>
+    RandomSway(double size, double highest, const Spectrum& spectrum, RNG& rng)
     {
-        // The correlation is (1 + t / s) exp(-t / s) with s = memory / 2; its spectrum goes with 1 / (1 + (f s)^2)^2.
-        amplitude = size * std::sqrt(2. / COUNT);
+        double sum = 0;
         for (int i = 0; i < COUNT; i++)
         {
-            double angle;
-            do
-                angle = rng.uniform(0., CV_PI / 2);
-            while (rng.uniform(0., 1.) > std::cos(angle) * std::cos(angle));
-            frequency[i] = std::tan(angle) / (memory / 2);
+            const double hertz = highest * (i + rng.uniform(0., 1.)) / COUNT, power = spectrum(hertz);
+            frequency[i] = 2 * CV_PI * hertz;
+            amplitude[i] = std::sqrt(2 * power);
             phase[i] = rng.uniform(0., 2 * CV_PI);
+            sum += power;
         }
+        for (double& a : amplitude)
+            a *= size / std::sqrt(sum);
     }
 
     double at(double seconds) const
     {
         double sum = 0;
         for (int i = 0; i < COUNT; i++)
-            sum += amplitude * std::sin(frequency[i] * seconds + phase[i]);
+            sum += amplitude[i] * std::sin(frequency[i] * seconds + phase[i]);
         return sum;
     }
 
 private:
-    enum { COUNT = 100 };
-    double amplitude, frequency[COUNT], phase[COUNT];
+    enum { COUNT = 400 };
+    double amplitude[COUNT], frequency[COUNT], phase[COUNT];
 };
+
+//! Of a time in seconds: how far the suspension tilts a car to one side.
+typedef std::function<double(double)> Sway;
+
+//! Slow oscillations.
+inline Sway oscillating(double size, RNG& rng)
+{
+    const Oscillation oscillation(size, 0.8, 4, rng);
+    return [oscillation](double seconds) { return oscillation.at(seconds); };
+}
+
+//! A body on springs that a rough road shakes, with the resonance and the damping of usual cars.
+inline Sway onSprings(double size, RNG& rng)
+{
+    const double resonance = 1.4, damping = 0.25;
+    const RandomSway random(
+        size, 3 * resonance,
+        [=](double hertz) {
+            const double r = hertz / resonance;
+            return 1 / (std::pow(1 - r * r, 2) + std::pow(2 * damping * r, 2));
+        },
+        rng);
+    return [random](double seconds) { return random.at(seconds); };
+}
+
+//! At random, without oscillating. @param memory seconds: integral of the correlation over the time that follows.
+inline Sway wandering(double size, double memory, RNG& rng)
+{
+    // The correlation is (1 + t / s) exp(-t / s) with s = memory / 2.
+    const double corner = 1 / (CV_PI * memory);
+    const RandomSway random(
+        size, 6 * corner, [=](double hertz) { return std::pow(1 + std::pow(hertz / corner, 2), -2); }, rng);
+    return [random](double seconds) { return random.at(seconds); };
+}
 
 //! A drive through streets: bends, other speeds, walls that change, a suspension that tilts the car.
 class StreetDrive
@@ -79,19 +114,19 @@ public:
     struct Options
     {
         Options()
-            : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), swayMemory(0), points(150), feet(0), segments(40),
-              noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0)
+            : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), sway(oscillating), points(150), feet(0),
+              segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0)
         {
         }
-        double yawRate;    // rad/s, standard deviation
-        double tilt;       // radians, the same of roll and pitch of the suspension
-        double swayMemory; // seconds; the suspension sways at random with it, not in oscillations, unless it is 0
-        int points, feet;  // of each frame; those at the feet of walls come to the others
-        int segments;      // of each frame
-        double noise;      // pixels, of a tracked point
-        double endNoise;   // pixels, of the ends of a segment
-        double outliers, clutter; // shares of points and of segments
-        double unevenness;        // 1/m, standard deviation of the points' inverse depth from that of their surface
+        double yawRate;                         // rad/s, standard deviation
+        double tilt;                            // radians, the same of roll and pitch of the suspension
+        std::function<Sway(double, RNG&)> sway; // of that size
+        int points, feet;                       // of each frame; those at the feet of walls come to the others
+        int segments;                           // of each frame
+        double noise;                           // pixels, of a tracked point
+        double endNoise;                        // pixels, of the ends of a segment
+        double outliers, clutter;               // shares of points and of segments
+        double unevenness; // 1/m, standard deviation of the points' inverse depth from that of their surface
     };
 
     //! The views of a camera of the car and the measurements of the car at a time.
@@ -105,8 +140,9 @@ public:
     StreetDrive(const cv::rsackermann::RollingShutterCamera& camera_, double roll_, double pitch_,
                 const Options& options_, int seed)
         : camera(camera_), roll(roll_), pitch(pitch_), options(options_), rng(seed),
-          yawRate(options.yawRate, 3, 10, rng), speed(2, 4, 20, rng), swayRoll(sway(options, rng)),
-          swayPitch(sway(options, rng)), left(2, 4, 20, rng), right(2, 4, 20, rng), direction(0.05, 4, 20, rng)
+          yawRate(options.yawRate, 3, 10, rng), speed(2, 4, 20, rng), swayRoll(options.sway(options.tilt, rng)),
+          swayPitch(options.sway(options.tilt, rng)), left(2, 4, 20, rng), right(2, 4, 20, rng),
+          direction(0.05, 4, 20, rng)
     {
     }
 
@@ -142,17 +178,6 @@ public:
     }
 
 private:
-    static std::function<double(double)> sway(const Options& options, RNG& rng)
-    {
-        if (options.swayMemory > 0)
-        {
-            const RandomSway random(options.tilt, options.swayMemory, rng);
-            return [random](double seconds) { return random.at(seconds); };
-        }
-        const Oscillation oscillation(options.tilt, 0.8, 4, rng);
-        return [oscillation](double seconds) { return oscillation.at(seconds); };
-    }
-
     cv::rsackermann::RollingShutterCamera tilted(double seconds) const
     {
         cv::rsackermann::RollingShutterCamera c = camera;
@@ -232,7 +257,7 @@ private:
     const Options options;
     RNG rng;
     const Oscillation yawRate, speed;
-    const std::function<double(double)> swayRoll, swayPitch; // of a time
+    const Sway swayRoll, swayPitch;
     const Oscillation left, right, direction;
 };
 

@@ -37,7 +37,7 @@ Vec3d MountCalibration::horizon() const
 
 MountCalibrator::Params::Params()
     : maxFrames(1000), tiltSigma(3 * DEGREE), headingSigma(5 * DEGREE), lineDelaySigma(0.3),
-      suspensionSigma(0.4 * DEGREE), suspensionTime(1)
+      suspensionSigma(0.4 * DEGREE), suspensionTime(0.5)
 {
 }
 

@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "mount_solver.hpp"
+#include "slow_covariance.hpp"
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
@@ -19,9 +20,8 @@ static const double YAW_CHANGE_MEMORY = 0.5; // seconds
 static const double SAME_TIME = 1e-6;        // seconds
 // Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
 static const double SAME_DELAY = 0.01;
-// Hz; what frames err together is slower, or faster and without effect on the mean
-static const double SLOW = 0.3;
-static const int LEAST_WAVES = 4;
+// Seconds: cars slip and streets bend, so that the direction in which a car goes wanders
+static const double DIRECTION_MEMORY = 1;
 static const double ASSUMED_FRAMES = 3; // as many count as the weights say
 static const double MEDIAN = 0.67;      // of a normal distribution's absolute value, in sigmas
 // Of residuals, over the usual ones: points are tracked to some hundredths of a pixel at best
@@ -346,38 +346,17 @@ private:
     {
         const std::vector<MountVector> pull = pulls();
         const double n = double(pull.size()), more = ASSUMED_FRAMES / (n + ASSUMED_FRAMES);
-        // Cars slip and streets bend: the direction in which a car goes wanders as its tilt does.
         MountVector memories = MountVector::Zero();
-        memories[MOUNT_HEADING] = suspension.memory;
-        return (1 - more) * covarianceOfSum(pull, memories) + more * (reduced - prior());
+        memories[MOUNT_HEADING] = DIRECTION_MEMORY;
+        return (1 - more) * slowCovarianceOfSum(pull, seconds(), memories) + more * (reduced - prior());
     }
 
-    /* Covariance of the sum of what each frame says as it really scatters, whatever connects frames: that of its
-    slowest oscillations, the cosines of half a period and more over the drive.
-    @param memories seconds after which values that wander have come back; what a drive is too short for to show
-    counts as well. */
-    template <class V>
-    Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> covarianceOfSum(const std::vector<V>& values,
-                                                                                      const V& memories) const
+    double seconds() const
     {
-        const size_t n = values.size();
-        double seconds = 0;
-        for (size_t k = 0; k < n; k++)
-            seconds += frames[k].interval;
-        const int waves = std::max(LEAST_WAVES, int(seconds * 2 * SLOW));
-        Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> sum;
-        sum.setZero();
-        for (int j = 1; j <= waves; j++)
-        {
-            V wave = V::Zero();
-            for (size_t k = 0; k < n; k++)
-                wave += std::cos(CV_PI * j * (double(k) + 0.5) / double(n)) * values[k];
-            // The part of what wanders is smaller by as much as at rest.
-            const V atRest = (1 + (CV_PI * j / seconds * memories).array().square()).sqrt() * wave.array();
-            sum += 2 * atRest * atRest.transpose();
-        }
-        // So few of them leave the variance itself uncertain: that of Student's t distribution.
-        return sum / (waves - 2);
+        double sum = 0;
+        for (size_t k = 0; k < frames.size(); k++)
+            sum += frames[k].interval;
+        return sum;
     }
 
     /* The mount's roll and pitch are the means of what the frames show. By the suspension's assumed memory frames at
@@ -398,7 +377,7 @@ private:
             sum += shown[k];
         }
         const Eigen::Vector2d memories(suspension.memory, suspension.memory);
-        const Eigen::Matrix2d covariance = covarianceOfSum(shown, memories) / (n * n);
+        const Eigen::Matrix2d covariance = slowCovarianceOfSum(shown, seconds(), memories) / (n * n);
         for (int i = 0; i < 2; i++)
         {
             // Tilts that frames don't show are those of the mount.
