@@ -95,7 +95,7 @@ public:
         fit.value = mount;
         fit.sigma = covariance.diagonal().cwiseSqrt();
         fit.turningSigma = std::sqrt(MountMatrix((reduced - sameDelay()).inverse())(MOUNT_DELAY, MOUNT_DELAY));
-        takeMeanTilts(fit);
+        takeMeanTilts(covariance, fit);
         return fit;
     }
 
@@ -360,30 +360,32 @@ private:
     }
 
     /* The mount's roll and pitch are the means of what the frames show. By the suspension's assumed memory frames at
-    the ends would count more; the mean is nearly as good if cars sway like that, and doesn't rest on it. */
-    void takeMeanTilts(MountFit& fit) const
+    the ends would count more; the mean is nearly as good if cars sway like that, and doesn't rest on it.
+    @param covariance of the mount. */
+    void takeMeanTilts(const MountMatrix& covariance, MountFit& fit) const
     {
         const double n = double(frames.size());
         const int tilts[] = {FrameEquations::ROLL, FrameEquations::PITCH}, mounts[] = {MOUNT_ROLL, MOUNT_PITCH};
         std::vector<Eigen::Vector2d> shown(frames.size());
-        Eigen::Vector2d sum(0, 0), followed(0, 0);
+        Eigen::Vector2d sum(0, 0);
+        Eigen::Matrix<double, 2, MOUNT_VALUES> followed = Eigen::Matrix<double, 2, MOUNT_VALUES>::Zero();
         for (size_t k = 0; k < frames.size(); k++)
         {
             for (int i = 0; i < 2; i++)
             {
                 shown[k][i] = frames[k].value[SCENE_VALUES + tilts[i]];
-                followed[i] -= localByMount(unknownOf(k, tilts[i]), mounts[i]);
+                followed.row(i) -= localByMount.row(unknownOf(k, tilts[i])) / n;
             }
             sum += shown[k];
         }
         const Eigen::Vector2d memories(suspension.memory, suspension.memory);
-        const Eigen::Matrix2d covariance = slowCovarianceOfSum(shown, seconds(), memories) / (n * n);
+        // Tilts that frames don't show are those of the mount, and all of them follow heading and line delay.
+        const Eigen::Matrix2d all = slowCovarianceOfSum(shown, seconds(), memories) / (n * n) +
+                                    followed * covariance * followed.transpose();
         for (int i = 0; i < 2; i++)
         {
-            // Tilts that frames don't show are those of the mount.
-            const double ofMount = followed[i] / n * fit.sigma[mounts[i]];
             fit.value[mounts[i]] = sum[i] / n;
-            fit.sigma[mounts[i]] = std::sqrt(covariance(i, i) + ofMount * ofMount);
+            fit.sigma[mounts[i]] = std::sqrt(all(i, i));
         }
     }
 
