@@ -131,6 +131,26 @@ TEST(RSAckermann_Calibration, mount_is_the_mean_of_the_drive)
     }
 }
 
+// That of a straight drive isn't known, and the pitch that is found follows it.
+TEST(RSAckermann_Calibration, sigma_of_the_pitch_has_that_of_the_line_delay)
+{
+    StreetDrive::Options options;
+    options.yawRate = options.tilt = 0;
+    const RollingShutterCamera truth = mounted(1.2);
+    RollingShutterCamera told = guess();
+    told.lineDelay = truth.lineDelay;
+    told.lineDelaySigma = 0.001 * told.lineDelay;
+    for (int i = 0; i < 3; i++)
+    {
+        const Ptr<MountCalibrator> calibrators[] = {MountCalibrator::create(guess()), MountCalibrator::create(told)};
+        for (const Ptr<MountCalibrator>& calibrator : calibrators)
+            drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, i), 60, false);
+        const MountCalibration without = calibrators[0]->calibrate(), with = calibrators[1]->calibrate();
+        EXPECT_GT(without.pitchSigma, 1.5 * with.pitchSigma) << i;
+        EXPECT_NEAR(with.pitch, without.pitch, 2 * without.pitchSigma) << i;
+    }
+}
+
 TEST(RSAckermann_Calibration, sigmas_cover_the_errors)
 {
     int within = 0, count = 0;
