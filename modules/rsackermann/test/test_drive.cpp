@@ -188,6 +188,38 @@ TEST_P(Scans, derivatives_are_those_of_slow_motions)
     }
 }
 
+TEST_P(Scans, derivative_by_the_inverse_depth)
+{
+    RNG rng(8);
+    const RollingShutterCamera camera = driveCamera(GetParam());
+    const FlowResidual residual(camera);
+    int count = 0;
+    for (int i = 0; i < 200; i++)
+    {
+        const Truth truth = randomTruth(rng);
+        const std::vector<Sight> sights =
+            sightsOf(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
+        double values[FLOW_VALUES] = {0};
+        const DriveVector value = stateOf(camera, truth).value;
+        std::copy(value.val, value.val + DRIVE_VALUES, values);
+        values[FLOW_PITCH_BEFORE] = rng.uniform(-0.1, 0.1);
+        values[FLOW_ROLL_BEFORE] = rng.uniform(-0.1, 0.1);
+        for (size_t k = 0; k < sights.size(); k++, count++)
+        {
+            const double h = 1e-6;
+            FlowResidual::View view = residual.look(sights[k], values);
+            Point2d got;
+            residual.miss(sights[k], values, view, &got);
+            view.inverseDepth += h;
+            const Point2d nearer = residual.miss(sights[k], values, view);
+            view.inverseDepth -= 2 * h;
+            const Point2d slope = (nearer - residual.miss(sights[k], values, view)) * (0.5 / h);
+            ASSERT_LT(cv::norm(slope - got), 1e-6 * cv::norm(slope) + 1e-6) << "motion " << i << ", point " << k;
+        }
+    }
+    EXPECT_GT(count, 1500);
+}
+
 TEST_P(Scans, motion_is_found)
 {
     RNG rng(7);

@@ -79,21 +79,18 @@ PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame,
 }
 
 // Whether the surroundings of a point with which it is tracked show both a wall and the road.
-bool FrameProblem::isAtFoot(const Sight& sight, const double* values) const
+bool FrameProblem::isAtFoot(const FlowResidual::View& view, const double* values) const
 {
-    const FlowResidual::View view = residual.look(sight, values);
     return std::abs(view.inverseDepth - view.behind) <
            std::abs(values[DRIVE_SPEED]) * unit * values[DRIVE_ROAD] * reach / focal;
 }
 
 // Pixels by which a point is elsewhere in the other image if it is nearer than its plane by a usual deviation.
-Point2d FrameProblem::byDepth(const Sight& sight, const double* values) const
+Point2d FrameProblem::byDepth(const Sight& sight, const double* values, const FlowResidual::View& view) const
 {
-    const double step = 0.01; // usual deviations
-    FlowResidual::View view = residual.look(sight, values);
-    const Point2d onPlane = residual.miss(sight, values, view);
-    view.inverseDepth += step * values[DRIVE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2];
-    return (residual.miss(sight, values, view) - onPlane) * (1 / step);
+    Point2d byInverseDepth;
+    residual.miss(sight, values, view, &byInverseDepth);
+    return values[DRIVE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2] * byInverseDepth;
 }
 
 // By how much a vertical leans otherwise if it is nearer than its wall by a usual deviation, in usual sigmas.
@@ -102,11 +99,10 @@ double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFram
 {
     const double grazing = 0.05; // of a wall as seen from the camera; there is hardly a vertical
     int plane;
-    verticalResidual(c, model, plane, 0);
+    Vec<double, PARAMETERS> byParameters;
+    slantInSigmas(c, model, focal, byParameters.val, plane);
     if (plane != Scene::LEFT_WALL && plane != Scene::RIGHT_WALL)
         return 0;
-    Vec<double, PARAMETERS> byParameters;
-    slantInSigmas(c, model, focal, byParameters.val);
     const DriveVector by = byValues.t() * byParameters;
     // The inverse depth of a wall is its inverse distance times this.
     const double direction = frame.value[DRIVE_DIRECTION],
@@ -123,13 +119,14 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
     for (size_t i = 0; i < frame.sights.size(); i++)
     {
         const Sight now = changed(frame.sights[i], R, shift);
-        if (isAtFoot(now, frame.value.data()))
+        const FlowResidual::View view = residual.look(now, frame.value.data());
+        if (isAtFoot(view, frame.value.data()))
         {
             frame.pointWeights.push_back(Matx22d::zeros());
             continue;
         }
         // The inverse square root of the covariance pointSigma^2 I + d d^T
-        const Point2d d = sigmas.depths * byDepth(now, frame.value.data());
+        const Point2d d = sigmas.depths * byDepth(now, frame.value.data(), view);
         const double inverse = 1 / pointSigma, squared = d.dot(d),
                      less = squared > 0 ? (inverse - 1 / std::hypot(pointSigma, norm(d))) / squared : 0;
         frame.pointWeights.push_back(Matx22d(inverse - less * d.x * d.x, -less * d.x * d.y, //
@@ -181,7 +178,8 @@ void FrameProblem::addMisses(const CalibrationFrame& frame, std::vector<double>&
         if (frame.pointWeights[i] == Matx22d::zeros())
             continue;
         const Sight now = changed(frame.sights[i], R, shift);
-        const Point2d d = byDepth(now, frame.value.data()), r = residual.evaluate(now, frame.value.data(), 0);
+        const FlowResidual::View view = residual.look(now, frame.value.data());
+        const Point2d d = byDepth(now, frame.value.data(), view), r = residual.miss(now, frame.value.data(), view);
         const double length = norm(d);
         if (!(length > 0))
             continue;

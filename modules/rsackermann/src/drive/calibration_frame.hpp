@@ -105,8 +105,8 @@ private:
     void addPoints(const CalibrationFrame& frame, Information& information, Gradient& gradient) const;
     void addVerticals(const CalibrationFrame& frame, Information& information, Gradient& gradient) const;
     PreparedModel modelOf(const CalibrationFrame& frame, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian = 0) const;
-    bool isAtFoot(const Sight& sight, const double* values) const;
-    Point2d byDepth(const Sight& sight, const double* values) const;
+    bool isAtFoot(const FlowResidual::View& view, const double* values) const;
+    Point2d byDepth(const Sight& sight, const double* values, const FlowResidual::View& view) const;
     double slantByDepth(const UprightSegment& vertical, const CalibrationFrame& frame, const PreparedModel& model,
                         const Matx<double, PARAMETERS, DRIVE_VALUES>& byValues) const;
 

@@ -38,15 +38,21 @@ inline bool isOfOwnCar(const Sight& sight, double squared)
     return sight.isStill && squared > AGREES * AGREES;
 }
 
-//! Slant of a vertical that the motion should have made upright, and its derivatives, in sigmas.
-inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model, double focal, double* jacobian)
+/** Slant of a vertical that the motion should have made upright, and its derivatives, in sigmas.
+@param plane receives the one of Scene that it is on. */
+inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model, double focal, double* jacobian,
+                            int& plane)
 {
-    int wall;
     const double length = norm(c.u - c.v), sigma = std::hypot(USUAL_LEAN * length, END_SIGMA / focal);
-    const double r = verticalResidual(c, model, wall, jacobian);
+    const double r = verticalResidual(c, model, plane, jacobian);
     for (int i = 0; i < PARAMETERS && jacobian; i++)
         jacobian[i] /= sigma;
     return r / sigma;
+}
+inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model, double focal, double* jacobian)
+{
+    int plane;
+    return slantInSigmas(c, model, focal, jacobian, plane);
 }
 
 }} // namespace cv::rsackermann

@@ -70,18 +70,27 @@ FlowResidual::View FlowResidual::look(const Sight& s, const double* u) const
     return v;
 }
 
-Point2d FlowResidual::miss(const Sight& s, const double* u, const View& v) const
+Point2d FlowResidual::miss(const Sight& s, const double* u, const View& v, Point2d* byInverseDepth) const
 {
     const RowMotion other(u[DRIVE_YAW_RATE] * unit / 2, heading, s.timeOther);
-    const double x = v.ray[0] + v.inverseDepth * (v.place[0] - other.tau * other.s2),
-                 z = v.ray[2] + v.inverseDepth * (v.place[2] - other.tau * other.c2);
+    const double wayX = v.place[0] - other.tau * other.s2, wayZ = v.place[2] - other.tau * other.c2;
+    const double x = v.ray[0] + v.inverseDepth * wayX, z = v.ray[2] + v.inverseDepth * wayZ;
     // By how much the other row has turned further from this one.
     const double further = halfSquare(s) * u[FLOW_YAW_CHANGE];
     const double c = other.c - further * other.s, sn = other.s + further * other.c;
     const double turnedX = c * x - sn * z, turnedZ = sn * x + c * z, behind = 1e3; // pixels
+    if (byInverseDepth)
+        *byInverseDepth = Point2d();
     if (!(turnedZ > LEAST))
         return Point2d(behind, behind);
     const double px = turnedX / turnedZ, py = v.ray[1] / turnedZ;
+    if (byInverseDepth)
+    {
+        const double zBy = (sn * wayX + c * wayZ) / turnedZ, xBy = (c * wayX - sn * wayZ) / turnedZ - px * zBy,
+                     yBy = -py * zBy;
+        *byInverseDepth = focal * Point2d(xBy + (xBy * py + px * yBy) * u[s.pitch] - yBy * u[s.roll],
+                                          yBy + 2 * py * yBy * u[s.pitch] + xBy * u[s.roll]);
+    }
     return focal * Point2d(px + px * py * u[s.pitch] - py * u[s.roll] - s.other.x,
                            py + (1 + py * py) * u[s.pitch] + px * u[s.roll] - s.other.y);
 }

@@ -66,8 +66,9 @@ public:
     };
     View look(const Sight& sight, const double* values) const;
 
-    //! The residual of a view, with whatever inverse depth it has.
-    Point2d miss(const Sight& sight, const double* values, const View& view) const;
+    /** The residual of a view, with whatever inverse depth it has.
+    @param byInverseDepth receives, unless it is null, the derivative; 0 of a point that would be behind. */
+    Point2d miss(const Sight& sight, const double* values, const View& view, Point2d* byInverseDepth = 0) const;
 
     //! Whether a residual stands for a point that would be behind the camera, or might.
     static bool isBehind(const Point2d& residual) { return !(residual.dot(residual) < 1e6); }

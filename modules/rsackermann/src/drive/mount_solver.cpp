@@ -380,8 +380,8 @@ private:
         }
         const Eigen::Vector2d memories(suspension.memory, suspension.memory);
         // Tilts that frames don't show are those of the mount, and all of them follow heading and line delay.
-        const Eigen::Matrix2d all = slowCovarianceOfSum(shown, seconds(), memories) / (n * n) +
-                                    followed * covariance * followed.transpose();
+        const Eigen::Matrix2d all =
+            slowCovarianceOfSum(shown, seconds(), memories) / (n * n) + followed * covariance * followed.transpose();
         for (int i = 0; i < 2; i++)
         {
             fit.value[mounts[i]] = sum[i] / n;

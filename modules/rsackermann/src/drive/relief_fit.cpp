@@ -80,7 +80,6 @@ Size controlCount(size_t points, const Rect2d& area)
 std::vector<Deviation> deviationsOf(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
                                     const double* values, const AckermannMotion& motion)
 {
-    const double step = 1e-4; // far less than what moves a point by a pixel, far more than rounding
     const FlowResidual residual(camera);
     const Scene scene(motion);
     const Matx33d turn = motion.uprightRotation(camera) * camera.uprightRotation.t();
@@ -93,12 +92,11 @@ std::vector<Deviation> deviationsOf(const RollingShutterCamera& camera, const st
             continue;
         // The planes of the motion, which is upright, aren't quite those of the fit.
         view.inverseDepth = scene.inverseDepth(ray);
-        const Point2d planes = residual.miss(sights[i], values, view);
-        view.inverseDepth += step * ray[2];
-        const Point2d nearer = residual.miss(sights[i], values, view), change = (nearer - planes) * (1 / step);
+        Point2d change;
+        const Point2d planes = residual.miss(sights[i], values, view, &change);
+        change *= ray[2];
         const double slope = norm(change), squared = planes.dot(planes) / (POINT_SIGMA * POINT_SIGMA);
-        if (!(slope > 0) || FlowResidual::isBehind(planes) || FlowResidual::isBehind(nearer) ||
-            isOfOwnCar(sights[i], squared))
+        if (!(slope > 0) || FlowResidual::isBehind(planes) || isOfOwnCar(sights[i], squared))
             continue;
         const Deviation d = {toPlace(ray), change.dot(planes) / slope, change.cross(planes) / slope, slope};
         deviations.push_back(d);
