@@ -128,7 +128,7 @@ void print(const char* name, bool isObserved, double value, double sigma, const 
 void print(const MountCalibration& c, int frames)
 {
     std::printf("frames      %d of %d\n", c.frames, frames);
-    const char* few = "too few points and verticals, or too little motion";
+    const char* few = "too few frames, points or verticals, or too little motion";
     print("roll", c.rollObserved, c.roll / DEGREE, c.rollSigma / DEGREE, "deg", few);
     print("pitch", c.pitchObserved, c.pitch / DEGREE, c.pitchSigma / DEGREE, "deg", few);
     print("heading", c.headingObserved, c.heading / DEGREE, c.headingSigma / DEGREE, "deg", few);

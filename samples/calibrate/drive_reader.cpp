@@ -34,10 +34,11 @@ public:
     {
         const std::string& input = inputs_.files[index];
         DriveFrame frame;
-        frame.image = readImage(input);
         frame.facts = log_.of(input, inputs_.numbers[index], UNKNOWN);
         if (std::isnan(frame.facts.time))
             frame.facts.time = last_ + INTERVAL;
+        last_ = frame.facts.time; // even if it can't be read: the next one comes after it
+        frame.image = readImage(input);
         hand(frame, double(index + 1) / double(inputs_.files.size()));
     }
 
@@ -54,12 +55,13 @@ public:
         for (; capture.read(frame.image); number++)
         {
             frame.facts = log_.of(input, number, clock.timeOfFrame(capture));
-            frame.facts.time += offset_;
+            last_ = frame.facts.time += offset_;
             hand(frame, (double(index) + (announced > 0 ? std::min((number + 1) / announced, 1.) : 0)) /
                             double(inputs_.files.size()));
         }
         if (number == 0)
             throw InputError("no frame of the video can be read");
+        last_ += BETWEEN_DRIVES;
     }
 #endif
 
@@ -69,7 +71,6 @@ private:
         if (interruptSignal())
             throw Interrupted();
         use_(frame, done);
-        last_ = frame.facts.time;
     }
 
     const InputList& inputs_;

@@ -107,7 +107,8 @@ double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFram
     // The inverse depth of a wall is its inverse distance times this.
     const double direction = frame.value[DRIVE_DIRECTION],
                  across = std::abs(std::sin(direction) - std::cos(direction) * 0.5 * (c.u[0] + c.v[0]));
-    return by[plane == Scene::LEFT_WALL ? DRIVE_LEFT : DRIVE_RIGHT] * DEVIATION_SIGMA / std::max(across, grazing);
+    // The other wall has no part in it. A right wall alone has the place of the left one in the model.
+    return (by[DRIVE_LEFT] + by[DRIVE_RIGHT]) * DEVIATION_SIGMA / std::max(across, grazing);
 }
 
 void FrameProblem::weigh(CalibrationFrame& frame) const

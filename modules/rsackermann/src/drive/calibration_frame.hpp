@@ -43,6 +43,7 @@ struct DepthResidual
 //! How a frame is seen, and its evidence.
 struct CalibrationFrame
 {
+    int drive;             //!< its number: frames of one drive follow each other
     double time, interval; //!< seconds; since the frame before
     std::vector<Sight> sights;
     std::vector<UprightSegment> verticals;

@@ -66,7 +66,7 @@ FlowResidual::View FlowResidual::look(const Sight& s, const double* u) const
                               u[DRIVE_ROAD] * v.ray[1]};
     v.plane = int(std::max_element(planes, planes + 3) - planes);
     v.inverseDepth = length * std::max(0., planes[v.plane]);
-    v.behind = length * std::max(0., v.plane == 2 ? std::max(planes[0], planes[1]) : planes[2]);
+    v.behind = length * (v.plane == 2 ? std::max(0., std::max(planes[0], planes[1])) : planes[2]);
     return v;
 }
 

@@ -41,7 +41,7 @@ void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>&
 
 /** By how much a point is elsewhere in another image than the motion says (doc/theory.md, "Drive").
 
-The motion between the two rows is exact; the derivatives are those of the displacement to first order.
+The motion between the two rows is exact; the derivatives by the values are those of the displacement to first order.
 */
 class FlowResidual
 {
@@ -62,7 +62,8 @@ public:
         Vec3d place;         // of the camera
         int plane;           // 0 left wall, 1 right wall, 2 road
         double inverseDepth; // scaled, to the scale of the ray: the point is at ray + inverseDepth place
-        double behind;       // the same of the road if the plane is a wall, and of the nearer wall if it is the road
+        double behind; // the same of the nearer wall if the plane is the road, and of the road otherwise: negative
+                       // above the horizon
     };
     View look(const Sight& sight, const double* values) const;
 

@@ -139,6 +139,7 @@ public:
         numbers.clear();
         tracker.reset();
         number = 0;
+        drive = 0;
         stride = 1;
         hasFrame = false;
     }
@@ -163,6 +164,7 @@ public:
         CV_INSTRUMENT_REGION();
         check(seconds, prior);
         const Mat rows = segmentRows(points, "points"), segmentsOfFrame = segmentRows(segments);
+        tracker.reset(); // an image that it has is no longer the one before
         pairs.clear();
         for (int i = 0; i < rows.rows; i++)
         {
@@ -179,7 +181,7 @@ public:
         CV_INSTRUMENT_REGION();
         const MountVector before = sigmaBefore();
         MountFit fit = {MountVector::Zero(), before, before[MOUNT_DELAY]};
-        if (!frames.empty())
+        if (frames.size() >= LEAST_FRAMES)
         {
             std::vector<CalibrationFrame> fitted = frames;
             const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
@@ -229,6 +231,7 @@ private:
         hasFrame = true;
         if (!isNext)
         {
+            drive++;
             restart();
             return false;
         }
@@ -240,6 +243,7 @@ private:
         else
             state->predict(passed);
         CalibrationFrame frame;
+        frame.drive = drive;
         frame.time = seconds;
         frame.interval = passed;
         addSights(start, pairs, passed, frame.sights);
@@ -327,7 +331,8 @@ private:
         c.rollObserved = isObserved(sigma, before, MOUNT_ROLL);
         c.pitchObserved = isObserved(sigma, before, MOUNT_PITCH);
         c.headingObserved = isObserved(sigma, before, MOUNT_HEADING);
-        c.lineDelayObserved = fit.turningSigma < OBSERVED * before[MOUNT_DELAY];
+        c.lineDelayObserved =
+            isObserved(sigma, before, MOUNT_DELAY) && fit.turningSigma < OBSERVED * before[MOUNT_DELAY];
         // The azimuths are those of the upright frame, in which the optical axis may have moved.
         const Matx33d upright =
             rollRotation(fit.value[MOUNT_ROLL]) * pitchRotation(fit.value[MOUNT_PITCH]) * given.uprightRotation;
@@ -362,7 +367,7 @@ private:
 
     std::vector<CalibrationFrame> frames;
     std::vector<int> numbers; // of each frame's run
-    int number, stride;
+    int number, drive, stride;
 
     Ptr<DriveState> state; // of the last frame
     double time;

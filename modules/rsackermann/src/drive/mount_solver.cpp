@@ -4,7 +4,6 @@
 
 #include "../precomp.hpp"
 #include "mount_solver.hpp"
-#include "slow_covariance.hpp"
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
@@ -32,6 +31,10 @@ namespace {
 typedef Eigen::Matrix<double, Eigen::Dynamic, 1> Vector;
 typedef Eigen::Matrix<double, Eigen::Dynamic, MOUNT_VALUES> ByMount;
 typedef Eigen::SparseMatrix<double> Sparse;
+// What of each frame scatters: both tilts, and its pulls at the mount.
+enum { SERIES_VALUES = 2 + MOUNT_VALUES };
+typedef Eigen::Matrix<double, SERIES_VALUES, 1> SeriesVector;
+typedef Eigen::Matrix<double, SERIES_VALUES, SERIES_VALUES> SeriesMatrix;
 
 // A residual in sigmas that is linear in a few unknowns: linked values of frames, and the mount.
 struct LinearTerm
@@ -90,12 +93,17 @@ public:
     MountFit result(double scale)
     {
         linearize(scale);
-        const MountMatrix inverse = reduced.inverse(), covariance = inverse * (scatter() + prior()) * inverse;
+        const MountMatrix inverse = reduced.inverse();
+        const SeriesMatrix scatter = slowScatter();
+        // The information of the weights joins what the frames show as some more frames would.
+        const double more = ASSUMED_FRAMES / (double(frames.size()) + ASSUMED_FRAMES);
+        const MountMatrix ofPulls =
+            (1 - more) * scatter.bottomRightCorner<MOUNT_VALUES, MOUNT_VALUES>() + more * (reduced - prior());
         MountFit fit;
         fit.value = mount;
-        fit.sigma = covariance.diagonal().cwiseSqrt();
+        fit.sigma = MountMatrix(inverse * (ofPulls + prior()) * inverse).diagonal().cwiseSqrt();
         fit.turningSigma = std::sqrt(MountMatrix((reduced - sameDelay()).inverse())(MOUNT_DELAY, MOUNT_DELAY));
-        takeMeanTilts(covariance, fit);
+        takeMeanTilts(scatter, inverse, fit);
         return fit;
     }
 
@@ -141,11 +149,11 @@ private:
 
     static int unknownOf(size_t frame, int linked) { return int(frame) * LINKED_VALUES + linked; }
 
-    // Seconds since the frame before in the list; ages if that is of another drive, whose times may be the same.
+    // Seconds since the frame before in the list; ages if that is of another drive.
     double passedBefore(size_t k) const
     {
-        const double passed = k > 0 ? frames[k].time - frames[k - 1].time : 0;
-        return passed < frames[k].interval - SAME_TIME ? DBL_MAX : passed;
+        const bool isFirst = k == 0 || frames[k].drive != frames[k - 1].drive;
+        return isFirst ? DBL_MAX : std::max(frames[k].time - frames[k - 1].time, SAME_TIME);
     }
 
     // The connections of a frame with the one before and with the mount.
@@ -341,14 +349,24 @@ private:
         return result;
     }
 
-    // Of the sum of all pulls. The information of the weights joins it as some more frames would.
-    MountMatrix scatter() const
+    // The tilts that a frame shows.
+    Eigen::Vector2d tilts(size_t k) const
+    {
+        return Eigen::Vector2d(frames[k].value[DRIVE_ROLL], frames[k].value[DRIVE_PITCH]);
+    }
+
+    // Of the mean tilts and of the sum of all pulls.
+    SeriesMatrix slowScatter() const
     {
         const std::vector<MountVector> pull = pulls();
-        const double n = double(pull.size()), more = ASSUMED_FRAMES / (n + ASSUMED_FRAMES);
-        MountVector memories = MountVector::Zero();
-        memories[MOUNT_HEADING] = DIRECTION_MEMORY;
-        return (1 - more) * slowCovarianceOfSum(pull, seconds(), memories) + more * (reduced - prior());
+        const double n = double(frames.size());
+        std::vector<SeriesVector> series(frames.size());
+        for (size_t k = 0; k < frames.size(); k++)
+            series[k] << tilts(k) / n, pull[k];
+        SeriesVector memories = SeriesVector::Zero();
+        memories.head<2 + 2>().setConstant(suspension.memory); // the mount is pulled by the same tilts
+        memories[2 + MOUNT_HEADING] = DIRECTION_MEMORY;
+        return slowCovarianceOfSum(series, seconds(), memories);
     }
 
     double seconds() const
@@ -361,31 +379,31 @@ private:
 
     /* The mount's roll and pitch are the means of what the frames show. By the suspension's assumed memory frames at
     the ends would count more; the mean is nearly as good if cars sway like that, and doesn't rest on it.
-    @param covariance of the mount. */
-    void takeMeanTilts(const MountMatrix& covariance, MountFit& fit) const
+    @param inverse of the mount's information. */
+    void takeMeanTilts(const SeriesMatrix& scatter, const MountMatrix& inverse, MountFit& fit) const
     {
         const double n = double(frames.size());
-        const int tilts[] = {FrameEquations::ROLL, FrameEquations::PITCH}, mounts[] = {MOUNT_ROLL, MOUNT_PITCH};
-        std::vector<Eigen::Vector2d> shown(frames.size());
-        Eigen::Vector2d sum(0, 0);
-        Eigen::Matrix<double, 2, MOUNT_VALUES> followed = Eigen::Matrix<double, 2, MOUNT_VALUES>::Zero();
+        const int which[] = {FrameEquations::ROLL, FrameEquations::PITCH};
+        Eigen::Vector2d mean(0, 0);
+        Eigen::Matrix<double, 2, MOUNT_VALUES> byMount = Eigen::Matrix<double, 2, MOUNT_VALUES>::Zero();
         for (size_t k = 0; k < frames.size(); k++)
         {
+            mean += tilts(k) / n;
             for (int i = 0; i < 2; i++)
-            {
-                shown[k][i] = frames[k].value[SCENE_VALUES + tilts[i]];
-                followed.row(i) -= localByMount.row(unknownOf(k, tilts[i])) / n;
-            }
-            sum += shown[k];
+                byMount.row(i) -= localByMount.row(unknownOf(k, which[i])) / n;
         }
-        const Eigen::Vector2d memories(suspension.memory, suspension.memory);
-        // Tilts that frames don't show are those of the mount, and all of them follow heading and line delay.
-        const Eigen::Matrix2d all =
-            slowCovarianceOfSum(shown, seconds(), memories) / (n * n) + followed * covariance * followed.transpose();
+        // Tilts that frames don't show are those of the mount, and all of them follow heading and line delay: what
+        // pulls these pulls the mean as well, beside what a frame's tilt itself does to it.
+        const Eigen::Matrix<double, 2, MOUNT_VALUES> byPulls = byMount * inverse;
+        Eigen::Matrix<double, 2, SERIES_VALUES> bySeries;
+        bySeries << Eigen::Matrix2d::Identity(), -byPulls;
+        const Eigen::Matrix2d covariance =
+            bySeries * scatter * bySeries.transpose() + byPulls * prior() * byPulls.transpose();
+        const int mounts[] = {MOUNT_ROLL, MOUNT_PITCH};
         for (int i = 0; i < 2; i++)
         {
-            fit.value[mounts[i]] = sum[i] / n;
-            fit.sigma[mounts[i]] = std::sqrt(all(i, i));
+            fit.value[mounts[i]] = mean[i];
+            fit.sigma[mounts[i]] = std::sqrt(covariance(i, i));
         }
     }
 

@@ -6,8 +6,11 @@
 #define OPENCV_RSACKERMANN_SRC_DRIVE_MOUNT_SOLVER_HPP
 
 #include "calibration_frame.hpp"
+#include "slow_covariance.hpp"
 
 namespace cv { namespace rsackermann {
+
+const size_t LEAST_FRAMES = LEAST_WAVES + 1; //!< fewer don't tell how much they err together
 
 //! How suspension and road tilt a car.
 struct Suspension
@@ -24,8 +27,8 @@ struct MountFit
 };
 
 /** Explains all frames of a drive by one mount and one line delay (doc/theory.md, "Self-calibration").
-@param frames in the order of their times; the result of each is left in its value.
-@param sigma of the mount's values before; they are 0 within it. */
+@param frames LEAST_FRAMES or more of them, as they follow each other; the result of each is left in its value.
+@param sigma of the mount's values before, which are 0. */
 MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma,
                   const Suspension& suspension);
 

@@ -13,11 +13,13 @@
 
 namespace cv { namespace rsackermann {
 
+const int LEAST_WAVES = 4; //!< oscillations that tell how a series scatters
+
 /** Covariance of the sum of a stationary series as it really scatters, whatever connects neighbours: that of its
 slowest oscillations, the cosines of half a period and more over the series [lazarus2018har] (doc/theory.md,
 "Self-calibration").
-@param values in equal steps, which may lack some.
-@param seconds from the first to the last.
+@param values in equal steps, which may lack some; more than LEAST_WAVES of them.
+@param seconds their number times the step.
 @param memories seconds after which each value that wanders has come back; what a series is too short for to show counts
 as well. */
 template <class V>
@@ -26,16 +28,15 @@ Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> slowCovariance
 {
     // Hz; a car's body swings at 1 to 1.5 Hz, and below a sixth of that its spectrum is flat to 5 %.
     const double slow = 0.2;
-    const int leastWaves = 4;
-    const double n = double(values.size());
-    const int waves = std::max(leastWaves, int(seconds * 2 * slow));
+    CV_Assert(values.size() > size_t(LEAST_WAVES));
+    const int n = int(values.size()), waves = std::min(std::max(LEAST_WAVES, int(seconds * 2 * slow)), n - 1);
     Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> sum;
     sum.setZero();
     for (int j = 1; j <= waves; j++)
     {
         V wave = V::Zero();
-        for (size_t k = 0; k < values.size(); k++)
-            wave += std::cos(CV_PI * j * (double(k) + 0.5) / n) * values[k];
+        for (int k = 0; k < n; k++)
+            wave += std::cos(CV_PI * j * (k + 0.5) / n) * values[k];
         // The part of what wanders is smaller by as much as at rest.
         const V atRest = (1 + (CV_PI * j / seconds * memories).array().square()).sqrt() * wave.array();
         sum += 2 * atRest * atRest.transpose();

@@ -1,0 +1,97 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+
+#include "../src/drive/calibration_frame.cpp"
+
+namespace opencv_test { namespace {
+
+using namespace cv::rsackermann;
+
+//! A frame without evidence of a car that goes straight ahead between walls at inverse distances.
+CalibrationFrame frameBetween(const RollingShutterCamera& camera, double left, double right)
+{
+    CalibrationFrame frame;
+    frame.drive = 1;
+    frame.time = frame.interval = 1 / 30.;
+    frame.value.setZero();
+    frame.value[DRIVE_SPEED] = 10;
+    frame.value[DRIVE_LEFT] = left;
+    frame.value[DRIVE_RIGHT] = right;
+    frame.value[DRIVE_ROAD] = 1 / camera.height;
+    for (int i = 0; i < SCENE_VALUES; i++)
+    {
+        frame.expected[i] = frame.value[i];
+        frame.sigma[i] = 1;
+    }
+    return frame;
+}
+
+const ResidualSigmas USUAL = {1, 1, 1};
+
+RollingShutterCamera straightCamera()
+{
+    RollingShutterCamera camera(Size(960, 540), Matx33d(700, 0, 479.5, 0, 700, 269.5, 0, 0, 1));
+    camera.lineDelay = 0.025 / 540;
+    camera.height = 1.4;
+    return camera;
+}
+
+//! Whether a point that stays in its place counts.
+bool counts(CalibrationFrame frame, const Point2d& pixel)
+{
+    const RollingShutterCamera camera = straightCamera();
+    const PointPair pair = {pixel, pixel};
+    addSights(camera, std::vector<PointPair>(1, pair), frame.interval, frame.sights);
+    FrameProblem(camera, MountVector::Zero(), 1, USUAL).weigh(frame);
+    return frame.pointWeights[0] != Matx22d::zeros();
+}
+
+TEST(RSAckermann_PrivateCalibration, points_at_the_foot_of_a_wall_do_not_count)
+{
+    const CalibrationFrame frame = frameBetween(straightCamera(), 0.125, 0);
+    // The foot of a wall at 8 m is as far below the horizon as 1.4 m are of 8.
+    const double x = 80, foot = 269.5 + 1.4 / 8 * (479.5 - x);
+    EXPECT_FALSE(counts(frame, Point2d(x, foot - 4)));
+    EXPECT_FALSE(counts(frame, Point2d(x, foot + 4)));
+    EXPECT_TRUE(counts(frame, Point2d(x, foot - 40)));
+    EXPECT_TRUE(counts(frame, Point2d(x, foot + 40)));
+}
+
+TEST(RSAckermann_PrivateCalibration, far_points_above_the_horizon_count)
+{
+    const RollingShutterCamera camera = straightCamera();
+    const CalibrationFrame withoutWalls = frameBetween(camera, 0, 0), street = frameBetween(camera, 0.1, 0.1);
+    const Point2d vanishing(479.5, 269.5);
+    for (const double x : {-20, 0, 20})
+        for (const double y : {40, 100, 200})
+        {
+            EXPECT_TRUE(counts(withoutWalls, vanishing + Point2d(x, -y))) << x << " " << y;
+            EXPECT_TRUE(counts(street, vanishing + Point2d(x, -y))) << x << " " << y;
+        }
+    EXPECT_FALSE(counts(street, vanishing + Point2d(10, -2)));
+}
+
+//! Weight of a vertical at a side, -1 or 1, of the image where there is the only wall.
+double weightAt(int side, double depths)
+{
+    const RollingShutterCamera camera = straightCamera();
+    CalibrationFrame frame = frameBetween(camera, side < 0 ? 0.125 : 0, side > 0 ? 0.125 : 0);
+    const double x = 0.4 * side, y[] = {-0.3, 0.1};
+    const UprightSegment vertical = {Vec3d(x, y[0], 1), Vec3d(x, y[1], 1), y[0], y[1], 0.4 * 700, 0, 1, 0};
+    frame.verticals.push_back(vertical);
+    const ResidualSigmas sigmas = {1, 1, depths};
+    FrameProblem(camera, MountVector::Zero(), 1, sigmas).weigh(frame);
+    return frame.slantWeights[0];
+}
+
+TEST(RSAckermann_PrivateCalibration, depth_makes_verticals_of_either_wall_alone_uncertain)
+{
+    EXPECT_EQ(1, weightAt(1, 0));
+    EXPECT_LT(weightAt(-1, 1), 0.9);
+    EXPECT_NEAR(weightAt(-1, 1), weightAt(1, 1), 1e-9);
+}
+
+}} // namespace opencv_test::
