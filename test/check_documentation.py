@@ -5,7 +5,7 @@
 - A code block after <!-- snippet: FILE NAME --> is the part of that file between the lines with [NAME].
 - The README's tables of options have the options of the programs, in any order.
 - Sections of doc/theory.md that the code cites exist.
-- Its table of constants has the values of the code, and all constants of src/estimator in capitals.
+- Its table of constants has the values of the code, and all constants of src/estimator and src/drive in capitals.
 
 usage: check_documentation.py ROOT PROGRAM...
 """
@@ -94,9 +94,9 @@ def check_constants(root, problems):
         described.add((source, name))
         if not re.search(r'\b%s = %s[,;]' % (name, re.escape(value)), read(os.path.join(sources, source))):
             problems.append('%s: %s isn\'t %s in %s' % (theory, name, value, source))
-    for path in files_in(sources, ['estimator'], ('.cpp', '.hpp')):
+    for path in files_in(sources, ['estimator', 'drive'], ('.cpp', '.hpp')):
         source = os.path.relpath(path, sources)
-        for declaration in re.findall(r'^(?:static )?const (?:double|size_t) ([^;{]*);', read(path), re.M):
+        for declaration in re.findall(r'^(?:static )?const (?:double|size_t|int) ([^;{]*);', read(path), re.M):
             for name in re.findall(r'\b([A-Z][A-Z_]+) = ', declaration):
                 if (source, name) not in described:
                     problems.append('%s: the table of constants hasn\'t %s of %s' % (theory, name, source))

@@ -11,8 +11,7 @@
 
 namespace cv { namespace rsackermann {
 
-static const double STEP = 1e-5;  // of numerical derivatives, radians or relative
-static const double BEHIND = 1e6; // squared pixels of points that aren't seen at all
+static const double STEP = 1e-5; // of numerical derivatives, radians or relative
 // Of the robust loss of slants, in sigmas. It is narrower than that of single frames: a line that leans does so in many
 // frames, and those of a street don't cancel.
 static const double LEANING_SCALE = 1;
@@ -214,8 +213,7 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, Information& informa
         const Sight &s = frame.sights[i], now = changed(s, R, shift);
         double byValues[2][FLOW_VALUES];
         const Point2d r = residual.evaluate(now, u, byValues);
-        const double squared = r.dot(r);
-        if (!(squared < BEHIND))
+        if (FlowResidual::isBehind(r))
             continue;
         const Point2d byRoll = residual.evaluate(changed(s, rolled, shift), u, 0) - r,
                       byPitch = residual.evaluate(changed(s, pitched, shift), u, 0) - r;

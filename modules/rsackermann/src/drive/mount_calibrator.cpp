@@ -15,7 +15,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double DEGREE = CV_PI / 180;
 // Frames that are kept or left out together, since what connects neighbours tells the suspension
 static const int RUN = 30;
 static const double USUAL_READOUT = 0.5; // of the time between two frames, if no line delay is given
@@ -36,8 +35,8 @@ Vec3d MountCalibration::horizon() const
 }
 
 MountCalibrator::Params::Params()
-    : maxFrames(1000), tiltSigma(3 * DEGREE), headingSigma(5 * DEGREE), lineDelaySigma(0.3),
-      suspensionSigma(0.4 * DEGREE), suspensionTime(0.5)
+    : maxFrames(1000), tiltSigma(3 * CV_PI / 180), headingSigma(5 * CV_PI / 180), lineDelaySigma(0.3),
+      suspensionSigma(0.4 * CV_PI / 180), suspensionTime(0.5)
 {
 }
 

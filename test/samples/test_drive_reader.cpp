@@ -1,0 +1,90 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "drive_reader.hpp"
+#include "program.hpp"
+
+#ifdef RSACKERMANN_WITH_VIDEOIO
+#include "opencv2/videoio.hpp"
+#endif
+
+namespace opencv_test { namespace {
+
+using namespace rsackermann_samples;
+
+class ReadDrive : public testing::Test
+{
+protected:
+    void addImage()
+    {
+        const std::string path = folder_ / cv::format("%03d.png", int(names_.size()));
+        cv::imwrite(path, cv::Mat(48, 64, CV_8U, cv::Scalar(7)));
+        names_.push_back(path);
+    }
+
+    void addUnreadable()
+    {
+        const std::string path = folder_ / cv::format("%03d.png", int(names_.size()));
+        writeContent(path, "no image");
+        names_.push_back(path);
+    }
+
+    //! The times of all frames that can be read.
+    std::vector<double> times(const DriveLog& log = DriveLog())
+    {
+        std::vector<double> result;
+        failures_ = 0;
+        readDrive(
+            listInputs(names_), log, [&](const DriveFrame& frame, double) { result.push_back(frame.facts.time); },
+            [&](const std::string&, const std::string&) { failures_++; });
+        return result;
+    }
+
+    const TemporaryFolder folder_;
+    Arguments names_;
+    int failures_;
+};
+
+TEST_F(ReadDrive, image_that_cannot_be_read_takes_its_time)
+{
+    addImage();
+    addUnreadable();
+    addImage();
+    const std::vector<double> t = times();
+    ASSERT_EQ(2u, t.size());
+    EXPECT_EQ(1, failures_);
+    EXPECT_NEAR(2 / 30., t[1] - t[0], 1e-9);
+
+    writeContent(folder_ / "log.csv", "file,time_s\n000.png,5\n001.png,5.5\n");
+    const std::vector<double> told = times(DriveLog(folder_ / "log.csv"));
+    ASSERT_EQ(2u, told.size());
+    EXPECT_EQ(5, told[0]);
+    EXPECT_NEAR(5.5 + 1 / 30., told[1], 1e-9);
+}
+
+#ifdef RSACKERMANN_WITH_VIDEOIO
+TEST_F(ReadDrive, videos_are_drives_of_their_own)
+{
+    addImage();
+    for (int i = 0; i < 2; i++)
+    {
+        names_.push_back(folder_ / cv::format("%d.avi", i));
+        cv::VideoWriter video(names_.back(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25, cv::Size(64, 48));
+        ASSERT_TRUE(video.isOpened());
+        for (int k = 0; k < 3; k++)
+            video.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(50 * k)));
+    }
+    addImage();
+    addImage();
+    const std::vector<double> t = times();
+    ASSERT_EQ(9u, t.size());
+    for (const int begin : {1, 4, 7})
+        EXPECT_GT(t[begin] - t[begin - 1], 60) << begin;
+    for (const int next : {2, 3, 5, 6})
+        EXPECT_NEAR(0.04, t[next] - t[next - 1], 1e-6) << next;
+    EXPECT_NEAR(1 / 30., t[8] - t[7], 1e-9);
+}
+#endif
+
+}} // namespace
