@@ -133,7 +133,7 @@ void print(const MountCalibration& c, int frames)
     print("pitch", c.pitchObserved, c.pitch / DEGREE, c.pitchSigma / DEGREE, "deg", few);
     print("heading", c.headingObserved, c.heading / DEGREE, c.headingSigma / DEGREE, "deg", few);
     print("line delay", c.lineDelayObserved, c.lineDelay * 1e6, c.lineDelaySigma * 1e6, "us",
-          "the drive has too few bends with verticals in sight");
+          "the drive has too few frames, or too few bends with verticals in sight");
     const cv::Vec3d h = c.horizon();
     std::printf("horizon     %.5f x %+.5f y %+.2f = 0 in pixels without lens distortion\n", h[0], h[1], h[2]);
 }

@@ -5,7 +5,8 @@
 - A code block after <!-- snippet: FILE NAME --> is the part of that file between the lines with [NAME].
 - The README's tables of options have the options of the programs, in any order.
 - Sections of doc/theory.md that the code cites exist.
-- Its table of constants has the values of the code, and all constants of src/estimator and src/drive in capitals.
+- Its table of constants has the values of the code, and all constants of src/estimator and src/drive in capitals that
+  are single numbers.
 
 usage: check_documentation.py ROOT PROGRAM...
 """

@@ -179,6 +179,10 @@ TEST(RSAckermann_Calibration, few_frames)
         EXPECT_GT(c.rollSigma, 0.1 * sway) << frames;
         EXPECT_LT(c.rollSigma, known) << frames;
         EXPECT_NEAR(guess().lineDelay, c.lineDelay, 2 * c.lineDelaySigma) << frames;
+        if (c.lineDelayObserved)
+        {
+            EXPECT_LT(c.lineDelaySigma, 0.5 * 0.3 * c.lineDelay) << frames;
+        }
     }
 }
 
@@ -407,6 +411,26 @@ TEST(RSAckermann_Calibration, only_frames_that_follow_are_used)
     calibrator->clear();
     EXPECT_EQ(0, calibrator->calibrate().frames);
     EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 10 + 2 / 30.));
+}
+
+TEST(RSAckermann_Calibration, image_before_tracked_points_is_not_the_one_before)
+{
+    const RollingShutterCamera camera = guess();
+    Mat noise(camera.imageSize, CV_8U), texture, turned;
+    RNG rng(3);
+    rng.fill(noise, RNG::UNIFORM, 0, 256);
+    GaussianBlur(noise, texture, Size(), 3);
+    normalize(texture, texture, 0, 255, NORM_MINMAX);
+    const double yaw = 1 * degree;
+    const Matx33d R(std::cos(yaw), 0, std::sin(yaw), 0, 1, 0, -std::sin(yaw), 0, std::cos(yaw));
+    warpPerspective(texture, turned, camera.cameraMatrix * R * camera.cameraMatrix.inv(), camera.imageSize);
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+    EXPECT_FALSE(calibrator->addFrame(texture, 0));
+    EXPECT_TRUE(calibrator->addFrame(turned, 1 / 30.));
+    calibrator->clear();
+    EXPECT_FALSE(calibrator->addFrame(texture, 0));
+    EXPECT_FALSE(calibrator->addPoints(noArray(), noArray(), 1 / 30.));
+    EXPECT_FALSE(calibrator->addFrame(turned, 2 / 30.));
 }
 
 TEST(RSAckermann_Calibration, horizon_is_at_infinity)

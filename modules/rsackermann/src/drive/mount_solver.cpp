@@ -16,7 +16,7 @@ static const double SAME_TURN = 0.005 * CV_PI / 180;
 // rad/s^2: a drive that tells the line delay weaves, and many frames tell the change
 static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180;
 static const double YAW_CHANGE_MEMORY = 0.5; // seconds
-static const double SAME_TIME = 1e-6;        // seconds
+static const double SAME_TIME = 1e-6;        // seconds, as times are rounded
 // Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
 static const double SAME_DELAY = 0.01;
 // Seconds: cars slip and streets bend, so that the direction in which a car goes wanders

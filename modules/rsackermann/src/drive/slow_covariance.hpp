@@ -14,6 +14,8 @@
 namespace cv { namespace rsackermann {
 
 const int LEAST_WAVES = 4; //!< oscillations that tell how a series scatters
+//! Hz; a car's body swings at 1 to 1.5 Hz, and below a sixth of that its spectrum is flat to 5 %.
+const double SLOW = 0.2;
 
 /** Covariance of the sum of a stationary series as it really scatters, whatever connects neighbours: that of its
 slowest oscillations, the cosines of half a period and more over the series [lazarus2018har] (doc/theory.md,
@@ -26,10 +28,8 @@ template <class V>
 Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> slowCovarianceOfSum(const std::vector<V>& values,
                                                                                       double seconds, const V& memories)
 {
-    // Hz; a car's body swings at 1 to 1.5 Hz, and below a sixth of that its spectrum is flat to 5 %.
-    const double slow = 0.2;
     CV_Assert(values.size() > size_t(LEAST_WAVES));
-    const int n = int(values.size()), waves = std::min(std::max(LEAST_WAVES, int(seconds * 2 * slow)), n - 1);
+    const int n = int(values.size()), waves = std::min(std::max(LEAST_WAVES, int(seconds * 2 * SLOW)), n - 1);
     Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> sum;
     sum.setZero();
     for (int j = 1; j <= waves; j++)

@@ -28,7 +28,7 @@ public:
      */
     CV_WRAP Vec3d horizon() const;
 
-    //! Frames of a moving car that were used; with 0 the camera is that of create()
+    //! Frames of a moving car that were used; with fewer than five the camera is that of create(), and nothing is shown
     CV_PROP_RW int frames;
     //! That of create() with the upright rotation, the heading and, if the drive shows it, the line delay that were
     //! found, and the standard deviation of the latter
@@ -137,10 +137,11 @@ public:
 
     /** @brief Adds the next frame of the drive.
     @param image raw image of the camera's size, 8 or 16 bit with 1, 3 or 4 channels.
-    @param seconds time of its reference row, from any origin; more than a second after the frame before, or earlier:
+    @param seconds time of its reference row, from any origin. A second or more after the frame before, or not after it:
     another drive begins.
     @param prior speed and yaw rate, if they are known.
-    @return whether the frame is used: the car moves, and enough points could be tracked from the frame before.
+    @return whether the frame is used: the car moves, and enough points could be tracked from the frame before, which
+    was given as an image, too.
      */
     CV_WRAP virtual bool addFrame(InputArray image, double seconds, const MotionPrior& prior = MotionPrior()) = 0;
 
