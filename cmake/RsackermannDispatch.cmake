@@ -40,6 +40,7 @@ function(rsackermann_add_dispatched_file target source_dir name)
       string(PREPEND source "${generated_dir}/")
       configure_file("${RSACKERMANN_DISPATCH_DIR}/simd_mode.cpp.in" "${source}" @ONLY)
       set_property(SOURCE "${source}" PROPERTY COMPILE_OPTIONS ${RSACKERMANN_FLAGS_${RSACKERMANN_MODE}})
+      set_property(SOURCE "${source}" PROPERTY SKIP_PRECOMPILE_HEADERS ON)
       target_sources(${target} PRIVATE "${source}")
       file(READ "${RSACKERMANN_DISPATCH_DIR}/simd_declarations.hpp.in" declaration)
       string(CONFIGURE "${declaration}" declaration @ONLY)
@@ -52,6 +53,8 @@ function(rsackermann_add_dispatched_file target source_dir name)
   target_include_directories(${target} PRIVATE "${generated_dir}")
   set_property(SOURCE "${source_dir}/${name}.dispatch.cpp" APPEND PROPERTY
     COMPILE_OPTIONS -include "${RSACKERMANN_DISPATCH_DIR}/cpu_dispatch.hpp")
+  # That header has to come first.
+  set_property(SOURCE "${source_dir}/${name}.dispatch.cpp" PROPERTY SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # Sets RSACKERMANN_COMPILER_HAS_mode.

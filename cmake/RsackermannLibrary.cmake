@@ -28,6 +28,10 @@ target_include_directories(opencv_rsackermann
 target_link_libraries(opencv_rsackermann
   PUBLIC opencv_core opencv_imgproc opencv_video
   PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
+# What most sources include. By names that are found on the way of includes: with paths ccache would find nothing again
+# from another checkout.
+target_precompile_headers(opencv_rsackermann PRIVATE
+  <opencv2/rsackermann.hpp> <opencv2/imgproc.hpp> <opencv2/core/utils/logger.hpp> <Eigen/Cholesky>)
 # opencv2/opencv_modules.hpp defines HAVE_OPENCV_XIMGPROC if OpenCV has this module.
 if(TARGET opencv_ximgproc)
   target_link_libraries(opencv_rsackermann PRIVATE opencv_ximgproc)

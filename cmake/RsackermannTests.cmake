@@ -35,31 +35,48 @@ endif()
 set(RSACKERMANN_TEST_RESULTS_DIR "${PROJECT_BINARY_DIR}/test-results")
 file(MAKE_DIRECTORY "${RSACKERMANN_TEST_RESULTS_DIR}")
 
-# Adds the program NAME from the sources in the module's folder, and a test of that name with the arguments given.
+include(cmake/RsackermannAddTests.cmake)
+
+# Of tests a build takes longer than a run.
+function(rsackermann_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+rsackermann_compile_quickly(opencv_ts)
+
+# Adds the program NAME from the sources in the module's folder.
 function(rsackermann_add_ts_program name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/${folder}/*.cpp")
   add_executable(${name} ${sources})
   target_include_directories(${name} PRIVATE "${RSACKERMANN_MODULE_DIR}/${folder}")
   target_link_libraries(${name} PRIVATE opencv_rsackermann opencv_ts Eigen3::Eigen ${RSACKERMANN_LENS_MODELS})
-  add_test(NAME ${name} COMMAND ${name} "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/${name}.xml" ${ARGN})
+  target_precompile_headers(${name} PRIVATE <opencv2/ts.hpp> <opencv2/rsackermann.hpp>)
 endfunction()
 
 if(BUILD_TESTING)
   rsackermann_add_ts_program(opencv_test_rsackermann test)
+  rsackermann_compile_quickly(opencv_test_rsackermann)
+  # Tests of internals, which the library doesn't export.
+  target_sources(opencv_test_rsackermann PRIVATE $<TARGET_OBJECTS:opencv_rsackermann>)
+  if(TARGET opencv_ximgproc)
+    target_link_libraries(opencv_test_rsackermann PRIVATE opencv_ximgproc)
+  endif()
+  rsackermann_add_sharded_test(opencv_test_rsackermann opencv_test_rsackermann 4 --test_tag_skip=long)
+  # For ctest -C Long: all cases in one process.
+  add_test(NAME opencv_test_rsackermann_long CONFIGURATIONS Long
+    COMMAND opencv_test_rsackermann "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/opencv_test_rsackermann_long.xml")
   # OpenCV takes a CPU as an OpenCL device, which is what PoCL makes of it, only if it is told to.
-  add_test(NAME opencv_test_rsackermann_opencl COMMAND opencv_test_rsackermann "--gtest_filter=*OpenCL*"
-    "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/opencv_test_rsackermann_opencl.xml")
+  rsackermann_add_gtest(opencv_test_rsackermann_opencl opencv_test_rsackermann "--gtest_filter=*OpenCL*")
   set_tests_properties(opencv_test_rsackermann_opencl PROPERTIES ENVIRONMENT "OPENCV_OPENCL_DEVICE=:CPU:")
   # What a processor with the widest vectors would not run: the kernels for others.
   foreach(kernels IN ITEMS avx2 baseline)
-    add_test(NAME opencv_test_rsackermann_${kernels}
-      COMMAND opencv_test_rsackermann "--gtest_filter=*Warp*:*Passage*-*OpenCL*"
-        "--gtest_output=xml:${RSACKERMANN_TEST_RESULTS_DIR}/opencv_test_rsackermann_${kernels}.xml")
+    rsackermann_add_gtest(opencv_test_rsackermann_${kernels} opencv_test_rsackermann
+      "--gtest_filter=*Warp*:*Passage*-*OpenCL*" --test_tag_skip=long)
   endforeach()
   set_tests_properties(opencv_test_rsackermann_avx2 PROPERTIES ENVIRONMENT "OPENCV_CPU_DISABLE=AVX512-SKX")
   set_tests_properties(opencv_test_rsackermann_baseline PROPERTIES ENVIRONMENT "OPENCV_CPU_DISABLE=AVX512-SKX,AVX2")
 endif()
 if(BUILD_PERF_TESTS)
-  rsackermann_add_ts_program(opencv_perf_rsackermann perf
+  rsackermann_add_ts_program(opencv_perf_rsackermann perf)
+  rsackermann_add_gtest(opencv_perf_rsackermann opencv_perf_rsackermann
     --perf_min_samples=1 --perf_force_samples=1 --perf_verify_sanity)
 endif()

@@ -25,7 +25,7 @@ using cv::rsackermann::MountCalibration;
 using cv::rsackermann::MountCalibrator;
 
 const char* const ABOUT =
-    "Finds how a car's camera is mounted, and its line delay, from the frames of a drive.\n"
+    "Self-calibrates the mounting angles and the line delay of a car's camera from the frames of a drive.\n"
     "usage: rsackermann_calibrate [--option=value]... [--] INPUT...\n"
     "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line,\n"
     "in the order of the drive. Writes a camera file for rsackermann_correct --camera, with roll, pitch, heading and\n"
@@ -37,9 +37,9 @@ const char* const KEYS =
     "{help       |        | print this message}"
     "{output     |        | camera file to be written}"
     "{overwrite  |        | replace an existing file}"
-    "{log        |        | CSV file with facts on each frame, as for rsackermann_correct; its times, speeds and yaw "
+    "{log        |        | CSV file with values for each frame, as for rsackermann_correct; its times, speeds and yaw "
     "rates are used}"
-    "{threads    |        | largest number of threads}";
+    "{threads    |        | maximum number of threads}";
 
 struct Task
 {
@@ -66,24 +66,21 @@ Task readTask(const Options& options)
     task.output = options.text("output");
     task.params.estimator.detector = readDetector(options);
     task.inputs = listInputs(options.arguments());
-    OutputPlan plan;
-    if (options.given("camera"))
-        plan.addInput(options.text("camera"));
     if (options.given("log"))
     {
-        task.log = DriveLog(options.text("log"));
+        task.log = DriveLog(options.inputFile("log"));
         checkLog(task.log, task.inputs, "rsackermann_calibrate");
-        plan.addInput(options.text("log"));
     }
-    for (const std::string& input : task.inputs.files)
-    {
-        plan.addInput(input);
 #ifndef RSACKERMANN_WITH_VIDEOIO
-        if (isVideo(input))
-            throw UsageError(
-                "videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
+    for (const Input& input : task.inputs.inputs)
+        if (isVideo(input.name))
+            throw UsageError("videos are not read, since OpenCV's module videoio was missing when this program was "
+                             "built: " +
+                             input.name);
 #endif
-    }
+    OutputPlan plan;
+    plan.addInputs(options.inputFiles());
+    plan.addInputs(filesOf(task.inputs));
     plan.addOutput(task.output, "the calibration");
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 4096));
@@ -122,7 +119,7 @@ void print(const char* name, bool isObserved, double value, double sigma, const 
     if (isObserved)
         std::printf("%-11s %11.4g +- %.2g %s\n", name, value, sigma, unit);
     else
-        std::printf("%-11s not told: %s\n", name, missing);
+        std::printf("%-11s not observable: %s\n", name, missing);
 }
 
 void print(const MountCalibration& c, int frames)
@@ -150,8 +147,6 @@ int run(const Options& options)
         progress.clear();
         std::cerr << "rsackermann_calibrate: " << input << ": " << message << std::endl;
     };
-    for (const std::pair<std::string, std::string>& failure : task.inputs.failures)
-        fail(failure.first, failure.second);
     const auto use = [&](const DriveFrame& frame, double done) {
         if (!calibrator)
             calibrator = MountCalibrator::create(task.camera.makeCamera(frame.image.size()), task.params);

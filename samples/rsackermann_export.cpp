@@ -28,7 +28,7 @@ const char* const KEYS =
     "{help          |       | print this message}"
     "{report        |       | report of rsackermann_correct}"
     "{motion        |       | instead of a report: file of cv::FileStorage with an AckermannMotion}"
-    "{size          |       | WIDTHxHEIGHT of the images in pixels, if the camera's file doesn't tell}"
+    "{size          |       | WIDTHxHEIGHT of the images in pixels, if neither the camera file nor the report has it}"
     "{row_poses     |       | JSON file: poses of the first and the last line of each frame}"
     "{colmap        |       | folder: cameras.txt and masks of the corrected images}"
     "{stmap         |       | folder: an STMap for each frame and direction, NAME.rectify and NAME.distort}"
@@ -38,11 +38,12 @@ const char* const KEYS =
     "{mesh          |       | JSON file: a coarse grid with the places of its nodes}"
     "{mesh_size     | 17x10 | nodes in a row and in a column}";
 
-cv::rsackermann::RollingShutterCamera readCamera(const Options& options)
+cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const std::vector<MotionFrame>& frames)
 {
     const CameraSettings settings = readCameraOptions(options);
-    const cv::Size size =
-        options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : settings.size;
+    cv::Size size = options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : settings.size;
+    if (size.area() == 0 && !frames.empty())
+        size = frames[0].size;
     if (size.area() == 0)
         throw UsageError("--size is missing: the size of the images isn't known");
     return settings.makeCamera(size);
@@ -53,16 +54,16 @@ void checkResults(const Options& options)
     for (const char* name : {"row_poses", "colmap", "stmap", "tracks", "mesh"})
         if (options.given(name))
             return;
-    throw UsageError("no result is asked for: --row_poses, --colmap, --stmap, --tracks or --mesh");
+    throw UsageError("nothing to do: give --row_poses, --colmap, --stmap, --tracks or --mesh");
 }
 
 // No result may replace an input or another result.
 void checkTargets(const Options& options, const std::vector<MotionFrame>& frames)
 {
     OutputPlan plan;
-    for (const char* name : {"camera", "report", "motion", "tracks"})
-        if (options.given(name))
-            plan.addInput(options.text(name));
+    plan.addInputs(options.inputFiles());
+    if (options.given("tracks"))
+        plan.addInput(options.inputFile("tracks"));
     for (const char* name : {"row_poses", "tracks_output", "mesh"})
         if (options.given(name))
             plan.addOutput(options.text(name), std::string("--") + name);
@@ -91,14 +92,17 @@ int run(const Options& options)
         throw UsageError("either --report or --motion is needed");
     if (options.given("tracks") != options.given("tracks_output"))
         throw UsageError("--tracks and --tracks_output belong together");
+    for (const auto& pair : {std::make_pair("stmap_format", "stmap"), std::make_pair("mesh_size", "mesh")})
+        if (options.given(pair.first) && !options.given(pair.second))
+            throw UsageError(std::string("--") + pair.first + " needs --" + pair.second);
     const std::string format = options.text("stmap_format");
     if (format != "png" && format != "exr")
         throw UsageError("option --stmap_format: " + format + " is neither png nor exr");
-    const cv::Size nodes = parseSize(options.text("mesh_size"), "option --mesh_size", 2, 10000);
+    const cv::Size nodes = parseSize(options.text("mesh_size"), "option --mesh_size", 2, 1000);
 
-    const cv::rsackermann::RollingShutterCamera camera = readCamera(options);
     const std::vector<MotionFrame> frames =
-        options.given("report") ? readReport(options.text("report")) : readMotionFile(options.text("motion"));
+        options.given("report") ? readReport(options.inputFile("report")) : readMotionFile(options.inputFile("motion"));
+    const cv::rsackermann::RollingShutterCamera camera = readCamera(options, frames);
     checkResults(options);
     checkTargets(options, frames);
     if (options.given("row_poses"))

@@ -32,7 +32,7 @@ const char* const ABOUT =
 const char* const KEYS = "{help    |   | print this message}"
                          "{wall    |   | metres to the left (or only) wall; makes the speed metric}"
                          "{frames  | 0 | end after that many frames; 0: go on}"
-                         "{picture |   | image file for what is seen last, instead of a window}";
+                         "{picture |   | image file for the last picture shown, instead of a window}";
 
 // Frames with their times: of a camera those at which they arrive, of a video those that it tells.
 class Source
@@ -118,8 +118,9 @@ void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const Ac
         numbers += cv::format(", %.0f km/h", speed / KMH);
     write(picture, 0, numbers);
     if (motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT)
-        write(picture, 1,
-              cv::format("expected displacement %.2f px, %.2f px left", motion.expectedRaw, motion.expectedLeft));
+        write(
+            picture, 1,
+            cv::format("expected displacement %.2f px, residual %.2f px", motion.expectedRaw, motion.expectedResidual));
     write(picture, 2,
           cv::format("%d of %d verticals, %.0f ms", motion.inliers, motion.candidates, cv::sum(milliseconds)[0]));
 }
@@ -131,8 +132,7 @@ void checkPicture(const Options& options)
         throw UsageError("option --picture: " + path + " has the extension of no image format that can be written");
     OutputPlan plan;
     plan.addInput(options.arguments()[0]);
-    if (options.given("camera"))
-        plan.addInput(options.text("camera"));
+    plan.addInputs(options.inputFiles());
     plan.addOutput(path, "--picture");
 }
 

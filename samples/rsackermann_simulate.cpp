@@ -7,6 +7,7 @@
 #include "camera_file.hpp"
 #include "files.hpp"
 #include "output/atomic_file.hpp"
+#include "output/output_plan.hpp"
 #include "progress.hpp"
 #include "street_model.hpp"
 #include "truth_file.hpp"
@@ -56,7 +57,7 @@ const char* const KEYS =
     "{noise      | 1       | of the rendered image, grey levels}"
     "{samples    | 3       | rays across and down a pixel}"
     "{seed       | 0       | of the rendered street}"
-    "{threads    |         | largest number of threads}";
+    "{threads    |         | maximum number of threads}";
 
 CameraSettings readSettings(const Options& options, const cv::Size& size, double defaultFocal)
 {
@@ -143,7 +144,7 @@ int run(const Options& options)
 
     cv::Mat image;
     if (options.given("image"))
-        image = namingFile(options.text("image"), [](const std::string& path) { return readImage(path); });
+        image = namingFile(options.inputFile("image"), [](const std::string& path) { return readImage(path); });
     const cv::Size size = image.empty() ? parseSize(options.text("size"), "option --size", 2, 20000) : image.size();
     const CameraSettings settings =
         readSettings(options, size, image.empty() ? 816 : 0.9 * std::max(size.width, size.height));
@@ -156,6 +157,10 @@ int run(const Options& options)
     for (const std::string& path : {rolling, global, truthFile, camera})
         if (!options.flag("overwrite") && cv::utils::fs::exists(path))
             throw InputError(path + " exists (--overwrite replaces it)");
+    OutputPlan plan;
+    plan.addInputs(options.inputFiles());
+    for (const std::string& path : {rolling, global, truthFile, camera})
+        plan.addOutput(path, path);
 
     const street::StreetRenderer renderer(truth.camera, truth.scene);
     Progress progress;

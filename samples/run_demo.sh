@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installs the packages that are needed on Debian 12, builds the library with its samples and runs the demo.
+# Installs the packages that are needed on Debian 12, builds what the demo needs and runs it.
 # usage: run_demo.sh [BUILD_DIRECTORY]
 
 . "$(dirname "$0")/../scripts/common.sh"
@@ -8,8 +8,9 @@ logs=$build/logs
 
 install_packages "$logs/apt-install.log" "${packages_build[@]}"
 step "Building in $build"
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+use_ccache "$root"
 logged "$logs/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
-logged "$logs/build.log" cmake --build "$build"
+show_progress "$logs/build.log" cmake --build "$build" \
+    --target rsackermann_simulate rsackermann_correct rsackermann_evaluate
 step "Running the demo"
 "$root/samples/demo.sh" "$build"

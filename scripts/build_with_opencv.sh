@@ -1,8 +1,8 @@
 #!/bin/bash
-# Builds the module with a version of OpenCV, against an installed one and inside of its source, and runs all tests.
+# Builds the module with a version of OpenCV, against an installed one and inside of its source, and runs the tests.
 #
 # The installed version is used as it is. Others are taken from the release of Debian that has them, in a bare system in
-# the cache, and without static analysis, fuzzers and sanitizers.
+# the cache.
 # Exit status: 0 all was built and has passed, 3 all that could be built has passed, but the mirror doesn't have
 # OpenCV's source, so that there is no build inside of it and opencv_ts comes from another version; 1 otherwise.
 # usage: build_with_opencv.sh VERSION
@@ -14,7 +14,7 @@ version=$1
 
 installed=$(dpkg-query -W -f='${source:Upstream-Version}' libopencv-dev 2>/dev/null) || installed=
 if [ "${installed%%+*}" = "$version" ]; then
-    exec "$root/test/run_all.sh" "$cache/build-$version"
+    exec "$root/test/run_tests.sh" "$cache/build-$version"
 fi
 
 # The release of Debian, and the one that OpenCV comes from.
@@ -40,7 +40,7 @@ found=$(in_chroot "$system" dpkg-query -W -f='${source:Upstream-Version}' libope
 [ "${found%%+*}" = "$version" ] || die "Debian $from has OpenCV $found, not $version"
 
 if in_chroot "$system" /src/scripts/get_opencv_source.sh >"$logs/source.log" 2>&1; then
-    in_chroot "$system" /src/test/run_all.sh --tests /build
+    in_chroot "$system" /src/test/run_tests.sh /build
     exit
 fi
 tail -n 1 "$logs/source.log" >&2
@@ -48,5 +48,5 @@ tail -n 1 "$logs/source.log" >&2
 # The version of the package in sid.
 step "Without the source of OpenCV $version: opencv_ts of another version, and no build inside of OpenCV"
 ts=$(in_chroot "$system" /src/scripts/get_opencv_source.sh 4.10.0+dfsg-9)
-in_chroot "$system" /src/test/run_all.sh --tests --ts-source="$ts" /build
+in_chroot "$system" /src/test/run_tests.sh --ts-source="$ts" /build
 exit 3

@@ -19,11 +19,6 @@ if setarch -R true 2>/dev/null; then
     fixed_addresses=(setarch -R)
 fi
 
-# Tests of the module that are statistics of thousands of estimates, drives or streets, of code that other tests run,
-# too: left out where tests are slow.
-tests_statistics='*Calibration*mount_and_line_delay*:*Calibration.scene*:*Calibration.sigmas*:*Covariance.is_that_of*'
-tests_statistics+=':*EstimatorPassage.noisy*:*Posterior.improves*'
-
 die()
 {
     echo "$(basename "$0"): $*" >&2
@@ -46,6 +41,27 @@ logged()
         tail -n 60 "$log" >&2
         die "'$*' failed; all of its output is in $log"
     fi
+}
+
+# As logged, for a build: shows in one line how many of its steps are done.
+# usage: show_progress LOG COMMAND...
+show_progress()
+{
+    local log=$1 step
+    logged "$@" &
+    while sleep 1 && kill -0 $! 2>/dev/null; do
+        step=$(grep -o '^\[[0-9]*/[0-9]*\]' "$log" | tail -n 1) || true
+        printf '\r%s' "$step"
+    done
+    echo
+    wait $!
+}
+
+# Has ccache find objects again from another checkout, and those with precompiled headers.
+# usage: use_ccache DIRECTORY_OF_THE_SOURCES
+use_ccache()
+{
+    export CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 }
 
 as_root()

@@ -12,7 +12,7 @@ logs=$cache/logs-package
 build=$cache/build-package
 
 install_packages "$logs/apt-install.log" "${packages_build[@]}" dpkg-dev file
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+use_ccache "$root"
 step "Making the packages in $build"
 rm -rf "$build"
 logged "$logs/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \

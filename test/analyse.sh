@@ -2,20 +2,19 @@
 # Static analysis: shellcheck of all scripts, clang-format of all sources, cppcheck of the library and the programs, and
 # clang-tidy with --tidy.
 # Prints what they find and fails if there is anything.
-# usage: analyse.sh [--tidy=BUILD_DIRECTORY]
-#   --tidy   also clang-tidy, with the compile_commands.json of a build with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON: some
-#            minutes the first time, then for what has changed
+# usage: analyse.sh [--tidy]
+#   --tidy   also clang-tidy: some minutes the first time, then for what has changed
 
 . "$(dirname "$0")/../scripts/common.sh"
-tidy=
+tidy=no
 case ${1:-} in
-    --tidy=*) tidy=$(realpath "${1#*=}") ;;
+    --tidy) tidy=yes ;;
     "") ;;
     *) die "unknown argument $1" ;;
 esac
 logs=${TMPDIR:-/tmp}
 packages=(shellcheck clang-format-14 cppcheck)
-[ -z "$tidy" ] || packages+=(clang-tidy)
+[ $tidy = no ] || packages+=("${packages_build[@]}" clang-tidy)
 install_packages "$logs/rsackermann-apt-install.log" "${packages[@]}"
 cd "$root"
 # Not by git, which doesn't answer in somebody else's checkout or a copy without its history.
@@ -24,6 +23,10 @@ mapfile -t sources < <(find modules/rsackermann/src samples -name '*.cpp' | sort
 mapfile -t formatted < <(find cmake modules perf samples test -name '*.[ch]pp' | sort)
 
 step "shellcheck, ${#scripts[@]} scripts"
+for script in "${scripts[@]}"; do
+    # What is only sourced has no first line that names its interpreter.
+    [ -x "$script" ] || [ "$(head -c 2 "$script")" != '#!' ] || die "$script can't be executed"
+done
 shellcheck "${scripts[@]}"
 
 step "clang-format, ${#formatted[@]} files"
@@ -35,8 +38,11 @@ cppcheck --quiet --std=c++14 --language=c++ --enable=warning,portability --inlin
     --template='{file}:{line}: {id}: {message}' \
     -I modules/rsackermann/include -I modules/rsackermann/src -I samples/common "${sources[@]}"
 
-if [ -n "$tidy" ]; then
+if [ $tidy = yes ]; then
     step "clang-tidy, ${#sources[@]} sources"
-    test/tidy.py "$tidy" "$cache/clang-tidy" "${sources[@]}"
+    # It can't read the precompiled headers of gcc.
+    logged build-tidy/configure.log cmake -G Ninja -S . -B build-tidy -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+        -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+    test/tidy.py build-tidy "$cache/clang-tidy" "${sources[@]}"
 fi
 echo "nothing found"

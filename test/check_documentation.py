@@ -3,10 +3,10 @@
 
 - Relative links in the Markdown files lead to files and sections that exist.
 - A code block after <!-- snippet: FILE NAME --> is the part of that file between the lines with [NAME].
-- The README's tables of options have the options of the programs, in any order.
+- The tables of options in doc/cli.md have the options of the programs, in any order.
 - Sections of doc/theory.md that the code cites exist.
-- Its table of constants has the values of the code, and all constants of src/estimator and src/drive in capitals that
-  are single numbers.
+- Its table of constants has the values of the code, and all constants in capitals that are single numbers of the
+  folders of src that make estimates.
 
 usage: check_documentation.py ROOT PROGRAM...
 """
@@ -17,6 +17,7 @@ import subprocess
 import sys
 
 SOURCES = ('.cpp', '.hpp', '.cl', '.py')
+ESTIMATING = ('calibration', 'factors', 'features', 'motion', 'optim', 'scene', 'sequence', 'single')
 
 
 def read(path):
@@ -66,22 +67,22 @@ def check_snippets(root, path, problems):
     return len(blocks)
 
 
-def check_options(readme, program, problems):
+def check_options(page, program, problems):
     help_text = subprocess.run([program, '--help'], stdout=subprocess.PIPE, universal_newlines=True, check=True).stdout
     known = set(re.findall(r'^\s+--(\w+)', help_text, re.M)) - {'help'}
-    table = re.search(r'<!-- options of %s -->(.*?)\n\n' % os.path.basename(program), read(readme), re.S)
+    table = re.search(r'<!-- options of %s -->(.*?)\n\n' % os.path.basename(program), read(page), re.S)
     described = set(re.findall(r'`--(\w+)', ''.join(
         row.split('|')[1] for row in re.findall(r'^\|.*$', table.group(1), re.M))))
     for option in sorted(known - described):
-        problems.append('%s: the option --%s of %s isn\'t described' % (readme, option, os.path.basename(program)))
+        problems.append('%s: the option --%s of %s isn\'t described' % (page, option, os.path.basename(program)))
     for option in sorted(described - known):
-        problems.append('%s: %s has no option --%s' % (readme, os.path.basename(program), option))
+        problems.append('%s: %s has no option --%s' % (page, os.path.basename(program), option))
 
 
 def check_citations(root, problems):
     titles = sections_of(read(os.path.join(root, 'doc', 'theory.md')))[0]
     for path in files_in(root, ['modules', 'samples', 'perf', 'test'], SOURCES):
-        for section in re.findall(r'doc/theory\.md, "([^"]+)"', read(path)):
+        for section in re.findall(r'doc/theory\.md,\s+(?:(?://|\*|#)\s*)?"([^"]+)"', read(path)):
             if section not in titles:
                 problems.append('%s: doc/theory.md has no section "%s"' % (path, section))
 
@@ -95,7 +96,7 @@ def check_constants(root, problems):
         described.add((source, name))
         if not re.search(r'\b%s = %s[,;]' % (name, re.escape(value)), read(os.path.join(sources, source))):
             problems.append('%s: %s isn\'t %s in %s' % (theory, name, value, source))
-    for path in files_in(sources, ['estimator', 'drive'], ('.cpp', '.hpp')):
+    for path in files_in(sources, ESTIMATING, ('.cpp', '.hpp')):
         source = os.path.relpath(path, sources)
         for declaration in re.findall(r'^(?:static )?const (?:double|size_t|int) ([^;{]*);', read(path), re.M):
             for name in re.findall(r'\b([A-Z][A-Z_]+) = ', declaration):
@@ -104,16 +105,16 @@ def check_constants(root, problems):
 
 
 def main(root, *programs):
-    readme = os.path.join(root, 'README.md')
+    pages = [os.path.join(root, name) for name in ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md')]
     problems = []
     snippets = 0
-    for path in [readme] + list(files_in(root, ['doc', 'modules'], '.md')):
+    for path in pages + list(files_in(root, ['doc', 'modules', 'samples'], ('.md', '.markdown'))):
         check_links(path, problems)
         snippets += check_snippets(root, path, problems)
     if snippets == 0:
         problems.append('there are no snippets')
     for program in programs:
-        check_options(readme, program, problems)
+        check_options(os.path.join(root, 'doc', 'cli.md'), program, problems)
     check_citations(root, problems)
     check_constants(root, problems)
     for problem in problems:

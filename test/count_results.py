@@ -1,14 +1,11 @@
 #!/usr/bin/env python3
 """Counts test cases in result files and prints "PASSED FAILED"; describes the failed ones on the error output.
 
-usage: count_results.py gtest FILE            a file of --gtest_output=xml:
-       count_results.py ctest FILE DIRECTORY  a file of ctest --output-junit; if the directory has a gtest file of a
-                                              test's name, the cases in that file count instead of the test
-       count_results.py unittest FILE         the output of python3 -m unittest
+usage: count_results.py FILE DIRECTORY    a file of ctest --output-junit; if the directory has a gtest file of a test's
+                                          name, the cases in that file count instead of the test
 """
 
 import os
-import re
 import sys
 import xml.etree.ElementTree
 
@@ -49,18 +46,5 @@ def count_ctest(path, gtest_directory):
     return passed, failed
 
 
-def count_unittest(path):
-    with open(path) as log:
-        text = log.read()
-    run = int(re.findall(r"^Ran (\d+) tests? in", text, re.MULTILINE)[-1])
-    status = re.findall(r"^(?:OK|FAILED)(?: \((.*)\))?$", text, re.MULTILINE)[-1]
-    other = dict((key, int(value)) for key, value in re.findall(r"([a-z ]+)=(\d+)", status))
-    failed = other.get("failures", 0) + other.get("errors", 0)
-    if failed:
-        describe(path, text)
-    return run - failed - other.get("skipped", 0), failed
-
-
 if __name__ == "__main__":
-    counters = {"gtest": count_gtest, "ctest": count_ctest, "unittest": count_unittest}
-    print("%d %d" % counters[sys.argv[1]](*sys.argv[2:]))
+    print("%d %d" % count_ctest(*sys.argv[1:]))

@@ -15,7 +15,7 @@ mkdir -p "$tree"
 touch "$rows"
 # The copies are newer than the objects of an interrupted run.
 tar -C "$root" --exclude=./.git --exclude='./build*' -cf - . | tar -C "$tree" -xmf -
-export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
+use_ccache "$tree"
 logged "$scratch/configure.txt" cmake -G Ninja -S "$tree" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
     -DBUILD_SAMPLES=ON -DBUILD_TESTING=ON "-DOPENCV_TS_SOURCE_DIR=$("$root/scripts/get_opencv_source.sh")"
 
@@ -53,8 +53,8 @@ split()
 caught=0
 echo "# Planted faults"
 echo
-echo "Result of \`test/plant_faults.sh\` of $(date +%F): each fault, a sed expression, was planted alone, \
-and one of the tests has to fail."
+echo "What \`test/plant_faults.sh\` does: each fault, a sed expression, is planted alone, and one of the tests has to \
+fail. \`test/planted_faults.txt\` is the list."
 echo
 echo "| file | fault | tests | result |"
 echo "|---|---|---|---|"

@@ -17,8 +17,8 @@ for argument in "$@"; do
 done
 [ ${#runs[@]} -gt 0 ] || runs=(address thread)
 
-# Left out: statistics, and OpenCL; what is limited by memory, which the sanitizer takes for itself.
-without="$tests_statistics:*OpenCL*"
+# Left out, beside what takes long: OpenCL; what is limited by memory, which the sanitizer takes for itself.
+without='*OpenCL*'
 without_samples='CorrectResults.memory_of_a_large_image:Samples/UnevenStreet*'
 # Of all those that run in several threads one for each way through the code.
 threaded='*Threads*:*threads*:*Estimator.*:RSAckermann_Corrector.*:*CorrectorTypes*:*WarpContract.types*:*Detectors*'
@@ -40,14 +40,15 @@ build()
 run()
 {
     local name=$1 program=$2 filter=$3 status=0
-    (cd "$logs" && "${fixed_addresses[@]}" "$program" "--gtest_filter=$filter" >"$logs/$name.log" 2>&1) || status=$?
+    (cd "$logs" && "${fixed_addresses[@]}" "$program" --test_tag_skip=long "--gtest_filter=$filter" \
+        >"$logs/$name.log" 2>&1) || status=$?
     [ $status -eq 0 ] || tail -n 60 "$logs/$name.log" >&2
     echo "$name: $(grep -c '^\[       OK \]' "$logs/$name.log") tests passed, exit status $status"
     return $status
 }
 
 install_packages "$base-apt-install.log" "${packages_build[@]}" "${packages_test[@]}" "${packages_clang[@]}"
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+use_ccache "$root"
 failures=0
 for run in "${runs[@]}"; do
     logs=$base-$run/logs

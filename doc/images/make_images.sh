@@ -29,7 +29,7 @@ dot -Tsvg "$images/data_flow.dot" -o "$images/data_flow.svg"
 "$1/perf/experiments/rsackermann_roll_valley" > "$work/valley.txt"
 gnuplot -c "$images/roll_valley.gp" "$work/valley.txt" "$images/roll_valley.png"
 
-# theory.md and the tutorial: a street with parked cars whose houses aren't in line.
+# results.md and the tutorial: a street with parked cars whose houses aren't in line.
 uneven=$work/uneven
 "$programs/rsackermann_simulate" --output="$uneven" --size=640x400 --focal=560 --readout=0.033 --speed=60 \
     --yaw_rate=50 --left=5 --right=6 --stagger=1.5 --obstacles=20 --seed=4 --noise=0
@@ -39,15 +39,15 @@ uneven=$work/uneven
 "$programs/rsackermann_evaluate" --truth="$uneven/truth.json" --maps="$uneven/maps.yml" --report="$uneven/report.jsonl"
 gnuplot -c "$images/uneven_street.gp" "$uneven" "$images/../../modules/rsackermann/tutorials/correct_frame/images"
 
-# The tutorial on one's own camera: streets whose roll isn't told, with a read-out of 25 ms, at 50 km/h and 15 deg/s.
+# The tutorial on one's own camera: streets with unknown roll, with a read-out of 25 ms, at 50 km/h and 15 deg/s.
 tilted=$work/tilted
 for roll in -2 -1 -0.5 0 0.5 1 2; do
     for seed in 1 2 3 4 5; do
         "$programs/rsackermann_simulate" --output="$tilted" --overwrite --size=640x400 --focal=560 --readout=0.025 \
             --speed=50 --yaw_rate=15 --left=6 --right=7 --stagger=1 --seed=$seed --roll=$roll
         line=$roll
-        for told in --gravity_sigma=0 --gravity_sigma=1 --yaw_rate=15; do
-            "$programs/rsackermann_correct" "$tilted/rolling.png" --camera="$tilted/camera.yml" --roll=0 $told \
+        for given in --gravity_sigma=0 --gravity_sigma=1 --yaw_rate=15; do
+            "$programs/rsackermann_correct" "$tilted/rolling.png" --camera="$tilted/camera.yml" --roll=0 $given \
                 --overwrite --maps="$tilted/maps.yml" --report="$tilted/report.jsonl"
             displacement=$(
                 "$programs/rsackermann_evaluate" --truth="$tilted/truth.json" --maps="$tilted/maps.yml" \

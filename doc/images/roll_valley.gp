@@ -10,8 +10,8 @@ focal = 816.
 line_delay = 0.4 / 30 / 380
 slope = 1 / (focal * line_delay)
 
-set xlabel "error of the told roll, degrees"
-set ylabel "told yaw rate, deg/s"
+set xlabel "error of the given roll, degrees"
+set ylabel "given yaw rate, deg/s"
 set cblabel "median misfit of an upright segment, px"
 set xrange [-2.5:2.5]
 set yrange [-90:90]
@@ -22,7 +22,7 @@ set palette defined (0 "#08519c", 1 "#3182bd", 2 "#6baed6", 3 "#c6dbef", 4 "#f4f
 set tics out nomirror
 set arrow 1 from -1, graph 0 to -1, graph 1 nohead front dashtype 2 linecolor rgb "#606060"
 set arrow 2 from 1, graph 0 to 1, graph 1 nohead front dashtype 2 linecolor rgb "#606060"
-set label 1 "as exact as usual: ± 1 degree" at 0, -80 center front
+set label 1 "default: ± 1 degree" at 0, -80 center front
 set arrow 3 from -1, -70 to 1, -70 heads front linecolor rgb "#606060"
 set key at graph 0.02, graph 0.97 left top reverse Left opaque samplen 2
 plot ARG1 using 1:2:3 with image notitle, \

@@ -157,7 +157,7 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     result.raw = meanDistance(identity[0], identity[1], truth[0], truth[1], mask);
     result.left = meanDistance(estimated[0], estimated[1], truth[0], truth[1], mask);
 
-    result.expectedLeft = motion.expectedLeft;
+    result.expectedResidual = motion.expectedResidual;
 
     double yawRate = 0, speed = 0;
     const bool ok = motion.status == MOTION_OK;

@@ -55,13 +55,13 @@ struct Case
 struct Result
 {
     int status, model, candidates, inliers;
-    double raw, left;    //!< mean displacement in pixels before and after
-    double expectedLeft; //!< what the estimator expects to be left
-    double yawRateError; //!< degrees per second
-    double yawRateSigma; //!< its standard deviation as the estimator sees it; NaN if there is none
-    double speedError;   //!< km/h; NaN if the speed isn't known
-    double speedSigma;   //!< its standard deviation as the estimator sees it; NaN if there is none
-    double deltaError;   //!< pixels; NaN if there are no walls
+    double raw, left;        //!< mean displacement in pixels before and after
+    double expectedResidual; //!< what the estimator expects to be left
+    double yawRateError;     //!< degrees per second
+    double yawRateSigma;     //!< its standard deviation as the estimator sees it; NaN if there is none
+    double speedError;       //!< km/h; NaN if the speed isn't known
+    double speedSigma;       //!< its standard deviation as the estimator sees it; NaN if there is none
+    double deltaError;       //!< pixels; NaN if there are no walls
     //! Displacement in pixels that the estimator's covariance predicts; NaN if it wasn't asked for
     double floor;
 };

@@ -191,8 +191,8 @@ void printOutcomes(const std::vector<Outcome>& outcomes)
     for (const Outcome& o : outcomes)
         std::printf(
             "%-40s raw %6.2f left %6.2f expected %6.2f yaw rate %7.2f +- %6.2f error %6.2f status %d model %d\n",
-            o.name.substr(o.name.size() > 40 ? o.name.size() - 40 : 0).c_str(), o.raw, o.left, o.motion.expectedLeft,
-            o.yawRate, o.sigma, o.yawRateError, o.motion.status, o.motion.model);
+            o.name.substr(o.name.size() > 40 ? o.name.size() - 40 : 0).c_str(), o.raw, o.left,
+            o.motion.expectedResidual, o.yawRate, o.sigma, o.yawRateError, o.motion.status, o.motion.model);
 }
 
 double percentBeyond(const std::vector<Outcome>& outcomes, double sigmas)

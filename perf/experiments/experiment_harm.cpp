@@ -84,21 +84,21 @@ Frame randomFrame(int seed, int told)
 
 struct Score
 {
-    double left, expectedLeft;
+    double left, expectedResidual;
 };
 
 // Frames in the order of what was expected to be left, a tenth of them a line.
 void printCalibration(std::vector<Score> scores)
 {
     std::sort(scores.begin(), scores.end(),
-              [](const Score& a, const Score& b) { return a.expectedLeft < b.expectedLeft; });
+              [](const Score& a, const Score& b) { return a.expectedResidual < b.expectedResidual; });
     std::printf("\ntenth of the frames | expected to be left, px | left, px | expected / left\n");
     for (size_t i = 0; i < 10; i++)
     {
         std::vector<double> expected, left;
         for (size_t k = i * scores.size() / 10; k < (i + 1) * scores.size() / 10; k++)
         {
-            expected.push_back(scores[k].expectedLeft);
+            expected.push_back(scores[k].expectedResidual);
             left.push_back(scores[k].left);
         }
         std::printf("%19d | %23.3f | %8.3f | %15.2f\n", int(i + 1), mean(expected), mean(left),
@@ -149,7 +149,7 @@ int run(const Options& options)
             cv::GaussianBlur(image, image, cv::Size(), frame.blur);
         results.push_back(evaluate(frame.street, image, frame.experiment, unsigned(first + i)));
         const Result& r = results.back();
-        const Score score = {r.left, r.expectedLeft};
+        const Score score = {r.left, r.expectedResidual};
         if (r.status == MOTION_OK)
             scores.push_back(score);
         if (!options.flag("quiet"))
@@ -160,7 +160,7 @@ int run(const Options& options)
                 "noise %.0f, blur %.1f; status %d "
                 "candidates %d raw %.3f left %.3f expected %.3f yaw rate error %.2f sigma %.2f\n",
                 first + i, s.speed / KMH, s.yawRate / DEGREE, s.left, s.right, s.stagger, s.clutter, s.obstacles,
-                s.noise, frame.blur, r.status, r.candidates, r.raw, r.left, r.expectedLeft, r.yawRateError,
+                s.noise, frame.blur, r.status, r.candidates, r.raw, r.left, r.expectedResidual, r.yawRateError,
                 r.yawRateSigma);
         }
         progress.update(i + 1, frames, "frames");

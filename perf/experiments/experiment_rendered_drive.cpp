@@ -136,7 +136,7 @@ int run(const Options& options)
                     "%3d %s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n",
                     i, k == 0 ? "alone  " : "carried", drive.speed(), drive.yawRate() / DEGREE, yawRate / DEGREE,
                     motion.status, series[k].raw.back(), series[k].left.back(), motion.expectedRaw,
-                    motion.expectedLeft);
+                    motion.expectedResidual);
         }
     }
     summarise("alone", series[0]);

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Plots the displacement left on a rendered street against the error of the focal length that the estimator is told.
+# Plots the residual displacement on a rendered street against the error of the given focal length.
 # usage: plot_focal_error.sh BUILD_DIRECTORY PICTURE.png
 set -euo pipefail
 
@@ -22,6 +22,6 @@ set yrange [0:*]
 set grid
 set key center right
 plot "$data" using 1:2 with lines dashtype 2 linecolor rgb "black" title "raw image, median", \
-     "$data" using 1:4 with linespoints pointtype 6 linecolor rgb "#d95f02" title "left, 90 % quantile", \
-     "$data" using 1:3 with linespoints pointtype 7 linecolor rgb "#1b9e77" title "left, median"
+     "$data" using 1:4 with linespoints pointtype 6 linecolor rgb "#d95f02" title "residual, 90 % quantile", \
+     "$data" using 1:3 with linespoints pointtype 7 linecolor rgb "#1b9e77" title "residual, median"
 GNUPLOT

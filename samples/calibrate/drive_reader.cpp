@@ -25,27 +25,30 @@ const double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
 class DriveReader
 {
 public:
-    DriveReader(const InputList& inputs, const DriveLog& log, const std::function<void(const DriveFrame&, double)>& use)
+    DriveReader(const std::vector<Input>& inputs, const DriveLog& log,
+                const std::function<void(const DriveFrame&, double)>& use)
         : inputs_(inputs), log_(log), use_(use), last_(-BETWEEN_DRIVES), offset_(0)
     {
     }
 
     void readImageFile(size_t index)
     {
-        const std::string& input = inputs_.files[index];
+        const Input& input = inputs_[index];
         DriveFrame frame;
-        frame.facts = log_.of(input, inputs_.numbers[index], UNKNOWN);
+        frame.facts = log_.of(input.name, input.number, UNKNOWN);
         if (std::isnan(frame.facts.time))
             frame.facts.time = last_ + INTERVAL;
         last_ = frame.facts.time; // even if it can't be read: the next one comes after it
-        frame.image = readImage(input);
-        hand(frame, double(index + 1) / double(inputs_.files.size()));
+        if (!input.isFile())
+            throw InputError(input.error);
+        frame.image = readImage(input.name);
+        hand(frame, double(index + 1) / double(inputs_.size()));
     }
 
 #ifdef RSACKERMANN_WITH_VIDEOIO
     void readVideoFile(size_t index)
     {
-        const std::string& input = inputs_.files[index];
+        const std::string& input = inputs_[index].name;
         cv::VideoCapture capture = openVideo(input);
         FrameClock clock(capture);
         const double announced = capture.get(cv::CAP_PROP_FRAME_COUNT);
@@ -57,7 +60,7 @@ public:
             frame.facts = log_.of(input, number, clock.timeOfFrame(capture));
             last_ = frame.facts.time += offset_;
             hand(frame, (double(index) + (announced > 0 ? std::min((number + 1) / announced, 1.) : 0)) /
-                            double(inputs_.files.size()));
+                            double(inputs_.size()));
         }
         if (number == 0)
             throw InputError("no frame of the video can be read");
@@ -73,7 +76,7 @@ private:
         use_(frame, done);
     }
 
-    const InputList& inputs_;
+    const std::vector<Input>& inputs_;
     const DriveLog& log_;
     const std::function<void(const DriveFrame&, double)>& use_;
     double last_, offset_; // of time: of the last frame, and of the present video
@@ -81,14 +84,14 @@ private:
 
 } // namespace
 
-void readDrive(const InputList& inputs, const DriveLog& log, const std::function<void(const DriveFrame&, double)>& use,
+void readDrive(const InputList& list, const DriveLog& log, const std::function<void(const DriveFrame&, double)>& use,
                const std::function<void(const std::string&, const std::string&)>& fail)
 {
-    DriveReader reader(inputs, log, use);
-    for (size_t i = 0; i < inputs.files.size(); i++)
+    DriveReader reader(list.inputs, log, use);
+    for (size_t i = 0; i < list.inputs.size(); i++)
         try
         {
-            if (!isVideo(inputs.files[i]))
+            if (!list.inputs[i].isFile() || !isVideo(list.inputs[i].name))
                 reader.readImageFile(i);
 #ifdef RSACKERMANN_WITH_VIDEOIO
             else
@@ -101,11 +104,11 @@ void readDrive(const InputList& inputs, const DriveLog& log, const std::function
         }
         catch (const cv::Exception& e)
         {
-            fail(inputs.files[i], e.err);
+            fail(list.inputs[i].name, e.err);
         }
         catch (const std::exception& e)
         {
-            fail(inputs.files[i], e.what());
+            fail(list.inputs[i].name, e.what());
         }
 }
 

@@ -17,7 +17,7 @@ const char* const CAMERA_KEYS =
     "{focal      |        | focal length in pixels, if there is no calibration (default 0.9 times the longer side, +- "
     "20 %)}"
     "{focal_sigma |       | standard deviation of the focal length in pixels}"
-    "{line_delay |        | seconds between two lines; without it there are no metric results}"
+    "{line_delay |        | seconds between two lines; metric values, sensors and sequences need it}"
     "{readout    |        | seconds between the first and the last line's end, instead of --line_delay}"
     "{scan       |        | order of the lines: top_to_bottom (default), bottom_to_top, left_to_right or right_to_left}"
     "{reference  |        | line at whose instant the corrected image is taken: first, middle (default) or last to be "
@@ -59,6 +59,7 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     camera.lineDelaySigma = lineDelaySigma;
     if (focalSigma > 0)
         camera.focalSigma = focalSigma;
+    camera.check();
     return camera;
 }
 
@@ -69,7 +70,7 @@ CameraSettings readCameraOptions(const Options& options)
     {
         if (options.given("focal"))
             throw UsageError("--camera and --focal exclude each other");
-        readCameraFile(options.text("camera"), s);
+        readCameraFile(options.inputFile("camera"), s);
     }
     if (options.given("focal"))
         s.focal = options.number("focal", 0, 1e7, false);

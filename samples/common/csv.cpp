@@ -109,6 +109,8 @@ CsvTable readCsv(const std::string& path)
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     if (!file.is_open() || file.bad())
         throw UsageError(path + " can't be read");
+    if (text.find('\0') != std::string::npos)
+        throw UsageError(path + " has a zero byte: it isn't a text");
     CsvReader reader(text, path);
     CsvTable table;
     int line = 0;

@@ -83,7 +83,7 @@ std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, co
 cv::Mat readSegments(const std::string& path)
 {
     std::ifstream file(path.c_str());
-    if (!file)
+    if (!file || cv::utils::fs::isDirectory(path))
         throw UsageError("lines file " + path + " can't be read");
     cv::Mat segments(0, 4, CV_32F);
     std::string line;

@@ -140,6 +140,11 @@ std::string Options::text(const std::string& name) const
     return it->second;
 }
 
+std::string Options::inputFile(const std::string& name) const
+{
+    return *inputFiles_.insert(text(name)).first;
+}
+
 double Options::number(const std::string& name) const
 {
     return parseNumber(text(name), "option --" + name);

@@ -8,6 +8,7 @@
 #include "opencv2/core.hpp"
 #include "opencv2/core/utility.hpp"
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,6 +50,10 @@ public:
 
     bool given(const std::string& name) const { return given_.count(name) > 0; }
     std::string text(const std::string& name) const;
+    //! The text of an option that names a file which is read, and which no result may replace.
+    std::string inputFile(const std::string& name) const;
+    //! The files of inputFile() so far.
+    const std::set<std::string>& inputFiles() const { return inputFiles_; }
     double number(const std::string& name) const;
     //! A number in (low, high], or [low, high] if the lower limit is inclusive.
     double number(const std::string& name, double low, double high, bool inclusive = true) const;
@@ -64,6 +69,7 @@ public:
 
 private:
     std::map<std::string, std::string> given_;
+    mutable std::set<std::string> inputFiles_;
     std::vector<std::string> arguments_;
     cv::CommandLineParser parser_;
 };

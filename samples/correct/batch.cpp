@@ -16,30 +16,38 @@
 namespace rsackermann_samples {
 
 Batch::Batch(const Job& job)
-    : job_(job), report_(job.report.empty() ? nullptr : new ReportFile(job)), corrector_(job), lastTask_(0), done_(0),
-      failures_(0)
+    : job_(job), inputs_(job.inputs.inputs), report_(job.report.empty() ? nullptr : new ReportFile(job)),
+      corrector_(job), lastTask_(0), done_(0), failures_(0)
 {
-    for (size_t i = 0; i < job.inputs.files.size(); i++)
-        if (!taskOf(job.inputs.files[i]).isDone())
+    for (size_t i = 0; i < inputs_.size(); i++)
+        if (inputs_[i].isFile() && !isVideo(inputs_[i].name) && !taskOf(inputs_[i].name).isDone())
             lastTask_ = i;
 }
 
 int Batch::run()
 {
-    for (const std::pair<std::string, std::string>& failure : job_.inputs.failures)
-        fail(failure.first, failure.second);
-    for (size_t i = 0; i < job_.inputs.files.size() && !interruptSignal(); i++)
+    for (size_t i = 0; i < inputs_.size() && !interruptSignal(); i++)
     {
-        const Task task = taskOf(job_.inputs.files[i]);
-        if (isLeftOut(i, task))
+        if (!inputs_[i].isFile())
+        {
+            corrector_.beginFrame(factsOf(i));
+            fail(inputs_[i].name, inputs_[i].error);
             continue;
+        }
         try
         {
+            const Task task = taskOf(inputs_[i].name);
+            if (isLeftOut(i, task))
+                continue;
             correct(i, task);
         }
         catch (const Interrupted&)
         {
             break;
+        }
+        catch (const InputError& e)
+        {
+            fail(inputs_[i].name, e.what());
         }
         done_++;
     }
@@ -62,13 +70,13 @@ Batch::Task Batch::taskOf(const std::string& input) const
 // If a motion is carried from image to image those before the last one that is left to be done count.
 bool Batch::isLeftOut(size_t index, const Task& task) const
 {
-    const bool isCarried = job_.params.carryMotion && !isVideo(job_.inputs.files[index]);
+    const bool isCarried = job_.params.carryMotion && !isVideo(inputs_[index].name);
     return job_.skipExisting && task.isDone() && !(isCarried && index < lastTask_);
 }
 
 void Batch::correct(size_t index, const Task& task)
 {
-    const std::string& input = job_.inputs.files[index];
+    const std::string& input = inputs_[index].name;
     std::string error;
     std::vector<std::string> lines;
     for (const FrameReport& frame : correctFile(index, task.targets, error))
@@ -82,17 +90,17 @@ void Batch::correct(size_t index, const Task& task)
 
 FrameFacts Batch::factsOf(size_t index) const
 {
-    return job_.log.of(job_.inputs.files[index], job_.inputs.numbers[index], std::numeric_limits<double>::quiet_NaN());
+    return job_.log.of(inputs_[index].name, inputs_[index].number, std::numeric_limits<double>::quiet_NaN());
 }
 
 // An image that can't be read says so when it is its turn.
 NextFrame Batch::nextOf(size_t index) const
 {
-    if (!corrector_.wantsNext() || index + 1 >= job_.inputs.files.size() || isVideo(job_.inputs.files[index + 1]))
+    if (!corrector_.wantsNext() || index + 1 >= inputs_.size() || isVideo(inputs_[index + 1].name))
         return NextFrame();
     try
     {
-        return NextFrame(readImage(job_.inputs.files[index + 1]), factsOf(index + 1).time);
+        return NextFrame(readImage(inputs_[index + 1].name), factsOf(index + 1).time);
     }
     catch (const InputError&)
     {
@@ -103,10 +111,14 @@ NextFrame Batch::nextOf(size_t index) const
 // The error is told and not thrown, as the frames of a video may be there though its end isn't.
 std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets, std::string& error)
 {
-    const std::string& input = job_.inputs.files[index];
+    const std::string& input = inputs_[index].name;
     // Inputs that are left out take no time.
-    const double total = done_ + double(job_.inputs.files.size() - index);
+    const double total = done_ + double(inputs_.size() - index);
     std::vector<FrameReport> frames;
+    if (isVideo(input))
+        corrector_.reset();
+    else
+        corrector_.beginFrame(factsOf(index));
     try
     {
         targets.check(job_);
@@ -115,11 +127,13 @@ std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets
         {
             correctVideo(input, targets, job_, corrector_, frames,
                          [&](double share) { progress_.update(done_ + share, total, input); });
-            return frames;
         }
+        else
 #endif
-        frames.push_back(correctImage(input, targets, factsOf(index), nextOf(index), corrector_));
-        progress_.update(done_ + 1, total, input);
+        {
+            frames.push_back(correctImage(input, targets, nextOf(index), corrector_));
+            progress_.update(done_ + 1, total, input);
+        }
     }
     catch (const Interrupted&)
     {
@@ -133,6 +147,8 @@ std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets
     {
         error = e.what();
     }
+    if (isVideo(input)) // whether it has come to its end or not
+        corrector_.reset();
     return frames;
 }
 

@@ -46,6 +46,7 @@ private:
     void report(const std::vector<std::string>& lines);
 
     const Job& job_;
+    const std::vector<Input>& inputs_;
     std::unique_ptr<ReportFile> report_;
     FrameCorrector corrector_;
     Progress progress_;

@@ -50,23 +50,34 @@ void FrameCorrector::prepare(const cv::Size& size)
     WarpMapGenerator::create(camera_, params.warp)->initRectifyMap(AckermannMotion(), lensMap1_, lensMap2_);
 }
 
-void FrameCorrector::tell(const FrameFacts& facts)
+void FrameCorrector::beginFrame(const FrameFacts& facts)
 {
-    corrector_->setTimestamp(facts.time);
+    facts_ = facts;
+    time_ = orElse(facts.time, time_ + job_.params.frameInterval);
+}
+
+void FrameCorrector::useFacts()
+{
+    corrector_->setTimestamp(time_);
     CameraSettings settings = job_.camera;
-    settings.roll = orElse(facts.roll, settings.roll);
-    settings.pitch = orElse(facts.pitch, settings.pitch);
+    settings.roll = orElse(facts_.roll, settings.roll);
+    settings.pitch = orElse(facts_.pitch, settings.pitch);
+    if (!std::isnan(facts_.roll)) // as the options do
+        settings.rollSigma = 0;
+    if (!std::isnan(facts_.pitch))
+        settings.pitchSigma = 0;
+    roll_ = settings.roll;
+    pitch_ = settings.pitch;
     camera_ = settings.makeCamera(camera_.imageSize);
     corrector_->setCamera(camera_);
     warp_->setCamera(camera_);
 
     RollingShutterCorrector::Params params = job_.params;
     params.warp = StripWarp::coarse(camera_);
-    if (!std::isnan(facts.gravitySigma))
-        setGravitySigma(facts.gravitySigma, params.estimator);
+    setGravitySigma(orElse(facts_.gravitySigma, job_.gravitySigma), settings, params.estimator);
     corrector_->setParams(params);
 
-    corrector_->setPrior(priorOf(facts, job_.prior));
+    corrector_->setPrior(priorOf(facts_, job_.prior));
 }
 
 void FrameCorrector::reset()
@@ -89,22 +100,24 @@ void FrameCorrector::warp(const cv::Mat& image, CorrectedFrame& frame)
     frame.report.timings += cv::Vec4d(0, 0, 1000 * seconds[0], 1000 * seconds[1]);
 }
 
-CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const FrameFacts& facts, const NextFrame& next)
+CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& next)
 {
     prepare(image.size());
     CorrectedFrame frame;
     FrameReport& report = frame.report;
-    tell(facts);
+    useFacts();
     if (wantsNext() && next.image.size() == image.size())
         corrector_->setNextFrame(next.image, next.time);
     isFirst_ = false;
     report.camera = camera_;
+    report.roll = roll_;
+    report.pitch = pitch_;
     cv::Mat coarse, mask, map1, map2, segments, labels;
     report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, coarse, mask)
                                     : corrector_->correct(image, coarse, mask);
     corrector_->getSegments(segments, labels);
     corrector_->getMaps(map1, map2);
-    report.time = facts.time;
+    report.time = facts_.time;
     report.segments = segments.rows;
     // Without a motion the maps undo the lens only.
     report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;

@@ -33,29 +33,35 @@ struct NextFrame
 class FrameCorrector
 {
 public:
-    explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true) {}
+    explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true), time_(0), roll_(0), pitch_(0) {}
+
+    /** Goes on to the next image of a sequence, whether it can be corrected or not: its time passes.
+    @param facts from the log, or only its time. */
+    void beginFrame(const FrameFacts& facts);
 
     //! Whether the image after the one that is corrected next says something: for the first one of a drive, which has
     //! none before.
     bool wantsNext() const { return job_.params.carryMotion && (isFirst_ || job_.smooth); }
 
-    /** Corrects an image; throws InputError or cv::Exception.
-    @param facts from the log, or only its time.
+    /** Corrects the image; throws InputError or cv::Exception.
     @param next see wantsNext(). */
-    CorrectedFrame correct(const cv::Mat& image, const FrameFacts& facts, const NextFrame& next = NextFrame());
+    CorrectedFrame correct(const cv::Mat& image, const NextFrame& next = NextFrame());
 
     //! The next image belongs to another sequence.
     void reset();
 
 private:
     void prepare(const cv::Size& size);
-    void tell(const FrameFacts& facts);
+    void useFacts();
     void warp(const cv::Mat& image, CorrectedFrame& frame);
 
     const Job& job_;
     bool isFirst_;                                                // of a sequence
+    FrameFacts facts_;                                            // of the present image
+    double time_;                                                 // of it, known or assumed
     cv::rsackermann::RollingShutterCamera camera_;                // of the last image
     cv::Ptr<cv::rsackermann::RollingShutterCorrector> corrector_; // its image and maps have every eighth pixel only
+    double roll_, pitch_;                                         // degrees, of the camera
     std::unique_ptr<StripWarp> warp_;
     cv::Mat lensMap1_, lensMap2_; // undo the lens only, for every eighth pixel
 };

@@ -31,12 +31,12 @@ bool isCopied(const std::string& input, const std::string& output)
 
 } // namespace
 
-FrameReport correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts,
-                         const NextFrame& next, FrameCorrector& corrector)
+FrameReport correctImage(const std::string& input, const Targets& targets, const NextFrame& next,
+                         FrameCorrector& corrector)
 {
     std::vector<uchar> exif;
     const cv::Mat image = readImage(input, &exif);
-    CorrectedFrame frame = corrector.correct(image, facts, next);
+    CorrectedFrame frame = corrector.correct(image, next);
     AtomicFiles files;
     if (!targets.overlay.empty())
         writeImage(files.add(targets.overlay), frame.overlay, exif);

@@ -11,10 +11,9 @@
 namespace rsackermann_samples {
 
 /** Corrects the image of a file and writes its results.
-@param facts from the log.
 @return its line of the report. Throws InputError or cv::Exception, and then no result is there. */
-FrameReport correctImage(const std::string& input, const Targets& targets, const FrameFacts& facts,
-                         const NextFrame& next, FrameCorrector& corrector);
+FrameReport correctImage(const std::string& input, const Targets& targets, const NextFrame& next,
+                         FrameCorrector& corrector);
 
 } // namespace rsackermann_samples
 

@@ -9,7 +9,6 @@
 #include "opencv2/core/utils/filesystem.hpp"
 #include <algorithm>
 #include <fstream>
-#include <numeric>
 #include <set>
 
 namespace rsackermann_samples {
@@ -107,11 +106,13 @@ std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::strin
 std::vector<std::string> linesOf(const std::string& path)
 {
     std::ifstream file(path.c_str());
-    if (!file)
+    if (!file || fs::isDirectory(path))
         throw InputError("the list can't be read");
     std::vector<std::string> lines;
     for (std::string line; std::getline(file, line);)
     {
+        if (lines.empty() && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+            line.erase(0, 3); // the mark of UTF-8
         if (!line.empty() && line.back() == '\r')
             line.pop_back();
         if (!line.empty())
@@ -120,14 +121,17 @@ std::vector<std::string> linesOf(const std::string& path)
     return lines;
 }
 
-std::vector<std::string> expand(const std::string& argument)
+std::vector<std::string> expand(const std::string& argument, std::vector<std::string>& lists)
 {
     if (fs::isDirectory(argument))
         return imagesOf(argument);
     if (fs::exists(argument))
         return std::vector<std::string>(1, argument);
     if (argument[0] == '@')
-        return linesOf(argument.substr(1));
+    {
+        lists.push_back(argument.substr(1));
+        return linesOf(lists.back());
+    }
     NumberPattern pattern;
     const std::string name = fileName(argument);
     if (pattern.parse(name))
@@ -141,21 +145,32 @@ InputList listInputs(const std::vector<std::string>& arguments)
 {
     InputList list;
     list.single = arguments.size() == 1 && !fs::isDirectory(arguments[0]) && fs::exists(arguments[0]);
+    const auto add = [&list](const std::string& name, const std::string& error) {
+        list.inputs.push_back(Input{name, int(list.inputs.size()), error});
+    };
     for (const std::string& argument : arguments)
         try
         {
-            const std::vector<std::string> files = expand(argument);
+            const std::vector<std::string> files = expand(argument, list.lists);
             if (files.empty())
                 throw InputError("there are no images");
-            list.files.insert(list.files.end(), files.begin(), files.end());
+            for (const std::string& file : files)
+                add(file, "");
         }
         catch (const InputError& e)
         {
-            list.failures.push_back(std::make_pair(argument, std::string(e.what())));
+            add(argument, e.what());
         }
-    list.numbers.resize(list.files.size());
-    std::iota(list.numbers.begin(), list.numbers.end(), 0);
     return list;
+}
+
+std::vector<std::string> filesOf(const InputList& inputs)
+{
+    std::vector<std::string> files = inputs.lists;
+    for (const Input& input : inputs.inputs)
+        if (input.isFile())
+            files.push_back(input.name);
+    return files;
 }
 
 bool isVideo(const std::string& path)
@@ -167,15 +182,10 @@ bool isVideo(const std::string& path)
 
 void keepShard(InputList& inputs, int shard, int count)
 {
-    std::vector<std::string> files;
-    std::vector<int> numbers;
-    for (size_t i = size_t(shard % count); i < inputs.files.size(); i += size_t(count))
-    {
-        files.push_back(inputs.files[i]);
-        numbers.push_back(inputs.numbers[i]);
-    }
-    inputs.files.swap(files);
-    inputs.numbers.swap(numbers);
+    std::vector<Input> kept;
+    for (size_t i = size_t(shard % count); i < inputs.inputs.size(); i += size_t(count))
+        kept.push_back(inputs.inputs[i]);
+    inputs.inputs.swap(kept);
 }
 
 } // namespace rsackermann_samples

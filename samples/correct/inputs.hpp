@@ -6,24 +6,35 @@
 #define RSACKERMANN_SAMPLES_INPUTS_HPP
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace rsackermann_samples {
 
-//! The images and videos that the arguments of a program stand for.
+//! An image or a video, or an argument that stands for nothing.
+struct Input
+{
+    std::string name;
+    int number;        //!< its place in the list, from 0; a shard keeps it
+    std::string error; //!< why the argument stands for nothing; empty: it is a file
+
+    bool isFile() const { return error.empty(); }
+};
+
+//! The images and videos that the arguments of a program stand for, in their order. What stands for nothing has a place
+//! among them: in a sequence it takes the time of an image.
 struct InputList
 {
-    std::vector<std::string> files;
-    //! The place of each file in the list, from 0; a shard keeps it
-    std::vector<int> numbers;
-    std::vector<std::pair<std::string, std::string>> failures; //!< arguments that stand for nothing, and why
-    bool single;                                               //!< there is one argument and it is the name of a file
+    std::vector<Input> inputs;
+    std::vector<std::string> lists; //!< files whose lines are among the inputs
+    bool single;                    //!< there is one argument and it is the name of a file
 };
 
 /** Lists the files: an argument is an image, a video, a directory (its images, by name), a printf pattern as
 frame_%04d.png (by number) or @FILE with a name a line. */
 InputList listInputs(const std::vector<std::string>& arguments);
+
+//! All files that are read for the inputs.
+std::vector<std::string> filesOf(const InputList& inputs);
 
 //! Whether a file is a video, by the extension of its name.
 bool isVideo(const std::string& path);

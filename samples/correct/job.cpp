@@ -11,7 +11,9 @@
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <limits>
 
 namespace rsackermann_samples {
 
@@ -20,33 +22,32 @@ using namespace cv::rsackermann;
 const char* const JOB_KEYS =
     "{help       |        | print this message}"
     "{wall       |        | metres to the left (or only) wall; makes the speed metric}"
-    "{scale_from_road |   | without --wall: find its distance from --height and wall segments that stand on the road}"
+    "{scale_from_road |   | without --wall: estimate its distance from --height and wall segments that stand on the road}"
     "{speed      |        | km/h that the car reports, negative in reverse; needs the line delay; with --height it "
     "gives the road}"
     "{speed_sigma |       | standard deviation of --speed in km/h (default 2)}"
     "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
     "{yaw_rate_sigma |    | standard deviation of --yaw_rate in deg/s (default 1)}"
-    "{log        |        | CSV file with facts on each frame (columns file, frame, time_s, speed_kmh, "
-    "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it goes before "
+    "{log        |        | CSV file with values for each frame (columns file, frame, time_s, speed_kmh, "
+    "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it overrides "
     "the options}"
-    "{carry      |        | the inputs, or the frames of each video, are consecutive: each helps with the next; needs "
-    "the line delay}"
-    "{smooth     |        | --carry, and each frame is helped by the one after it, too}"
+    "{carry      |        | treat the inputs, or the frames of each video, as one sequence; needs the line delay}"
+    "{smooth     |        | --carry, and each frame also uses the one after it}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's "
     "roll 1, of its pitch 0.3)}"
-    "{usual_yaw_rate |    | deg/s, how fast the vehicle usually turns if no yaw rate is told (default 5, as cars do)}"
-    "{model      | auto   | motion model: auto, 4la, 3la, 1la or none}"
+    "{usual_yaw_rate |    | deg/s, scale of the prior on the yaw rate if none is given (default 5, as cars turn)}"
+    "{model      | auto   | motion model: auto, 4la, 3la, 1la or none; not with --carry}"
     "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one "
     "image}"
-    "{seed       | 0      | of the random numbers}"
-    "{threads    |        | largest number of threads}"
+    "{seed       | 0      | seed of the random numbers; no effect on frames that --carry tracks}"
+    "{threads    |        | maximum number of threads}"
     "{output     |        | corrected image or video; a folder, made if missing, if there are several inputs}"
     "{overlay    |        | picture of the segments and the road's borders; a folder as for --output}"
     "{report     |        | file with a line of JSON for each image or frame; - for standard output}"
     "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); several inputs: a folder as "
     "for --output with NAME.yml.gz, for a video with NAME_NNNNNN.yml.gz for each frame}"
-    "{shard      |        | i/N: do every N-th input only, beginning with the i-th (1 to N)}"
-    "{skip_existing |     | leave out existing results, and inputs with all results and lines of the report}"
+    "{shard      |        | i/N: process only every N-th input, beginning with the i-th (1 to N)}"
+    "{skip_existing |     | skip results that exist, and inputs whose results and lines of the report all exist}"
     "{overwrite  |        | replace existing files}";
 
 namespace {
@@ -56,25 +57,16 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
     params.model = readModel(options);
     params.detector = readDetector(options);
     params.seed = options.integer("seed", 0, INT_MAX);
-    if (options.given("gravity_sigma"))
-        setGravitySigma(options.number("gravity_sigma", 0, 45), params);
     if (options.given("wall"))
         params.wallDistance = options.number("wall", 0, 1e5, false);
     if (options.given("usual_yaw_rate"))
-        params.usualYawRate = options.number("usual_yaw_rate", 0, 1e4, false) * DEGREE;
+        params.priorYawRate = options.number("usual_yaw_rate", 0, 1e4, false) * DEGREE;
     params.scaleFromRoad = options.flag("scale_from_road");
-}
-
-// The uncertainty of the mount adds to that of the vehicle.
-void addMountSigma(const CameraSettings& camera, AckermannEstimator::Params& params)
-{
-    params.gravitySigma = std::hypot(params.gravitySigma, camera.rollSigma * DEGREE);
-    params.vehiclePitchSigma = std::hypot(params.vehiclePitchSigma, camera.pitchSigma * DEGREE);
 }
 
 void warnUseless(const std::string& what, const std::string& missing)
 {
-    std::cerr << "rsackermann_correct: " << what << " is of no use without " << missing << std::endl;
+    std::cerr << "rsackermann_correct: " << what << " has no effect without " << missing << std::endl;
 }
 
 // A value with its standard deviation, in the given unit; false if it isn't known.
@@ -136,19 +128,20 @@ bool isFolder(const InputList& inputs, const std::string& path)
 
 bool hasVideo(const InputList& inputs)
 {
-    return std::any_of(inputs.files.begin(), inputs.files.end(), isVideo);
+    return std::any_of(inputs.inputs.begin(), inputs.inputs.end(),
+                       [](const Input& input) { return input.isFile() && isVideo(input.name); });
 }
 
 // All files are known before any work is done, those of other shards too.
-void checkTargets(const Job& job)
+void checkTargets(const Options& options, const Job& job)
 {
     OutputPlan plan;
-    for (const std::string& input : job.inputs.files)
-        plan.addInput(input);
+    plan.addInputs(options.inputFiles());
+    plan.addInputs(filesOf(job.inputs));
     for (const bool video : {true, false}) // the names of frames first
-        for (const std::string& input : job.inputs.files)
-            if (isVideo(input) == video)
-                Targets(job, input).addTo(plan);
+        for (const Input& input : job.inputs.inputs)
+            if (input.isFile() && isVideo(input.name) == video)
+                Targets(job, input.name).addTo(plan);
     if (!job.report.empty() && job.report != "-")
         plan.addOutput(job.report, "the report");
     plan.removeLeftovers();
@@ -156,16 +149,13 @@ void checkTargets(const Job& job)
 
 void checkVideos(const Job& job)
 {
-    for (const std::string& input : job.inputs.files)
-        if (isVideo(input))
-        {
+    if (!hasVideo(job.inputs))
+        return;
 #ifndef RSACKERMANN_WITH_VIDEOIO
-            throw UsageError(
-                "videos are not read, since OpenCV's module videoio was missing when this program was built: " + input);
+    throw UsageError("videos are not read, since OpenCV's module videoio was missing when this program was built");
 #endif
-            if (job.linesGiven)
-                throw UsageError("--lines is for an image");
-        }
+    if (job.linesGiven)
+        throw UsageError("--lines is for an image");
 }
 
 void readShard(const Options& options, Job& job)
@@ -184,8 +174,6 @@ void readShard(const Options& options, Job& job)
     const int shard = parseInteger(text.substr(0, slash), source, 0, count);
     job.shardCount = count;
     keepShard(job.inputs, shard + count - 1, count);
-    if (shard != 1 && count != 1)
-        job.inputs.failures.clear(); // the first one tells of them
 }
 
 } // namespace
@@ -197,20 +185,22 @@ Job readJob(const Options& options)
         throw UsageError("there is no input");
     job.camera = readCameraOptions(options);
     readEstimator(options, job.params.estimator);
-    if (!options.given("gravity_sigma"))
-        addMountSigma(job.camera, job.params.estimator);
+    job.gravitySigma = options.given("gravity_sigma") ? options.number("gravity_sigma", 0, 45)
+                                                      : std::numeric_limits<double>::quiet_NaN();
     checkScale(job);
     if (options.given("log"))
-        job.log = DriveLog(options.text("log"));
+        job.log = DriveLog(options.inputFile("log"));
     job.smooth = options.flag("smooth");
     job.params.carryMotion = job.smooth || options.flag("carry");
+    if (job.params.carryMotion && job.params.estimator.model != MODEL_AUTO)
+        throw UsageError("--model and --carry exclude each other: tracked points tell the whole motion");
     job.prior = readPrior(options, job);
     job.output = target(options, "output");
     job.overlay = target(options, "overlay");
     job.maps = target(options, "maps");
     job.report = target(options, "report");
     if (job.output.empty() && job.overlay.empty() && job.maps.empty() && job.report.empty())
-        throw UsageError("nothing is asked for: give --output, --overlay, --report or --maps");
+        throw UsageError("nothing to do: give --output, --overlay, --report or --maps");
     job.skipExisting = options.flag("skip_existing");
     job.overwrite = options.flag("overwrite");
     if (job.skipExisting && job.overwrite)
@@ -221,25 +211,30 @@ Job readJob(const Options& options)
         cv::setNumThreads(options.integer("threads", 1, 4096));
 
     job.inputs = listInputs(options.arguments());
-    const bool one = job.inputs.files.size() + job.inputs.failures.size() == 1;
     job.linesGiven = options.given("lines");
-    if (job.linesGiven && !one)
+    if (job.linesGiven && job.inputs.inputs.size() != 1)
         throw UsageError("--lines is for one input");
     checkVideos(job);
     if (job.linesGiven)
-        job.lines = readSegments(options.text("lines"));
+        job.lines = readSegments(options.inputFile("lines"));
     job.outputIsFolder = isFolder(job.inputs, job.output);
     job.overlayIsFolder = isFolder(job.inputs, job.overlay);
     job.mapsIsFolder = isFolder(job.inputs, job.maps) || (!job.maps.empty() && hasVideo(job.inputs));
     if (options.given("log"))
         checkLog(job.log, job.inputs, "rsackermann_correct");
-    checkTargets(job);
+    checkTargets(options, job);
     readShard(options, job);
     return job;
 }
 
-void setGravitySigma(double degrees, AckermannEstimator::Params& params)
+void setGravitySigma(double degrees, const CameraSettings& camera, AckermannEstimator::Params& params)
 {
+    if (std::isnan(degrees))
+    {
+        params.gravitySigma = std::hypot(params.gravitySigma, camera.rollSigma * DEGREE);
+        params.vehiclePitchSigma = std::hypot(params.vehiclePitchSigma, camera.pitchSigma * DEGREE);
+        return;
+    }
     params.gravitySigma = degrees * DEGREE;
     if (params.gravitySigma > 0)
         params.vehiclePitchSigma = params.gravitySigma;

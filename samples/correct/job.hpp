@@ -18,6 +18,7 @@ struct Job
     InputList inputs;
     CameraSettings camera;
     cv::rsackermann::RollingShutterCorrector::Params params;
+    double gravitySigma; //!< degrees; NaN: not given
     cv::rsackermann::MotionPrior prior;
     DriveLog log;
     bool smooth; //!< each frame of a drive is helped by the one after it
@@ -31,8 +32,9 @@ struct Job
 
 extern const char* const JOB_KEYS;
 
-//! Sets the standard deviation of roll and pitch, 0: exact.
-void setGravitySigma(double degrees, cv::rsackermann::AckermannEstimator::Params& params);
+/** Sets the standard deviation of gravity.
+@param degrees of roll and pitch, 0: exact; NaN: not given, so that the mount's adds to the vehicle's. */
+void setGravitySigma(double degrees, const CameraSettings& camera, cv::rsackermann::AckermannEstimator::Params& params);
 
 //! Reads the command line; throws UsageError.
 Job readJob(const Options& options);

@@ -30,11 +30,11 @@ cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts, const cv::rsackerm
 void checkLog(const DriveLog& log, const InputList& inputs, const std::string& program)
 {
     size_t images = 0, unknown = 0;
-    for (size_t i = 0; i < inputs.files.size(); i++)
-        if (!isVideo(inputs.files[i]))
+    for (const Input& input : inputs.inputs)
+        if (input.isFile() && !isVideo(input.name))
         {
             images++;
-            unknown += !log.names(inputs.files[i], inputs.numbers[i]);
+            unknown += !log.names(input.name, input.number);
         }
     if (images > 0 && unknown == images)
         throw UsageError("the log names none of the images (columns file or frame)");

@@ -43,7 +43,8 @@ void writeCompressed(AtomicFile& file, const std::string& text)
 void writeMaps(AtomicFile& file, const cv::Mat& map1, const cv::Mat& map2)
 {
     std::string name = file.path();
-    const bool compressed = extension(name) == ".gz";
+    // cv::FileStorage doesn't read .GZ.
+    const bool compressed = name.size() > 3 && name.compare(name.size() - 3, 3, ".gz") == 0;
     if (compressed)
         name.erase(name.size() - 3);
     const std::string format = extension(name);

@@ -56,16 +56,24 @@ Json reliefOf(const AckermannMotion& motion)
             {"area", {rounded(area.x), rounded(area.y), rounded(area.width), rounded(area.height)}}};
 }
 
-// A file's name needn't be valid UTF-8.
-std::string dumped(const Json& json)
+bool isUtf8(const std::string& text)
 {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    try
+    {
+        Json(text).dump();
+        return true;
+    }
+    catch (const Json::exception&)
+    {
+        return false;
+    }
 }
 
 } // namespace
 
 FrameReport::FrameReport()
-    : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), segments(0), meanShift(0)
+    : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), roll(0), pitch(0), segments(0),
+      meanShift(0)
 {
 }
 
@@ -77,7 +85,7 @@ std::string reportLine(const FrameReport& frame)
     const bool yawRateKnown = ok && m.yawRate(frame.camera, yawRate), speedKnown = ok && m.speed(frame.camera, speed);
 
     Json line;
-    line["input"] = frame.input;
+    line["input"] = nameInReport(frame.input);
     if (frame.frame >= 0)
     {
         line["frame"] = frame.frame;
@@ -85,6 +93,10 @@ std::string reportLine(const FrameReport& frame)
     }
     if (!std::isnan(frame.time))
         line["time_s"] = frame.time;
+    line["width"] = frame.camera.imageSize.width;
+    line["height"] = frame.camera.imageSize.height;
+    line["roll_deg"] = frame.roll;
+    line["pitch_deg"] = frame.pitch;
     line["status"] = STATUS_WORDS[m.status];
     line["model"] = modelWord(m.model);
     line["alpha"] = orNull(ok, m.alpha);
@@ -113,23 +125,30 @@ std::string reportLine(const FrameReport& frame)
     line["rms_px"] = orNull(ok && m.inliers > 0, m.rms);
     const bool expected = m.status == MOTION_OK || m.status == MOTION_NOT_SIGNIFICANT;
     line["expected_px_raw"] = orNull(expected, m.expectedRaw);
-    line["expected_px_left"] = orNull(expected, m.expectedLeft);
+    line["expected_px_left"] = orNull(expected, m.expectedResidual);
+    line["probability_worse"] = orNull(expected, m.probabilityWorse);
     line["mean_shift_px"] = frame.meanShift;
     line["ms_detect"] = frame.timings[0];
     line["ms_estimate"] = frame.timings[1];
     line["ms_map"] = frame.timings[2];
     line["ms_remap"] = frame.timings[3];
-    return dumped(line);
+    return line.dump();
 }
 
 std::string failureLine(const std::string& input, const std::string& error)
 {
-    return dumped({{"input", input}, {"status", "failed"}, {"error", error}});
+    return Json({{"input", nameInReport(input)}, {"status", "failed"}, {"error", nameInReport(error)}}).dump();
 }
 
 std::string nameInReport(const std::string& input)
 {
-    return Json::parse(dumped(input)).get<std::string>();
+    if (isUtf8(input))
+        return input;
+    // Different names stay different.
+    std::string name;
+    for (const char c : input)
+        name += (unsigned char)c < 0x80 ? std::string(1, c) : cv::format("\xEF\xBF\xBD%02x", (unsigned char)c);
+    return name;
 }
 
 } // namespace rsackermann_samples

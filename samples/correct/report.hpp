@@ -19,6 +19,7 @@ struct FrameReport
     int frame, frames; //!< number of a video's frame, from 0, and how many there are; -1: the input is an image
     double time;       //!< seconds; NaN: unknown
     cv::rsackermann::RollingShutterCamera camera;
+    double roll, pitch; //!< degrees, with which the camera was mounted: of the log or of the camera
     cv::rsackermann::AckermannMotion motion;
     int segments;
     double meanShift;  //!< pixels, mean distance between the maps and those that only undo the lens
@@ -31,7 +32,8 @@ std::string reportLine(const FrameReport& frame);
 //! A line of JSON for an input that isn't corrected, or not to its end.
 std::string failureLine(const std::string& input, const std::string& error);
 
-//! A file's name as it stands in a line: if it isn't valid UTF-8 characters are replaced.
+//! A file's name as it stands in a line: if it isn't valid UTF-8 each byte that isn't ASCII becomes U+FFFD and two
+//! hexadecimal digits.
 std::string nameInReport(const std::string& input);
 
 } // namespace rsackermann_samples

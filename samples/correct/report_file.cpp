@@ -42,10 +42,8 @@ int framesOf(const nlohmann::json& line)
 
 ReportFile::ReportFile(const Job& job) : path_(job.report == "-" ? "" : job.report), lines_(path_)
 {
-    for (const std::string& input : job.inputs.files)
-        own_.insert(nameInReport(input));
-    for (const std::pair<std::string, std::string>& failure : job.inputs.failures)
-        own_.insert(nameInReport(failure.first));
+    for (const Input& input : job.inputs.inputs)
+        own_.insert(nameInReport(input.name));
     if (!path_.empty())
         prepare(job);
 }

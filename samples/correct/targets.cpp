@@ -4,6 +4,9 @@
 
 #include "targets.hpp"
 #include "files.hpp"
+#ifdef RSACKERMANN_WITH_VIDEOIO
+#include "video_timing.hpp"
+#endif
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"
@@ -34,12 +37,23 @@ std::string Targets::mapsOfFrame(int frame) const
 
 void Targets::leaveOutExisting()
 {
-    const bool hasVideo = isVideo(input_) && !(output.empty() && overlay.empty());
     for (std::string* path : {&output, &overlay})
         if (cv::utils::fs::exists(*path))
             path->clear();
-    if (hasVideo ? output.empty() && overlay.empty() : cv::utils::fs::exists(maps))
+    if (!maps.empty() && (isVideo(input_) ? hasMapsOfAllFrames() : cv::utils::fs::exists(maps)))
         maps.clear();
+}
+
+bool Targets::hasMapsOfAllFrames() const
+{
+    int count = 0;
+    while (cv::utils::fs::exists(mapsOfFrame(count)))
+        count++;
+#ifdef RSACKERMANN_WITH_VIDEOIO
+    return count > 0 && count >= countFrames(input_);
+#else
+    return false;
+#endif
 }
 
 void Targets::check(const Job& job) const
@@ -47,7 +61,7 @@ void Targets::check(const Job& job) const
     for (const std::string& path : {output, overlay})
         if (!path.empty() && !isVideo(input_) && !cv::haveImageWriter(path))
             throw InputError(path + " has the extension of no image format that can be written");
-    for (const std::string& path : {output, overlay, maps})
+    for (const std::string& path : {output, overlay, isVideo(input_) ? std::string() : maps})
     {
         if (cv::utils::fs::isDirectory(path))
             throw InputError(path + " is a folder");

@@ -19,8 +19,7 @@ struct Targets
 
     //! The file for the maps of a video's frame.
     std::string mapsOfFrame(int frame) const;
-    //! Leaves out the results that are there already. Maps of a video's frames are when the videos are, of which they
-    //! are the lesser part.
+    //! Leaves out the results that are there already; throws InputError if the frames of a video can't be counted.
     void leaveOutExisting();
     bool empty() const { return output.empty() && overlay.empty() && maps.empty(); }
     //! Throws InputError if a result would replace a file that mustn't be replaced.
@@ -29,6 +28,8 @@ struct Targets
     void addTo(OutputPlan& plan) const;
 
 private:
+    bool hasMapsOfAllFrames() const;
+
     std::string input_;
 };
 

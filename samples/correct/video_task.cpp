@@ -103,7 +103,6 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     const double announced = capture.get(cv::CAP_PROP_FRAME_COUNT), framesPerSecond = isWritten ? meanRate(input) : 0;
     FrameReader reader(capture, job.log, input);
 
-    corrector.reset();
     std::unique_ptr<VideoFile> output, overlay;
     std::vector<FrameReport> frames;
     while (reader.read())
@@ -112,7 +111,8 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
             throw Interrupted();
         const int number = reader.number();
         const NextFrame next = corrector.wantsNext() ? reader.next() : NextFrame();
-        CorrectedFrame frame = corrector.correct(reader.image(), reader.facts(), next);
+        corrector.beginFrame(reader.facts());
+        CorrectedFrame frame = corrector.correct(reader.image(), next);
         addTo(output, targets.output, framesPerSecond, frame.image);
         addTo(overlay, targets.overlay, framesPerSecond, frame.overlay);
         if (!targets.maps.empty())
@@ -122,7 +122,6 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
         frames.push_back(frame.report);
         progress(announced > 0 ? std::min(double(frames.size()) / announced, 1.) : 0);
     }
-    corrector.reset();
     if (frames.empty())
         throw InputError("no frame of the video can be read");
     for (const std::unique_ptr<VideoFile>* video : {&overlay, &output})

@@ -20,7 +20,9 @@ FrameClock::FrameClock(const cv::VideoCapture& capture)
 double FrameClock::timeOfFrame(const cv::VideoCapture& capture)
 {
     const double told = capture.get(cv::CAP_PROP_POS_MSEC) / 1000;
-    time_ = std::isfinite(told) && told > time_ ? told : time_ + interval_;
+    // Some containers round to milliseconds; then the announced rate is the better clock.
+    const double next = time_ + interval_, rounding = 1.001e-3;
+    time_ = std::isfinite(told) && told > time_ && std::abs(told - next) > rounding ? told : next;
     return time_;
 }
 
@@ -39,6 +41,15 @@ double meanRate(const std::string& path)
     // Times are rounded to milliseconds and the like; the announced rate is exact.
     const bool same = std::abs(mean - announced) * std::max(count - 1, 1) < 0.01 * announced * (count + 10.);
     return same || !(mean > 0 && mean <= 1000) ? announced : mean;
+}
+
+int countFrames(const std::string& path)
+{
+    cv::VideoCapture capture = openVideo(path);
+    int count = 0;
+    while (capture.grab())
+        count++;
+    return count;
 }
 
 cv::VideoCapture openVideo(const std::string& path)

@@ -28,6 +28,9 @@ private:
 varies. Goes through the whole video. */
 double meanRate(const std::string& path);
 
+//! The number of frames that a video has; goes through the whole video.
+int countFrames(const std::string& path);
+
 //! Opens a video so that its frames have the sensor's rows as rows; throws InputError.
 cv::VideoCapture openVideo(const std::string& path);
 

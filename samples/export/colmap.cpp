@@ -34,6 +34,7 @@ void writeColmap(const std::string& folder, const RollingShutterCamera& camera, 
     for (const MotionFrame& frame : frames)
     {
         cv::Mat columns, rows, mask;
+        generator->setCamera(frame.cameraOf(camera));
         generator->initRectifyMap(frame.motion, columns, rows, CV_32FC1, mask);
         writeImage(colmapMask(folder, frame), mask);
     }

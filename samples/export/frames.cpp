@@ -9,12 +9,30 @@
 #include "parsable_text.hpp"
 #include "units.hpp"
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
+
+MotionFrame::MotionFrame()
+    : frame(-1), roll(std::numeric_limits<double>::quiet_NaN()), pitch(std::numeric_limits<double>::quiet_NaN())
+{
+}
+
+RollingShutterCamera MotionFrame::cameraOf(const RollingShutterCamera& camera) const
+{
+    if (size.area() > 0 && size != camera.imageSize)
+        throw InputError(cv::format("%s has %d x %d pixels, but the camera %d x %d", name().c_str(), size.width,
+                                    size.height, camera.imageSize.width, camera.imageSize.height));
+    RollingShutterCamera own = camera;
+    if (!std::isnan(roll) && !std::isnan(pitch))
+        own.setRollPitch(roll * DEGREE, pitch * DEGREE);
+    return own;
+}
 
 std::string MotionFrame::name() const
 {
@@ -39,7 +57,8 @@ void readRelief(const Json& relief, const std::string& source, AckermannMotion& 
                               area = relief.at("area").get<std::vector<double>>();
     const int columns = relief.at("columns").get<int>();
     if (area.size() != 4 || columns < 4 || values.size() % size_t(columns) != 0 || values.size() / size_t(columns) < 4)
-        throw InputError(source + " has a relief that isn't at least 4 x 4 values over an area of 4 numbers");
+        throw InputError(
+            source + " has a relief (inverse-depth offset) that isn't at least 4 x 4 values over an area of 4 numbers");
     motion.relief = cv::Mat(values, true).reshape(1, int(values.size()) / columns);
     motion.reliefArea = cv::Rect2d(area[0], area[1], area[2], area[3]);
 }
@@ -85,6 +104,9 @@ std::vector<MotionFrame> readReport(const std::string& path)
             MotionFrame frame;
             frame.input = line.at("input").get<std::string>();
             frame.frame = line.value("frame", -1);
+            frame.size = cv::Size(line.value("width", 0), line.value("height", 0));
+            frame.roll = line.value("roll_deg", frame.roll);
+            frame.pitch = line.value("pitch_deg", frame.pitch);
             frame.motion = motionOf(line, source);
             frames.push_back(frame);
         }
@@ -115,7 +137,6 @@ try
         throw InputError(path + " holds no motion");
     MotionFrame frame;
     frame.input = fs["input"].isString() ? std::string(fs["input"]) : std::string("frame.png");
-    frame.frame = -1;
     frame.motion.read(node);
     return {frame};
 }

@@ -14,9 +14,16 @@ namespace rsackermann_samples {
 //! A frame whose motion is known.
 struct MotionFrame
 {
-    std::string input; //!< as the report names it
-    int frame;         //!< number of a video's frame; -1: the input is an image
+    std::string input;  //!< as the report names it
+    int frame;          //!< number of a video's frame; -1: the input is an image
+    cv::Size size;      //!< of the image; 0 x 0: unknown
+    double roll, pitch; //!< degrees, of the camera in this frame; NaN: as in all frames
     cv::rsackermann::AckermannMotion motion;
+
+    MotionFrame();
+
+    //! The camera of this frame from that of all frames; throws InputError if the image had another size.
+    cv::rsackermann::RollingShutterCamera cameraOf(const cv::rsackermann::RollingShutterCamera& camera) const;
 
     //! A name for files of this frame: that of the image, or that of the video with the frame's number.
     std::string name() const;

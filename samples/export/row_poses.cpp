@@ -73,13 +73,14 @@ std::string rowPosesText(const RollingShutterCamera& camera, const std::vector<M
     for (const MotionFrame& f : frames)
     {
         const AckermannMotion motion = f.motion.status == MOTION_OK ? f.motion : AckermannMotion();
-        const LengthUnit unit = lengthUnit(camera, motion);
+        const RollingShutterCamera own = f.cameraOf(camera);
+        const LengthUnit unit = lengthUnit(own, motion);
         Json frame;
         frame["file"] = f.name();
         frame["moves"] = f.motion.status == MOTION_OK;
         frame["unit"] = unit.name;
-        frame["viewmat_start"] = viewMatrix(camera, motion, startTime, unit.perUnit);
-        frame["viewmat_end"] = viewMatrix(camera, motion, endTime, unit.perUnit);
+        frame["viewmat_start"] = viewMatrix(own, motion, startTime, unit.perUnit);
+        frame["viewmat_end"] = viewMatrix(own, motion, endTime, unit.perUnit);
         json["frames"].push_back(frame);
     }
     // A file's name needn't be valid UTF-8.

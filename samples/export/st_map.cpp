@@ -43,6 +43,7 @@ void writeStMaps(const std::string& folder, const std::string& format, const Rol
         const auto write = [&](const char* direction) {
             writeImage(stMapFile(folder, frame, direction, format), stMap(columns, rows, camera.imageSize, depth));
         };
+        generator->setCamera(frame.cameraOf(camera));
         generator->initRectifyMap(frame.motion, columns, rows);
         write("rectify");
         generator->initDistortMap(frame.motion, columns, rows);

@@ -100,6 +100,7 @@ std::string correctTracks(const std::string& path, const RollingShutterCamera& c
         const FramePoints& frame = points[i];
         if (frame.points.empty())
             continue;
+        generator->setCamera(frames[i].cameraOf(camera));
         const bool depthsKnown = cv::countNonZero(frame.depths) > 0;
         cv::Mat places, mask;
         generator->correctPoints(frames[i].motion, frame.points, places,

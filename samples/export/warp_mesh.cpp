@@ -18,8 +18,9 @@ namespace {
 // The mesh's place of a pixel; false if one of the four nodes around has none.
 bool interpolate(const WarpMesh& mesh, const cv::Size& size, const cv::Point2d& pixel, cv::Point2d& place)
 {
-    const double column = pixel.x * (mesh.columns - 1) / (size.width - 1),
-                 row = pixel.y * (mesh.rows - 1) / (size.height - 1);
+    // An image that is one pixel wide has all nodes of a row at the same place.
+    const double column = pixel.x * (mesh.columns - 1) / std::max(size.width - 1, 1),
+                 row = pixel.y * (mesh.rows - 1) / std::max(size.height - 1, 1);
     const int i = std::min(int(column), mesh.columns - 2), j = std::min(int(row), mesh.rows - 2),
               at = j * mesh.columns + i;
     const int corners[] = {at, at + 1, at + mesh.columns, at + mesh.columns + 1};
@@ -88,7 +89,7 @@ std::string warpMeshText(const RollingShutterCamera& camera, const std::vector<M
     json["frames"] = Json::array();
     for (const MotionFrame& f : frames)
     {
-        const WarpMesh mesh = makeWarpMesh(camera, f.motion, columns, rows);
+        const WarpMesh mesh = makeWarpMesh(f.cameraOf(camera), f.motion, columns, rows);
         Json frame, nodes = Json::array();
         for (size_t i = 0; i < mesh.nodes.size(); i++)
             nodes.push_back(mesh.found[i] ? Json({mesh.nodes[i].x, mesh.nodes[i].y, mesh.places[i].x, mesh.places[i].y})

@@ -52,7 +52,7 @@ void checkMotion(const AckermannMotion& m, const RollingShutterCamera& camera)
             "model is none of MotionModel");
     require(m.scale >= SCALE_UNKNOWN && m.scale <= SCALE_SPEED, "scale is none of MotionScale");
     for (const double value : {m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope, m.rollCorrection,
-                               m.pitchCorrection, m.wallDistance, m.rms, m.expectedRaw, m.expectedLeft})
+                               m.pitchCorrection, m.wallDistance, m.rms, m.expectedRaw, m.expectedResidual})
         require(fuzz::isFinite(value), "a field isn't finite");
     require(fuzz::isFinite(cv::Mat(m.covariance)), "the covariance isn't finite");
     require(m.candidates >= m.inliers && m.inliers >= 0, "there are more inliers than candidates");

@@ -67,8 +67,7 @@ void readFrameOfMotion()
 void goOnWithReport()
 {
     Job job;
-    job.inputs.files = {"a.png", "b.mp4"};
-    job.inputs.numbers = {0, 1};
+    job.inputs.inputs = {{"a.png", 0, ""}, {"b.mp4", 1, ""}};
     job.report = FILE_NAME;
     job.shardCount = 1;
     job.skipExisting = true;

@@ -35,7 +35,7 @@ done
 [ -n "$build" ] || build=$root/build-fuzz${sanitizers:+-sanitized}
 
 install_packages "$build/apt-install.log" "${packages_build[@]}" "${packages_clang[@]}"
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+use_ccache "$root"
 logged "$build/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ \
     -DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=$optimisation" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
     -DBUILD_SHARED_LIBS=OFF "-DSANITIZERS=$sanitizers" -DBUILD_FUZZERS=ON

@@ -189,7 +189,7 @@ AckermannEstimator::Params Values::estimatorParams()
     p.roadRatio = around(p.roadRatio, 0, 5);
     p.scaleFromRoad = flag();
     p.gravitySigma = around(p.gravitySigma, 0, 0.2);
-    p.usualYawRate = around(p.usualYawRate, 0, 1);
+    p.priorYawRate = around(p.priorYawRate, 0, 1);
     p.vehiclePitchSigma = around(p.vehiclePitchSigma, 0, 0.2);
     p.wallDeviationSigma = around(p.wallDeviationSigma, 0, 1);
     p.reverseProbability = around(p.reverseProbability, 0, 1);

@@ -102,7 +102,7 @@ TEST_F(Calibrate, bends_tell_mount_and_line_delay)
         addBend(bends[i], 10 * i, 12);
     const Outcome outcome = run();
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
-    EXPECT_EQ(std::string::npos, outcome.output.find("not told")) << outcome.output;
+    EXPECT_EQ(std::string::npos, outcome.output.find("not observable")) << outcome.output;
     const CameraSettings c = readCamera(output_);
     EXPECT_NEAR(1.2, c.roll, 0.3) << outcome.output;
     EXPECT_NEAR(-0.8, c.pitch, 0.3) << outcome.output;
@@ -136,7 +136,7 @@ TEST_F(Calibrate, straight_drive_leaves_the_line_delay)
     addBend(0, 0, 15);
     const Outcome outcome = run();
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
-    EXPECT_NE(std::string::npos, outcome.output.find("line delay  not told")) << outcome.output;
+    EXPECT_NE(std::string::npos, outcome.output.find("line delay  not observable")) << outcome.output;
     const CameraSettings c = readCamera(output_);
     EXPECT_NEAR(0.8 * LINE_DELAY, c.lineDelay, 1e-12);
     EXPECT_EQ(0, c.lineDelaySigma); // as it was
@@ -165,21 +165,21 @@ TEST_F(Calibrate, mount_sigma_adds_to_the_vehicles)
 {
     addBend(25, 0, 1);
     const std::string camera = contentOf(folder_ / "camera.yml");
-    const auto alpha = [&](const std::string& file, const Arguments& options) {
+    const auto expected = [&](const std::string& file, const Arguments& options) {
         Arguments arguments = {inputs_[0], "--report=-", "--camera=" + (folder_ / file)};
         arguments.insert(arguments.end(), options.begin(), options.end());
         const Outcome outcome = correct(arguments);
         EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
-        return nlohmann::json::parse(outcome.output)["alpha"].get<double>();
+        return nlohmann::json::parse(outcome.output)["expected_px_raw"].get<double>();
     };
     // With the vehicle's 1 and 0.3 degrees both are 3 degrees.
     writeContent(folder_ / "vague.yml", camera + cv::format("roll_sigma: %.17g\npitch_sigma: %.17g\n",
                                                             std::sqrt(9 - 1.), std::sqrt(9 - 0.09)));
-    const double sharp = alpha("camera.yml", {}), vague = alpha("vague.yml", {});
-    EXPECT_NEAR(alpha("camera.yml", {"--gravity_sigma=3"}), vague, 1e-6 * std::abs(vague));
+    const double sharp = expected("camera.yml", {}), vague = expected("vague.yml", {});
+    EXPECT_NEAR(expected("camera.yml", {"--gravity_sigma=3"}), vague, 1e-6 * std::abs(vague));
     EXPECT_GT(std::abs(vague - sharp), 1e-3 * std::abs(vague));
-    EXPECT_EQ(sharp, alpha("vague.yml", {"--roll=0", "--pitch=0"}));
-    EXPECT_EQ(alpha("camera.yml", {"--gravity_sigma=0.5"}), alpha("vague.yml", {"--gravity_sigma=0.5"}));
+    EXPECT_EQ(sharp, expected("vague.yml", {"--roll=0", "--pitch=0"}));
+    EXPECT_EQ(expected("camera.yml", {"--gravity_sigma=0.5"}), expected("vague.yml", {"--gravity_sigma=0.5"}));
     writeContent(folder_ / "bad.yml", camera + "roll_sigma: -1.\n");
     const Outcome bad = correct({inputs_[0], "--report=-", "--camera=" + (folder_ / "bad.yml")});
     EXPECT_EQ(2, bad.exitCode);

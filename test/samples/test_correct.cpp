@@ -83,6 +83,10 @@ TEST(Correct, street_with_known_motion)
 TEST(Correct, report_keys)
 {
     const char* const keys[] = {"input",
+                                "width",
+                                "height",
+                                "roll_deg",
+                                "pitch_deg",
                                 "status",
                                 "model",
                                 "alpha",
@@ -108,6 +112,7 @@ TEST(Correct, report_keys)
                                 "rms_px",
                                 "expected_px_raw",
                                 "expected_px_left",
+                                "probability_worse",
                                 "mean_shift_px",
                                 "ms_detect",
                                 "ms_estimate",
@@ -239,7 +244,7 @@ TEST(Correct, scale_from_the_road)
     const Outcome noHeight =
         correct({streetFolder() + "/rolling.png", "--focal=816", "--report=-", "--scale_from_road"});
     EXPECT_EQ(0, noHeight.exitCode);
-    EXPECT_NE(std::string::npos, noHeight.messages.find("--scale_from_road is of no use without --height"))
+    EXPECT_NE(std::string::npos, noHeight.messages.find("--scale_from_road has no effect without --height"))
         << noHeight.messages;
     EXPECT_EQ(2, correct(image + Arguments{"--wall=2.5", "--scale_from_road"}).exitCode);
 }
@@ -250,13 +255,13 @@ TEST(Correct, what_is_known_but_of_no_use)
     const Json plain = resultOf(correct(image + Arguments{"--wall=2.5"}));
     const Outcome outcome = correct(image + Arguments{"--wall=2.5", "--speed=10", "--yaw_rate=-10"});
     EXPECT_EQ(plain["alpha"], resultOf(outcome)["alpha"]);
-    EXPECT_NE(std::string::npos, outcome.messages.find("--speed is of no use without the line delay"))
+    EXPECT_NE(std::string::npos, outcome.messages.find("--speed has no effect without the line delay"))
         << outcome.messages;
-    EXPECT_NE(std::string::npos, outcome.messages.find("--yaw_rate is of no use without the line delay"))
+    EXPECT_NE(std::string::npos, outcome.messages.find("--yaw_rate has no effect without the line delay"))
         << outcome.messages;
 
     const Outcome carried = correct(image + Arguments{"--carry"});
-    EXPECT_NE(std::string::npos, carried.messages.find("--carry is of no use without the line delay"))
+    EXPECT_NE(std::string::npos, carried.messages.find("--carry has no effect without the line delay"))
         << carried.messages;
 
     EXPECT_EQ("", correct(image + Arguments{"--readout=0.0133", "--speed=10", "--carry"}).messages);

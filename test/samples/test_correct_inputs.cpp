@@ -231,6 +231,23 @@ TEST(CorrectInputs, maps_of_several_images)
     EXPECT_NE(std::string::npos, sameStem.messages.find("a.jpg")) << sameStem.messages;
 }
 
+TEST(CorrectInputs, files_that_are_not_what_they_should_be)
+{
+    const TemporaryFolder in;
+    const std::string image = in / "a.png";
+    cv::imwrite(image, cv::Mat(48, 64, CV_8U, cv::Scalar(7)));
+    writeContent(in / "list.txt", "\xEF\xBB\xBF" + image + "\n");
+    EXPECT_EQ(0, correct({"@" + (in / "list.txt"), "--report=-"}).exitCode);
+    const Outcome folder = correct({"@" + in.path(), "--report=-"});
+    EXPECT_EQ(1, folder.exitCode);
+    EXPECT_NE(std::string::npos, folder.messages.find("the list can't be read")) << folder.messages;
+    EXPECT_EQ(2, correct({image, "--lines=" + in.path(), "--report=-"}).exitCode);
+    EXPECT_EQ(1, correct({image, "--maps=" + (in / "m.YML.GZ")}).exitCode);
+    const Outcome model = correct({image, "--carry", "--model=none", "--report=-"});
+    EXPECT_EQ(2, model.exitCode);
+    EXPECT_NE(std::string::npos, model.messages.find("exclude each other")) << model.messages;
+}
+
 TEST(CorrectInputs, lists_and_patterns)
 {
     const TemporaryFolder in, out;

@@ -79,6 +79,20 @@ TEST_F(CorrectLog, each_column)
     }
 }
 
+// As the options do, a row leaves nothing of the uncertainty of the mount that the camera's file has.
+TEST_F(CorrectLog, mount_of_a_row_is_exact)
+{
+    const std::string camera = folder_ / "camera.yml";
+    writeContent(camera, contentOf(streetFolder() + "/camera.yml") + "roll_sigma: 3.\npitch_sigma: 2.\n");
+    writeContent(folder_ / "log.csv", "file,roll_deg,pitch_deg\nrolling.png,0.7,0.2\n");
+    const Arguments same = {image_, "--camera=" + camera, "--wall=2.5", "--report=-"};
+    Arguments options = same, log = same;
+    options.insert(options.end(), {"--roll=0.7", "--pitch=0.2"});
+    log.push_back("--log=" + (folder_ / "log.csv"));
+    EXPECT_EQ(resultsOf(correct(options)), resultsOf(correct(log)));
+    EXPECT_NE(resultsOf(correct(same))[0]["covariance"], resultsOf(correct(log))[0]["covariance"]);
+}
+
 TEST_F(CorrectLog, ways_to_name_an_image)
 {
     const Arguments options = {"--speed=55"};
@@ -159,7 +173,7 @@ TEST_F(CorrectLog, speed_without_line_delay)
     writeContent(folder_ / "log.csv", "file,speed_kmh\nrolling.png,55\n");
     const Outcome outcome = correct({image_, "--focal=816", "--report=-", "--log=" + (folder_ / "log.csv")});
     EXPECT_EQ(0, outcome.exitCode);
-    EXPECT_NE(std::string::npos, outcome.messages.find("speed_kmh in the log is of no use without the line delay"))
+    EXPECT_NE(std::string::npos, outcome.messages.find("speed_kmh in the log has no effect without the line delay"))
         << outcome.messages;
 }
 
@@ -189,6 +203,8 @@ TEST_F(CorrectLog, refused)
         {"file,time_s,speed_kmh\nrolling.png,1,1\n,2,30\n,2,31\n", "times must increase"},
         {"file,speed_kmh\nother.png,30\n", "names none of the images"},
         {"time_s,speed_kmh\n0,30\n", "names none of the images"}};
+    const Outcome zero = runWithLog(std::string("file,speed_kmh\nrolling.png,30\0\n", 31), {image_});
+    EXPECT_EQ(2, zero.exitCode) << zero.messages;
     for (const std::pair<const char*, const char*>& log : logs)
     {
         const Outcome outcome = runWithLog(log.first, {image_});

@@ -2,7 +2,11 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "options.hpp"
+#include "output/atomic_file.hpp"
 #include "program.hpp"
+
+#include <set>
 
 #include "opencv2/rsackermann.hpp"
 #include <fcntl.h>
@@ -278,6 +282,45 @@ TEST_F(CorrectResults, temporary_files)
     cv::imwrite(in_ / longest, streetImage());
     EXPECT_EQ(0, correct({in_ / longest, "--output=" + (out_ / "long/")}).exitCode);
     EXPECT_EQ(Names{longest}, namesIn(out_ / "long"));
+}
+
+// All or none, even if a name can't be replaced at the very end.
+TEST_F(CorrectResults, files_appear_together)
+{
+    using rsackermann_samples::AtomicFiles;
+    for (const bool isThere : {true, false})
+    {
+        const std::string first = out_ / "first", last = out_ / "last";
+        runCommand("rm -rf " + first + " " + last);
+        if (isThere)
+            writeContent(first, "old");
+        AtomicFiles files;
+        files.add(first).write("new", 3);
+        files.add(last).write("new", 3);
+        cv::utils::fs::createDirectories(last); // no file can take its name
+        EXPECT_THROW(files.commit(), rsackermann_samples::InputError);
+        EXPECT_EQ(isThere, cv::utils::fs::exists(first));
+        EXPECT_TRUE(!isThere || contentOf(first) == "old");
+    }
+    runCommand("rm -rf " + (out_ / "last"));
+    AtomicFiles files;
+    for (const char* name : {"first", "last"})
+        files.add(out_ / name).write("new", 3);
+    files.commit();
+    EXPECT_EQ((Names{"first", "last"}), namesIn(out_.path()));
+}
+
+// Those of a video whose name isn't UTF-8 need their own lines.
+TEST_F(CorrectResults, names_that_are_not_text)
+{
+    const Names names = {"a\xE4.png", "a\xF6.png", "a\xC3\xA4.png"};
+    for (const std::string& name : names)
+        cv::imwrite(in_ / name, streetImage());
+    ASSERT_EQ(0, correct(arguments({"--skip_existing"})).exitCode);
+    std::set<std::string> inputs;
+    for (const std::string& line : linesOf(out_ / "report.jsonl"))
+        inputs.insert(nlohmann::json::parse(line)["input"].get<std::string>());
+    EXPECT_EQ(names.size(), inputs.size());
 }
 
 TEST_F(CorrectResults, overlay_of_a_grey_image)

@@ -204,6 +204,24 @@ TEST_F(CorrectVideo, existing_results)
     EXPECT_EQ(size_t(FRAMES), framesOf(out_ / "out.avi").size());
 }
 
+TEST_F(CorrectVideo, missing_maps_are_made)
+{
+    const Arguments all = arguments() + Arguments{"--output=" + (out_ / "out.avi"), "--maps=" + (out_ / "maps")};
+    cv::utils::fs::createDirectories(out_ / "maps/drive"); // what has the name of the video isn't in the way
+    ASSERT_EQ(0, correct(arguments() + Arguments{"--output=" + (out_ / "out.avi")}).exitCode);
+    const std::string video = contentOf(out_ / "out.avi");
+    const std::vector<std::string> complete = {"drive", "drive_000000.yml.gz", "drive_000001.yml.gz",
+                                               "drive_000002.yml.gz", "drive_000003.yml.gz"};
+    for (const char* missing : {"drive_000000.yml.gz", "drive_000002.yml.gz", "drive_000003.yml.gz"})
+    {
+        std::remove((out_ / "maps/" + missing).c_str());
+        const Outcome outcome = correct(all + Arguments{"--skip_existing"});
+        ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(complete, namesIn(out_ / "maps"));
+        EXPECT_EQ(video, contentOf(out_ / "out.avi"));
+    }
+}
+
 TEST_F(CorrectVideo, maps_of_each_frame)
 {
     ASSERT_EQ(0, correct(arguments() + Arguments{"--maps=" + (out_ / "maps")}).exitCode);

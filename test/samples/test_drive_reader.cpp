@@ -48,19 +48,44 @@ protected:
 
 TEST_F(ReadDrive, image_that_cannot_be_read_takes_its_time)
 {
-    addImage();
-    addUnreadable();
-    addImage();
-    const std::vector<double> t = times();
-    ASSERT_EQ(2u, t.size());
-    EXPECT_EQ(1, failures_);
-    EXPECT_NEAR(2 / 30., t[1] - t[0], 1e-9);
+    for (const bool isThere : {true, false})
+    {
+        names_.clear();
+        addImage();
+        addUnreadable();
+        addImage();
+        if (!isThere)
+            std::remove(names_[1].c_str());
+        const std::vector<double> t = times();
+        ASSERT_EQ(2u, t.size());
+        EXPECT_EQ(1, failures_);
+        EXPECT_NEAR(2 / 30., t[1] - t[0], 1e-9);
 
-    writeContent(folder_ / "log.csv", "file,time_s\n000.png,5\n001.png,5.5\n");
-    const std::vector<double> told = times(DriveLog(folder_ / "log.csv"));
-    ASSERT_EQ(2u, told.size());
-    EXPECT_EQ(5, told[0]);
-    EXPECT_NEAR(5.5 + 1 / 30., told[1], 1e-9);
+        writeContent(folder_ / "log.csv", "file,time_s\n000.png,5\n001.png,5.5\n");
+        const std::vector<double> told = times(DriveLog(folder_ / "log.csv"));
+        ASSERT_EQ(2u, told.size());
+        EXPECT_EQ(5, told[0]);
+        EXPECT_NEAR(5.5 + 1 / 30., told[1], 1e-9);
+
+        writeContent(folder_ / "log.csv", "frame,time_s\n0,5\n1,5.5\n2,7\n");
+        const std::vector<double> byNumber = times(DriveLog(folder_ / "log.csv"));
+        ASSERT_EQ(2u, byNumber.size());
+        EXPECT_EQ(7, byNumber[1]);
+    }
+}
+
+// A video may be named with or without its folders, in rows of frames as well as in samples.
+TEST_F(ReadDrive, names_of_videos_in_a_log)
+{
+    for (const char* name : {"drive.avi", "/some/where/drive.avi"})
+    {
+        writeContent(folder_ / "log.csv", std::string("file,time_s,frame,speed_kmh\n") + name + ",0,,10\n" + name +
+                                              ",1,,20\n" + name + ",,7,70\n");
+        const DriveLog log(folder_ / "log.csv");
+        EXPECT_EQ(15, log.of("/some/where/drive.avi", 3, 0.5).speed) << name;
+        EXPECT_EQ(70, log.of("/some/where/drive.avi", 7, 0.5).speed) << name;
+        EXPECT_TRUE(std::isnan(log.of("/some/where/else.avi", 7, 0.5).speed)) << name;
+    }
 }
 
 #ifdef RSACKERMANN_WITH_VIDEOIO

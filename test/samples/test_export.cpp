@@ -460,6 +460,88 @@ TEST_F(Export, frames_without_a_motion_stay_as_they_are)
         EXPECT_LT(cv::norm(cv::Point2d(node[0], node[1]) - cv::Point2d(node[2], node[3])), 1e-9);
 }
 
+// Whatever the options and the log say: the report and the same options for the camera give the maps.
+TEST_F(Export, report_and_camera_give_the_maps)
+{
+    writeContent(folder / "log.csv",
+                 "file,roll_deg,pitch_deg,speed_kmh,gravity_sigma_deg\nrolling.png,1.5,-4,50,0.2\n");
+    writeContent(folder / "roll.csv", "frame,roll_deg\n0,-2\n");
+    writeContent(folder / "pitch.csv", "frame,pitch_deg,yaw_rate_deg_s\n0,3,35\n");
+    const std::string camera = "--camera=" + streetFolder() + "/camera.yml", image = streetFolder() + "/rolling.png";
+    const std::vector<Arguments> cameras = {{camera},
+                                            {camera, "--roll=1", "--pitch=2"},
+                                            {camera, "--reference=first", "--heading=3", "--height=1.5"},
+                                            {"--focal=816", "--readout=0.0133", "--pitch=-1"},
+                                            {"--focal=816", "--scan=bottom_to_top"},
+                                            {camera, "--scan=left_to_right"}};
+    const std::vector<Arguments> facts = {{}, {"log.csv"}, {"roll.csv"}, {"pitch.csv"}};
+    for (const Arguments& ofCamera : cameras)
+        for (const Arguments& log : facts)
+        {
+            Arguments arguments = ofCamera, exported = ofCamera;
+            arguments.insert(arguments.end(), {image, "--overwrite", "--maps=" + (folder / "maps.yml.gz"),
+                                               "--report=" + (folder / "report.jsonl")});
+            if (!log.empty())
+                arguments.push_back("--log=" + (folder / log[0]));
+            exported.insert(exported.end(), {"--report=" + (folder / "report.jsonl"), "--stmap=" + (folder / "stmap"),
+                                             "--stmap_format=exr"});
+            SCOPED_TRACE(ofCamera.back() + (log.empty() ? "" : " " + log[0]));
+            ASSERT_EQ(0, correct(arguments).exitCode);
+            const Outcome outcome = exportMotion(exported);
+            ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+            expectSameMap(folder / "maps.yml.gz", folder / "stmap/rolling.png.rectify.exr");
+        }
+    const Outcome other = exportMotion(
+        {"--report=" + (folder / "report.jsonl"), "--focal=816", "--size=641x380", "--mesh=" + (folder / "mesh.json")});
+    EXPECT_EQ(1, other.exitCode);
+    EXPECT_NE(std::string::npos, other.messages.find("has 640 x 380 pixels")) << other.messages;
+}
+
+// A car in reverse, and a shutter along the columns.
+TEST_F(Export, direction_and_lines_are_those_of_the_report)
+{
+    const std::string line =
+        "{\"input\":\"a.png\",\"status\":\"ok\",\"alpha\":0.001,\"beta\":-0.01,\"wall_offset\":0,\"wall_ratio\":1,"
+        "\"road_slope\":-0.02,\"direction\":-1,\"roll_correction_deg\":0,\"pitch_correction_deg\":0,"
+        "\"wall_distance_m\":null,\"scale\":\"unknown\"}\n";
+    writeContent(folder / "report.jsonl", line);
+    const std::string report = "--report=" + (folder / "report.jsonl"), size = "--size=64x48";
+    const Outcome poses =
+        exportMotion({report, size, "--scan=left_to_right", "--row_poses=" + (folder / "poses.json")});
+    ASSERT_EQ(0, poses.exitCode) << poses.messages;
+    EXPECT_EQ(63, json::parse(contentOf(folder / "poses.json"))["end_line"]);
+
+    cv::rsackermann::AckermannMotion motion;
+    motion.status = cv::rsackermann::MOTION_OK;
+    motion.alpha = 0.001;
+    motion.wallSlope = -0.01;
+    motion.wallRatio = 1;
+    motion.roadSlope = -0.02;
+    motion.direction = -1;
+    cv::Mat columns, rows;
+    cv::rsackermann::WarpMapGenerator::create(cv::rsackermann::RollingShutterCamera::fromFocal(cv::Size(64, 48), 50))
+        ->initRectifyMap(motion, columns, rows);
+    const Outcome maps = exportMotion({report, size, "--focal=50", "--stmap=" + (folder / "s"), "--stmap_format=exr"});
+    ASSERT_EQ(0, maps.exitCode) << maps.messages;
+    const cv::Mat map = cv::imread(folder / "s/a.png.rectify.exr", cv::IMREAD_UNCHANGED);
+    for (int y = 0; y < 48; y += 5)
+        for (int x = 0; x < 64; x += 5)
+            EXPECT_LT(cv::norm(placeOf(map, x, y, map.size(), 1) -
+                               cv::Point2d(columns.at<float>(y, x), rows.at<float>(y, x))),
+                      1e-3);
+}
+
+TEST_F(Export, images_of_one_pixel_across)
+{
+    for (const char* size : {"1x1", "1x9", "9x1", "2x2"})
+    {
+        const Outcome outcome = exportMotion({"--motion=" + (folder / "motion.yml"), std::string("--size=") + size,
+                                              "--focal=5", "--mesh=" + (folder / "mesh.json")});
+        EXPECT_EQ(0, outcome.exitCode) << size << outcome.messages;
+        EXPECT_EQ(17 * 10, int(json::parse(contentOf(folder / "mesh.json"))["frames"][0]["nodes"].size()));
+    }
+}
+
 TEST_F(Export, usage)
 {
     const std::string motion = "--motion=" + (folder / "motion.yml"),
@@ -469,7 +551,14 @@ TEST_F(Export, usage)
     EXPECT_EQ(2, exportMotion({motion}).exitCode); // the size isn't known
     EXPECT_EQ(2, exportMotion({motion, camera, "--tracks=x"}).exitCode);
     EXPECT_EQ(2, exportMotion({motion, camera, "--stmap=x", "--stmap_format=jpg"}).exitCode);
-    EXPECT_EQ(2, exportMotion({motion, camera, "--mesh_size=1x5"}).exitCode);
+    EXPECT_EQ(2, exportMotion({motion, camera, "--mesh=x", "--mesh_size=1x5"}).exitCode);
+    EXPECT_EQ(2, exportMotion({motion, camera, "--mesh=x", "--mesh_size=10000x10000"}).exitCode);
+    for (const char* useless : {"--mesh_size=5x5", "--stmap_format=exr"})
+    {
+        const Outcome outcome = exportMotion({motion, camera, useless, "--row_poses=x"});
+        EXPECT_EQ(2, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find("needs --")) << outcome.messages;
+    }
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "missing.yml"), camera}).exitCode);
     writeContent(folder / "empty.yml", "%YAML:1.0\n---\nx: 1\n");
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "empty.yml"), camera}).exitCode);
@@ -480,9 +569,9 @@ TEST_F(Export, usage)
     writeContent(folder / "twice.yml", "%YAML:1.2\n   data: [ 570., 0., 3., 1. ]\nstatus: !!opencv-matrix\n");
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "twice.yml"), camera}).exitCode);
     EXPECT_EQ(0, exportMotion({motion, "--size=640x380", "--focal=500", "--mesh=" + (folder / "m.json")}).exitCode);
-    const Outcome nothing = exportMotion({motion, camera, "--mesh_size=5x5"});
+    const Outcome nothing = exportMotion({motion, camera});
     EXPECT_EQ(2, nothing.exitCode);
-    EXPECT_NE(std::string::npos, nothing.messages.find("no result is asked for")) << nothing.messages;
+    EXPECT_NE(std::string::npos, nothing.messages.find("nothing to do")) << nothing.messages;
 }
 
 TEST_F(Export, no_result_replaces_an_input_or_another_result)

@@ -4,8 +4,4 @@
 
 #include "program.hpp"
 
-int main(int argc, char** argv)
-{
-    testing::InitGoogleTest(&argc, argv);
-    return RUN_ALL_TESTS();
-}
+CV_TEST_MAIN("")

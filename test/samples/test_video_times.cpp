@@ -127,6 +127,23 @@ TEST_F(VideoTimes, rate_that_varies)
         EXPECT_EQ(i != 3, report()[i]["alpha"] == lines[i]["alpha"]) << i;
 }
 
+// Of frames in equal distances times that are rounded to milliseconds are those of the rate.
+TEST_F(VideoTimes, rate_that_is_constant)
+{
+    std::vector<int> times;
+    const double rate = 60;
+    for (int i = 0; i < 24; i++)
+        times.push_back(cvRound(1000 * i / rate));
+    writeMatroska(in_ / "drive.mkv", times, 400);
+    const double announced = cv::VideoCapture(in_ / "drive.mkv").get(cv::CAP_PROP_FPS);
+    ASSERT_NEAR(rate, announced, 0.5);
+    ASSERT_EQ(0, run().exitCode);
+    const std::vector<Json> lines = report();
+    ASSERT_EQ(times.size(), lines.size());
+    for (size_t i = 1; i < times.size(); i++)
+        EXPECT_NEAR(1 / announced, lines[i]["time_s"].get<double>() - lines[i - 1]["time_s"].get<double>(), 1e-6) << i;
+}
+
 TEST_F(VideoTimes, container_longer_than_its_pictures)
 {
     writeMatroska(in_ / "drive.mkv", {0, 40, 80, 120}, 60000);

@@ -30,7 +30,8 @@ PERF_TEST_P(RSAckermann_Estimator, estimate,
     declare.in(segments);
     TEST_CYCLE() motion = estimator->estimate(segments);
 
-    EXPECT_EQ(MOTION_OK, motion.status);
+    // Of twenty verticals among fifty lines little is applied.
+    EXPECT_TRUE(motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT);
     SANITY_CHECK_NOTHING();
 }
 

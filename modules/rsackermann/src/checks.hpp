@@ -44,6 +44,37 @@ inline void checkRange(double value, double low, double high, const char* name)
         CV_Error(Error::StsBadArg, format("%s is %g; a number from %g to %g is expected", name, value, low, high));
 }
 
+//! Throws unless it is one image and, if a size is expected, has it.
+inline void checkImageSize(InputArray image, const char* name, const Size& expected)
+{
+    if (image.isMatVector() || image.isUMatVector() || image.dims() > 2 || image.empty())
+        CV_Error(Error::StsBadArg,
+                 format("%s is empty or not one matrix of two dimensions; an image is expected", name));
+    if (expected != Size() && image.size() != expected)
+        CV_Error(Error::StsBadArg, format("%s is %d x %d; the camera's size %d x %d is expected", name, image.cols(),
+                                          image.rows(), expected.width, expected.height));
+}
+
+//! Throws unless segments and points can be looked for in an image.
+inline void checkImage(InputArray image, const char* name, const Size& expected = Size())
+{
+    checkImageSize(image, name, expected);
+    const int depth = image.depth(), channels = image.channels();
+    if ((depth != CV_8U && depth != CV_16U) || (channels != 1 && channels != 3 && channels != 4))
+        CV_Error(Error::StsBadArg, format("%s is of type %s; CV_8U or CV_16U with 1, 3 or 4 channels is expected", name,
+                                          typeToString(image.type()).c_str()));
+}
+
+//! Throws unless an image can be remapped.
+inline void checkRemapped(InputArray image, const char* name, const Size& expected)
+{
+    checkImageSize(image, name, expected);
+    const int depth = image.depth();
+    if (depth != CV_8U && depth != CV_16U && depth != CV_16S && depth != CV_32F && depth != CV_64F)
+        CV_Error(Error::StsBadArg, format("%s is of type %s; CV_8U, CV_16U, CV_16S, CV_32F or CV_64F is expected", name,
+                                          typeToString(image.type()).c_str()));
+}
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_CHECKS_HPP

@@ -6,9 +6,9 @@
 #include "opencv2/core/ocl.hpp"
 #include "opencv2/imgproc.hpp"
 #include "checks.hpp"
-#include "detect/segment_finder.hpp"
-#include "drive/drive_estimator.hpp"
-#include "segments.hpp"
+#include "features/segment_finder.hpp"
+#include "sequence/sequence_estimator.hpp"
+#include "features/segments.hpp"
 #include "storage.hpp"
 
 namespace cv { namespace rsackermann {
@@ -76,6 +76,10 @@ void RollingShutterCorrector::Params::check() const
         CV_Error(
             Error::StsBadArg,
             format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval));
+    if (carryMotion && trackPoints && estimator.model != MODEL_AUTO)
+        CV_Error(Error::StsBadArg, format("params.estimator.model is %d; MODEL_AUTO (%d) is expected if points are "
+                                          "tracked from frame to frame (carryMotion and trackPoints)",
+                                          estimator.model, MODEL_AUTO));
 }
 
 // Whether a camera at rest already gives the global-shutter image.
@@ -120,8 +124,8 @@ class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)),
-          generator(WarpMapGenerator::create(camera, params_.warp)), drive(camera, params_.estimator), time(0),
-          timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
+          generator(WarpMapGenerator::create(camera, params_.warp)), drive(camera, params_.estimator, estimator),
+          time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
     {
         params_.check();
         params = params_;
@@ -158,11 +162,18 @@ public:
 
     MotionPrior getPrior() const CV_OVERRIDE { return prior; }
 
-    void setTimestamp(double seconds) CV_OVERRIDE { timestamp = seconds; }
+    void setTimestamp(double seconds) CV_OVERRIDE
+    {
+        checkTime(seconds);
+        timestamp = seconds;
+    }
+
+    void skipFrame() CV_OVERRIDE { passTo(timeOfFrame()); }
 
     void setNextFrame(InputArray image, double seconds) CV_OVERRIDE
     {
-        checkSource(image, "image");
+        checkImage(image, "image", generator->getCamera().imageSize);
+        checkTime(seconds);
         finder.prepare(image);
         finder.reduced().copyTo(next.gray);
         next.scale = finder.reduction();
@@ -173,13 +184,13 @@ public:
     void reset() CV_OVERRIDE
     {
         drive.reset();
-        next.gray.release();
+        passTo(0);
     }
 
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        checkSource(src);
+        checkImage(src, "src", generator->getCamera().imageSize);
         Stopwatch watch;
         finder.find(src, params.estimator.detector, params.estimator.minLength, segments);
         timings = Vec4d(watch.lap(), 0, 0, 0);
@@ -190,10 +201,13 @@ public:
                                         OutputArray mask) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        checkSource(src);
+        const bool isTracked = params.carryMotion && params.trackPoints;
+        checkRemapped(src, "src", generator->getCamera().imageSize);
+        if (isTracked)
+            checkImage(src, "src");
         segments = segmentRows(segments_);
         timings = Vec4d();
-        if (params.carryMotion)
+        if (isTracked)
             finder.prepare(src);
         return estimateAndWarp(src, dst, mask);
     }
@@ -201,7 +215,7 @@ public:
     void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst, OutputArray mask) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        checkSource(src);
+        checkRemapped(src, "src", generator->getCamera().imageSize);
         segments.release();
         labels.release();
         timings = Vec4d();
@@ -245,46 +259,51 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_RollingShutterCorrector"; }
 
 private:
-    void checkSource(InputArray src, const char* name = "src") const
+    // In seconds beyond which there is no room for an interval between frames.
+    static void checkTime(double seconds)
     {
-        const Size expected = generator->getCamera().imageSize;
-        if (src.size() != expected)
-            CV_Error(Error::StsBadArg, format("%s is %d x %d; the camera's size %d x %d is expected", name, src.cols(),
-                                              src.rows(), expected.width, expected.height));
+        if (std::isfinite(seconds))
+            checkRange(seconds, -1e12, 1e12, "seconds");
+    }
+
+    double timeOfFrame() const { return std::isfinite(timestamp) ? timestamp : time + params.frameInterval; }
+
+    // A frame of that time is over: what was set for it and of the one after it no longer holds.
+    void passTo(double seconds)
+    {
+        time = seconds;
+        timestamp = std::numeric_limits<double>::quiet_NaN();
+        next = GrayFrame();
     }
 
     // The motion of a frame that follows from the one before.
-    AckermannMotion estimateFrame()
+    AckermannMotion estimateFrame(double seconds)
     {
-        time = std::isfinite(timestamp) ? timestamp : time + params.frameInterval;
-        timestamp = std::numeric_limits<double>::quiet_NaN();
+        // A clock that was set back tells nothing about the interval. Times that are sums are rounded.
+        const double shortest = 1e-4;
+        if (seconds - time < shortest)
+            drive.reset();
         if (!std::isfinite(next.seconds))
-            next.seconds = time + params.frameInterval;
-        const GrayFrame frame(params.trackPoints ? finder.reduced() : Mat(), finder.reduction(), time);
-        AckermannMotion motion;
-        const bool isFromFrames = drive.estimate(frame, next, segmentRows(segments), prior, motion, labels);
-        next.gray.release();
-        if (!isFromFrames)
-        {
-            motion = estimator->estimate(segments, labels, drive.priorOfFrame(prior));
-            drive.learn(motion);
-            if (motion.status == MOTION_TOO_FEW_SEGMENTS)
-                drive.expectMotion(prior, motion, labels);
-        }
-        return motion;
+            next.seconds = seconds + params.frameInterval;
+        if (next.seconds - seconds < shortest)
+            next = GrayFrame();
+        const GrayFrame frame(params.trackPoints ? finder.reduced() : Mat(), finder.reduction(), seconds);
+        return drive.estimate(frame, next, segmentRows(segments), prior, labels);
     }
 
     AckermannMotion estimateAndWarp(InputArray src, OutputArray dst, OutputArray mask)
     {
         Stopwatch watch;
+        const double seconds = timeOfFrame();
         AckermannMotion motion;
         if (params.carryMotion)
-            motion = estimateFrame();
+            motion = estimateFrame(seconds);
         else
             motion = estimator->estimate(segments, labels, prior);
         finder.release();
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask);
+        passTo(seconds); // last: skipFrame() does it if something has thrown
         return motion;
     }
 
@@ -339,9 +358,9 @@ private:
     SegmentFinder finder;
     MotionPrior prior;
     DriveEstimator drive;
-    GrayFrame next; // what is known of the image after the next one
-    double time;
-    double timestamp; // of the next image; not finite: not told
+    GrayFrame next;   // what is known of the image after the next one
+    double time;      // of the last frame
+    double timestamp; // of the next one; not finite: not given
 
     // of the last image
     Mat segments, labels;

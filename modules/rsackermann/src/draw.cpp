@@ -4,10 +4,10 @@
 
 #include "precomp.hpp"
 #include "camera/rays.hpp"
-#include "compensation.hpp"
+#include "motion/compensation.hpp"
 #include "opencv2/imgproc.hpp"
-#include "scene.hpp"
-#include "segments.hpp"
+#include "scene/planes.hpp"
+#include "features/segments.hpp"
 #include "warp/points.hpp"
 
 namespace cv { namespace rsackermann {

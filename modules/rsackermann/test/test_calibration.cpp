@@ -67,6 +67,7 @@ typedef testing::TestWithParam<int> CalibrationScans;
 
 TEST_P(CalibrationScans, mount_and_line_delay_are_found)
 {
+    applyTestTag(CV_TEST_TAG_LONG);
     const bool logged[] = {true, false};
     for (int l = 0; l < 2; l++)
         for (int i = 0; i < 3; i++)
@@ -96,6 +97,7 @@ void expectFound(const StreetDrive::Options& options, int drives, int seed)
 
 TEST(RSAckermann_Calibration, scene_is_uneven)
 {
+    applyTestTag(CV_TEST_TAG_LONG);
     StreetDrive::Options options;
     options.unevenness = 0.03;
     expectFound(options, 4, 20);
@@ -212,6 +214,7 @@ TEST(RSAckermann_Calibration, sigma_of_the_pitch_does_not_depend_on_the_suspensi
 
 TEST(RSAckermann_Calibration, sigmas_cover_the_errors)
 {
+    applyTestTag(CV_TEST_TAG_LONG);
     int within = 0;
     const int drives = 20, values = 4;
     double errorSum[values] = {0}, sigmaSum[values] = {0}; // of squares

@@ -49,10 +49,10 @@ TEST(RSAckermann_Camera, fromFocal_bad_arguments)
 TEST(RSAckermann_Camera, constructor_checks)
 {
     const Matx33d K(800, 0, 320, 0, 800, 190, 0, 0, 1);
-    EXPECT_NO_THROW(RollingShutterCamera(Size(640, 380), K));
-    EXPECT_THROW(RollingShutterCamera(Size(640, 380), K, std::vector<double>(3)), cv::Exception);
-    EXPECT_THROW(RollingShutterCamera(Size(640, 380), K, std::vector<double>(5), LENS_FISHEYE), cv::Exception);
-    EXPECT_THROW(RollingShutterCamera(Size(640, 380), Matx33d::zeros()), cv::Exception);
+    EXPECT_NO_THROW(RollingShutterCamera(Size(640, 380), K).check());
+    EXPECT_THROW(RollingShutterCamera(Size(640, 380), K, std::vector<double>(3)).check(), cv::Exception);
+    EXPECT_THROW(RollingShutterCamera(Size(640, 380), K, std::vector<double>(5), LENS_FISHEYE).check(), cv::Exception);
+    EXPECT_THROW(RollingShutterCamera(Size(640, 380), Matx33d::zeros()).check(), cv::Exception);
 }
 
 TEST(RSAckermann_Camera, empty_camera_is_incomplete)

@@ -76,7 +76,8 @@ inline AckermannMotion exampleMotion()
     m.scale = SCALE_SPEED;
     m.rollYawAmbiguous = true;
     m.expectedRaw = 3.5;
-    m.expectedLeft = 1.25;
+    m.expectedResidual = 1.25;
+    m.probabilityWorse = 0.0625;
     for (int i = 0; i < 16; i++)
         m.covariance.val[i] = 0.01 * (i + 1);
     m.relief.create(4, 5, CV_64F);
@@ -91,7 +92,8 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     typedef AckermannMotion T;
     expectSameFields(a, b,
                      {&T::alpha, &T::wallSlope, &T::wallOffset, &T::wallRatio, &T::roadSlope, &T::rollCorrection,
-                      &T::pitchCorrection, &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedLeft});
+                      &T::pitchCorrection, &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedResidual,
+                      &T::probabilityWorse});
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
     EXPECT_EQ(a.covariance, b.covariance);
@@ -143,8 +145,16 @@ inline AckermannEstimator::Params exampleEstimatorParams()
     p.gravitySigma = 0.01;
     p.vehiclePitchSigma = 0.02;
     p.wallDeviationSigma = 0.3;
-    p.usualYawRate = 0.3;
+    p.priorYawRate = 0.3;
+    p.priorSpeed = 9;
+    p.priorSpeedLogSigma = 0.7;
+    p.priorWallDistance = 11;
+    p.priorWallDistanceLogSigma = 0.75;
+    p.priorHeight = 2.5;
+    p.priorHeightLogSigma = 0.45;
+    p.standingProbability = 0.25;
     p.reverseProbability = 0.125;
+    p.harmAversion = 2;
     return p;
 }
 
@@ -152,9 +162,28 @@ inline void expectSame(const AckermannEstimator::Params& a, const AckermannEstim
 {
     typedef AckermannEstimator::Params T;
     expectSameFields(a, b,
-                     {&T::minLength, &T::maxSlant, &T::slantTolerance, &T::threshold, &T::confidence, &T::maxYawRate,
-                      &T::maxSpeed, &T::wallDistance, &T::roadRatio, &T::gravitySigma, &T::vehiclePitchSigma,
-                      &T::wallDeviationSigma, &T::usualYawRate, &T::reverseProbability});
+                     {&T::minLength,
+                      &T::maxSlant,
+                      &T::slantTolerance,
+                      &T::threshold,
+                      &T::confidence,
+                      &T::maxYawRate,
+                      &T::maxSpeed,
+                      &T::wallDistance,
+                      &T::roadRatio,
+                      &T::gravitySigma,
+                      &T::vehiclePitchSigma,
+                      &T::wallDeviationSigma,
+                      &T::priorYawRate,
+                      &T::priorSpeed,
+                      &T::priorSpeedLogSigma,
+                      &T::priorWallDistance,
+                      &T::priorWallDistanceLogSigma,
+                      &T::priorHeight,
+                      &T::priorHeightLogSigma,
+                      &T::standingProbability,
+                      &T::reverseProbability,
+                      &T::harmAversion});
     expectSameFields(a, b, {&T::model, &T::detector, &T::minCandidates, &T::maxIterations, &T::seed});
     EXPECT_EQ(a.scaleFromRoad, b.scaleFromRoad);
 }

@@ -6,8 +6,9 @@
 #include "test_simulator.hpp"
 
 // Internals of the library that it doesn't export.
-#include "../src/compensation.hpp"
-#include "../src/estimator/residuals/vertical_residual.cpp"
+#include "../src/motion/compensation.hpp"
+#include "../src/factors/rotated_end.hpp"
+#include "../src/factors/vertical_residual.hpp"
 
 namespace opencv_test { namespace {
 

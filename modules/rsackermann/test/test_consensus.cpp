@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_private_problem.hpp"
-#include "../src/estimator/consensus.hpp"
+#include "../src/single/consensus.hpp"
 
 namespace opencv_test { namespace {
 
@@ -105,9 +105,9 @@ TEST(RSAckermann_Consensus, what_is_known_saves_a_segment)
                                                     : k == 1 ? (v ? 6 : 0.2)
                                                              : (v ? 0.1 : 0.001);
         }
-        problem.prior = PriorTerms(vague, street.camera, params, problem.limits);
+        problem.prior = PriorTerms(vague, street.camera, params);
         EXPECT_EQ(4, CandidateConsensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5).sampleSize()) << k;
-        problem.prior = PriorTerms(exact, street.camera, params, problem.limits);
+        problem.prior = PriorTerms(exact, street.camera, params);
         CandidateConsensus consensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5);
         ASSERT_EQ(3, consensus.sampleSize()) << k;
         Model models[CandidateConsensus::MAX_MODELS];

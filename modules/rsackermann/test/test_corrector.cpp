@@ -201,17 +201,27 @@ TEST(RSAckermann_Corrector, column_shutter_is_not_observable)
 
 TEST(RSAckermann_Corrector, tiny_images)
 {
-    const Size sizes[] = {Size(1, 1), Size(7, 1), Size(1, 9), Size(5, 5), Size(17, 16)};
-    for (int i = 0; i < 5; i++)
-    {
-        const Mat src = noiseImage(sizes[i], CV_8UC3);
-        Mat dst, mask;
-        const AckermannMotion motion =
-            RollingShutterCorrector::create(RollingShutterCamera::fromFocal(sizes[i]))->correct(src, dst, mask);
-        EXPECT_NE(MOTION_OK, motion.status);
-        EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
-        EXPECT_EQ(sizes[i].area(), cv::countNonZero(mask));
-    }
+    const Size sizes[] = {Size(1, 1), Size(7, 1), Size(1, 9),   Size(2, 2),
+                          Size(3, 2), Size(5, 5), Size(17, 16), Size(1, 30000)};
+    for (const Size& size : sizes)
+        for (const bool isCarried : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << size << isCarried);
+            const Mat src = noiseImage(size, CV_8UC3);
+            RollingShutterCamera camera = RollingShutterCamera::fromFocal(size);
+            camera.lineDelay = 1e-5;
+            RollingShutterCorrector::Params params;
+            params.carryMotion = isCarried;
+            const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+            for (int frame = 0; frame < 3; frame++)
+            {
+                Mat dst, mask;
+                corrector->setNextFrame(src, NaN);
+                EXPECT_NE(MOTION_OK, corrector->correct(src, dst, mask).status);
+                EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
+                EXPECT_EQ(size.area(), cv::countNonZero(mask));
+            }
+        }
 }
 
 TEST(RSAckermann_Corrector, steady_state_reuses_buffers)
@@ -585,7 +595,7 @@ TEST(RSAckermann_Corrector, frame_that_shows_nothing_goes_on_as_expected)
         {
             motion = c.frame(nothing);
             ASSERT_EQ(MOTION_OK, motion.status) << i;
-            EXPECT_LT(motion.expectedLeft, motion.expectedRaw);
+            EXPECT_LT(motion.expectedResidual, motion.expectedRaw);
             EXPECT_EQ(0, motion.candidates);
             EXPECT_TRUE(motion.relief.empty());
             motion.yawRate(c.camera, yawRate);

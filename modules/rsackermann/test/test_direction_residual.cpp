@@ -6,7 +6,7 @@
 #include "test_simulator.hpp"
 
 // Internals of the library that it doesn't export.
-#include "../src/estimator/residuals/direction_residual.cpp"
+#include "../src/factors/direction_residual.hpp"
 
 namespace opencv_test { namespace {
 

@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/estimator/displacement_field.hpp"
+#include "../src/single/displacement_field.hpp"
 
 namespace opencv_test { namespace {
 

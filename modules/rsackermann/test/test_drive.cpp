@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/drive/drive_fit.hpp"
+#include "../src/sequence/frame_fit.hpp"
 
 namespace opencv_test { namespace {
 
@@ -168,7 +168,7 @@ TEST_P(Scans, derivatives_are_those_of_slow_motions)
         std::copy(value.val, value.val + DRIVE_VALUES, values);
         for (size_t k = 0; k < sights.size(); k++)
         {
-            residual.evaluate(sights[k], values, jacobian);
+            residual.evaluate(sights[k], values, jacobian[0]);
             for (int p = 0; p < FLOW_VALUES; p++)
             {
                 const double h = 1e-5, at = values[p];

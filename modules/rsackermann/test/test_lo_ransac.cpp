@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "../src/estimator/lo_ransac.hpp"
+#include "../src/single/lo_ransac.hpp"
 
 namespace opencv_test { namespace {
 

@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/estimator/residuals/prior_residuals.hpp"
+#include "../src/factors/given_prior.hpp"
 
 namespace opencv_test { namespace {
 
@@ -15,7 +15,7 @@ PriorTerms makeTerms(const MotionPrior& prior, const Params& params = Params(), 
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.heading = heading;
-    return PriorTerms(prior, camera, params, MotionLimits(camera, params));
+    return PriorTerms(prior, camera, params);
 }
 
 double costOf(const PriorTerms& terms, const Model& model, const MotionHypothesis& hypothesis)
@@ -63,7 +63,7 @@ TEST(RSAckermann_PriorTerms, line_delay_is_uncertain)
     prior.yawRateSigma = 0.04;
     prior.speed = -20;
     prior.speedSigma = 1.5;
-    const PriorTerms terms(prior, camera, params, MotionLimits(camera, params));
+    const PriorTerms terms(prior, camera, params);
     const double unit = camera.secondsPerUnitTime();
     // 3-4-5 triangles
     EXPECT_NEAR(0.05 * unit / 2, terms.alphaSigma, 1e-12);

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 
-#include "../src/drive/calibration_frame.cpp"
+#include "../src/calibration/calibration_frame.hpp"
 
 namespace opencv_test { namespace {
 

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 
-#include "../src/detect/refine_segments.cpp"
+#include "../src/features/refine_segments.hpp"
 
 namespace opencv_test { namespace {
 

@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_TEST_PRIVATE_PROBLEM_HPP
 
 #include "test_simulator.hpp"
-#include "../src/estimator/refinement.hpp"
+#include "../src/single/refinement.hpp"
 
 namespace opencv_test {
 

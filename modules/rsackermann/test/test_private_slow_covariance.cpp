@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_drive_simulator.hpp"
 
-#include "../src/drive/slow_covariance.hpp"
+#include "../src/optim/hac_covariance.hpp"
 
 namespace opencv_test { namespace {
 

@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_warp_cameras.hpp"
-#include "../src/drive/relief_fit.hpp"
+#include "../src/sequence/offset_fit.hpp"
 
 // Scenes that deviate from their planes: how maps and points follow them, against the simulator, and how tracked points
 // show them.

@@ -10,51 +10,18 @@
 #undef CV_CPU_OPTIMIZATION_NAMESPACE_END
 #define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace tested {
 #define CV_CPU_OPTIMIZATION_NAMESPACE_END }
-#include "../src/estimator/residuals/residual_kernels.simd.hpp"
+#include "../src/factors/residual_kernels.simd.hpp"
 
 // And what they are if there are no vectors.
 #undef CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 #define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace tested_without_vectors {
 #undef CV_SIMD_64F
 #define CV_SIMD_64F 0
-#include "../src/estimator/residuals/residual_kernels.simd.hpp"
+#include "../src/factors/residual_kernels.simd.hpp"
 
-#include "../src/estimator/residuals/direction_residual.hpp"
-#include "../src/estimator/residuals/segment_arrays.cpp"
-#include "../src/estimator/residuals/vertical_residual.hpp"
-
-// The kernels of the estimator that test_private_evidence.cpp has, without dispatch.
-namespace cv { namespace rsackermann {
-
-void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
-                  const FreeParameters& unknowns, ResidualSums& sums)
-{
-    tested::addVerticals(segments, model, loss, unknowns, sums);
-}
-
-void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
-                   const FreeParameters& unknowns, ResidualSums& sums)
-{
-    tested::addDirections(segments, model, loss, unknowns, sums);
-}
-
-double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
-                      double best, int& inliers)
-{
-    return tested::scoreVerticals(segments, model, focal, threshold, best, inliers);
-}
-
-void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points)
-{
-    tested::compensateSegments(segments, model, points);
-}
-
-double streetCost(const double* points, int padded, double streetX, double streetZ, double scale)
-{
-    return tested::streetCost(points, padded, streetX, streetZ, scale);
-}
-
-}} // namespace cv::rsackermann
+#include "../src/factors/direction_residual.hpp"
+#include "../src/factors/segment_arrays.hpp"
+#include "../src/factors/vertical_residual.hpp"
 
 namespace opencv_test { namespace {
 

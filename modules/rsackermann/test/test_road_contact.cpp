@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "test_private_problem.hpp"
-#include "../src/estimator/road_contact.hpp"
+#include "../src/single/road_contact.hpp"
 
 namespace opencv_test { namespace {
 
@@ -134,6 +134,7 @@ TEST(RSAckermann_RoadContact, road_of_a_narrow_street)
         prior.yawRateSigma = 0.01;
         const double G = speed * camera.secondsPerUnitTime() / camera.height;
         AckermannEstimator::Params params;
+        params.gravitySigma = params.vehiclePitchSigma = 0.2 * CV_PI / 180;
         const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
         ASSERT_EQ(MOTION_OK, motion.status);
         EXPECT_NEAR(G, motion.roadSlope, 0.3 * G);

@@ -44,8 +44,8 @@ def table_displacement(load):
         rows.append([TITLES[name], len(images), text(mean(raw)), text(median(raw)), text(mean(left), 3),
                      text(median(left), 3), text(quantile(left, 0.9), 3), text(median(left) / median(raw), 3), worse])
     rows[0].append('')
-    header = ['contestant', 'images', 'raw, mean, px', 'raw, median', 'left, mean, px', 'left, median', 'left, 90 %',
-              'left / raw', 'worse than raw']
+    header = ['contestant', 'images', 'raw, mean, px', 'raw, median', 'residual, mean, px', 'residual, median',
+              'residual, 90 %', 'residual / raw', 'worse than raw']
     return lines_of(header, rows)
 
 
@@ -58,8 +58,8 @@ def table_patches(load):
                     [text(median([row[column] for row in images]), 3) for column in ('raw_px', 'left_px')] +
                     [text(mean([row[column] for row in images]), 3)
                      for column in ('raw_patches_px', 'left_patches_px')])
-    return lines_of(['contestant', 'raw, dense truth, median', 'left, dense truth, median', 'raw, patches, mean',
-                     'left, patches, mean'], rows)
+    return lines_of(['contestant', 'raw, dense truth, median', 'residual, dense truth, median', 'raw, patches, mean',
+                     'residual, patches, mean'], rows)
 
 
 def table_consensus(load):
@@ -72,7 +72,7 @@ def table_consensus(load):
                      text(median([row['line_at_infinity_px'] for row in images]), 1),
                      text(median(ratios)), text(quantile(ratios, 0.9))])
     rows.append(['truth', text(median([row['true_inliers'] for row in images]), 0), '0', text(2.5 / 3), text(2.5 / 3)])
-    return lines_of(['', 'inliers, median', 'line at infinity, px to the right', 'ratio of the walls, median', '90 %'],
+    return lines_of(['', 'inliers, median', 'vanishing point, px to the right', 'ratio of the walls, median', '90 %'],
                     rows)
 
 
@@ -140,7 +140,7 @@ def table_gravity_left(load):
                         [text(median([row['left_px']
                                       for row in gravity.select(contestant=name, kind=kind, readout_ms=r)]))
                          for r in read_outs])
-    return lines_of(['displacement left, median, px', 'off'] + ['%g ms' % r for r in read_outs], rows)
+    return lines_of(['residual displacement, median, px', 'off'] + ['%g ms' % r for r in read_outs], rows)
 
 
 def distance_table(load, mistake, column, unit):
@@ -161,7 +161,7 @@ def table_figure5h(load):
 
 
 def table_figure7(load):
-    return distance_table(load, 'height', 'left_px', 'displacement left, median (mean), px')
+    return distance_table(load, 'height', 'left_px', 'residual displacement, median (mean), px')
 
 
 def table_time(load):
@@ -243,7 +243,7 @@ def table_conditions(load):
             rows.append([factor.replace('_', ' '), '%g' % value, text(raw)] + cells)
     header = ['condition', '', 'raw, px']
     for name in MAIN:
-        header += [TITLES[name] + ', left, px', 'yaw rate, deg/s']
+        header += [TITLES[name] + ', residual, px', 'yaw rate, deg/s']
     return lines_of(header, rows)
 
 
@@ -261,7 +261,7 @@ def table_known(load):
         rows.append(row)
     header = ['known']
     for name in ('ours_gravity', 'ours'):
-        header += [TITLES[name] + ', left, px', 'yaw rate, deg/s', 'speed, km/h']
+        header += [TITLES[name] + ', residual, px', 'yaw rate, deg/s', 'speed, km/h']
     return lines_of(header, rows)
 
 
@@ -296,7 +296,7 @@ def table_expectations(load):
     estimation = {name: 1e3 * median([row['estimation_ms'] for row in load('time').select(contestant=name)])
                   for name in ('paper_1la', 'paper_3la')}
     distance = median(bound_ratios(bound, 'ours_gravity', 'yaw_rate'))
-    rows = [['*ours*, gravity exact, leaves at most 0.1 of what *paper* leaves (medians)',
+    rows = [['*ours*, gravity exact, has at most 0.1 of the residual of *paper* (medians)',
              text(ratio, 3), ratio <= 0.1],
             ['1-LA and 3-LA in microseconds: the estimation by *paper*, and the solver',
              '%.0f and %.0f µs; %.3f and %.3f µs' % (

@@ -37,12 +37,16 @@ bool isNameOf(const std::string& path, int file)
     return lstat(path.c_str(), &a) == 0 && fstat(file, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
-// A new file with a lock; nothing if its name was taken or someone has removed it before it was locked.
+// A new file with a lock; nothing if its name was taken or someone has taken it for a leftover before it was locked.
 FileDescriptor createLocked(const std::string& path)
 {
     FileDescriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (file.get() >= 0)
-        flock(file.get(), LOCK_EX | LOCK_NB); // file systems without locks never have leftovers removed
+    // File systems without locks never have leftovers removed.
+    if (file.get() >= 0 && flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    {
+        errno = 0;
+        return FileDescriptor();
+    }
     return file.get() >= 0 && isNameOf(path, file.get()) ? std::move(file) : FileDescriptor();
 }
 
@@ -117,10 +121,37 @@ AtomicFile& AtomicFiles::add(const std::string& path)
     return *files_.back();
 }
 
+// Names that are replaced are kept as links until all files have theirs.
 void AtomicFiles::commit()
 {
-    for (const std::unique_ptr<AtomicFile>& file : files_)
-        file->commit();
+    std::vector<std::pair<std::string, std::string>> done; // name, and the link to what it was; empty: it was none
+    try
+    {
+        for (const std::unique_ptr<AtomicFile>& file : files_)
+        {
+            const std::string kept = file->temporaryName() + ".kept";
+            const bool isKept = link(file->path().c_str(), kept.c_str()) == 0;
+            const bool isNew = !isKept && errno == ENOENT;
+            if (isKept || isNew)
+                done.push_back(std::make_pair(file->path(), isKept ? kept : ""));
+            file->commit();
+        }
+    }
+    catch (const InputError&)
+    {
+        for (const std::pair<std::string, std::string>& name : done)
+        {
+            if (name.second.empty())
+                std::remove(name.first.c_str());
+            else
+                std::rename(name.second.c_str(), name.first.c_str());
+            std::remove(name.second.c_str()); // still there if both were names of one file
+        }
+        throw;
+    }
+    for (const std::pair<std::string, std::string>& name : done)
+        if (!name.second.empty())
+            std::remove(name.second.c_str());
 }
 
 void writeFile(const std::string& path, const std::string& content)
@@ -146,7 +177,7 @@ void removeLeftovers(const std::string& folder)
         if (!isTemporaryName(entry->d_name))
             continue;
         const FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-        if (file.get() >= 0 && flock(file.get(), LOCK_EX | LOCK_NB) == 0)
+        if (file.get() >= 0 && flock(file.get(), LOCK_EX | LOCK_NB) == 0 && isNameOf(path, file.get()))
             std::remove(path.c_str());
     }
     closedir(dir);

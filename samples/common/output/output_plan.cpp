@@ -75,6 +75,16 @@ bool makesNoDifferenceOfCase(const std::string& folder)
     }
 }
 
+// STEM.EXTENSION of STEM_000012.EXTENSION, which may be a frame's; empty if it is no such path.
+std::string withoutFrame(const std::string& path)
+{
+    const size_t underscore = path.find_last_of('_'), dot = path.find('.', underscore);
+    if (underscore == std::string::npos || dot == std::string::npos || dot - underscore < 7 ||
+        path.find_first_not_of("0123456789", underscore + 1) != dot)
+        return "";
+    return path.substr(0, underscore) + path.substr(dot);
+}
+
 // The common key of all names of an existing file.
 std::string identityOf(const std::string& path)
 {
@@ -111,11 +121,7 @@ void OutputPlan::addOutput(const std::string& path, const std::string& source)
             throw UsageError("the result " + path + " would replace the input " + input->second);
     }
     add(place, path, source);
-    // STEM_000012.EXTENSION may be a frame's.
-    const size_t underscore = place.name.find_last_of('_'), dot = place.name.find('.', underscore);
-    if (underscore != std::string::npos && dot != std::string::npos && dot - underscore >= 7 &&
-        place.name.find_first_not_of("0123456789", underscore + 1) == dot &&
-        frames_.count(place.folder + "/" + place.name.substr(0, underscore) + place.name.substr(dot)))
+    if (frames_.count(withoutFrame(place.folder + "/" + place.name)))
         throw UsageError("the result " + path + " would have the name of that of a video's frame");
 }
 
@@ -123,6 +129,9 @@ void OutputPlan::addFrames(const std::string& stem, const std::string& extension
 {
     const Place place = placeOf(stem + extension);
     frames_.insert(place.folder + "/" + place.name);
+    for (const std::pair<const std::string, std::string>& input : inputs_)
+        if (withoutFrame(input.first) == place.folder + "/" + place.name)
+            throw UsageError("the results " + stem + "_*" + extension + " would replace the input " + input.second);
     add({place.folder, place.name + " of frames"}, stem + "_*" + extension, source);
 }
 

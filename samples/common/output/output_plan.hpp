@@ -19,8 +19,14 @@ case if the file system makes no difference.
 class OutputPlan
 {
 public:
-    //! Tells of a file that is read and mustn't be replaced.
+    //! Adds a file that is read and mustn't be replaced; before the results.
     void addInput(const std::string& path);
+    template <class Paths>
+    void addInputs(const Paths& paths)
+    {
+        for (const std::string& path : paths)
+            addInput(path);
+    }
     /** Tells of a file that is to be written.
     @param source whose result it is, for the message. Throws UsageError if it is an input or the result of another
     source. */

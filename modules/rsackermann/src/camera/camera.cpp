@@ -20,7 +20,6 @@ RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, c
       lineDelay(0), referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), heading(0), height(0),
       focalSigma(0), lineDelaySigma(0)
 {
-    check();
 }
 
 RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double focal)
@@ -32,6 +31,7 @@ RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double fo
     const double f = focal > 0 ? focal : usual * std::max(size.width, size.height);
     RollingShutterCamera camera(size, Matx33d(f, 0, (size.width - 1) / 2., 0, f, (size.height - 1) / 2., 0, 0, 1));
     camera.focalSigma = focal > 0 ? 0 : usualSigma * f;
+    camera.check();
     return camera;
 }
 

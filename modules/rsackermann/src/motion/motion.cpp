@@ -6,8 +6,8 @@
 #include "../camera/axis_rotations.hpp"
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
-#include "../compensation.hpp"
-#include "../relief.hpp"
+#include "compensation.hpp"
+#include "../scene/inverse_depth_offset.hpp"
 #include "../storage.hpp"
 
 namespace cv { namespace rsackermann {
@@ -16,7 +16,7 @@ AckermannMotion::AckermannMotion()
     : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), wallSlope(0), wallOffset(0), wallRatio(0),
       roadSlope(0), direction(1), rollCorrection(0), pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN),
       covariance(Matx44d::zeros()), rollYawAmbiguous(false), candidates(0), inliers(0), rms(0), expectedRaw(0),
-      expectedLeft(0)
+      expectedResidual(0), probabilityWorse(0)
 {
 }
 
@@ -131,7 +131,8 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "road_slope" << roadSlope << "direction" << direction;
     fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance"
        << wallDistance;
-    fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_left" << expectedLeft;
+    fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_residual" << expectedResidual;
+    fs << "probability_worse" << probabilityWorse;
     fs << "relief_area" << reliefArea;
     if (!relief.empty())
         fs << "relief" << relief;
@@ -174,7 +175,8 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["wall_distance"], wallDistance, wallDistance);
     cv::read(fn["scale"], scale, scale);
     cv::read(fn["expected_raw"], expectedRaw, expectedRaw);
-    cv::read(fn["expected_left"], expectedLeft, expectedLeft);
+    cv::read(fn["expected_residual"], expectedResidual, expectedResidual);
+    cv::read(fn["probability_worse"], probabilityWorse, probabilityWorse);
     readMatrix(fn, "covariance", covariance);
     readRelief(fn, relief, reliefArea);
     cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);

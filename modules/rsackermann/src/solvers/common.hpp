@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_SOLVERS_COMMON_HPP
 
 #include "opencv2/rsackermann/solvers.hpp"
-#include "../compensation.hpp"
+#include "../motion/compensation.hpp"
 
 namespace cv { namespace rsackermann {
 

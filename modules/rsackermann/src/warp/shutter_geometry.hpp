@@ -6,9 +6,9 @@
 #define OPENCV_RSACKERMANN_SRC_WARP_SHUTTER_GEOMETRY_HPP
 
 #include "../camera/lens.hpp"
-#include "../compensation.hpp"
-#include "../relief.hpp"
-#include "../scene.hpp"
+#include "../motion/compensation.hpp"
+#include "../scene/inverse_depth_offset.hpp"
+#include "../scene/planes.hpp"
 
 namespace cv { namespace rsackermann {
 

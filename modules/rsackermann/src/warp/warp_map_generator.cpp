@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../checks.hpp"
-#include "../relief.hpp"
+#include "../scene/inverse_depth_offset.hpp"
 #include "../storage.hpp"
 #include "maps/map_ocl.hpp"
 #include "maps/maps.hpp"

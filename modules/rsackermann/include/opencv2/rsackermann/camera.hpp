@@ -40,7 +40,8 @@ public:
     //! An empty camera (image size 0 x 0), to be filled field by field.
     CV_WRAP RollingShutterCamera();
 
-    /** @brief A camera with known intrinsics, mounted upright and looking forward.
+    /** @brief A camera with known intrinsics, mounted upright and looking forward. Doesn't call check(), as exceptions
+    of constructors aren't caught in wrapped languages.
     @param size size of the image in pixels; referenceRow becomes its middle row.
     @param K 3x3 camera matrix.
     @param dist lens coefficients, as many as lensModel takes; empty: no distortion.

@@ -50,7 +50,9 @@ public:
         trackPoints tells by how much the scene deviates from planes (AckermannMotion::relief); needs
         RollingShutterCamera::lineDelay */
         CV_PROP_RW bool carryMotion;
-        //! Whether points are tracked from frame to frame if carryMotion is set, default true
+        //! Whether points are tracked from frame to frame if carryMotion is set, default true. Then the estimator's
+        //! model has to be #MODEL_AUTO, and a frame whose points are found again doesn't use its seed, confidence,
+        //! maxIterations, minCandidates, wallDeviationSigma and reverseProbability.
         CV_PROP_RW bool trackPoints;
         //! Seconds from one frame to the next if setTimestamp() doesn't tell, default 1/30
         CV_PROP_RW double frameInterval;
@@ -102,11 +104,21 @@ public:
     //! The present prior.
     CV_WRAP virtual MotionPrior getPrior() const = 0;
 
-    /** @brief Tells when the next image is taken.
-    @param seconds time of its reference row, from any origin; not finite: Params::frameInterval after the image before,
-    which also holds for all further images unless they are told.
+    /** @brief Sets the time of the next image of a sequence.
+
+    Times of consecutive images increase: an image that isn't later than the one before begins another sequence.
+    @param seconds time of its reference row from any origin, up to 1e12; not finite: Params::frameInterval after the
+    image before. Used for one image.
      */
     CV_WRAP virtual void setTimestamp(double seconds) = 0;
+
+    /** @brief Lets the time of an image of a sequence pass without the image: for one that is missing or damaged, or
+    whose correction threw an exception.
+
+    Its time is that of setTimestamp() or Params::frameInterval after the image before. Without this call, or the time
+    of the image after it, the motion between the two images beside the gap would be taken for that of one interval.
+     */
+    CV_WRAP virtual void skipFrame() = 0;
 
     /** @brief Shows the image after the one that is corrected next: points that are seen in both count, too, and the
     relief is found from more of them if the image is large.
@@ -115,16 +127,17 @@ public:
     Used if Params::carryMotion and Params::trackPoints are set.
     @param image raw image of the camera's size, of a type for the detection; copied.
     @param seconds time of its reference row, as in setTimestamp(); not finite: Params::frameInterval after the one
-    before it.
+    before it. An image that isn't later than that isn't used.
      */
     CV_WRAP virtual void setNextFrame(InputArray image, double seconds) = 0;
 
-    /** @brief Forgets the motion that is carried to the next frame: for the first frame of another sequence.
+    /** @brief Forgets the motion that is carried to the next frame, its time and the frame after it: for the first
+    frame of another sequence.
 
-    It is also forgotten if a camera is set that differs in more than uprightRotation and standard deviations, after
-    more than a second without an image, and if hardly anything of the image before is found again. An image that shows
-    nothing itself is corrected by the motion that is expected of it, for a second and as long as that is expected to
-    help.
+    The motion is also forgotten if a camera is set that differs in more than uprightRotation and standard deviations,
+    after more than a second without an image, and if hardly anything of the image before is found again. An image that
+    shows nothing itself is corrected by the motion that is expected of it, for a second and as long as that is expected
+    to help.
      */
     CV_WRAP virtual void reset() = 0;
 
@@ -138,7 +151,8 @@ public:
     CV_WRAP virtual AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask = noArray()) = 0;
 
     /** @brief Corrects an image with segments that were found elsewhere.
-    @param src raw image of the camera's size, of any type that cv::remap takes.
+    @param src raw image of the camera's size, of any type that cv::remap takes; of a type for the detection, as in
+    correct(), if points are tracked (Params::carryMotion and Params::trackPoints).
     @param segments as in AckermannEstimator::estimate.
     @param dst corrected image, as in correct().
     @param mask as in correct().
@@ -147,7 +161,7 @@ public:
     CV_WRAP virtual AckermannMotion correctWithSegments(InputArray src, InputArray segments, OutputArray dst,
                                                         OutputArray mask = noArray()) = 0;
 
-    /** @brief Corrects an image with a motion that is known.
+    /** @brief Corrects an image with a motion that is known. It isn't a frame of the sequence, see skipFrame().
     @param src raw image of the camera's size, of any type that cv::remap takes.
     @param motion the motion; if its status isn't #MOTION_OK only the lens is corrected.
     @param dst corrected image, as in correct().

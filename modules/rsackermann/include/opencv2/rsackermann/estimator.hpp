@@ -89,7 +89,7 @@ public:
         CV_PROP_RW double maxSpeed;
         CV_PROP_RW double wallDistance; //!< metres to the left (or only) wall; 0: unknown (default)
         //! Distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0
-        //! (default): the usual one of streets, walls at 8 m and cameras at 1.3 m
+        //! (default): priorWallDistance over priorHeight
         CV_PROP_RW double roadRatio;
         //! If wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on
         //! the road, default false
@@ -103,12 +103,26 @@ public:
         //! Standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0:
         //! unknown, default 0.4
         CV_PROP_RW double wallDeviationSigma;
-        /** radians per second; how fast the vehicle usually turns, if gravity is uncertain and no yaw rate is told: the
-        scale of Student's t distribution with two degrees of freedom, half of all yaw rates are below 0.82 of it.
-        A drive, whose frames tell the yaw rate, begins with a normal distribution of three times that sigma. Default
-        5 degrees per second, as cars drive */
-        CV_PROP_RW double usualYawRate;
-        CV_PROP_RW double reverseProbability; //!< probability that the car drives backward, default 0.02
+        /** @name The prior: how cars drive and what streets look like, where nothing is given
+        A sequence begins with the mean and the variance of the same distributions and returns to them where nothing is
+        seen. doc/theory.md, "Posterior", says where the defaults come from.
+        @{ */
+        //! Radians per second; scale of Student's t distribution with two degrees of freedom of the yaw rate: half of
+        //! all are below 0.82 of it. Default 5 degrees per second
+        CV_PROP_RW double priorYawRate;
+        CV_PROP_RW double priorSpeed;                //!< metres per second; median of the speed, default 12
+        CV_PROP_RW double priorSpeedLogSigma;        //!< standard deviation of its logarithm, default 0.8
+        CV_PROP_RW double priorWallDistance;         //!< metres; median distance of a wall, default 15
+        CV_PROP_RW double priorWallDistanceLogSigma; //!< standard deviation of its logarithm, default 0.9
+        CV_PROP_RW double priorHeight;               //!< metres; median height of the camera, default 1.3
+        CV_PROP_RW double priorHeightLogSigma;       //!< standard deviation of its logarithm, default 0.35
+        CV_PROP_RW double
+            standingProbability; //!< that the car stands, or that the shutter isn't a rolling one, default 1/3
+        CV_PROP_RW double reverseProbability; //!< that the car drives backward, default 0.02
+        //! @}
+        /** How many pixels of expected residual one pixel of expected harm is worth, E[max(0, residual - raw)]: the
+        correction minimises the sum of both. 0: the residual alone; default 1 */
+        CV_PROP_RW double harmAversion;
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;

@@ -1,0 +1,357 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
+#include "../camera/axis_rotations.hpp"
+#include "../camera/line_delay_sigma.hpp"
+#include "../checks.hpp"
+#include "../features/segment_finder.hpp"
+#include "../features/segments.hpp"
+#include "../storage.hpp"
+#include "../sequence/frame_terms.hpp"
+#include "../sequence/sequence_filter.hpp"
+#include "mount_solver.hpp"
+
+namespace cv { namespace rsackermann {
+
+// Frames that are kept or left out together, since what connects neighbours tells the suspension
+static const int RUN = 30;
+static const double USUAL_READOUT = 0.5; // of the time between two frames, if no line delay is given
+// Of the standard deviation before, at most, for a value that the drive tells
+static const double OBSERVED = 0.5;
+
+MountCalibration::MountCalibration()
+    : frames(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0), headingSigma(0), lineDelay(0),
+      lineDelaySigma(0), rollObserved(false), pitchObserved(false), headingObserved(false), lineDelayObserved(false)
+{
+}
+
+Vec3d MountCalibration::horizon() const
+{
+    // The rays at right angles to gravity.
+    const Vec3d line = camera.cameraMatrix.inv().t() * camera.gravity();
+    return line * (1 / std::hypot(line[0], line[1]));
+}
+
+MountCalibrator::Params::Params()
+    : maxFrames(1000), tiltSigma(3 * CV_PI / 180), headingSigma(5 * CV_PI / 180), lineDelaySigma(0.3),
+      suspensionSigma(0.4 * CV_PI / 180), suspensionTime(0.5)
+{
+}
+
+void MountCalibrator::Params::setEstimatorParams(const AckermannEstimator::Params& params)
+{
+    estimator = params;
+}
+
+AckermannEstimator::Params MountCalibrator::Params::getEstimatorParams() const
+{
+    return estimator;
+}
+
+void MountCalibrator::Params::check() const
+{
+    estimator.check();
+    if (maxFrames < 100)
+        CV_Error(Error::StsBadArg, format("params.maxFrames is %d; a number of 100 or more is expected", maxFrames));
+    checkPositive(tiltSigma, "params.tiltSigma");
+    checkPositive(headingSigma, "params.headingSigma");
+    checkPositive(lineDelaySigma, "params.lineDelaySigma");
+    checkPositive(suspensionSigma, "params.suspensionSigma");
+    checkPositive(suspensionTime, "params.suspensionTime");
+}
+
+void MountCalibrator::Params::write(FileStorage& fs) const
+{
+    fs.startWriteStruct("estimator", FileNode::MAP);
+    estimator.write(fs);
+    fs.endWriteStruct();
+    fs << "max_frames" << maxFrames << "tilt_sigma" << tiltSigma << "heading_sigma" << headingSigma
+       << "line_delay_sigma" << lineDelaySigma;
+    fs << "suspension_sigma" << suspensionSigma << "suspension_time" << suspensionTime;
+}
+
+void MountCalibrator::Params::read(const FileNode& fn)
+{
+    estimator.read(fn["estimator"]);
+    cv::read(fn["max_frames"], maxFrames, maxFrames);
+    cv::read(fn["tilt_sigma"], tiltSigma, tiltSigma);
+    cv::read(fn["heading_sigma"], headingSigma, headingSigma);
+    cv::read(fn["line_delay_sigma"], lineDelaySigma, lineDelaySigma);
+    cv::read(fn["suspension_sigma"], suspensionSigma, suspensionSigma);
+    cv::read(fn["suspension_time"], suspensionTime, suspensionTime);
+}
+
+namespace {
+
+// Roll and pitch as setRollPitch() takes them, for a unit vector of gravity.
+void rollAndPitchOf(const Vec3d& gravity, double& roll, double& pitch)
+{
+    const double tangent = gravity[2] / gravity[1]; // tan(pitch) / cos(roll)
+    pitch = 0;
+    for (int i = 0; i < 20; i++)
+    {
+        roll = std::atan2(gravity[0] * std::cos(pitch), gravity[1]);
+        pitch = std::atan(tangent * std::cos(roll));
+    }
+}
+
+class MountCalibratorImpl CV_FINAL : public MountCalibrator
+{
+public:
+    MountCalibratorImpl(const RollingShutterCamera& camera, const Params& params_) : filter(camera, params_.estimator)
+    {
+        setParams(params_);
+        setCamera(camera);
+    }
+
+    void setCamera(const RollingShutterCamera& camera) CV_OVERRIDE
+    {
+        camera.check();
+        if (!camera.isRowShutter())
+            CV_Error(Error::StsBadArg,
+                     format("camera.scanDirection is %d; a shutter along the rows, SCAN_TOP_TO_BOTTOM (0) or "
+                            "SCAN_BOTTOM_TO_TOP (1), is expected",
+                            camera.scanDirection));
+        given = camera;
+        clear();
+    }
+
+    RollingShutterCamera getCamera() const CV_OVERRIDE { return given; }
+
+    void setParams(const Params& params_) CV_OVERRIDE
+    {
+        params_.check();
+        params = params_;
+        gates = params.estimator;
+        gates.gravitySigma = gates.vehiclePitchSigma = params.tiltSigma;
+        clear();
+    }
+
+    Params getParams() const CV_OVERRIDE { return params; }
+
+    void clear() CV_OVERRIDE
+    {
+        start = given;
+        frames.clear();
+        numbers.clear();
+        features.reset();
+        number = 0;
+        drive = 0;
+        stride = 1;
+        filter.hasFrame = false;
+    }
+
+    bool addFrame(InputArray image, double seconds, const MotionPrior& prior) CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkImage(image, "image", given.imageSize);
+        check(seconds, prior);
+        finder.find(image, params.estimator.detector, params.estimator.minLength, found);
+        const GrayFrame frame(finder.reduced(), finder.reduction(), seconds);
+        const bool isAdded =
+            add(segmentRows(found), seconds, prior, [&](double passed) { features.track(start, frame, passed); });
+        finder.release();
+        return isAdded;
+    }
+
+    bool addPoints(InputArray points, InputArray segments, double seconds, const MotionPrior& prior) CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        check(seconds, prior);
+        const Mat rows = segmentRows(points, "points"), segmentsOfFrame = segmentRows(segments);
+        std::vector<PointPair> pairs;
+        for (int i = 0; i < rows.rows; i++)
+        {
+            const double* p = rows.ptr<double>(i);
+            const PointPair pair = {Point2d(p[0], p[1]), Point2d(p[2], p[3])};
+            if (isInImage(pair.other) && isInImage(pair.now))
+                pairs.push_back(pair);
+        }
+        return add(segmentsOfFrame, seconds, prior, [&](double passed) { features.setPoints(start, pairs, passed); });
+    }
+
+    MountCalibration calibrate() const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        const MountVector before = sigmaBefore();
+        MountFit fit = {MountVector::Zero(), before, before[MOUNT_DELAY]};
+        if (frames.size() >= LEAST_FRAMES)
+        {
+            std::vector<CalibrationFrame> fitted = frames;
+            const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
+            fit = fitMount(start, fitted, before, suspension);
+        }
+        return report(fit, before);
+    }
+
+    void write(FileStorage& fs) const CV_OVERRIDE
+    {
+        writeFormat(fs);
+        AlgorithmStorage<MountCalibrator>::write(*this, fs);
+    }
+
+    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<MountCalibrator>::read(fn, *this); }
+
+    String getDefaultName() const CV_OVERRIDE { return "rsackermann_MountCalibrator"; }
+
+private:
+    static void check(double seconds, const MotionPrior& prior)
+    {
+        checkFinite(seconds, "seconds");
+        prior.check();
+    }
+
+    bool isInImage(const Point2d& p) const
+    {
+        return p.x >= -0.5 && p.y >= -0.5 && p.x <= given.imageSize.width - 0.5 && p.y <= given.imageSize.height - 0.5;
+    }
+
+    MountVector sigmaBefore() const
+    {
+        const double told = relativeLineDelaySigma(given),
+                     delay = told > 0 ? told : params.lineDelaySigma * (given.lineDelay > 0 ? 1 : 2);
+        MountVector sigma;
+        sigma << params.tiltSigma, params.tiltSigma, params.headingSigma, delay, delay;
+        return sigma;
+    }
+
+    //! @param look sets the points of the frame, by the seconds since the one before.
+    template <class Look>
+    bool add(const Mat& segments, double seconds, const MotionPrior& prior, const Look& look)
+    {
+        const double passed = seconds - filter.time;
+        // Frames that go back in time are those of another drive.
+        if (!(passed > 0))
+            filter.hasFrame = false;
+        const bool follows = filter.advance(seconds, start, gates);
+        if (!follows)
+        {
+            features.reset();
+            drive++;
+        }
+        else if (!(start.lineDelay > 0))
+        {
+            start.lineDelay = USUAL_READOUT * passed / start.imageSize.height;
+            filter.forget(start, gates);
+        }
+        look(passed);
+        if (!follows || features.sights.size() < LEAST_POINTS)
+            return false;
+        features.setSegments(start, gates, segments);
+        filter.state.measure(prior);
+        DriveFit fit(filter.state);
+        if (!filter.update(features, start, gates, fit) || !fit.moves)
+            return false;
+        keep(frameOf(fit, passed, prior));
+        return true;
+    }
+
+    CalibrationFrame frameOf(const DriveFit& fit, double passed, const MotionPrior& prior) const
+    {
+        CalibrationFrame frame;
+        frame.drive = drive;
+        frame.time = filter.time;
+        frame.interval = passed;
+        frame.verticals = features.verticals;
+        for (int i = 0; i < FRAME_VALUES; i++)
+            frame.value[i] = i < DRIVE_VALUES ? fit.state.value[i] : 0;
+        frame.sights = withoutOwnCar(start, features.sights, frame.value.data());
+        DriveState usual(start, gates);
+        usual.measure(prior);
+        for (int i = 0; i < SCENE_VALUES; i++)
+        {
+            frame.expected[i] = usual.value[i];
+            frame.sigma[i] = std::sqrt(usual.covariance(i, i));
+        }
+        return frame;
+    }
+
+    // Of a long drive runs of frames are kept at equal distances.
+    void keep(const CalibrationFrame& frame)
+    {
+        const int run = number++ / RUN;
+        if (run % stride)
+            return;
+        frames.push_back(frame);
+        numbers.push_back(run);
+        while (frames.size() > size_t(params.maxFrames))
+        {
+            stride *= 2;
+            size_t kept = 0;
+            for (size_t i = 0; i < frames.size(); i++)
+                if (numbers[i] % stride == 0)
+                {
+                    std::swap(frames[kept], frames[i]);
+                    numbers[kept++] = numbers[i];
+                }
+            frames.resize(kept);
+            numbers.resize(kept);
+        }
+    }
+
+    MountCalibration report(const MountFit& fit, const MountVector& before) const
+    {
+        MountCalibration c;
+        c.frames = int(frames.size());
+        c.camera = given;
+        const MountVector& sigma = fit.sigma;
+        c.rollObserved = isObserved(sigma, before, MOUNT_ROLL);
+        c.pitchObserved = isObserved(sigma, before, MOUNT_PITCH);
+        c.headingObserved = isObserved(sigma, before, MOUNT_HEADING);
+        c.lineDelayObserved =
+            isObserved(sigma, before, MOUNT_DELAY) && fit.turningSigma < OBSERVED * before[MOUNT_DELAY];
+        // The azimuths are those of the upright frame, in which the optical axis may have moved.
+        const Matx33d upright =
+            rollRotation(fit.value[MOUNT_ROLL]) * pitchRotation(fit.value[MOUNT_PITCH]) * given.uprightRotation;
+        c.camera.setGravity(Vec3d(upright(1, 0), upright(1, 1), upright(1, 2)));
+        c.camera.heading = c.heading =
+            given.heading + fit.value[MOUNT_HEADING] - std::atan2(upright(0, 2), upright(2, 2));
+        if (c.lineDelayObserved)
+            c.camera.lineDelay = start.lineDelay * std::exp(fit.value[MOUNT_DELAY]);
+        c.lineDelay = c.camera.lineDelay;
+        rollAndPitchOf(c.camera.gravity(), c.roll, c.pitch);
+        c.rollSigma = sigma[MOUNT_ROLL];
+        c.pitchSigma = sigma[MOUNT_PITCH];
+        c.headingSigma = sigma[MOUNT_HEADING];
+        c.lineDelaySigma = (c.lineDelayObserved ? sigma : before)[MOUNT_DELAY] * c.lineDelay;
+        if (c.lineDelayObserved)
+            c.camera.lineDelaySigma = c.lineDelaySigma;
+        return c;
+    }
+
+    static bool isObserved(const MountVector& sigma, const MountVector& before, MountValue which)
+    {
+        return sigma[which] < OBSERVED * before[which];
+    }
+
+    RollingShutterCamera given, start; // start: with a line delay
+    Params params;
+    AckermannEstimator::Params gates; // of segments and of the fit of a frame
+    SegmentFinder finder{true};
+    FrameFeatures features;
+    Mat found;
+
+    std::vector<CalibrationFrame> frames;
+    std::vector<int> numbers; // of each frame's run
+    int number, drive, stride;
+
+    SequenceFilter filter;
+};
+
+} // namespace
+
+Ptr<MountCalibrator> MountCalibrator::create(const RollingShutterCamera& camera, const Params& params)
+{
+    CV_INSTRUMENT_REGION();
+    return makePtr<MountCalibratorImpl>(camera, params);
+}
+
+Ptr<MountCalibrator> MountCalibrator::load(const String& filename, const String& objname)
+{
+    return AlgorithmStorage<MountCalibrator>::load(filename, objname);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,212 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+#include "direction_terms.hpp"
+#include "simd_pack.hpp"
+#include "vertical_terms.hpp"
+#endif
+#include "residual_kernels.hpp"
+
+namespace cv { namespace rsackermann {
+
+CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
+
+void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                  const FreeParameters& unknowns, ResidualSums& sums);
+void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                   const FreeParameters& unknowns, ResidualSums& sums);
+double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
+                      double best, int& inliers);
+void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points);
+double streetCost(const double* points, int padded, double streetX, double streetZ, double scale);
+
+#ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+
+namespace {
+
+typedef PackOf<double> Pack;
+
+template <class Number>
+PackOf<Number> load(const SegmentArrays& segments, SegmentArrays::Field field, int i)
+{
+    return PackOf<Number>::load(segments.at(field, Number()) + i);
+}
+
+template <class Number>
+RotatedEnd<PackOf<Number>> endU(const SegmentArrays& s, int i, const PreparedModel& m)
+{
+    return RotatedEnd<PackOf<Number>>(load<Number>(s, SegmentArrays::U_X, i), load<Number>(s, SegmentArrays::U_Y, i),
+                                      load<Number>(s, SegmentArrays::TIME_U, i), m);
+}
+
+template <class Number>
+RotatedEnd<PackOf<Number>> endV(const SegmentArrays& s, int i, const PreparedModel& m)
+{
+    return RotatedEnd<PackOf<Number>>(load<Number>(s, SegmentArrays::V_X, i), load<Number>(s, SegmentArrays::V_Y, i),
+                                      load<Number>(s, SegmentArrays::TIME_V, i), m);
+}
+
+// ResidualSums in vectors.
+class Sums
+{
+public:
+    Sums(const RobustLoss& loss_, const FreeParameters& unknowns_)
+        : unknowns(unknowns_), loss(loss_), cost(0.), weights(0.), influence2(0.), slopes(0.)
+    {
+        for (int i = 0; i < unknowns.count; i++)
+        {
+            gradient[i] = Pack(0.);
+            for (int j = 0; j <= i; j++)
+                hessian[i][j] = Pack(0.);
+        }
+    }
+
+    // The residual scale * value of a segment; padding has the scale 0.
+    void add(const Pack& value, const Pack* by, const Pack& scale)
+    {
+        const Pack one(1), r = scale * value, r2 = r * r;
+        const Pack weight = choose(scale > Pack(0.), loss.slope(r2), Pack(0.));
+        cost = cost + loss.cost(r2);
+        weights = weights + weight;
+        // The influence is r * weight.
+        influence2 = influence2 + weight * weight * r2;
+        slopes = slopes + weight * (one - Pack(4) * (one - loss.fading(r2)));
+        Pack scaled[PARAMETERS];
+        for (int i = 0; i < unknowns.count; i++)
+        {
+            scaled[i] = by[unknowns.index[i]] * scale;
+            const Pack weighted = scaled[i] * weight;
+            gradient[i] = gradient[i] + weighted * r;
+            for (int j = 0; j <= i; j++)
+                hessian[i][j] = hessian[i][j] + weighted * scaled[j];
+        }
+    }
+
+    void addTo(ResidualSums& sums) const
+    {
+        sums.cost += cost.sum();
+        sums.weights += weights.sum();
+        sums.influence2 += influence2.sum();
+        sums.slopes += slopes.sum();
+        for (int i = 0; i < unknowns.count; i++)
+        {
+            sums.gradient[i] += gradient[i].sum();
+            for (int j = 0; j <= i; j++)
+                sums.hessian[i][j] += hessian[i][j].sum();
+        }
+    }
+
+private:
+    const FreeParameters& unknowns;
+    GemanMcClureLoss<Pack> loss;
+    Pack cost, weights, influence2, slopes;
+    Pack gradient[PARAMETERS], hessian[PARAMETERS][PARAMETERS];
+};
+
+} // namespace
+
+void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                  const FreeParameters& unknowns, ResidualSums& sums)
+{
+    const bool tilt = unknowns.hasTilt();
+    Sums total(loss, unknowns);
+    for (int i = 0; i < segments.size(); i += Pack::COUNT)
+    {
+        const RotatedEnd<Pack> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
+        const VerticalTerms<Pack> residual(u, v, model);
+        Pack by[PARAMETERS];
+        residual.derivatives(u, v, model, tilt, by);
+        total.add(residual.value, by, load<double>(segments, SegmentArrays::SCALE, i));
+    }
+    total.addTo(sums);
+}
+
+void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                   const FreeParameters& unknowns, ResidualSums& sums)
+{
+    const bool tilt = unknowns.hasTilt();
+    const Pack streetX(model.streetX), streetZ(model.streetZ);
+    Sums total(loss, unknowns);
+    for (int i = 0; i < segments.size(); i += Pack::COUNT)
+    {
+        const RotatedEnd<Pack> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
+        const CompensatedEnd<Pack> a(u, model), b(v, model);
+        const DirectionTerms<Pack> residual(Chord<Pack>(a.x, a.y, b.x, b.y), streetX, streetZ);
+        Pack by[PARAMETERS];
+        residual.derivatives(u, v, a, b, model, tilt, by);
+        total.add(residual.value, by, load<double>(segments, SegmentArrays::SCALE, i));
+    }
+    total.addTo(sums);
+}
+
+// In single precision, which is 1e-4 pixels: a score only chooses among samples.
+double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
+                      double best, int& inliers)
+{
+    typedef PackOf<float> Vector;
+    const Vector limit(threshold * threshold);
+    const int betweenChecks = 4;
+    double sum = 0, inside = 0;
+    int i = 0;
+    while (i < segments.size() && sum < best)
+    {
+        Vector part(0.), count(0.);
+        for (int k = 0; k < betweenChecks && i < segments.size(); k++, i += Vector::COUNT)
+        {
+            const VerticalTerms<Vector> residual(endU<float>(segments, i, model), endV<float>(segments, i, model),
+                                                 model);
+            const Vector r = residual.value * focal, r2 = r * r;
+            part = part + choose(r2 < limit, r2, limit);
+            count = count + choose(r2 < limit, Vector(1), Vector(0.));
+        }
+        sum += part.sum();
+        inside += count.sum();
+    }
+    // Padding has no residual.
+    inliers = cvRound(inside) - std::max(i - segments.size(), 0);
+    return sum;
+}
+
+void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points)
+{
+    const int padded = segments.paddedSize();
+    for (int i = 0; i < padded; i += Pack::COUNT)
+    {
+        const CompensatedEnd<Pack> a(endU<double>(segments, i, model), model),
+            b(endV<double>(segments, i, model), model);
+        a.x.store(points + i);
+        a.y.store(points + padded + i);
+        b.x.store(points + 2 * padded + i);
+        b.y.store(points + 3 * padded + i);
+    }
+}
+
+double streetCost(const double* points, int padded, double streetX, double streetZ, double scale)
+{
+    const Pack x(streetX), z(streetZ), acrossX(-streetZ), scale2(scale * scale);
+    Pack sum(0.);
+    for (int i = 0; i < padded; i += Pack::COUNT)
+    {
+        const Chord<Pack> chord(Pack::load(points + i), Pack::load(points + padded + i),
+                                Pack::load(points + 2 * padded + i), Pack::load(points + 3 * padded + i));
+        // Squares, and fractions compared without division: this is done for many directions.
+        Pack along2, alongLength2, across2, acrossLength2;
+        chord.momentAround(x, z, along2, alongLength2);
+        chord.momentAround(acrossX, x, across2, acrossLength2);
+        along2 = along2 * along2;
+        across2 = across2 * across2;
+        const Pack::Mask isAlong = along2 * acrossLength2 < across2 * alongLength2;
+        const Pack moment2 = scale2 * choose(isAlong, along2, across2),
+                   length2 = choose(isAlong, alongLength2, acrossLength2);
+        sum = sum + moment2 / (length2 + moment2);
+    }
+    return sum.sum();
+}
+
+#endif // CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+
+CV_CPU_OPTIMIZATION_NAMESPACE_END
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,135 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// For *.simd.hpp files, which are compiled for several processors: the types in here are those of one of them.
+
+#include "../opencv_versions.hpp"
+
+namespace cv { namespace rsackermann {
+
+CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
+
+namespace {
+
+#if CV_SIMD_64F
+
+template <class Number>
+struct VectorOf;
+template <>
+struct VectorOf<double>
+{
+    typedef v_float64 type;
+};
+template <>
+struct VectorOf<float>
+{
+    typedef v_float32 type;
+};
+
+inline v_float64 setAll(double x, double)
+{
+    return vx_setall_f64(x);
+}
+inline v_float32 setAll(double x, float)
+{
+    return vx_setall_f32(float(x));
+}
+
+//! As many numbers as a vector of the processor holds; the residuals are written for it and for double.
+template <class Number>
+struct PackOf
+{
+    typedef typename VectorOf<Number>::type Vector;
+    enum { COUNT = VTraits<Vector>::max_nlanes };
+
+    struct Mask
+    {
+        Vector v;
+    };
+
+    Vector v;
+
+    PackOf() {}
+    PackOf(const Vector& v_) : v(v_) {}
+    PackOf(double x) : v(setAll(x, Number())) {}
+
+    static PackOf load(const Number* p) { return vx_load(p); }
+    void store(Number* p) const { v_store(p, v); }
+    double sum() const { return v_reduce_sum(v); }
+
+    friend PackOf operator+(const PackOf& a, const PackOf& b) { return v_add(a.v, b.v); }
+    friend PackOf operator-(const PackOf& a, const PackOf& b) { return v_sub(a.v, b.v); }
+    friend PackOf operator*(const PackOf& a, const PackOf& b) { return v_mul(a.v, b.v); }
+    friend PackOf operator/(const PackOf& a, const PackOf& b) { return v_div(a.v, b.v); }
+    friend Mask operator<(const PackOf& a, const PackOf& b) { return Mask{v_lt(a.v, b.v)}; }
+    friend Mask operator>(const PackOf& a, const PackOf& b) { return Mask{v_gt(a.v, b.v)}; }
+    friend PackOf choose(const Mask& condition, const PackOf& a, const PackOf& b)
+    {
+        return v_select(condition.v, a.v, b.v);
+    }
+    friend bool isAnyTrue(const Mask& condition) { return v_check_any(condition.v); }
+    friend PackOf squareRoot(const PackOf& x) { return v_sqrt(x.v); }
+    friend PackOf magnitude(const PackOf& x) { return v_abs(x.v); }
+};
+
+#else
+
+//! One number, if the processor has no vectors of them.
+template <class Number>
+struct PackOf
+{
+    enum { COUNT = 1 };
+
+    typedef bool Mask;
+
+    Number v;
+
+    PackOf() {}
+    PackOf(double x) : v(Number(x)) {}
+
+    static PackOf load(const Number* p) { return PackOf(*p); }
+    void store(Number* p) const { *p = v; }
+    double sum() const { return v; }
+
+    friend PackOf operator+(const PackOf& a, const PackOf& b) { return PackOf(a.v + b.v); }
+    friend PackOf operator-(const PackOf& a, const PackOf& b) { return PackOf(a.v - b.v); }
+    friend PackOf operator*(const PackOf& a, const PackOf& b) { return PackOf(a.v * b.v); }
+    friend PackOf operator/(const PackOf& a, const PackOf& b) { return PackOf(a.v / b.v); }
+    friend bool operator<(const PackOf& a, const PackOf& b) { return a.v < b.v; }
+    friend bool operator>(const PackOf& a, const PackOf& b) { return a.v > b.v; }
+    friend PackOf choose(bool condition, const PackOf& a, const PackOf& b) { return condition ? a : b; }
+    friend PackOf squareRoot(const PackOf& x) { return PackOf(std::sqrt(x.v)); }
+    friend PackOf magnitude(const PackOf& x) { return PackOf(std::abs(x.v)); }
+};
+
+#endif
+
+//! The angles of a car's motion seldom leave the range of the series: one by one.
+template <class Number>
+void sincTerms(const PackOf<Number>& x, PackOf<Number>& sincX, PackOf<Number>& cosX, PackOf<Number>& slope)
+{
+    Number angles[PackOf<Number>::COUNT], s[PackOf<Number>::COUNT], c[PackOf<Number>::COUNT], d[PackOf<Number>::COUNT];
+    x.store(angles);
+    sincX.store(s);
+    cosX.store(c);
+    slope.store(d);
+    for (int i = 0; i < PackOf<Number>::COUNT; i++)
+        if (std::abs(angles[i]) > LARGEST_IN_SERIES)
+        {
+            double exactSinc, exactCos, exactSlope;
+            rsackermann::sincTerms(angles[i], exactSinc, exactCos, exactSlope);
+            s[i] = Number(exactSinc);
+            c[i] = Number(exactCos);
+            d[i] = Number(exactSlope);
+        }
+    sincX = PackOf<Number>::load(s);
+    cosX = PackOf<Number>::load(c);
+    slope = PackOf<Number>::load(d);
+}
+
+} // namespace
+
+CV_CPU_OPTIMIZATION_NAMESPACE_END
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,27 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_FEATURES_DETECTORS_HPP
+#define OPENCV_RSACKERMANN_SRC_FEATURES_DETECTORS_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! Throws cv::Exception with the name of the argument unless it is one of SegmentDetector.
+void checkDetector(int detector, const char* name);
+
+// Each takes a continuous CV_8UC1 image of its own with at least MIN_DETECTOR_SIZE rows and columns.
+
+//! The detectors' neighbourhoods don't fit into smaller images, which they don't all check.
+const int MIN_DETECTOR_SIZE = 16;
+
+//! @param scale by which the detector shrinks the image.
+void detectLSD(const Mat& gray, double scale, std::vector<Vec4f>& segments);
+void detectFLD(const Mat& gray, double minLength, std::vector<Vec4f>& segments);
+void detectEDLines(const Mat& gray, double minLength, std::vector<Vec4f>& segments);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_FEATURES_DETECTORS_HPP

@@ -1,0 +1,94 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../camera/rays.hpp"
+#include "frame_features.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const size_t MANY_POINTS = 80;    // if next to none of them was there before, it is another scene
+static const double LEAST_TRACKED = 0.3; // of the points that a frame has
+
+void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
+               std::vector<Sight>& sights)
+{
+    const double inFront = 0.1, unit = camera.secondsPerUnitTime();
+    if (!(unit > 0))
+        return;
+    std::vector<Point2d> pixels, rays;
+    for (size_t i = 0; i < pairs.size(); i++)
+    {
+        pixels.push_back(pairs[i].other);
+        pixels.push_back(pairs[i].now);
+    }
+    undistortedRays(camera, pixels, rays);
+    for (size_t i = 0; i < pairs.size(); i++)
+    {
+        const Vec3d a = camera.uprightRotation * Vec3d(rays[2 * i].x, rays[2 * i].y, 1);
+        const Vec3d b = camera.uprightRotation * Vec3d(rays[2 * i + 1].x, rays[2 * i + 1].y, 1);
+        if (!(a[2] > inFront && b[2] > inFront))
+            continue;
+        const Sight s = {Point2d(a[0] / a[2], a[1] / a[2]),
+                         Point2d(b[0] / b[2], b[1] / b[2]),
+                         camera.rowTime(pixels[2 * i]) - seconds / unit,
+                         camera.rowTime(pixels[2 * i + 1]),
+                         seconds > 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER,
+                         seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER,
+                         norm(pairs[i].now - pairs[i].other) < POINT_SIGMA};
+        if (std::abs(s.timeNow - s.timeOther) > FLT_EPSILON)
+            sights.push_back(s);
+    }
+}
+
+void FrameFeatures::reset()
+{
+    tracker.reset();
+    fineTracker.reset();
+}
+
+bool FrameFeatures::hasManyPoints() const
+{
+    return tracker.pointCount() > MANY_POINTS;
+}
+
+void FrameFeatures::setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed)
+{
+    reset();
+    sights.clear();
+    addSights(camera, tracked, passed, sights);
+}
+
+void FrameFeatures::track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
+                          const GrayFrame& next)
+{
+    sights.clear();
+    fineSights.clear();
+    if (frame.gray.empty())
+        return;
+    const double ahead = next.seconds - frame.seconds;
+    const bool hasNext = !next.gray.empty() && ahead != 0 && std::abs(ahead) < LONGEST_INTERVAL;
+    follow(camera, tracker, frame, passed, hasNext ? &next : 0, sights);
+    // A recorded drive has the time for it. In small images it would be the same points.
+    if (hasNext && frame.gray.total() > COARSE_PIXELS)
+        follow(camera, fineTracker, frame, passed, &next, fineSights);
+    else
+        fineTracker.reset();
+}
+
+// Between frames of different scenes some points find something that looks like them.
+void FrameFeatures::follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame,
+                           double passed, const GrayFrame* next, std::vector<Sight>& found)
+{
+    points.track(frame.gray, frame.scale, pairs);
+    if (pairs.size() >= LEAST_TRACKED * points.pointCount())
+        addSights(camera, pairs, passed, found);
+    if (!next)
+        return;
+    points.trackNext(next->gray, pairs);
+    if (pairs.size() >= LEAST_TRACKED * points.pointCount())
+        addSights(camera, pairs, frame.seconds - next->seconds, found);
+}
+
+}} // namespace cv::rsackermann

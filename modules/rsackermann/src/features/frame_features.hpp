@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_FEATURES_FRAME_FEATURES_HPP
+#define OPENCV_RSACKERMANN_SRC_FEATURES_FRAME_FEATURES_HPP
+
+#include "../motion/sequence_values.hpp"
+#include "point_tracker.hpp"
+#include "upright_segment.hpp"
+
+namespace cv { namespace rsackermann {
+
+const double LONGEST_INTERVAL = 1; //!< seconds between two frames of one scene
+const size_t LEAST_POINTS = 20;
+const double POINT_SIGMA = 1.5; //!< pixels by which points of the scene miss its planes
+
+//! A tracked point as upright bearings with z = 1, and the row times at which it was seen, from the present reference
+//! row.
+struct Sight
+{
+    Point2d other, now;
+    double timeOther, timeNow;
+    int pitch, roll; // the turns of the other frame, among FLOW_VALUES
+    bool isStill;    // at the same place of both images, to POINT_SIGMA
+};
+
+/** Adds the sights of points; none without a line delay.
+@param seconds from the other frame's reference row to the present one; negative if the other frame comes after. */
+void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
+               std::vector<Sight>& sights);
+
+//! A frame in 8 bit grey, smaller by scale; empty: points aren't tracked in it.
+struct GrayFrame
+{
+    Mat gray;
+    int scale;
+    double seconds; // time of its reference row
+
+    GrayFrame() : scale(1), seconds(0) {}
+    GrayFrame(const Mat& gray_, int scale_, double seconds_) : gray(gray_), scale(scale_), seconds(seconds_) {}
+};
+
+//! What a frame of a sequence shows: points that are seen in its neighbours as well, and candidates for verticals.
+class FrameFeatures
+{
+public:
+    std::vector<Sight> sights, fineSights; // those of the fit, and of the relief if there is time for more
+    std::vector<UprightSegment> verticals, others;
+
+    FrameFeatures() : tracker(COARSE_PIXELS), fineTracker(FINE_PIXELS) {}
+
+    /** Tracks points in the frame before, if that belongs to the same scene, and in the one after.
+    @param passed seconds since the frame before.
+    @param next empty if it isn't known. */
+    void track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
+               const GrayFrame& next = GrayFrame());
+
+    //! Points that somebody else has tracked in the frame before: images of other frames don't count any more.
+    void setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed);
+
+    //! @param segments N x 4, CV_64F.
+    void setSegments(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const Mat& segments)
+    {
+        selectCandidates(segments, camera, params, verticals, others);
+    }
+
+    //! Whether there is so much to track that next to nothing of it means another scene.
+    bool hasManyPoints() const;
+
+    //! The next frame belongs to another sequence.
+    void reset();
+
+private:
+    void follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame, double passed,
+                const GrayFrame* next, std::vector<Sight>& found);
+
+    PointTracker tracker, fineTracker;
+    std::vector<PointPair> pairs;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_FEATURES_FRAME_FEATURES_HPP

@@ -1,0 +1,136 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "opencv2/imgproc.hpp"
+#include "opencv2/video/tracking.hpp"
+#include "point_tracker.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const int WINDOW = 11;       // pixels, of the tracker
+static const int LEVELS = 4;        // of the pyramid, besides the image itself
+static const int CELL = 8;          // pixels of the halved image; each cell has one point at most
+static const double TEXTURE = 4e-4; // least of cornerMinEigenVal for grey values from 0 to 1
+static const double RETURN = 0.3;   // pixels by which a point that is followed back may miss its origin
+
+double PointTracker::reach(const Size& imageSize, size_t maxPixels)
+{
+    const double gradient = 1; // pixels to each side
+    Size size = imageSize;
+    int scale = 1;
+    for (; size_t(size.area()) > maxPixels; scale *= 2)
+        size = Size(size.width / 2, size.height / 2);
+    return (0.5 * WINDOW + gradient) * scale;
+}
+
+void PointTracker::reset()
+{
+    now.clear();
+}
+
+// The point with the most texture of each cell.
+void PointTracker::findPoints(const Mat& gray)
+{
+    points.clear();
+    if (gray.cols < 2 || gray.rows < 2)
+        return;
+    resize(gray, half, Size(gray.cols / 2, gray.rows / 2), 0, 0, INTER_AREA);
+    cornerMinEigenVal(half, response, 3);
+    for (int y = 0; y < half.rows; y += CELL)
+        for (int x = 0; x < half.cols; x += CELL)
+        {
+            const Rect cell = Rect(x, y, CELL, CELL) & Rect(1, 1, half.cols - 2, half.rows - 2);
+            if (cell.empty())
+                continue;
+            double most;
+            Point place;
+            minMaxLoc(response(cell), 0, &most, 0, &place);
+            if (most > TEXTURE)
+                points.push_back(2 * Point2f(place + cell.tl()) + Point2f(0.5f, 0.5f));
+        }
+}
+
+int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image)
+{
+    int halvings = 0;
+    image = gray;
+    for (; image.total() > maxPixels; halvings++)
+    {
+        Mat& target = smaller[halvings % 2];
+        resize(image, target, Size(std::max(image.cols / 2, 1), std::max(image.rows / 2, 1)), 0, 0, INTER_AREA);
+        image = target;
+    }
+    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), LEVELS, true, BORDER_REFLECT_101,
+                                     BORDER_CONSTANT, false);
+    return halvings;
+}
+
+/* Where the displacement is that of the point's window. The tracker minimizes the squares of differences of intensity,
+so that the displacements of its pixels, d + a (x - centre) in what comes nearer, count with the matrix g g^T of the
+gradient g: it finds d for centre = (sum g g^T)^-1 sum g g^T x. */
+Point2f PointTracker::centreOf(const Point2f& point) const
+{
+    const Mat& gradients = now[1];
+    const Rect window = Rect(cvFloor(point.x) - WINDOW / 2, cvFloor(point.y) - WINDOW / 2, WINDOW + 1, WINDOW + 1) &
+                        Rect(Point(), gradients.size());
+    Matx22d sum = Matx22d::eye() * 1e-9; // there may be no texture
+    Vec2d moment;
+    for (int y = window.y; y < window.br().y; y++)
+        for (int x = window.x; x < window.br().x; x++)
+        {
+            const Vec2d gradient = gradients.at<Vec2s>(y, x);
+            const Matx22d weight = gradient * gradient.t();
+            sum += weight;
+            moment += weight * Vec2d(x - point.x, y - point.y);
+        }
+    const Vec2d offset = sum.inv() * moment;
+    return point + Point2f(float(offset[0]), float(offset[1]));
+}
+
+// The points that are found in another image, from where they are followed back.
+void PointTracker::follow(const std::vector<Mat>& to, std::vector<PointPair>& pairs)
+{
+    pairs.clear();
+    if (points.empty() || to.empty() || now[0].size() != to[0].size())
+        return;
+    const Size window(WINDOW, WINDOW);
+    const TermCriteria criteria(TermCriteria::COUNT + TermCriteria::EPS, 10, 0.03);
+    calcOpticalFlowPyrLK(now, to, points, there, found, error, window, levels, criteria);
+    returned = points;
+    calcOpticalFlowPyrLK(to, now, there, returned, foundAgain, error, window, 1, criteria, OPTFLOW_USE_INITIAL_FLOW);
+    const double shift = (scale - 1) / 2.; // centre of the first pixel of the small image
+    const Point2d origin(shift, shift);
+    const Rect2d inside(0, 0, now[0].cols - 1, now[0].rows - 1);
+    for (size_t i = 0; i < points.size(); i++)
+    {
+        if (!found[i] || !foundAgain[i] || norm(returned[i] - points[i]) >= RETURN)
+            continue;
+        const Point2d centre = centreOf(points[i]), other = centre + Point2d(there[i] - points[i]);
+        // Texture in nearly one direction alone doesn't tell it.
+        if (2 * norm(centre - Point2d(points[i])) > WINDOW || !inside.contains(centre))
+            continue;
+        const PointPair pair = {other * scale + origin, centre * scale + origin};
+        pairs.push_back(pair);
+    }
+}
+
+void PointTracker::track(const Mat& gray, int scale_, std::vector<PointPair>& pairs)
+{
+    std::swap(before, now);
+    Mat image;
+    scale = scale_ << makePyramid(gray, now, image);
+    findPoints(image);
+    follow(before, pairs);
+}
+
+void PointTracker::trackNext(const Mat& gray, std::vector<PointPair>& pairs)
+{
+    // Its place is that of the image before, which has been used; track() will make it again.
+    Mat image;
+    makePyramid(gray, before, image);
+    follow(before, pairs);
+}
+
+}} // namespace cv::rsackermann

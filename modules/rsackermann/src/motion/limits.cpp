@@ -1,0 +1,49 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "limits.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const double LARGEST_RATIO = 20;  // of the walls' distances
+static const double LARGEST_TILT = 0.3;  // radians, of the corrections of gravity
+static const double SLANTS_OF_SPEED = 4; // largest slants that the scaled speed may be without metric limits
+
+MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+{
+    maxAlpha = params.maxSlant / 2;
+    maxScaledSpeed = maxRightScaledSpeed = SLANTS_OF_SPEED * params.maxSlant;
+    const double unit = camera.secondsPerUnitTime();
+    areMetric = unit > 0 && params.wallDistance > 0;
+    if (unit > 0)
+    {
+        maxAlpha = std::min(maxAlpha, params.maxYawRate * unit / 2);
+        if (params.wallDistance > 0)
+            maxScaledSpeed = std::min(maxScaledSpeed, params.maxSpeed * unit / params.wallDistance);
+    }
+}
+
+// One wall, or two whose distances aren't worlds apart.
+static bool isPlausibleRatio(double lambda)
+{
+    return lambda == 0 || (lambda >= 1 / LARGEST_RATIO && lambda <= LARGEST_RATIO);
+}
+
+bool MotionLimits::allow(const Model& m) const
+{
+    const double speed = std::hypot(m[P_B], m[P_D]);
+    return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxScaledSpeed && isPlausibleRatio(m[P_LAMBDA]) &&
+           m[P_LAMBDA] * speed <= maxRightScaledSpeed && std::abs(m[P_ROLL]) < LARGEST_TILT &&
+           std::abs(m[P_PITCH]) < LARGEST_TILT;
+}
+
+double MotionLimits::maxSlant(double x, double heading) const
+{
+    const double turning = 2 * maxAlpha * (1 + x * x);
+    const double passing = maxScaledSpeed * std::sqrt(1 + x * x) * std::abs(std::sin(heading) - x * std::cos(heading));
+    return turning + passing;
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,47 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_MOTION_SEQUENCE_VALUES_HPP
+#define OPENCV_RSACKERMANN_SRC_MOTION_SEQUENCE_VALUES_HPP
+
+#include "model.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! The state of a drive, from one frame to the next. Lengths are metres if the camera's height is told, and near to
+//! that if not.
+enum DriveValue {
+    DRIVE_YAW_RATE,  //!< rad/s
+    DRIVE_SPEED,     //!< m/s, negative in reverse
+    DRIVE_DIRECTION, //!< azimuth along the walls in the upright frame, radians
+    DRIVE_LEFT,      //!< inverse distance of the left wall, 1/m; 0: none
+    DRIVE_RIGHT,     //!< the same of the right wall
+    DRIVE_ROAD,      //!< inverse height of the camera above the road, 1/m
+    DRIVE_ROLL,      //!< corrections of gravity, radians
+    DRIVE_PITCH,
+    DRIVE_VALUES
+};
+
+/** The state of a drive, and the differences of other frames from the present one: the change of the yaw rate, and
+turns about the other axes from the frame before and to the frame after. */
+enum {
+    FLOW_YAW_CHANGE = DRIVE_VALUES, //!< rad/s^2
+    FLOW_PITCH_BEFORE,
+    FLOW_ROLL_BEFORE,
+    FLOW_PITCH_AFTER,
+    FLOW_ROLL_AFTER,
+    FLOW_VALUES
+};
+
+typedef Vec<double, DRIVE_VALUES> DriveVector;
+typedef Matx<double, DRIVE_VALUES, DRIVE_VALUES> DriveMatrix;
+
+/** The motion during one image in units of row time.
+@param unit seconds per unit of row time.
+@param jacobian receives, unless it is null, the derivatives by the values. */
+Model toModel(const DriveVector& value, double unit, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_MOTION_SEQUENCE_VALUES_HPP

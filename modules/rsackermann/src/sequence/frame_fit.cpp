@@ -1,0 +1,221 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "frame_fit.hpp"
+#include "frame_terms.hpp"
+#include "../optim/levenberg_marquardt.hpp"
+#include "../optim/normal_equations.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const int STEPS = 10; // at each scale
+
+std::vector<Sight> withoutOwnCar(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
+                                 const double* values)
+{
+    const FlowResidual residual(camera);
+    std::vector<Sight> kept;
+    for (size_t i = 0; i < sights.size(); i++)
+    {
+        const Point2d r = residual.evaluate(sights[i], values, 0) / POINT_SIGMA;
+        if (!isOfOwnCar(sights[i], r.dot(r)))
+            kept.push_back(sights[i]);
+    }
+    return kept;
+}
+
+namespace {
+
+typedef NormalEquations<FLOW_VALUES> FlowEquations;
+typedef FlowEquations::Vector Unknowns;
+typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
+
+struct Minimum
+{
+    Unknowns at;
+    FlowEquations equations;
+};
+
+class DriveProblem
+{
+public:
+    typedef Unknowns State;
+    typedef Unknowns Step;
+    typedef FlowEquations Equations;
+
+    DriveProblem(const RollingShutterCamera& camera, const std::vector<Sight>& sights_,
+                 const std::vector<UprightSegment>& verticals_, const DriveState& prediction)
+        : sights(sights_), residual(camera), verticals(verticals_),
+          pointWeights(sights_.size(), Matx22d::eye() * (1 / POINT_SIGMA)), slantWeights(verticals_.size(), 1.),
+          heading(camera.heading), unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0)), scale(1)
+    {
+        Matx<double, FLOW_VALUES, FLOW_VALUES> covariance =
+            Matx<double, FLOW_VALUES, FLOW_VALUES>::eye() * (TURN_SIGMA * TURN_SIGMA);
+        covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
+        expected.setZero();
+        for (int i = 0; i < DRIVE_VALUES; i++)
+        {
+            expected[i] = prediction.value[i];
+            for (int j = 0; j < DRIVE_VALUES; j++)
+                covariance(i, j) = prediction.covariance(i, j);
+        }
+        prior = scaledInverse<FlowEquations::Matrix>(Eigen::Map<FlowEquations::Matrix>(covariance.val));
+    }
+
+    double pointCost(const Unknowns& u) const
+    {
+        FlowEquations equations;
+        addPoints(u, equations);
+        return equations.cost;
+    }
+
+    // With ever less tolerance for points that disagree. Without tolerance from the beginning it finds what is next to
+    // the start.
+    Minimum refine(const Unknowns& start, bool isTolerant)
+    {
+        Minimum m;
+        m.at = start;
+        for (double s : {8., 3., 1.})
+        {
+            scale = s;
+            if (isTolerant || s == 1)
+                minimize(*this, MinimizerOptions(STEPS, 1e-3), m.at, m.equations);
+        }
+        return m;
+    }
+
+    void evaluate(const Unknowns& u, FlowEquations& equations) const
+    {
+        equations.cost = (u - expected).dot(prior * (u - expected));
+        equations.gradient = prior * (u - expected);
+        equations.information = prior;
+        addPoints(u, equations);
+        addVerticals(u, equations);
+    }
+
+    static Unknowns moved(Unknowns u, const Unknowns& step)
+    {
+        u += step;
+        for (int i = DRIVE_LEFT; i <= DRIVE_ROAD; i++)
+            u[i] = std::max(u[i], 0.);
+        return u;
+    }
+
+    static bool allows(const Unknowns&) { return true; }
+
+    const std::vector<Sight>& sights;
+    const FlowResidual residual;
+
+private:
+    void addPoints(const Unknowns& u, FlowEquations& equations) const
+    {
+        rsackermann::addPoints<FLOW_VALUES>(
+            sights, pointWeights, scale,
+            [&](const Sight& s, FlowGradient& J) { return residual.evaluate(s, u.data(), J.data()); }, equations);
+    }
+
+    void addVerticals(const Unknowns& u, FlowEquations& equations) const
+    {
+        typedef NormalEquations<PARAMETERS> ModelEquations;
+        Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+        const PreparedModel model(toModel(DriveVector(u.data()), unit, &byValues), heading);
+        // Summed in the parameters of a model first, of which there are fewer.
+        ModelEquations sums;
+        rsackermann::addVerticals<PARAMETERS>(
+            verticals, slantWeights, SLANT_SCALE,
+            [&](const UprightSegment& c, Eigen::Matrix<double, PARAMETERS, 1>& J) {
+                return slantInSigmas(c, model, focal, J.data());
+            },
+            sums);
+        const Eigen::Map<Eigen::Matrix<double, DRIVE_VALUES, PARAMETERS>> J(byValues.val);
+        equations.cost += sums.cost;
+        equations.gradient.head<DRIVE_VALUES>() += J * sums.gradient;
+        equations.information.topLeftCorner<DRIVE_VALUES, DRIVE_VALUES>() += J * sums.symmetric() * J.transpose();
+    }
+
+    const std::vector<UprightSegment>& verticals;
+    std::vector<Matx22d> pointWeights;
+    std::vector<double> slantWeights;
+    Heading heading;
+    double unit, focal, scale; // scale: of the points' loss, in sigmas
+    Unknowns expected;
+    FlowEquations::Matrix prior;
+};
+
+// The share of the displacement that is left, as the points show it; those that don't move with the scene don't count.
+// Returns the share of all points that agree.
+double expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveFit& fit)
+{
+    size_t count = 0, others = 0;
+    double displacement = 0, missed = 0;
+    for (size_t i = 0; i < problem.sights.size(); i++)
+    {
+        const Sight& s = problem.sights[i];
+        const double left = norm(problem.residual.evaluate(s, u.data(), 0));
+        if (!(left < AGREES * POINT_SIGMA))
+        {
+            others += !s.isStill; // what stands still is of the car itself
+            continue;
+        }
+        count++;
+        displacement += FlowResidual::shutterPart(s) * focal * norm(s.now - s.other);
+        missed += FlowResidual::shutterPart(s) * left;
+    }
+    fit.agreeing = count > 0 ? double(count) / double(count + others) : 0;
+    fit.left = displacement > 0 ? missed / displacement : 1;
+    // A motion has to explain more than its unknowns would by chance.
+    const int unknowns = 6;
+    Unknowns still = u;
+    still[DRIVE_YAW_RATE] = still[DRIVE_SPEED] = 0;
+    fit.moves = problem.pointCost(still) - problem.pointCost(u) > 2 * unknowns;
+    return problem.sights.empty() ? 0 : double(count) / double(problem.sights.size());
+}
+
+} // namespace
+
+DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
+                  const std::vector<UprightSegment>& verticals, const DriveState& prediction, bool isVague)
+{
+    const double enough = 0.5; // of the points agree
+    DriveProblem problem(camera, sights, verticals, prediction);
+    DriveFit fit(prediction);
+    Unknowns u = Unknowns::Zero();
+    for (int i = 0; i < DRIVE_VALUES; i++)
+        u[i] = prediction.value[i];
+    Minimum best = problem.refine(u, true);
+    if (!isVague)
+    {
+        // What doesn't move with the scene may lead astray from where it was.
+        const Minimum nearby = problem.refine(u, false);
+        if (nearby.equations.cost < best.equations.cost)
+            best = nearby;
+    }
+    const double share = expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
+    if (isVague || share < enough)
+    {
+        const double speeds[] = {0, 10, 10, -3}, walls[] = {0.1, 0.2, 0.08, 0.1}; // m/s, 1/m
+        for (int i = 0; i < 4; i++)
+        {
+            Unknowns start = u;
+            start[DRIVE_SPEED] = speeds[i];
+            start[DRIVE_LEFT] = start[DRIVE_RIGHT] = walls[i];
+            const Minimum other = problem.refine(start, true);
+            if (other.equations.cost < best.equations.cost)
+                best = other;
+        }
+        expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
+    }
+    std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
+    const FlowEquations::Matrix covariance = scaledInverse(best.equations.symmetric());
+    for (int i = 0; i < DRIVE_VALUES; i++)
+    {
+        fit.state.value[i] = best.at[i];
+        for (int j = 0; j < DRIVE_VALUES; j++)
+            fit.state.covariance(i, j) = covariance(i, j);
+    }
+    return fit;
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,35 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_FIT_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_FIT_HPP
+
+#include "../factors/flow_residual.hpp"
+#include "sequence_state.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! The evidence of a frame of a drive.
+struct DriveFit
+{
+    DriveState state;           //!< prediction and frame together
+    double values[FLOW_VALUES]; //!< state and turns
+    bool moves;                 //!< whether the points tell the motion from a camera at rest
+    double left;     //!< by which part of their displacement in the raw image the points that agree miss the motion
+    double agreeing; //!< share of the points that agree with the motion, without those on the car itself
+
+    explicit DriveFit(const DriveState& prediction) : state(prediction), values(), moves(false), left(1), agreeing(0) {}
+};
+
+/** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to
+the verticals of the present one, together with the state of the frames before (doc/theory.md, "Sequence").
+@param prediction of the state at the present frame.
+@param isVague whether the prediction is hardly more than the usual values: motions that differ from it are tried, too.
+*/
+DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
+                  const std::vector<UprightSegment>& verticals, const DriveState& prediction, bool isVague);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_FIT_HPP

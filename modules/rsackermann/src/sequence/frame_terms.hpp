@@ -1,0 +1,93 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_TERMS_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_TERMS_HPP
+
+#include "../factors/robust_losses.hpp"
+#include "../factors/vertical_residual.hpp"
+#include "frame_fit.hpp"
+#include <Eigen/Core>
+
+namespace cv { namespace rsackermann {
+
+// How the residuals of points and verticals are weighed; doc/theory.md, "Sequence", has the reasons.
+const double AGREES = 4;           //!< sigmas by which a point of the scene may miss its planes
+const double POINT_DEPENDENCE = 5; //!< neighbouring points err together
+const double END_SIGMA = 0.5;      //!< pixels, of a vertical's slant in the image
+const double SLANT_SCALE = 2;      //!< of the robust loss, in sigmas
+const double SLANT_DEPENDENCE = 5; //!< verticals of one facade err together
+//! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
+const double DEVIATION_SIGMA = 0.03;
+const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars steer usually: two frames hardly tell it
+const double TURN_SIGMA = 0.5 * CV_PI / 180;     //!< of pitch and roll from frame to frame
+
+//! Whether a point is seen on the car itself: it stands still where the scene moves. @param squared its residual, in
+//! sigmas.
+inline bool isOfOwnCar(const Sight& sight, double squared)
+{
+    return sight.isStill && squared > AGREES * AGREES;
+}
+
+//! Those that aren't seen on the car itself. @param values FLOW_VALUES of them.
+std::vector<Sight> withoutOwnCar(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
+                                 const double* values);
+
+/** Slant of a vertical that the motion should have made upright, and its derivatives, in sigmas.
+@param plane receives the one of Scene that it is on. */
+inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model, double focal, double* jacobian,
+                            int& plane)
+{
+    const double length = norm(c.u - c.v), sigma = std::hypot(USUAL_LEAN * length, END_SIGMA / focal);
+    const double r = verticalResidual(c, model, plane, jacobian);
+    for (int i = 0; i < PARAMETERS && jacobian; i++)
+        jacobian[i] /= sigma;
+    return r / sigma;
+}
+inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model, double focal, double* jacobian)
+{
+    int plane;
+    return slantInSigmas(c, model, focal, jacobian, plane);
+}
+
+/** Adds the residuals of points to normal equations.
+@param weights by which residuals are multiplied: symmetric.
+@param evaluate returns the residual of a sight and sets its derivatives, a row for each unknown. */
+template <int UNKNOWNS, class Evaluate, class Equations>
+void addPoints(const std::vector<Sight>& sights, const std::vector<Matx22d>& weights, double scale,
+               const Evaluate& evaluate, Equations& equations)
+{
+    const CauchyLoss loss(scale, 1 / POINT_DEPENDENCE);
+    for (size_t i = 0; i < sights.size(); i++)
+    {
+        Eigen::Matrix<double, UNKNOWNS, 2> J;
+        const Point2d r = evaluate(sights[i], J);
+        const Eigen::Map<const Eigen::Matrix2d> weight(weights[i].val);
+        const Eigen::Vector2d weighed = weight * Eigen::Vector2d(r.x, r.y);
+        if (isOfOwnCar(sights[i], r.dot(r) / (POINT_SIGMA * POINT_SIGMA)))
+            equations.cost += loss.cost(AGREES * AGREES);
+        else if (FlowResidual::isBehind(r))
+            equations.cost += loss.cost(weighed.squaredNorm());
+        else
+            equations.add((J * weight).eval(), weighed, loss);
+    }
+}
+
+//! The same for verticals, whose residuals are slantInSigmas().
+template <int UNKNOWNS, class Evaluate, class Equations>
+void addVerticals(const std::vector<UprightSegment>& verticals, const std::vector<double>& weights, double scale,
+                  const Evaluate& evaluate, Equations& equations)
+{
+    const CauchyLoss loss(scale, 1 / SLANT_DEPENDENCE);
+    for (size_t i = 0; i < verticals.size(); i++)
+    {
+        Eigen::Matrix<double, UNKNOWNS, 1> J;
+        const Eigen::Matrix<double, 1, 1> r(weights[i] * evaluate(verticals[i], J));
+        equations.add((weights[i] * J).eval(), r, loss);
+    }
+}
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_TERMS_HPP

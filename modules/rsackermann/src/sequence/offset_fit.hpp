@@ -1,0 +1,22 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_OFFSET_FIT_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_OFFSET_FIT_HPP
+
+#include "frame_fit.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** Finds by how much the scene deviates from the planes of a motion: what the points miss them by (doc/theory.md,
+"Inverse-depth offset").
+@param sights points, those of the fit or others.
+@param values of the fit, FLOW_VALUES of them.
+@param motion that of the fit; receives the relief. It stays without one if there are too few points. */
+void fitRelief(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const double* values,
+               AckermannMotion& motion);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_OFFSET_FIT_HPP

@@ -1,0 +1,187 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../single/inliers_and_scale.hpp"
+#include "../single/displacement_field.hpp"
+#include "sequence_estimator.hpp"
+#include "offset_fit.hpp"
+
+namespace cv { namespace rsackermann {
+
+DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
+                               const Ptr<AckermannEstimator>& single_)
+    : camera(camera_), params(params_), single(single_), filter(camera_, params_), last(filter.state),
+      seen(std::numeric_limits<double>::quiet_NaN())
+{
+}
+
+void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
+{
+    // Its uncertainty is that of gravity.
+    const bool isSameGravity = camera_.uprightRotation == camera.uprightRotation &&
+                               params_.gravitySigma == params.gravitySigma &&
+                               params_.vehiclePitchSigma == params.vehiclePitchSigma;
+    const int kept = isSameGravity ? DRIVE_VALUES : DRIVE_ROLL;
+    const DriveState before = filter.state;
+    camera = camera_;
+    params = params_;
+    filter.state = DriveState(camera, params);
+    for (int i = 0; i < kept; i++)
+    {
+        filter.state.value[i] = before.value[i];
+        for (int j = 0; j < kept; j++)
+            filter.state.covariance(i, j) = before.covariance(i, j);
+    }
+}
+
+void DriveEstimator::reset()
+{
+    features.reset();
+    filter.hasFrame = false;
+    forget();
+}
+
+void DriveEstimator::forget()
+{
+    filter.forget(camera, params);
+    seen = std::numeric_limits<double>::quiet_NaN();
+}
+
+AckermannMotion DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                                         const MotionPrior& prior, Mat& labels)
+{
+    AckermannMotion motion;
+    if (estimateFromPoints(frame, next, segments, prior, motion, labels))
+        return motion;
+    motion = estimateAlone(segments, prior, labels);
+    if (motion.status == MOTION_TOO_FEW_SEGMENTS)
+        expectMotion(prior, motion, labels);
+    return motion;
+}
+
+// Returns whether there were points to go by.
+bool DriveEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                                        const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
+{
+    const double passed = frame.seconds - filter.time;
+    if (!filter.isFollowedBy(frame.seconds))
+        reset();
+    const bool follows = filter.advance(frame.seconds, camera, params);
+    const bool isTimed = camera.isRowShutter() && camera.secondsPerUnitTime() > 0;
+    features.track(camera, isTimed ? frame : GrayFrame(), passed, next);
+    filter.state.measure(prior);
+    if (features.sights.size() < LEAST_POINTS)
+    {
+        if (follows && features.hasManyPoints())
+            forget();
+        return false;
+    }
+    features.setSegments(camera, params, segments);
+    if (!filter.update(features, camera, params, last))
+    {
+        forget();
+        return false;
+    }
+    seen = filter.time;
+    const std::vector<UprightSegment>& verticals = features.verticals;
+    labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
+    for (size_t i = 0; i < verticals.size(); i++)
+        labels.at<uchar>(verticals[i].index) = SEGMENT_OUTLIER;
+    report(last, verticals, prior, motion, labels);
+    const std::vector<Sight>& fine = features.fineSights;
+    if (motion.status == MOTION_OK)
+        fitRelief(camera, fine.size() < LEAST_POINTS ? features.sights : fine, last.values, motion);
+    return true;
+}
+
+// Points aren't spread as pixels are: they show the share of the displacement that is left.
+Model DriveEstimator::predictDisplacement(const DriveFit& fit, AckermannMotion& motion) const
+{
+    const double unit = camera.secondsPerUnitTime();
+    Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+    const DriveVector& value = fit.state.value;
+    const Model model = toModel(value, unit, &byValues);
+    const double G = value[DRIVE_SPEED] * unit * value[DRIVE_ROAD];
+    Matx<double, 1, DRIVE_VALUES> roadByValues;
+    roadByValues(0, DRIVE_SPEED) = unit * value[DRIVE_ROAD];
+    roadByValues(0, DRIVE_ROAD) = unit * value[DRIVE_SPEED];
+    const DisplacementField field(camera);
+    DisplacementField::Values displacement;
+    DisplacementField::Variances variances;
+    field.displacement(model, G, displacement);
+    field.variance(model, G, (roadByValues * fit.state.covariance * roadByValues.t())(0),
+                   byValues * fit.state.covariance * byValues.t(), variances);
+    motion.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
+    const double unknown = DisplacementField::meanDistance(displacement, displacement, variances);
+    motion.expectedResidual = std::hypot(unknown, motion.expectedRaw * fit.left);
+    return model;
+}
+
+void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
+                            AckermannMotion& motion, Mat& labels) const
+{
+    motion.candidates = int(verticals.size());
+    const Model model = predictDisplacement(fit, motion);
+    if (!fit.moves || !(motion.expectedResidual < motion.expectedRaw))
+    {
+        motion.expectedResidual = motion.expectedRaw;
+        return;
+    }
+    motion.status = MOTION_OK;
+    fit.state.toMotion(camera.secondsPerUnitTime(), motion);
+    // A longer lens sees less of a turn.
+    const double change = motion.alpha * camera.focalSigma / camera.cameraMatrix(0, 0);
+    motion.covariance(0, 0) += change * change;
+    motion.model = DisplacementField(camera).mainMotion(model, motion.roadSlope);
+    const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, USUAL_LEAN};
+    labelInliers(verticals, model, camera.heading, agreement, motion, labels);
+    if (!setToldScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
+    {
+        motion.scale = SCALE_ROAD;
+        const bool hasLeft = fit.state.value[DRIVE_LEFT] > 0;
+        motion.wallDistance = 1 / std::max(fit.state.value[hasLeft ? DRIVE_LEFT : DRIVE_RIGHT], double(FLT_EPSILON));
+    }
+}
+
+// The motion that the frames of the last second let expect of the present one; changed only if one is expected and
+// helps.
+void DriveEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
+{
+    if (!(std::abs(filter.time - seen) < LONGEST_INTERVAL))
+        return;
+    DriveFit expected = last;
+    expected.state = filter.state;
+    AckermannMotion result;
+    report(expected, std::vector<UprightSegment>(), prior, result, labels);
+    if (result.status != MOTION_OK)
+        return;
+    result.candidates = motion.candidates;
+    motion = result;
+}
+
+// From the image alone, with the yaw rate of the frames before, and for the frames after.
+AckermannMotion DriveEstimator::estimateAlone(const Mat& segments, MotionPrior prior, Mat& labels)
+{
+    DriveState& state = filter.state;
+    if (!filter.isVague)
+    {
+        // A given yaw rate is in the state already.
+        prior.yawRate = state.value[DRIVE_YAW_RATE];
+        prior.yawRateSigma = std::sqrt(state.covariance(DRIVE_YAW_RATE, DRIVE_YAW_RATE));
+    }
+    const AckermannMotion motion = single->estimate(segments, labels, prior);
+    double yawRate;
+    // An unknown gravity misleads all frames in the same way: they can't confirm one another.
+    if (params.gravitySigma > 0 || motion.status != MOTION_OK || !motion.yawRate(camera, yawRate))
+        return motion;
+    filter.isVague = false;
+    state.value[DRIVE_YAW_RATE] = yawRate;
+    for (int i = 0; i < DRIVE_VALUES; i++)
+        state.covariance(DRIVE_YAW_RATE, i) = state.covariance(i, DRIVE_YAW_RATE) = 0;
+    state.covariance(DRIVE_YAW_RATE, DRIVE_YAW_RATE) = motion.metricCovariance(camera)(0, 0);
+    return motion;
+}
+
+}} // namespace cv::rsackermann

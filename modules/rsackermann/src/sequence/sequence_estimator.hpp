@@ -1,0 +1,58 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_ESTIMATOR_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_ESTIMATOR_HPP
+
+#include "sequence_filter.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! The estimate from consecutive frames (doc/theory.md, "Sequence").
+class DriveEstimator
+{
+public:
+    //! @param single estimates motions of frames that have nothing to do with their neighbours; of the same camera and
+    //! parameters.
+    DriveEstimator(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                   const Ptr<AckermannEstimator>& single);
+
+    //! The same drive, with another gravity or other parameters.
+    void set(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+
+    /** Goes on to the next frame and estimates its motion: from points that are seen in the frame before or in the one
+    after if there are some, else from the image alone and, if that shows nothing either, from the frames of the last
+    second.
+    @param frame the image; a frame that was taken before the last one is as good.
+    @param next the image after it, if that is known.
+    @param segments of the image, N x 4, CV_64F.
+    @param labels receives a #SegmentLabel for each segment. */
+    AckermannMotion estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                             const MotionPrior& prior, Mat& labels);
+
+    //! The next frame belongs to another sequence.
+    void reset();
+
+private:
+    bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
+    AckermannMotion estimateAlone(const Mat& segments, MotionPrior prior, Mat& labels);
+    void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
+    void forget();
+    Model predictDisplacement(const DriveFit& fit, AckermannMotion& motion) const;
+    void report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
+                AckermannMotion& motion, Mat& labels) const;
+
+    RollingShutterCamera camera;
+    AckermannEstimator::Params params;
+    Ptr<AckermannEstimator> single;
+    FrameFeatures features;
+    SequenceFilter filter;
+    DriveFit last; // whose points showed the motion
+    double seen;   // time of that; not finite if there is none
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_ESTIMATOR_HPP

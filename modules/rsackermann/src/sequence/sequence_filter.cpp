@@ -1,0 +1,50 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "sequence_filter.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const double LEAST_AGREEING = 0.3; // share of the points; with fewer of them it is another scene
+
+bool SequenceFilter::isFollowedBy(double seconds) const
+{
+    return hasFrame && seconds != time && std::abs(seconds - time) < LONGEST_INTERVAL;
+}
+
+bool SequenceFilter::advance(double seconds, const RollingShutterCamera& camera,
+                             const AckermannEstimator::Params& params)
+{
+    const bool follows = isFollowedBy(seconds);
+    if (follows)
+        state.predict(std::abs(seconds - time));
+    else
+        forget(camera, params);
+    time = seconds;
+    hasFrame = true;
+    return follows;
+}
+
+bool SequenceFilter::update(const FrameFeatures& frame, const RollingShutterCamera& camera,
+                            const AckermannEstimator::Params& params, DriveFit& fit)
+{
+    fit = fitDrive(camera, frame.sights, frame.verticals, state, isVague);
+    if (fit.agreeing < LEAST_AGREEING)
+    {
+        forget(camera, params);
+        return false;
+    }
+    state = fit.state;
+    isVague = false;
+    return true;
+}
+
+void SequenceFilter::forget(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+{
+    state = DriveState(camera, params);
+    isVague = true;
+}
+
+}} // namespace cv::rsackermann

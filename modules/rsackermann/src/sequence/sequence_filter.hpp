@@ -1,0 +1,43 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_FILTER_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_FILTER_HPP
+
+#include "frame_fit.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! The state of a sequence from frame to frame: predicted, measured and, if it is another scene, forgotten.
+struct SequenceFilter
+{
+    DriveState state;
+    bool isVague; //!< whether no frame has shown the motion yet
+    bool hasFrame;
+    double time; //!< of the last frame
+
+    SequenceFilter(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+        : state(camera, params), isVague(true), hasFrame(false), time(0)
+    {
+    }
+
+    //! Whether a frame follows the last one; one that was taken before it is as good.
+    bool isFollowedBy(double seconds) const;
+
+    /** Goes on to a frame; the state is forgotten if it doesn't follow.
+    @return whether it does. */
+    bool advance(double seconds, const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+
+    /** Fits the state to a frame; it is forgotten if that shows another scene.
+    @return whether the fit is one of this scene. */
+    bool update(const FrameFeatures& frame, const RollingShutterCamera& camera,
+                const AckermannEstimator::Params& params, DriveFit& fit);
+
+    //! It is another scene.
+    void forget(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_FILTER_HPP

@@ -1,0 +1,43 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_STATE_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_STATE_HPP
+
+#include "opencv2/rsackermann/estimator.hpp"
+#include "../motion/sequence_values.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** The motion of the car and the scene with a covariance (doc/theory.md, "Sequence").
+
+A wall that isn't there is infinitely far away: walls come, go and change sides without a change of the unknowns.
+*/
+struct DriveState
+{
+    DriveVector value;
+    DriveMatrix covariance;
+
+    //! The usual state, before anything is seen.
+    DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+
+    //! The state some seconds later.
+    void predict(double seconds);
+
+    //! A measurement of one value; ignored unless sigma is positive.
+    void measure(DriveValue which, double measured, double sigma);
+
+    //! Measurements of what is known from elsewhere.
+    void measure(const MotionPrior& prior);
+
+    //! As a motion during one image, with its covariance; the status and the counts of segments are left as they are.
+    void toMotion(double unit, AckermannMotion& motion) const;
+
+private:
+    DriveVector usual, usualSigma;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_STATE_HPP

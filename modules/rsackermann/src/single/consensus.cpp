@@ -1,0 +1,141 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../motion/compensation.hpp"
+#include "consensus.hpp"
+#include "../factors/residual_kernels.hpp"
+
+namespace cv { namespace rsackermann {
+
+// Standard deviations below which a prior takes the place of a segment in a sample.
+static const double PRECISE = 0.1;            // of the largest alpha, or of the scaled speed
+static const double PRECISE_DIRECTION = 0.02; // radians
+
+CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const MotionHypothesis& hypothesis_,
+                                       double threshold_)
+    : problem(problem_), hypothesis(hypothesis_), threshold(threshold_), verticals(problem_.verticals.size())
+{
+    for (size_t i = 0; i < verticals.size(); i++)
+    {
+        const UprightSegment& c = problem.verticals[i];
+        verticals[i].u = HorizontalBearing(c.u[0], c.u[2]);
+        verticals[i].v = HorizontalBearing(c.v[0], c.v[2]);
+        verticals[i].timeU = c.timeU;
+        verticals[i].timeV = c.timeV;
+    }
+}
+
+// A prior that leaves much open says less than another segment.
+bool CandidateConsensus::knowsYawRate() const
+{
+    const PriorTerms& prior = problem.prior;
+    return hypothesis.motion == MODEL_4LA && prior.alphaSigma > 0 &&
+           prior.alphaSigma < PRECISE * problem.limits.maxAlpha;
+}
+
+bool CandidateConsensus::knowsSpeed() const
+{
+    const PriorTerms& prior = problem.prior;
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && prior.scaledSpeedSigma > 0 &&
+           prior.scaledSpeedSigma < PRECISE * std::abs(prior.scaledSpeed);
+}
+
+bool CandidateConsensus::knowsWallDirection() const
+{
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 &&
+           problem.prior.streetSigma < PRECISE_DIRECTION;
+}
+
+int CandidateConsensus::sampleSize() const
+{
+    return hypothesis.sampleSize() - (knowsYawRate() || knowsSpeed() || knowsWallDirection() ? 1 : 0);
+}
+
+int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* solutions) const
+{
+    SolverOptions options;
+    options.heading = problem.heading.angle;
+    options.maxAlpha = problem.limits.maxAlpha;
+    options.maxScaledSpeed = problem.limits.maxRightScaledSpeed; // either wall may be the first one
+    const bool twoWalls = hypothesis.walls == 2;
+    if (knowsYawRate())
+        return solveKnownYawRate(segments, twoWalls, problem.prior.alpha, options, solutions);
+    if (knowsSpeed())
+        return solveKnownSpeed(segments, twoWalls, std::abs(problem.prior.scaledSpeed), options, solutions);
+    if (knowsWallDirection())
+        return solveKnownWallDirection(segments, twoWalls, problem.prior.street, options, solutions);
+    switch (hypothesis.motion)
+    {
+    case MODEL_1LA:
+        return solve1LA(segments[0], options, solutions);
+    case MODEL_3LA:
+        return solve3LA(segments, twoWalls, options, solutions);
+    default:
+        return solve4LA(segments, twoWalls, options, solutions);
+    }
+}
+
+// Sign of the scaled inverse depth at the end u of a segment on the left (or only) wall.
+int CandidateConsensus::directionOf(const MinimalSolution& s, const VerticalSegment& left) const
+{
+    const RotatedBearing u(left.u, RowMotion(s.alpha, problem.heading, left.timeU));
+    return s.wallOffset - s.wallSlope * u.column(s.wallSlope, s.wallOffset) > 0 ? 1 : -1;
+}
+
+// Two walls can be described in two ways; the left one is to the left of the vehicle's forward direction.
+static void nameWalls(const Heading& heading, Model& m)
+{
+    if (m[P_LAMBDA] > 0 && m.direction * (m[P_B] * heading.c + m[P_D] * heading.s) < 0)
+    {
+        m[P_B] *= -m[P_LAMBDA];
+        m[P_D] *= -m[P_LAMBDA];
+        m[P_LAMBDA] = 1 / m[P_LAMBDA];
+    }
+}
+
+int CandidateConsensus::generate(const int* sample, Model* models)
+{
+    const int n = sampleSize();
+    // The speed is known in terms of the left wall's distance, so that the right wall can't take its place.
+    const int arrangements = hypothesis.walls == 2 && !knowsSpeed() ? 2 : 1;
+    int count = 0;
+    for (int mirrored = 0; mirrored < arrangements; mirrored++)
+    {
+        VerticalSegment segments[4];
+        for (int i = 0; i < n; i++)
+            segments[i] = verticals[sample[mirrored ? n - 1 - i : i]];
+        MinimalSolution solutions[8];
+        const int found = solve(segments, solutions);
+        for (int i = 0; i < found; i++)
+        {
+            const MinimalSolution& s = solutions[i];
+            Model& m = models[count++];
+            m = Model();
+            m[P_ALPHA] = s.alpha;
+            if (hypothesis.translates())
+                m.direction = directionOf(s, segments[0]);
+            m[P_B] = s.wallSlope;
+            m[P_D] = s.wallOffset;
+            m[P_LAMBDA] = s.wallRatio;
+            nameWalls(problem.heading, m);
+            if (!problem.limits.allow(m))
+                count--;
+        }
+    }
+    return count;
+}
+
+double CandidateConsensus::score(const Model& model, double best, int& inliers) const
+{
+    return scoreVerticals(problem.verticalArrays, PreparedModel(model, problem.heading), problem.focal, threshold, best,
+                          inliers);
+}
+
+void CandidateConsensus::optimize(Model& model) const
+{
+    refine(problem, hypothesis, VERTICALS_ONLY, 4, model);
+}
+
+}} // namespace cv::rsackermann

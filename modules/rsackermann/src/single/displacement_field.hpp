@@ -1,0 +1,52 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_DISPLACEMENT_FIELD_HPP
+#define OPENCV_RSACKERMANN_SRC_SINGLE_DISPLACEMENT_FIELD_HPP
+
+#include "opencv2/rsackermann/camera.hpp"
+#include "../motion/model.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** By how much a motion displaces the pixels of an image, to first order, at the points of a grid (doc/theory.md,
+"Posterior").
+
+Displacements of several motions can be averaged and compared, which their parameters can't.
+*/
+class DisplacementField
+{
+public:
+    enum { COLUMNS = 9, ROWS = 6, POINTS = COLUMNS * ROWS };
+    typedef Vec<double, 2 * POINTS> Values; //!< pixels: horizontal, vertical for each point
+    typedef Vec<double, POINTS> Variances;  //!< square pixels
+
+    explicit DisplacementField(const RollingShutterCamera& camera);
+
+    //! @param G slope of the road's scaled inverse depth.
+    void displacement(const Model& model, double G, Values& values) const;
+
+    //! Mean length over the points of the difference of two displacements, if one of them has the given variance.
+    static double meanDistance(const Values& a, const Values& b, const Variances& variance);
+
+    //! Variance of the displacement at each point, for a covariance of the parameters, and of G independent of it.
+    void variance(const Model& model, double G, double varianceG,
+                  const Matx<double, PARAMETERS, PARAMETERS>& covariance, Variances& values) const;
+
+    //! The MotionModel of a motion without the parts that contribute next to nothing to the displacement.
+    int mainMotion(const Model& model, double G) const;
+
+private:
+    struct Point
+    {
+        double x, y, t;
+    };
+
+    Point points[POINTS];
+    double fx, fy, headingSine, headingCosine;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SINGLE_DISPLACEMENT_FIELD_HPP

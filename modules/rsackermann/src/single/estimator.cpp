@@ -1,0 +1,200 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../checks.hpp"
+#include "../features/segments.hpp"
+#include "../storage.hpp"
+#include "inliers_and_scale.hpp"
+#include "focal_uncertainty.hpp"
+#include "posterior.hpp"
+#include "road_contact.hpp"
+
+namespace cv { namespace rsackermann {
+
+// First guesses for the segments of a detector: the noise of the image is measured.
+static const double FIRST_SIGMA = 0.25, FIRST_OTHERS_SIGMA = 1; // pixels
+// radians: a gravity that is given as exact is as good as that
+static const double EXACT_GRAVITY = 1e-4;
+
+namespace {
+
+class AckermannEstimatorImpl CV_FINAL : public AckermannEstimator
+{
+public:
+    AckermannEstimatorImpl(const RollingShutterCamera& camera_, const Params& params_)
+    {
+        setCamera(camera_);
+        setParams(params_);
+    }
+
+    void setCamera(const RollingShutterCamera& camera_) CV_OVERRIDE
+    {
+        camera_.check();
+        camera = camera_;
+    }
+
+    RollingShutterCamera getCamera() const CV_OVERRIDE { return camera; }
+
+    void setParams(const Params& params_) CV_OVERRIDE
+    {
+        params_.check();
+        params = params_;
+    }
+
+    Params getParams() const CV_OVERRIDE { return params; }
+
+    AckermannMotion estimate(InputArray segments, OutputArray labels, const MotionPrior& prior) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        return run(segmentRows(segments), labels, prior);
+    }
+
+    AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels,
+                                      const MotionPrior& prior) const CV_OVERRIDE
+    {
+        CV_INSTRUMENT_REGION();
+        checkImage(image, "image", camera.imageSize);
+        Mat found;
+        detectSegments(image, found, params.detector, params.minLength);
+        if (segments.needed())
+            returnSegments(found, segments);
+        return run(segmentRows(found), labels, prior);
+    }
+
+    void write(FileStorage& fs) const CV_OVERRIDE
+    {
+        writeFormat(fs);
+        AlgorithmStorage<AckermannEstimator>::write(*this, fs);
+    }
+
+    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<AckermannEstimator>::read(fn, *this); }
+
+    String getDefaultName() const CV_OVERRIDE { return "rsackermann_AckermannEstimator"; }
+
+private:
+    AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
+    RefinementProblem makeProblem(const MotionPrior& prior) const;
+    int findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion, Mat& labels) const;
+    void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
+                AckermannMotion& motion) const;
+
+    RollingShutterCamera camera;
+    Params params;
+};
+
+RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionPrior& prior) const
+{
+    const MotionLimits limits(camera, params);
+    RefinementProblem problem(limits);
+    problem.prior = PriorTerms(prior, camera, params);
+    problem.heading = camera.heading;
+    problem.focal = camera.cameraMatrix(0, 0);
+    problem.sigma = FIRST_SIGMA;
+    problem.directionSigma = FIRST_OTHERS_SIGMA;
+    const bool isExact = !(params.gravitySigma > 0);
+    problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
+    problem.vehiclePitchSigma = isExact ? EXACT_GRAVITY : params.vehiclePitchSigma;
+    return problem;
+}
+
+AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const
+{
+    prior.check();
+    AckermannMotion motion;
+    Mat labels(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
+    if (!camera.isRowShutter())
+        motion.status = MOTION_NOT_OBSERVABLE;
+    else
+    {
+        RefinementProblem problem = makeProblem(prior);
+        const UsualDrive usual(prior, camera, params, problem.limits);
+        problem.usual = &usual;
+        problem.roadRatio = usual.roadRatio();
+        selectCandidates(segments, camera, params, problem.verticals, problem.others);
+        problem.arrange();
+        for (size_t i = 0; i < problem.verticals.size(); i++)
+            labels.at<uchar>(problem.verticals[i].index) = SEGMENT_OUTLIER;
+        motion.candidates = (int)problem.verticals.size();
+        Posterior found;
+        motion.status = motion.candidates < params.minCandidates ? MOTION_TOO_FEW_SEGMENTS
+                                                                 : findMotion(problem, found, motion, labels);
+        if (motion.status == MOTION_OK)
+            addFocalUncertainty(problem, camera, params, prior, segments, found);
+        if (motion.status == MOTION_OK && !(found.expectedResidual < found.expectedRaw))
+            motion.status = MOTION_NOT_SIGNIFICANT;
+        motion.expectedRaw = found.expectedRaw;
+        motion.expectedResidual = found.expectedResidual;
+        if (motion.status == MOTION_OK)
+        {
+            motion.probabilityWorse = found.probabilityWorse;
+            report(problem, prior, found, motion);
+        }
+        else
+            motion.expectedResidual = motion.expectedRaw;
+    }
+    if (labels_.needed())
+        labels.copyTo(labels_);
+    return motion;
+}
+
+// Returns the status.
+int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion,
+                                       Mat& labels) const
+{
+    if (!explorePosterior(problem, params, DisplacementField(camera), found))
+        return MOTION_NO_CONSENSUS;
+    const Agreement agreement = {problem.focal, params.threshold, problem.lean};
+    labelInliers(problem.verticals, found.model, problem.heading, agreement, motion, labels);
+    return found.hypothesis.motion != MODEL_NONE ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+}
+
+void AckermannEstimatorImpl::report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
+                                    AckermannMotion& motion) const
+{
+    const Model& m = found.model;
+    motion.model = found.hypothesis.motion;
+    motion.alpha = m[P_ALPHA];
+    motion.wallSlope = m[P_B];
+    motion.wallOffset = m[P_D];
+    motion.wallRatio = m[P_LAMBDA];
+    motion.roadSlope = found.G;
+    motion.direction = m.direction < 0 ? -1 : 1;
+    motion.rollCorrection = m[P_ROLL];
+    motion.pitchCorrection = m[P_PITCH];
+    for (int i = P_ALPHA; i <= P_LAMBDA; i++)
+        for (int j = P_ALPHA; j <= P_LAMBDA; j++)
+            motion.covariance(i, j) = found.covariance(i, j);
+    motion.rollYawAmbiguous = isRollYawAmbiguous(found.covariance);
+
+    // Measurements give a length; usual values don't.
+    const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
+    if (!(speed > 0) || setToldScale(camera, params, prior, motion))
+        return;
+    if (params.scaleFromRoad && camera.height > 0)
+    {
+        const double ratio = findRoadContact(problem, m, found.covariance, params.threshold).ratio;
+        if (ratio > 0)
+        {
+            motion.scale = SCALE_ROAD;
+            motion.wallDistance = ratio * camera.height;
+            motion.roadSlope = motion.direction * speed * ratio;
+        }
+    }
+}
+
+} // namespace
+
+Ptr<AckermannEstimator> AckermannEstimator::create(const RollingShutterCamera& camera,
+                                                   const AckermannEstimator::Params& params)
+{
+    return makePtr<AckermannEstimatorImpl>(camera, params);
+}
+
+Ptr<AckermannEstimator> AckermannEstimator::load(const String& filename, const String& objname)
+{
+    return AlgorithmStorage<AckermannEstimator>::load(filename, objname);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,62 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "focal_uncertainty.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const int ITERATIONS = 8;
+
+// The road keeps its distance over that of the wall.
+static double roadOf(const Posterior& found, const Model& model)
+{
+    const double speed = std::hypot(found.model[P_B], found.model[P_D]);
+    return speed > 0 ? found.G * std::hypot(model[P_B], model[P_D]) / speed : found.G;
+}
+
+void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterCamera& camera,
+                         const AckermannEstimator::Params& params, const MotionPrior& prior, const Mat& segments,
+                         Posterior& found)
+{
+    if (!(camera.focalSigma > 0))
+        return;
+    const double longer = 1 + camera.focalSigma / camera.cameraMatrix(0, 0);
+    RollingShutterCamera other = camera;
+    other.cameraMatrix(0, 0) *= longer;
+    other.cameraMatrix(1, 1) *= longer;
+    const MotionLimits limits(other, params);
+    const UsualDrive usual(prior, other, params, limits);
+    RefinementProblem changed = problem;
+    changed.limits = limits;
+    changed.prior = PriorTerms(prior, other, params);
+    changed.usual = &usual;
+    changed.focal = other.cameraMatrix(0, 0);
+    selectCandidates(segments, other, params, changed.verticals, changed.others);
+    if (changed.verticals.empty())
+        return; // a camera that sees nothing upright
+    changed.arrange();
+
+    Model model = found.model, otherModel = found.model;
+    if (!(refine(problem, found.hypothesis, ALL_SEGMENTS, ITERATIONS, model) < DBL_MAX) ||
+        !(refine(changed, found.hypothesis, ALL_SEGMENTS, ITERATIONS, otherModel) < DBL_MAX))
+        return;
+    DisplacementField::Values displacement, otherDisplacement;
+    DisplacementField(camera).displacement(model, roadOf(found, model), displacement);
+    DisplacementField(other).displacement(otherModel, roadOf(found, otherModel), otherDisplacement);
+    const double moved =
+        DisplacementField::meanDistance(displacement, otherDisplacement, DisplacementField::Variances());
+    found.expectedResidual = std::hypot(found.expectedResidual, moved);
+
+    // A motion per second is another one per unit of row time.
+    otherModel[P_ALPHA] /= longer;
+    otherModel[P_B] /= longer;
+    otherModel[P_D] /= longer;
+    Vec<double, PARAMETERS> difference;
+    for (int i = 0; i < PARAMETERS; i++)
+        difference[i] = otherModel.value[i] - model.value[i];
+    found.covariance += difference * difference.t();
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,61 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../scene/planes.hpp"
+#include "inliers_and_scale.hpp"
+#include "../factors/vertical_residual.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const double AMBIGUOUS = 0.9; // correlation
+static const double USUAL_LEANS = 2; // sigmas of the lean within which a vertical agrees
+
+void labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading,
+                  const Agreement& agreement, AckermannMotion& motion, Mat& labels)
+{
+    motion.candidates = int(verticals.size());
+    motion.inliers = 0;
+    double sum = 0;
+    for (size_t i = 0; i < verticals.size(); i++)
+    {
+        const UprightSegment& c = verticals[i];
+        // Real verticals lean; their usual lean is no disagreement.
+        const double leaning = USUAL_LEANS * agreement.focal * agreement.lean * norm(c.u - c.v),
+                     threshold = std::max(agreement.threshold, leaning);
+        int wall;
+        const double r = agreement.focal * verticalResidual(c, model, heading, wall, 0);
+        if (!(std::abs(r) < threshold))
+            continue;
+        labels.at<uchar>(c.index) = wall == Scene::RIGHT_WALL ? SEGMENT_RIGHT_WALL : SEGMENT_LEFT_WALL;
+        motion.inliers++;
+        sum += r * r;
+    }
+    motion.rms = motion.inliers > 0 ? std::sqrt(sum / motion.inliers) : 0;
+}
+
+bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance)
+{
+    const double variances = covariance(P_ALPHA, P_ALPHA) * covariance(P_ROLL, P_ROLL);
+    return variances > 0 && std::abs(covariance(P_ALPHA, P_ROLL)) > AMBIGUOUS * std::sqrt(variances);
+}
+
+bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                  const MotionPrior& prior, AckermannMotion& motion)
+{
+    const double speed = std::hypot(motion.wallSlope, motion.wallOffset), unit = camera.secondsPerUnitTime();
+    if (params.wallDistance > 0)
+    {
+        motion.scale = SCALE_WALL;
+        motion.wallDistance = params.wallDistance;
+    }
+    else if (unit > 0 && prior.speedSigma > 0 && speed > 0)
+    {
+        motion.scale = SCALE_SPEED;
+        motion.wallDistance = std::abs(prior.speed) * unit / speed;
+    }
+    return motion.scale != SCALE_UNKNOWN;
+}
+
+}} // namespace cv::rsackermann

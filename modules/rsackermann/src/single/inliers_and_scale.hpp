@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_INLIERS_AND_SCALE_HPP
+#define OPENCV_RSACKERMANN_SRC_SINGLE_INLIERS_AND_SCALE_HPP
+
+#include "../motion/compensation.hpp"
+#include "../features/upright_segment.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! By how much verticals may miss a model and still agree with it.
+struct Agreement
+{
+    double focal;     // pixels
+    double threshold; // pixels
+    double lean;      // radians, of verticals of the scene
+};
+
+/** Labels the segments that agree with a model, and counts them.
+@param labels of all segments; the verticals' are at least SEGMENT_OUTLIER. */
+void labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading,
+                  const Agreement& agreement, AckermannMotion& motion, Mat& labels);
+
+//! Whether roll and yaw rate can't be told apart.
+bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance);
+
+/** Gives a motion the length that a told wall or speed is.
+@return false if neither is told. */
+bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                  const MotionPrior& prior, AckermannMotion& motion);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SINGLE_INLIERS_AND_SCALE_HPP

@@ -1,0 +1,56 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_MOTION_MIXTURE_HPP
+#define OPENCV_RSACKERMANN_SRC_SINGLE_MOTION_MIXTURE_HPP
+
+#include "posterior.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** The motions that are possible with their weights, and the correction that is decided upon (doc/theory.md,
+"Posterior"). */
+class MotionMixture
+{
+public:
+    //! @param harmAversion_ weight of the displacement by which an image is expected to become worse.
+    MotionMixture(const DisplacementField& field_, const UsualDrive& usual_, double harmAversion_)
+        : field(field_), usual(usual_), harmAversion(harmAversion_)
+    {
+    }
+
+    //! Of the motions that are added from now on.
+    void setRoadContact(const RoadContact& found) { contact = found; }
+
+    //! @param hypothesis whose unknowns the model has; the others are 0.
+    void add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight);
+
+    /** The correction with the least expected residual and harm.
+
+    Its direction is the geometric median of the displacement fields, which is that of the most probable motions if they
+    have more than half of the probability, and between all of them otherwise; its size is the fraction of it that
+    minimises the expected residual plus harmAversion times the expected harm, E[max(0, residual - raw)]. */
+    Posterior best() const;
+
+private:
+    struct Component
+    {
+        Model model;
+        MotionHypothesis hypothesis;
+        Matx<double, PARAMETERS, PARAMETERS> covariance;
+        double logWeight;
+    };
+
+    std::vector<double> probabilities() const;
+
+    const DisplacementField& field;
+    const UsualDrive& usual;
+    const double harmAversion;
+    RoadContact contact;
+    std::vector<Component> components;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SINGLE_MOTION_MIXTURE_HPP

@@ -1,0 +1,113 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../checks.hpp"
+#include "../features/detectors.hpp"
+
+namespace cv { namespace rsackermann {
+
+static void checkProbability(double value, const char* name)
+{
+    if (!(value > 0 && value < 1))
+        CV_Error(Error::StsBadArg, format("%s is %g; a number between 0 and 1 is expected", name, value));
+}
+
+AckermannEstimator::Params::Params()
+    : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6),
+      threshold(0.5), confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6),
+      wallDistance(0), roadRatio(0), scaleFromRoad(false), gravitySigma(CV_PI / 180),
+      vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4), priorYawRate(5 * CV_PI / 180), priorSpeed(12),
+      priorSpeedLogSigma(0.8), priorWallDistance(15), priorWallDistanceLogSigma(0.9), priorHeight(1.3),
+      priorHeightLogSigma(0.35), standingProbability(1. / 3), reverseProbability(0.02), harmAversion(1)
+{
+}
+
+void AckermannEstimator::Params::write(FileStorage& fs) const
+{
+    fs << "model" << model << "detector" << detector << "min_length" << minLength;
+    fs << "max_slant" << maxSlant << "slant_tolerance" << slantTolerance << "min_candidates" << minCandidates;
+    fs << "threshold" << threshold << "confidence" << confidence << "max_iterations" << maxIterations << "seed" << seed;
+    fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
+    fs << "road_ratio" << roadRatio << "scale_from_road" << scaleFromRoad << "gravity_sigma" << gravitySigma;
+    fs << "vehicle_pitch_sigma" << vehiclePitchSigma;
+    fs << "wall_deviation_sigma" << wallDeviationSigma << "prior_yaw_rate" << priorYawRate;
+    fs << "prior_speed" << priorSpeed << "prior_speed_log_sigma" << priorSpeedLogSigma;
+    fs << "prior_wall_distance" << priorWallDistance << "prior_wall_distance_log_sigma" << priorWallDistanceLogSigma;
+    fs << "prior_height" << priorHeight << "prior_height_log_sigma" << priorHeightLogSigma;
+    fs << "standing_probability" << standingProbability << "reverse_probability" << reverseProbability;
+    fs << "harm_aversion" << harmAversion;
+}
+
+void AckermannEstimator::Params::read(const FileNode& fn)
+{
+    cv::read(fn["model"], model, model);
+    cv::read(fn["detector"], detector, detector);
+    cv::read(fn["min_length"], minLength, minLength);
+    cv::read(fn["max_slant"], maxSlant, maxSlant);
+    cv::read(fn["slant_tolerance"], slantTolerance, slantTolerance);
+    cv::read(fn["min_candidates"], minCandidates, minCandidates);
+    cv::read(fn["threshold"], threshold, threshold);
+    cv::read(fn["confidence"], confidence, confidence);
+    cv::read(fn["max_iterations"], maxIterations, maxIterations);
+    cv::read(fn["seed"], seed, seed);
+    cv::read(fn["max_yaw_rate"], maxYawRate, maxYawRate);
+    cv::read(fn["max_speed"], maxSpeed, maxSpeed);
+    cv::read(fn["wall_distance"], wallDistance, wallDistance);
+    cv::read(fn["road_ratio"], roadRatio, roadRatio);
+    cv::read(fn["scale_from_road"], scaleFromRoad, scaleFromRoad);
+    cv::read(fn["gravity_sigma"], gravitySigma, gravitySigma);
+    cv::read(fn["vehicle_pitch_sigma"], vehiclePitchSigma, vehiclePitchSigma);
+    cv::read(fn["wall_deviation_sigma"], wallDeviationSigma, wallDeviationSigma);
+    cv::read(fn["prior_yaw_rate"], priorYawRate, priorYawRate);
+    cv::read(fn["prior_speed"], priorSpeed, priorSpeed);
+    cv::read(fn["prior_speed_log_sigma"], priorSpeedLogSigma, priorSpeedLogSigma);
+    cv::read(fn["prior_wall_distance"], priorWallDistance, priorWallDistance);
+    cv::read(fn["prior_wall_distance_log_sigma"], priorWallDistanceLogSigma, priorWallDistanceLogSigma);
+    cv::read(fn["prior_height"], priorHeight, priorHeight);
+    cv::read(fn["prior_height_log_sigma"], priorHeightLogSigma, priorHeightLogSigma);
+    cv::read(fn["standing_probability"], standingProbability, standingProbability);
+    cv::read(fn["reverse_probability"], reverseProbability, reverseProbability);
+    cv::read(fn["harm_aversion"], harmAversion, harmAversion);
+}
+
+void AckermannEstimator::Params::check() const
+{
+    if (model != MODEL_AUTO && model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA && model != MODEL_4LA)
+        CV_Error(Error::StsBadArg,
+                 format("params.model is %d; one of the MotionModel values -1, 0, 1, 3, 4 is expected", model));
+    checkDetector(detector, "params.detector");
+    checkPositive(minLength, "params.minLength");
+    checkPositive(maxSlant, "params.maxSlant");
+    checkNotNegative(slantTolerance, "params.slantTolerance", "none");
+    if (minCandidates < 1)
+        CV_Error(Error::StsBadArg,
+                 format("params.minCandidates is %d; a number of 1 or more is expected", minCandidates));
+    checkPositive(threshold, "params.threshold");
+    checkProbability(confidence, "params.confidence");
+    if (maxIterations < 1)
+        CV_Error(Error::StsBadArg,
+                 format("params.maxIterations is %d; a number of 1 or more is expected", maxIterations));
+    checkPositive(maxYawRate, "params.maxYawRate");
+    checkPositive(maxSpeed, "params.maxSpeed");
+    checkNotNegative(wallDistance, "params.wallDistance", "unknown");
+    checkNotNegative(roadRatio, "params.roadRatio", "what is usual");
+    checkNotNegative(gravitySigma, "params.gravitySigma", "exact");
+    checkPositive(vehiclePitchSigma, "params.vehiclePitchSigma");
+    checkNotNegative(wallDeviationSigma, "params.wallDeviationSigma", "unknown");
+    checkPositive(priorYawRate, "params.priorYawRate");
+    checkPositive(priorSpeed, "params.priorSpeed");
+    checkPositive(priorSpeedLogSigma, "params.priorSpeedLogSigma");
+    checkPositive(priorWallDistance, "params.priorWallDistance");
+    checkPositive(priorWallDistanceLogSigma, "params.priorWallDistanceLogSigma");
+    checkPositive(priorHeight, "params.priorHeight");
+    checkPositive(priorHeightLogSigma, "params.priorHeightLogSigma");
+    checkProbability(standingProbability, "params.standingProbability");
+    if (!(reverseProbability > 0 && reverseProbability <= 1))
+        CV_Error(Error::StsBadArg, format("params.reverseProbability is %g; a number above 0 and up to 1 is expected",
+                                          reverseProbability));
+    checkNotNegative(harmAversion, "params.harmAversion", "the residual alone");
+}
+
+}} // namespace cv::rsackermann

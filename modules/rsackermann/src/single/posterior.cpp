@@ -1,0 +1,379 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "consensus.hpp"
+#include "lo_ransac.hpp"
+#include "motion_mixture.hpp"
+#include "road_contact.hpp"
+#include "slant_noise.hpp"
+#include "street_direction.hpp"
+
+namespace cv { namespace rsackermann {
+
+// doc/theory.md, "Evidence" and "Posterior", have the reasons.
+static const int CONSENSUS_ITERATIONS = 500;  // it is one start of several
+static const double FIRST_LOSS_SCALE = 2;     // in scales of the slants, before their noise is known
+static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
+static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
+static const double WALLS_PRIOR = 0.7;
+static const double ONE_WALL_PRIOR = 0.1; // of a street that is open to one side
+static const double SAME_LEAN = 1.3;      // ratio below which the noise counts as unchanged
+static const double FIRST_STEP = 0.7;     // of the sweep over the yaw rate, in sigmas
+static const double STEP_GROWTH = 1.25;
+static const double IMPROBABLE = 7; // logarithm of a density below the highest one
+static const double BETTER = 4;     // cost by which another minimum is a better one
+
+namespace {
+
+// A motion hypothesis with the logarithm of its prior probability, given that the camera moves.
+struct WeighedHypothesis
+{
+    MotionHypothesis hypothesis;
+    double logPrior;
+
+    WeighedHypothesis(const MotionHypothesis& h, double prior) : hypothesis(h), logPrior(std::log(prior)) {}
+};
+
+class Explorer
+{
+public:
+    Explorer(RefinementProblem& problem_, const AckermannEstimator::Params& params_, const DisplacementField& field)
+        : problem(problem_), params(params_), usual(*problem_.usual), mixture(field, usual, params_.harmAversion)
+    {
+    }
+
+    bool run(Posterior& result)
+    {
+        problem.lossScale = FIRST_LOSS_SCALE;
+        problem.lean = 0;
+        problem.weigh();
+        const std::vector<WeighedHypothesis> all = hypotheses();
+        std::vector<Fit> fits(1, restFit());
+        for (size_t i = 0; i < all.size(); i++)
+            fits.push_back(bestFit(all[i].hypothesis));
+        if (!(cheapest(fits).cost < DBL_MAX))
+            return false;
+        measureNoise(fits);
+        mixture.setRoadContact(roadContact(fits));
+        addFit(fits[0], usual.logRest());
+        for (size_t i = 0; i < all.size(); i++)
+        {
+            const Fit& fit = fits[i + 1];
+            if (fit.cost < DBL_MAX && fit.hypothesis.turns())
+                sweep(fit, all[i].logPrior);
+            else if (fit.cost < DBL_MAX)
+                addFit(fit, all[i].logPrior);
+        }
+        result = mixture.best();
+        return true;
+    }
+
+private:
+    // A camera at rest is always among them.
+    std::vector<WeighedHypothesis> hypotheses() const
+    {
+        const int model = params.model, walls = problem.heading.looksAlong() ? 2 : 1;
+        std::vector<WeighedHypothesis> all;
+        if (model == MODEL_AUTO || model == MODEL_1LA)
+            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), ROTATION_PRIOR));
+        if (model == MODEL_NONE || model == MODEL_1LA)
+            return all;
+        const int motion = model == MODEL_3LA ? MODEL_3LA : MODEL_4LA;
+        all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), WALLS_PRIOR));
+        if (walls == 2)
+            all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), ONE_WALL_PRIOR));
+        return all;
+    }
+
+    // The usual motion, a consensus of the verticals, and a pure rotation.
+    std::vector<Model> starts(const MotionHypothesis& hypothesis) const
+    {
+        std::vector<Model> models;
+        Model m;
+        m[P_STREET] = problem.heading.angle;
+        Model consensus;
+        if (findConsensus(hypothesis, consensus))
+            models.push_back(consensus);
+        if (!hypothesis.translates())
+        {
+            m[P_ALPHA] = usual.yawRateIsTold() ? usual.toldAlpha() : medianAlpha();
+            models.push_back(m);
+            return models;
+        }
+        m[P_ALPHA] = hypothesis.turns() ? usual.toldAlpha() : 0;
+        m[P_LAMBDA] = hypothesis.walls == 2 ? 1 : 0;
+        const double factors[] = {0.5, 2};
+        for (int direction = 1; direction >= -1; direction -= 2)
+            for (int i = 0; i < 2; i++)
+            {
+                // One start is enough for a rare direction.
+                if ((usual.toldDirection() != 0 && direction != usual.toldDirection()) ||
+                    (direction < 0 && usual.toldDirection() == 0 && i != 1))
+                    continue;
+                const double speed = direction * factors[i] * usual.usualScaledSpeed(direction);
+                m[P_B] = speed * problem.heading.c;
+                m[P_D] = speed * problem.heading.s;
+                m.direction = direction;
+                // The only wall is on the side on which the verticals are.
+                const double column = problem.verticals[problem.verticals.size() / 2].u[0];
+                if (hypothesis.walls == 1 && direction * (m[P_D] - m[P_B] * column) < 0)
+                {
+                    m[P_B] *= -1;
+                    m[P_D] *= -1;
+                }
+                models.push_back(m);
+            }
+        if (hypothesis.turns() && !usual.yawRateIsTold())
+        {
+            models.push_back(models.back());
+            models.back()[P_ALPHA] = medianAlpha();
+        }
+        return models;
+    }
+
+    bool findConsensus(const MotionHypothesis& hypothesis, Model& model) const
+    {
+        RansacOptions options;
+        options.confidence = params.confidence;
+        options.maxIterations = std::min(params.maxIterations, CONSENSUS_ITERATIONS);
+        options.seed = (uint64)params.seed;
+        CandidateConsensus consensus(problem, hypothesis, params.threshold);
+        double score;
+        return loRansac(consensus, options, model, score);
+    }
+
+    // The motion without translation that half of the candidates exceed: one segment tells it (doc/theory.md,
+    // "Solvers", 1-LA).
+    double medianAlpha() const
+    {
+        std::vector<double> alphas;
+        for (size_t i = 0; i < problem.verticals.size(); i++)
+        {
+            const UprightSegment& c = problem.verticals[i];
+            alphas.push_back(0.5 * (std::atan(c.v[0]) - std::atan(c.u[0])) / (c.timeU - c.timeV));
+        }
+        std::nth_element(alphas.begin(), alphas.begin() + alphas.size() / 2, alphas.end());
+        const double limit = 0.9 * problem.limits.maxAlpha;
+        return std::min(std::max(alphas[alphas.size() / 2], -limit), limit);
+    }
+
+    bool isAllowed(const MotionHypothesis& hypothesis, const Model& model) const
+    {
+        return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
+    }
+
+    Fit bestFit(const MotionHypothesis& hypothesis) const
+    {
+        Fit best(hypothesis);
+        const std::vector<Model> models = starts(hypothesis);
+        for (size_t i = 0; i < models.size(); i++)
+        {
+            Model start = models[i];
+            for (int pass = 0; pass < 2; pass++)
+            {
+                if (pass > 0 && !startFromStreetDirection(problem, hypothesis, start))
+                    break;
+                if (!isAllowed(hypothesis, start))
+                    continue;
+                Fit fit(hypothesis);
+                fit.model = start;
+                fit.refine(problem);
+                if (fit.cost < best.cost)
+                    best = fit;
+            }
+        }
+        return best;
+    }
+
+    static const Fit& cheapest(const std::vector<Fit>& fits)
+    {
+        return *std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
+    }
+
+    // Noise and fits, in turn, until the noise stays about the same; then by how much the evidence says less than its
+    // number.
+    void measureNoise(std::vector<Fit>& fits)
+    {
+        const int passes = 3;
+        for (int pass = 0; pass < passes; pass++)
+        {
+            const double before = problem.lean;
+            setNoise(cheapest(fits));
+            refineAll(fits);
+            if (problem.lean < SAME_LEAN * before && before < SAME_LEAN * problem.lean)
+                break;
+        }
+        const Fit& best = cheapest(fits);
+        const Slants slants(problem, best.model, best.hypothesis.translates());
+        dependence = dependenceOf(slants, noise, problem.focal, problem.rollSigma());
+        problem.verticalWeight = 1 / dependence;
+        problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
+        ownNoise = ownNoiseOf(best);
+        refineAll(fits);
+    }
+
+    void setNoise(const Fit& fit)
+    {
+        const Slants slants(problem, fit.model, fit.hypothesis.translates());
+        noise = fitSlantNoise(slants, problem.focal);
+        problem.sigma = noise.pixels;
+        problem.lean = noise.lean;
+        problem.lossScale = noise.lossScale(slants, problem.focal);
+        problem.weigh();
+    }
+
+    void refineAll(std::vector<Fit>& fits) const
+    {
+        for (size_t i = 0; i < fits.size(); i++)
+            if (fits[i].cost < DBL_MAX)
+                fits[i].refine(problem);
+    }
+
+    // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the
+    // refinement.
+    double ownNoiseOf(const Fit& fit) const
+    {
+        const Slants slants(problem, fit.model, fit.hypothesis.translates());
+        double cost = 0;
+        for (size_t i = 0; i < slants.size(); i++)
+        {
+            const double error = problem.sigma / (problem.focal * slants.length[i]);
+            const double r2 = slants.slant[i] * slants.slant[i] / (problem.lean * problem.lean + error * error),
+                         s2 = problem.lossScale * problem.lossScale;
+            cost += r2 * s2 / (r2 + s2);
+        }
+        return fitSlantNoise(slants, problem.focal, &noise).logLikelihood + cost / 2;
+    }
+
+    // Laplace's approximation of the contribution of a fit at one yaw rate.
+    double logEvidence(const Fit& fit, const MotionHypothesis& hypothesis) const
+    {
+        double volume = logVolume(fit) - usual.logVolume(hypothesis);
+        // In the logarithms of the wall's scaled speed and of the ratio, and in the azimuth.
+        if (hypothesis.translates())
+            volume -= 2 * std::log(std::hypot(fit.model[P_B], fit.model[P_D]));
+        if (hypothesis.walls == 2)
+            volume -= std::log(fit.model[P_LAMBDA]);
+        return volume - fit.cost / 2;
+    }
+
+    // As the best of the motions along walls shows it.
+    RoadContact roadContact(const std::vector<Fit>& fits) const
+    {
+        const Fit* best = 0;
+        for (size_t i = 0; i < fits.size(); i++)
+            if (fits[i].hypothesis.translates() && fits[i].cost < (best ? best->cost : DBL_MAX))
+                best = &fits[i];
+        return best ? findRoadContact(problem, best->model, best->covariance, params.threshold) : RoadContact();
+    }
+
+    // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.
+    double logNoise(const Fit& fit) const { return (ownNoiseOf(fit) - ownNoise) / dependence; }
+
+    Fit restFit() const
+    {
+        Fit fit(MotionHypothesis(MODEL_NONE, 0));
+        fit.model[P_STREET] = problem.heading.angle;
+        fit.refine(problem);
+        return fit;
+    }
+
+    // Without a yaw rate there is nothing to sweep over.
+    void addFit(const Fit& fit, double logPrior)
+    {
+        mixture.add(fit, fit.hypothesis, logEvidence(fit, fit.hypothesis) + logNoise(fit) + logPrior);
+    }
+
+    // Motions at several yaw rates, with the logarithms of their densities and of the part of the yaw rates that each
+    // stands for.
+    struct Swept
+    {
+        std::vector<Fit> fits;
+        std::vector<double> logDensity, logWidth;
+
+        size_t cheapest() const { return &Explorer::cheapest(fits) - &fits[0]; }
+    };
+
+    // Adds motions with the yaw rates to both sides of a fit. If one of them fits better there was another minimum.
+    void sweep(Fit fit, double logPrior)
+    {
+        Swept swept = sweepFrom(fit);
+        const Fit& best = swept.fits[swept.cheapest()];
+        if (best.cost < fit.cost - BETTER)
+        {
+            fit.model = best.model;
+            fit.refine(problem);
+            swept = sweepFrom(fit);
+        }
+        const double logWeight = logPrior + logNoise(swept.fits[swept.cheapest()]);
+        for (size_t i = 0; i < swept.fits.size(); i++)
+            mixture.add(swept.fits[i], fit.hypothesis, swept.logDensity[i] + swept.logWidth[i] + logWeight);
+    }
+
+    // Until motions are improbable.
+    Swept sweepFrom(const Fit& fit)
+    {
+        const MotionHypothesis pinned(fit.hypothesis.translates() ? MODEL_3LA : MODEL_NONE, fit.hypothesis.walls);
+        const double variance = fit.covariance(P_ALPHA, P_ALPHA),
+                     sigma = variance > 0 ? std::sqrt(variance) : usual.alphaScale();
+        const double first = std::min(FIRST_STEP * sigma, 0.5 * usual.alphaScale());
+        Swept swept;
+        Fit middle(pinned);
+        middle.model = fit.model;
+        double highest = addPinned(fit.hypothesis, first, middle, swept);
+        for (int side = -1; side <= 1; side += 2)
+        {
+            Fit last = middle;
+            for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha;
+                 step *= STEP_GROWTH, offset += step)
+            {
+                Model next = last.model;
+                for (int i = 0; i < PARAMETERS && variance > 0; i++)
+                    next.value[i] += side * step * fit.covariance(i, P_ALPHA) / variance;
+                if (!isAllowed(fit.hypothesis, next))
+                    next = last.model;
+                next[P_ALPHA] = fit.model[P_ALPHA] + side * offset;
+                if (!problem.limits.allow(next))
+                    break;
+                last.model = next;
+                const double added = addPinned(fit.hypothesis, (1 + STEP_GROWTH) / 2 * step, last, swept);
+                highest = std::max(highest, added);
+                if (added < highest - IMPROBABLE)
+                    break;
+            }
+        }
+        return swept;
+    }
+
+    // Refines and adds the motion at the yaw rate of a fit. Returns the logarithm of its density.
+    double addPinned(const MotionHypothesis& hypothesis, double width, Fit& fit, Swept& swept) const
+    {
+        const int iterations = 8;
+        fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
+        const double density = logEvidence(fit, hypothesis) + usual.logYawDensity(fit.model[P_ALPHA]);
+        swept.fits.push_back(fit);
+        swept.logDensity.push_back(density);
+        swept.logWidth.push_back(std::log(width));
+        return density;
+    }
+
+    RefinementProblem& problem;
+    const AckermannEstimator::Params& params;
+    const UsualDrive& usual;
+    MotionMixture mixture;
+    SlantNoise noise = SlantNoise(); // of the best fit
+    double dependence = 1;           // by which the verticals say less than their number
+    double ownNoise = 0;             // of the best fit
+};
+
+} // namespace
+
+bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params,
+                      const DisplacementField& field, Posterior& result)
+{
+    return Explorer(problem, params, field).run(result);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,40 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_POSTERIOR_HPP
+#define OPENCV_RSACKERMANN_SRC_SINGLE_POSTERIOR_HPP
+
+#include "displacement_field.hpp"
+#include "fit.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! The motion as the segments and all other knowledge show it.
+struct Posterior
+{
+    Model model;                                     //!< the correction with the smallest expected displacement
+    double G;                                        //!< slope of the road's scaled inverse depth
+    MotionHypothesis hypothesis;                     //!< of the model
+    Matx<double, PARAMETERS, PARAMETERS> covariance; //!< mean square deviation from the model
+    //! Mean displacement in pixels to be expected of the image as it is, and after the correction
+    double expectedRaw, expectedResidual;
+    double probabilityWorse; //!< that the correction leaves a larger displacement than there is
+
+    Posterior() : G(0), hypothesis(MODEL_NONE, 0), expectedRaw(0), expectedResidual(0), probabilityWorse(0) {}
+};
+
+/** Averages the correction over the motions that are possible, weighted by their probability (doc/theory.md,
+"Posterior").
+
+A camera at rest, a pure rotation and a motion between walls are explored over the yaw rate; the other unknowns are
+refined at each.
+@param problem with a distribution of usual drives; its noise becomes the one that was found.
+@return false if no motion within the limits could be refined.
+*/
+bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params,
+                      const DisplacementField& field, Posterior& result);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SINGLE_POSTERIOR_HPP

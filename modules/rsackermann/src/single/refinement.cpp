@@ -1,0 +1,202 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "refinement.hpp"
+#include "../factors/residual_kernels.hpp"
+#include "../optim/levenberg_marquardt.hpp"
+#include "../optim/normal_equations.hpp"
+
+namespace cv { namespace rsackermann {
+
+typedef NormalEquations<Eigen::Dynamic, PARAMETERS> ParameterEquations;
+
+void RefinementProblem::arrange()
+{
+    verticalArrays.assign(verticals);
+    otherArrays.assign(others);
+    weigh();
+}
+
+void RefinementProblem::weigh()
+{
+    verticalArrays.weigh(verticals, focal, sigma, lean);
+    otherArrays.weigh(others, focal, directionSigma, lean);
+}
+
+static FreeParameters freeParameters(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
+                                     Evidence evidence)
+{
+    FreeParameters unknowns;
+    if (hypothesis.turns())
+        unknowns.add(P_ALPHA);
+    if (hypothesis.translates())
+    {
+        unknowns.add(P_B);
+        unknowns.add(P_D);
+    }
+    if (hypothesis.walls == 2)
+        unknowns.add(P_LAMBDA);
+    if (problem.gravitySigma > 0)
+    {
+        unknowns.add(P_ROLL);
+        unknowns.add(P_PITCH);
+    }
+    if (!hypothesis.translates() && evidence == ALL_SEGMENTS &&
+        (!problem.others.empty() || problem.prior.streetSigma > 0))
+        unknowns.add(P_STREET);
+    return unknowns;
+}
+
+// A residual that isn't robust.
+static void addJet(const Jet& residual, const FreeParameters& unknowns, ResidualSums& sums)
+{
+    sums.cost += residual.value * residual.value;
+    for (int i = 0; i < unknowns.count; i++)
+    {
+        const double derivative = residual.derivative[unknowns.index[i]];
+        sums.gradient[i] += derivative * residual.value;
+        for (int j = 0; j <= i; j++)
+            sums.hessian[i][j] += derivative * residual.derivative[unknowns.index[j]];
+    }
+}
+
+static void addPriors(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
+                      const FreeParameters& unknowns, const Model& model, ResidualSums& sums)
+{
+    Jet prior[PriorTerms::MAX_RESIDUALS];
+    const int n = problem.prior.evaluate(model, hypothesis, prior);
+    for (int i = 0; i < n; i++)
+        addJet(prior[i], unknowns, sums);
+    if (problem.usual)
+    {
+        Jet usual[UsualDrive::MAX_RESIDUALS];
+        const int m = problem.usual->evaluate(model, hypothesis, usual);
+        for (int i = 0; i < m; i++)
+            addJet(usual[i], unknowns, sums);
+    }
+    if (problem.gravitySigma > 0)
+    {
+        // About the vehicle's axes: the crown of a road and the suspension roll a car more than they pitch it.
+        const Jet roll = Jet::variable(model[P_ROLL], P_ROLL), pitch = Jet::variable(model[P_PITCH], P_PITCH);
+        addJet((1 / problem.gravitySigma) * (problem.heading.c * roll - problem.heading.s * pitch), unknowns, sums);
+        addJet((1 / problem.vehiclePitchSigma) * (problem.heading.s * roll + problem.heading.c * pitch), unknowns,
+               sums);
+    }
+}
+
+bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& m)
+{
+    if (hypothesis.walls != 2)
+        return true;
+    const double left = m[P_D] - m[P_B] * problem.verticals.front().u[0],
+                 right = m[P_D] - m[P_B] * problem.verticals.back().u[0];
+    return left * right < 0;
+}
+
+// Covariance of an M-estimator over the inverse of its weighted normal equations (doc/theory.md, "Estimation"): what
+// the outliers that still count and the unknowns themselves cost.
+static double covarianceInflation(const ResidualSums& sums, double unknowns)
+{
+    if (!(sums.slopes > 0) || !(sums.weights > unknowns))
+        return 1;
+    return std::max(1., sums.influence2 * sums.weights / (sums.slopes * sums.slopes) * sums.weights /
+                            (sums.weights - unknowns));
+}
+
+// Sums over segments and priors as normal equations of the free parameters.
+static void toEquations(const ResidualSums& sums, int size, ParameterEquations& equations)
+{
+    equations.cost = sums.cost;
+    equations.gradient.resize(size);
+    equations.information.resize(size, size);
+    for (int i = 0; i < size; i++)
+    {
+        equations.gradient[i] = sums.gradient[i];
+        for (int j = 0; j <= i; j++)
+            equations.information(i, j) = sums.hessian[i][j];
+    }
+}
+
+namespace {
+
+// The refinement as minimize() takes it.
+class ModelProblem
+{
+public:
+    typedef Model State;
+    typedef ParameterEquations::Vector Step;
+    struct Equations : ParameterEquations
+    {
+        double inflation; // of the covariance
+    };
+
+    ModelProblem(const RefinementProblem& data_, const MotionHypothesis& hypothesis_, Evidence evidence_)
+        : data(data_), hypothesis(hypothesis_), evidence(evidence_),
+          unknowns(freeParameters(data_, hypothesis_, evidence_))
+    {
+    }
+
+    void evaluate(const Model& model, Equations& equations) const
+    {
+        const RobustLoss loss(data.lossScale, data.verticalWeight), otherLoss(data.lossScale, data.otherWeight);
+        const PreparedModel prepared(model, data.heading, data.roadRatio, hypothesis.translates());
+        ResidualSums sums;
+        addVerticals(data.verticalArrays, prepared, loss, unknowns, sums);
+        if (evidence == ALL_SEGMENTS)
+            addDirections(data.otherArrays, prepared, otherLoss, unknowns, sums);
+        addPriors(data, hypothesis, unknowns, model, sums);
+        toEquations(sums, unknowns.count, equations);
+        equations.inflation = covarianceInflation(sums, unknowns.count);
+    }
+
+    Model moved(Model model, const Step& step) const
+    {
+        for (int i = 0; i < unknowns.count; i++)
+            model.value[unknowns.index[i]] += step[i];
+        return model;
+    }
+
+    bool allows(const Model& model) const { return data.limits.allow(model) && wallsAreSeen(data, hypothesis, model); }
+
+    // The covariance of all parameters; 0 for those that aren't free.
+    Matx<double, PARAMETERS, PARAMETERS> covariance(const Model& model, const Equations& equations) const
+    {
+        const int n = unknowns.count;
+        // The inflation takes from the information of the segments, but not from that of the priors.
+        ResidualSums ofPriors;
+        addPriors(data, hypothesis, unknowns, model, ofPriors);
+        ParameterEquations prior;
+        toEquations(ofPriors, n, prior);
+        const ParameterEquations::Matrix known = prior.symmetric();
+        const ParameterEquations::Matrix inverse =
+            scaledInverse<ParameterEquations::Matrix>((equations.symmetric() - known) / equations.inflation + known);
+        Matx<double, PARAMETERS, PARAMETERS> result = Matx<double, PARAMETERS, PARAMETERS>::zeros();
+        if (inverse.allFinite())
+            for (int i = 0; i < n; i++)
+                for (int j = 0; j < n; j++)
+                    result(unknowns.index[i], unknowns.index[j]) = inverse(i, j);
+        return result;
+    }
+
+    const RefinementProblem& data;
+    const MotionHypothesis& hypothesis;
+    const Evidence evidence;
+    const FreeParameters unknowns;
+};
+
+} // namespace
+
+double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence,
+              int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance)
+{
+    const ModelProblem ofModel(problem, hypothesis, evidence);
+    ModelProblem::Equations equations;
+    minimize(ofModel, MinimizerOptions(maxIterations, 1e-12, 1e-6), model, equations);
+    if (covariance)
+        *covariance = ofModel.covariance(model, equations);
+    return equations.cost < DBL_MAX ? equations.cost : DBL_MAX;
+}
+
+}} // namespace cv::rsackermann

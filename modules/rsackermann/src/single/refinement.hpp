@@ -1,0 +1,72 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_REFINEMENT_HPP
+#define OPENCV_RSACKERMANN_SRC_SINGLE_REFINEMENT_HPP
+
+#include "../motion/compensation.hpp"
+#include "../features/upright_segment.hpp"
+#include "../motion/model.hpp"
+#include "../factors/given_prior.hpp"
+#include "../factors/segment_arrays.hpp"
+#include "../factors/driving_prior.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! The data of the refinement.
+struct RefinementProblem
+{
+    std::vector<UprightSegment> verticals; // from left to right
+    std::vector<UprightSegment> others;    // may point along the street or across it
+    SegmentArrays verticalArrays, otherArrays;
+    MotionLimits limits;
+    PriorTerms prior;
+    Heading heading;
+    double focal;             // pixels
+    double sigma;             // pixels, of the residual of a vertical
+    double lean;              // radians, by which verticals of the scene lean, whatever their length
+    double directionSigma;    // pixels, of the residual of another segment
+    double lossScale;         // of the robust loss, in sigmas
+    double verticalWeight;    // of the evidence of a vertical: below 1 if they err together
+    double otherWeight;       // the same for another segment
+    double roadRatio;         // distance of the left (or only) wall over the height of the camera
+    double gravitySigma;      // radians, of the vehicle's roll; 0: gravity is exact
+    double vehiclePitchSigma; // radians, of its pitch
+    const UsualDrive* usual;  // how cars drive and what streets look like; 0: not used
+
+    explicit RefinementProblem(const MotionLimits& l)
+        : limits(l), heading(0), focal(1), sigma(1), lean(0), directionSigma(1), lossScale(1), verticalWeight(1),
+          otherWeight(1), roadRatio(1), gravitySigma(0), vehiclePitchSigma(0), usual(0)
+    {
+    }
+
+    //! Standard deviation of the roll about the optical axis, to which the vehicle's pitch adds if the camera looks to
+    //! a side.
+    double rollSigma() const { return std::hypot(heading.c * gravitySigma, heading.s * vehiclePitchSigma); }
+
+    //! Fills the arrays, after the segments have changed.
+    void arrange();
+    //! Weighs the arrays, after the focal length or a sigma has changed.
+    void weigh();
+};
+
+//! Whether a model has its walls where verticals are: two walls are seen together if the line at infinity lies between
+//! them.
+bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
+
+//! Which residuals count.
+enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
+
+/** Levenberg-Marquardt with the exact model on all candidates (doc/theory.md, "Estimation").
+@param hypothesis which unknowns are free.
+@param model start and result.
+@param covariance receives, unless it is null, the covariance of all parameters; 0 for those that aren't free.
+@return cost of the result; DBL_MAX if it isn't finite.
+*/
+double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence,
+              int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance = 0);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SINGLE_REFINEMENT_HPP

@@ -1,0 +1,68 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../scene/planes.hpp"
+#include "../factors/direction_residual.hpp"
+#include "../factors/given_prior.hpp"
+#include "road_contact.hpp"
+#include "../factors/vertical_residual.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const double BELOW_HORIZON = 0.02; // tangent; nearer to the horizon the ratio of small numbers says little
+static const double SAME_RATIO = 1.06;    // of the largest to the smallest of the contacts that agree
+static const size_t LEAST_CONTACTS = 3;
+static const size_t CONTACTS_OF_ONE = 10; // one in so many has to agree
+
+// The smallest ratio on which several agree; 0: there is none.
+static double smallestAgreed(std::vector<double>& ratios)
+{
+    std::sort(ratios.begin(), ratios.end());
+    const size_t enough = std::max<size_t>(LEAST_CONTACTS, ratios.size() / CONTACTS_OF_ONE);
+    for (size_t first = 0; first + enough <= ratios.size(); first++)
+    {
+        const size_t end =
+            std::upper_bound(ratios.begin() + first, ratios.end(), ratios[first] * SAME_RATIO) - ratios.begin();
+        if (end - first >= enough)
+            return ratios[first + (end - first) / 2];
+    }
+    return 0;
+}
+
+RoadContact findRoadContact(const RefinementProblem& problem, const Model& model,
+                            const Matx<double, PARAMETERS, PARAMETERS>& covariance, double threshold)
+{
+    RoadContact contact;
+    const double size = std::hypot(model[P_B], model[P_D]), lambda = model[P_LAMBDA];
+    if (!(size > 0))
+        return contact;
+    const PreparedModel prepared(model, problem.heading);
+    std::vector<double> ratios[2]; // of the left and the right wall, each in its own distance
+    for (size_t i = 0; i < problem.verticals.size(); i++)
+    {
+        int wall;
+        const UprightSegment& c = problem.verticals[i];
+        const double r = problem.focal * verticalResidual(c, prepared, wall, 0);
+        if (!(std::abs(r) < threshold) || (wall != Scene::LEFT_WALL && wall != Scene::RIGHT_WALL))
+            continue;
+        Point2d u, v;
+        compensateEnds(c, prepared, u, v);
+        const Point2d& low = u.y > v.y ? u : v;
+        const bool isLeft = wall == Scene::LEFT_WALL;
+        const double w = model.direction * (isLeft ? 1 : -1) * (model[P_D] - model[P_B] * low.x);
+        if (low.y > BELOW_HORIZON && w > 0)
+            ratios[isLeft ? 0 : 1].push_back(w / (size * low.y));
+    }
+    const double left = smallestAgreed(ratios[0]), right = lambda * smallestAgreed(ratios[1]);
+    contact.ratio = left > 0 && right > 0 ? std::sqrt(left * right) : left + right;
+    contact.logSigma = std::log(SAME_RATIO);
+    // The speed rests on the geometric mean of both distances.
+    if (lambda > 0 && (left == 0 || right == 0))
+        contact.logSigma = std::hypot(
+            contact.logSigma, 0.5 * std::min(std::sqrt(covariance(P_LAMBDA, P_LAMBDA)) / lambda, USUAL_LOG_RATIO));
+    return contact;
+}
+
+}} // namespace cv::rsackermann

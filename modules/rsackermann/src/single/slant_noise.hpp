@@ -1,0 +1,49 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_SLANT_NOISE_HPP
+#define OPENCV_RSACKERMANN_SRC_SINGLE_SLANT_NOISE_HPP
+
+#include "refinement.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! By how much the candidates lean that a model should have made upright.
+struct Slants
+{
+    std::vector<double> slant, length; // tangents, and lengths of the segments for a focal length of 1
+    std::vector<double> column;        // in ascending order
+
+    Slants(const RefinementProblem& problem, const Model& model, bool translates);
+    size_t size() const { return slant.size(); }
+};
+
+/** The distribution of the slants of upright candidates (doc/theory.md, "Evidence").
+
+Student's t with 3 degrees of freedom, twice: for verticals, which a detector places with an error in pixels and which
+lean in the scene, and wider for lines that aren't vertical.
+*/
+struct SlantNoise
+{
+    double pixels;    // scale of the detector's error
+    double lean;      // scale of the lean in the scene, radians
+    double share;     // of the segments that aren't verticals
+    double otherLean; // scale of their lean
+    double logLikelihood;
+
+    //! The slant, in scales of that of a vertical, beyond which it is the loss of another line that counts.
+    double lossScale(const Slants& slants, double focal) const;
+};
+
+/** The noise with the highest likelihood; at least one slant is needed.
+@param start noise of other slants of the same image, which has the detector's error, or null. */
+SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* start = 0);
+
+/** By how much the slants say less than their number (doc/theory.md, "Evidence"): verticals of one facade err together.
+@param rollSigma of gravity. */
+double dependenceOf(const Slants& slants, const SlantNoise& noise, double focal, double rollSigma);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SINGLE_SLANT_NOISE_HPP

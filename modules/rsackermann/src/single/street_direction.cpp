@@ -1,0 +1,57 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../factors/residual_kernels.hpp"
+#include "street_direction.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const size_t LEAST_SEGMENTS = 5;
+// Of the loss, in sigmas: the motion, and with it the compensation, is still inexact
+static const double COARSENESS = 4;
+static const double STREET_RANGE = 0.8; // radians to both sides of the heading
+static const double STREET_STEP = 0.01; // radians
+
+// The model with walls along an azimuth.
+static Model turnStreet(const Model& model, const MotionHypothesis& hypothesis, double azimuth)
+{
+    Model turned = model;
+    turned[P_STREET] = azimuth;
+    if (hypothesis.translates())
+    {
+        // Along or against the azimuth: the walls stay on the side on which they are.
+        const double size = std::hypot(model[P_B], model[P_D]);
+        const double sign = model[P_B] * std::cos(azimuth) + model[P_D] * std::sin(azimuth) < 0 ? -1 : 1;
+        turned[P_B] = sign * size * std::cos(azimuth);
+        turned[P_D] = sign * size * std::sin(azimuth);
+    }
+    return turned;
+}
+
+bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model)
+{
+    if (problem.others.size() < LEAST_SEGMENTS)
+        return false;
+    const int padded = problem.otherArrays.paddedSize();
+    AutoBuffer<double> points(4 * size_t(padded));
+    compensateSegments(problem.otherArrays, PreparedModel(model, problem.heading, problem.roadRatio), points.data());
+
+    const double scale = problem.focal / (COARSENESS * problem.directionSigma);
+    double bestCost = DBL_MAX, best = 0;
+    for (double offset = -STREET_RANGE; offset <= STREET_RANGE; offset += STREET_STEP)
+    {
+        const double azimuth = problem.heading.angle + offset;
+        const double cost = streetCost(points.data(), padded, std::sin(azimuth), std::cos(azimuth), scale);
+        if (cost < bestCost)
+        {
+            bestCost = cost;
+            best = azimuth;
+        }
+    }
+    model = turnStreet(model, hypothesis, best);
+    return true;
+}
+
+}} // namespace cv::rsackermann

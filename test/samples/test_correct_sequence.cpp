@@ -1,0 +1,147 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Inputs of a sequence that fail keep their number and their time.
+
+#include "program.hpp"
+#include "turning_drive.hpp"
+
+#include <map>
+
+namespace opencv_test { namespace {
+
+typedef nlohmann::json Json;
+
+enum Fault { NONE, DAMAGED, MISSING, OF_ANOTHER_SIZE, RESULT_EXISTS };
+
+class CorrectSequence : public testing::Test
+{
+protected:
+    static const int FRAMES = 9;
+
+    //! The names of the frames, some of which have a fault.
+    Arguments frames(const std::map<int, Fault>& faults) const
+    {
+        Arguments names;
+        for (int i = 0; i < FRAMES; i++)
+        {
+            const std::string name = folder_ / cv::format("%02d.png", i);
+            const Fault fault = faults.count(i) ? faults.at(i) : NONE;
+            std::remove(name.c_str());
+            if (fault == DAMAGED)
+                writeContent(name, "no image");
+            else if (fault != MISSING)
+            {
+                cv::Mat image = drive_.frame(i * drive_.interval);
+                cv::imwrite(name, fault == OF_ANOTHER_SIZE ? image.rowRange(0, image.rows / 2) : image);
+            }
+            names.push_back(name);
+        }
+        return names;
+    }
+
+    //! The lines of the report by the names of the images.
+    static std::map<std::string, Json> report(Arguments arguments, const Arguments& options = {})
+    {
+        const Arguments camera = {"--focal=816", "--readout=0.03", "--height=1.2", "--report=-"};
+        arguments.insert(arguments.end(), camera.begin(), camera.end());
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        std::istringstream stream(correct(arguments).output);
+        std::map<std::string, Json> lines;
+        for (std::string line; std::getline(stream, line);)
+        {
+            const Json json = Json::parse(line);
+            const std::string input = json["input"];
+            lines[input.substr(input.find_last_of('/') + 1)] = json;
+        }
+        return lines;
+    }
+
+    const TemporaryFolder folder_;
+    const TurningDrive drive_;
+};
+
+// Each frame but the first one has the true yaw rate within its uncertainty, whatever happens to others.
+TEST_F(CorrectSequence, faults_of_frames_dont_change_the_motion_of_others)
+{
+    const std::map<int, Fault> tables[] = {{},
+                                           {{5, DAMAGED}},
+                                           {{6, DAMAGED}},
+                                           {{5, MISSING}},
+                                           {{5, DAMAGED}, {6, MISSING}},
+                                           {{0, DAMAGED}, {1, DAMAGED}},
+                                           {{4, OF_ANOTHER_SIZE}},
+                                           {{3, MISSING}, {5, OF_ANOTHER_SIZE}, {7, DAMAGED}},
+                                           {{5, RESULT_EXISTS}}};
+    for (size_t table = 0; table < sizeof tables / sizeof tables[0]; table++)
+    {
+        const char* mode = table % 2 ? "--carry" : "--smooth";
+        SCOPED_TRACE(cv::format("table %d, %s", int(table), mode));
+        const Arguments names = frames(tables[table]);
+        const std::string output = folder_ / "out";
+        runCommand("rm -rf " + output + "; mkdir " + output);
+        for (const std::pair<const int, Fault>& fault : tables[table])
+            if (fault.second == RESULT_EXISTS)
+                writeContent(output + cv::format("/%02d.png", fault.first), "mine");
+        const std::map<std::string, Json> lines = report(names, {mode, "--output=" + output});
+        ASSERT_EQ(size_t(FRAMES), lines.size()) << "each input has a line";
+        int found = 0;
+        for (int i = 0; i < FRAMES; i++)
+        {
+            const Json& line = lines.at(cv::format("%02d.png", i));
+            const bool fails = tables[table].count(i) && tables[table].at(i) != OF_ANOTHER_SIZE;
+            EXPECT_EQ(fails, line["status"] == "failed") << i;
+            if (line["status"] != "ok" || tables[table].count(i))
+                continue;
+            found++;
+            const double yawRate = line["yaw_rate_deg_s"], sigma = line["yaw_rate_sigma"];
+            EXPECT_NEAR(drive_.yawRate, yawRate, std::max(4 * sigma, 1.)) << i;
+        }
+        EXPECT_GE(found, FRAMES - 2 * int(tables[table].size()) - 2);
+    }
+}
+
+// The row of a log by number is the same however the inputs are named and whichever of them fail.
+TEST_F(CorrectSequence, number_of_an_input_doesnt_depend_on_others)
+{
+    writeContent(folder_ / "log.csv", "frame,time_s\n0,100\n1,101\n2,102\n3,103\n");
+    for (const Fault fault : {DAMAGED, MISSING})
+        for (int failing = 0; failing < 4; failing++)
+        {
+            Arguments names;
+            for (int i = 0; i < 4; i++)
+            {
+                names.push_back(folder_ / cv::format("%02d.png", i));
+                cv::imwrite(names.back(), cv::Mat(48, 64, CV_8U, cv::Scalar(7)));
+            }
+            fault == MISSING ? void(std::remove(names[failing].c_str())) : writeContent(names[failing], "no image");
+            std::string list;
+            for (const std::string& name : names)
+                list += name + "\n";
+            writeContent(folder_ / "list.txt", list);
+            const std::vector<Arguments> commands = {names, {"@" + (folder_ / "list.txt")}};
+            for (const Arguments& inputs : commands)
+                for (const Arguments& shards : {Arguments{""}, Arguments{"--shard=1/2", "--shard=2/2"}})
+                {
+                    SCOPED_TRACE(cv::format("%d fails, %d arguments", failing, int(inputs.size())));
+                    int lines = 0;
+                    for (const std::string& shard : shards)
+                    {
+                        Arguments options = {"--log=" + (folder_ / "log.csv")};
+                        if (!shard.empty())
+                            options.push_back(shard);
+                        for (const std::pair<const std::string, Json>& line : report(inputs, options))
+                        {
+                            lines++;
+                            const int number = std::stoi(line.first);
+                            EXPECT_EQ(number == failing, line.second["status"] == "failed") << number;
+                            EXPECT_TRUE(number == failing || line.second["time_s"] == 100 + number) << line.second;
+                        }
+                    }
+                    EXPECT_EQ(4, lines);
+                }
+        }
+}
+
+}} // namespace opencv_test::
