@@ -88,10 +88,10 @@ int run(const Options& options)
     printRow("speed, km/h", truth.scene.speed * 3.6, report.value("speed_km_h", nlohmann::json()));
     if (std::cos(truth.scene.wallDirection) > 0.5) // the camera looks along the street
     {
-        nlohmann::json lineAtInfinity = report.value("delta", nlohmann::json());
-        if (lineAtInfinity.is_number())
-            lineAtInfinity = lineAtInfinity.get<double>() * truth.camera.fx;
-        printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, lineAtInfinity);
+        nlohmann::json vanishingPoint = report.value("delta", nlohmann::json());
+        if (vanishingPoint.is_number())
+            vanishingPoint = vanishingPoint.get<double>() * truth.camera.fx;
+        printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, vanishingPoint);
     }
     if (truth.scene.left > 0 && truth.scene.right > 0)
         printRow("wall distances, left/right", truth.scene.left / truth.scene.right,

@@ -160,7 +160,7 @@ int run(const Options& options)
         if (!corrector)
         {
             const RollingShutterCamera camera = settings.makeCamera(image.size());
-            params.carryMotion = camera.lineDelay > 0;
+            params.sequence = camera.lineDelay > 0;
             corrector = RollingShutterCorrector::create(camera, params);
         }
         corrector->setTimestamp(seconds);

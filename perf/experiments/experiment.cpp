@@ -25,7 +25,7 @@ bool isAtRest(const street::StreetScene& scene)
 }
 
 // The camera as the estimator is told of it.
-RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowledge& knowledge, cv::RNG& rng)
+RollingShutterCamera givenCamera(const street::StreetCamera& truth, const Knowledge& knowledge, cv::RNG& rng)
 {
     street::StreetCamera told = truth;
     told.roll += rng.gaussian(knowledge.rollNoise);
@@ -40,7 +40,7 @@ RollingShutterCamera toldCamera(const street::StreetCamera& truth, const Knowled
 }
 
 // The motion as the estimator is told of it.
-MotionPrior toldMotion(const street::StreetScene& truth, const Knowledge& knowledge, cv::RNG& rng)
+MotionPrior givenMotion(const street::StreetScene& truth, const Knowledge& knowledge, cv::RNG& rng)
 {
     MotionPrior prior;
     const double error = knowledge.exactPriors ? 0 : 1;
@@ -133,8 +133,8 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     const AckermannEstimator::Params& params = experiment.params;
     cv::RNG rng(seed * 7717u + 1);
     rng.next(); // the first normal deviate of a small seed is 0
-    const RollingShutterCamera camera = toldCamera(c.camera, knowledge, rng);
-    const MotionPrior prior = toldMotion(c.scene, knowledge, rng);
+    const RollingShutterCamera camera = givenCamera(c.camera, knowledge, rng);
+    const MotionPrior prior = givenMotion(c.scene, knowledge, rng);
     cv::Mat segments;
     if (experiment.segments.exact)
         segments = exactSegments(c, params);

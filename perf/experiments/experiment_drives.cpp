@@ -111,7 +111,7 @@ std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int 
     const std::vector<DriveFrame> frames = readDrive(folder);
     RollingShutterCorrector::Params all;
     all.estimator = params;
-    all.carryMotion = true;
+    all.sequence = true;
     const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(frames[0].camera, all);
     std::vector<Outcome> outcomes;
     double time = 0;

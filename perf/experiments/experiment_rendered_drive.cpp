@@ -108,7 +108,7 @@ int run(const Options& options)
     camera.height = eye.height;
     RollingShutterCorrector::Params params;
     const cv::Ptr<RollingShutterCorrector> alone = RollingShutterCorrector::create(camera, params);
-    params.carryMotion = true;
+    params.sequence = true;
     const cv::Ptr<RollingShutterCorrector> carried = RollingShutterCorrector::create(camera, params);
     Series series[2];
     for (int i = 0; i < frames; i++)

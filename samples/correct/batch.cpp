@@ -70,7 +70,7 @@ Batch::Task Batch::taskOf(const std::string& input) const
 // If a motion is carried from image to image those before the last one that is left to be done count.
 bool Batch::isLeftOut(size_t index, const Task& task) const
 {
-    const bool isCarried = job_.params.carryMotion && !isVideo(inputs_[index].name);
+    const bool isCarried = job_.params.sequence && !isVideo(inputs_[index].name);
     return job_.skipExisting && task.isDone() && !(isCarried && index < lastTask_);
 }
 

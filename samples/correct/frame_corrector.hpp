@@ -41,7 +41,7 @@ public:
 
     //! Whether the image after the one that is corrected next says something: for the first one of a drive, which has
     //! none before.
-    bool wantsNext() const { return job_.params.carryMotion && (isFirst_ || job_.smooth); }
+    bool wantsNext() const { return job_.params.sequence && (isFirst_ || job_.smooth); }
 
     /** Corrects the image; throws InputError or cv::Exception.
     @param next see wantsNext(). */

@@ -93,7 +93,7 @@ MotionPrior readPrior(const Options& options, const Job& job)
         readMeasurement(options, "yaw_rate", 1000, YAW_RATE_SIGMA, DEGREE, prior.yawRate, prior.yawRateSigma);
     const bool metric = job.camera.lineDelay > 0 || job.camera.readOut > 0;
     const std::string delay = "the line delay (--line_delay, --readout or in the camera file)";
-    if (job.params.carryMotion && !metric)
+    if (job.params.sequence && !metric)
         warnUseless(job.smooth ? "--smooth" : "--carry", delay);
     if (speed && !metric)
         warnUseless("--speed", delay);
@@ -163,7 +163,7 @@ void readShard(const Options& options, Job& job)
     job.shardCount = 1;
     if (!options.given("shard"))
         return;
-    if (job.params.carryMotion)
+    if (job.params.sequence)
         throw UsageError("--carry and --shard exclude each other: the frames of a shard aren't consecutive");
     const std::string text = options.text("shard"), source = "option --shard (i/N)";
     const size_t slash = text.find('/');
@@ -191,8 +191,8 @@ Job readJob(const Options& options)
     if (options.given("log"))
         job.log = DriveLog(options.inputFile("log"));
     job.smooth = options.flag("smooth");
-    job.params.carryMotion = job.smooth || options.flag("carry");
-    if (job.params.carryMotion && job.params.estimator.model != MODEL_AUTO)
+    job.params.sequence = job.smooth || options.flag("carry");
+    if (job.params.sequence && job.params.estimator.model != MODEL_AUTO)
         throw UsageError("--model and --carry exclude each other: tracked points tell the whole motion");
     job.prior = readPrior(options, job);
     job.output = target(options, "output");

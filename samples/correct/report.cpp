@@ -44,14 +44,15 @@ Json rounded(double value)
     return std::round(value * 1e9) / 1e9;
 }
 
-// AckermannMotion::relief and the area that it covers.
-Json reliefOf(const AckermannMotion& motion)
+// AckermannMotion::inverseDepthOffset and the area that it covers.
+Json offsetOf(const AckermannMotion& motion)
 {
-    const cv::Rect2d& area = motion.reliefArea;
+    const cv::Rect2d& area = motion.offsetArea;
     Json values = Json::array();
-    for (int i = 0; i < int(motion.relief.total()); i++)
-        values.push_back(rounded(motion.relief.at<double>(i / motion.relief.cols, i % motion.relief.cols)));
-    return {{"columns", motion.relief.cols},
+    for (int i = 0; i < int(motion.inverseDepthOffset.total()); i++)
+        values.push_back(rounded(motion.inverseDepthOffset.at<double>(i / motion.inverseDepthOffset.cols,
+                                                                      i % motion.inverseDepthOffset.cols)));
+    return {{"columns", motion.inverseDepthOffset.cols},
             {"values", values},
             {"area", {rounded(area.x), rounded(area.y), rounded(area.width), rounded(area.height)}}};
 }
@@ -105,8 +106,8 @@ std::string reportLine(const FrameReport& frame)
     line["wall_offset"] = orNull(ok, m.wallOffset);
     line["wall_ratio"] = orNull(ok && m.wallRatio > 0, m.wallRatio);
     line["road_slope"] = orNull(ok, m.roadSlope);
-    if (ok && !m.relief.empty())
-        line["relief"] = reliefOf(m);
+    if (ok && !m.inverseDepthOffset.empty())
+        line["relief"] = offsetOf(m);
     line["direction"] = ok ? Json(m.direction) : Json();
     line["roll_correction_deg"] = orNull(ok, m.rollCorrection / DEGREE);
     line["pitch_correction_deg"] = orNull(ok, m.pitchCorrection / DEGREE);

@@ -50,17 +50,17 @@ double numberOf(const Json& line, const char* key)
     return value.is_null() ? 0 : value.get<double>();
 }
 
-// The relief of a frame of a drive.
-void readRelief(const Json& relief, const std::string& source, AckermannMotion& motion)
+// The inverse-depth offset of a frame of a sequence.
+void readOffset(const Json& offset, const std::string& source, AckermannMotion& motion)
 {
-    const std::vector<double> values = relief.at("values").get<std::vector<double>>(),
-                              area = relief.at("area").get<std::vector<double>>();
-    const int columns = relief.at("columns").get<int>();
+    const std::vector<double> values = offset.at("values").get<std::vector<double>>(),
+                              area = offset.at("area").get<std::vector<double>>();
+    const int columns = offset.at("columns").get<int>();
     if (area.size() != 4 || columns < 4 || values.size() % size_t(columns) != 0 || values.size() / size_t(columns) < 4)
         throw InputError(
             source + " has a relief (inverse-depth offset) that isn't at least 4 x 4 values over an area of 4 numbers");
-    motion.relief = cv::Mat(values, true).reshape(1, int(values.size()) / columns);
-    motion.reliefArea = cv::Rect2d(area[0], area[1], area[2], area[3]);
+    motion.inverseDepthOffset = cv::Mat(values, true).reshape(1, int(values.size()) / columns);
+    motion.offsetArea = cv::Rect2d(area[0], area[1], area[2], area[3]);
 }
 
 AckermannMotion motionOf(const Json& line, const std::string& source)
@@ -80,7 +80,7 @@ AckermannMotion motionOf(const Json& line, const std::string& source)
     motion.wallDistance = numberOf(line, "wall_distance_m");
     motion.scale = parseWord(line.at("scale"), source, SCALE_WORDS);
     if (line.contains("relief"))
-        readRelief(line.at("relief"), source, motion);
+        readOffset(line.at("relief"), source, motion);
     return motion;
 }
 

@@ -144,18 +144,18 @@ AckermannMotion Values::motion(const RollingShutterCamera& camera)
     motion.pitchCorrection = around(0, -0.2, 0.2);
     motion.wallDistance = around(3, 0, 20);
     if (flag())
-        addRelief(motion);
+        addOffset(motion);
     return motion;
 }
 
-void Values::addRelief(AckermannMotion& motion)
+void Values::addOffset(AckermannMotion& motion)
 {
-    motion.relief.create(integer(3, 12), integer(3, 12), integer(0, 31) ? CV_64F : CV_32F);
-    motion.relief.setTo(number(-0.1, 0.1));
-    for (int i = 0; i < 4 && motion.relief.depth() == CV_64F; i++)
-        motion.relief.at<double>(integer(0, motion.relief.rows - 1), integer(0, motion.relief.cols - 1)) =
-            number(-1, 1);
-    motion.reliefArea = cv::Rect2d(number(-2, 1), number(-2, 1), number(-0.1, 4), number(-0.1, 4));
+    motion.inverseDepthOffset.create(integer(3, 12), integer(3, 12), integer(0, 31) ? CV_64F : CV_32F);
+    motion.inverseDepthOffset.setTo(number(-0.1, 0.1));
+    for (int i = 0; i < 4 && motion.inverseDepthOffset.depth() == CV_64F; i++)
+        motion.inverseDepthOffset.at<double>(integer(0, motion.inverseDepthOffset.rows - 1),
+                                             integer(0, motion.inverseDepthOffset.cols - 1)) = number(-1, 1);
+    motion.offsetArea = cv::Rect2d(number(-2, 1), number(-2, 1), number(-0.1, 4), number(-0.1, 4));
 }
 
 MotionPrior Values::prior()

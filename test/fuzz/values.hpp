@@ -53,7 +53,7 @@ public:
 
 private:
     double any();
-    void addRelief(cv::rsackermann::AckermannMotion& motion);
+    void addOffset(cv::rsackermann::AckermannMotion& motion);
 
     FuzzedDataProvider bytes_;
 };

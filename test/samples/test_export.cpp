@@ -396,7 +396,7 @@ TEST_F(Export, report_of_rsackermann_correct)
     expectSameMap(folder / "maps.yml", folder / "rolling.png.rectify.exr");
 }
 
-// A frame of a drive has a relief, which the line of the report has, too.
+// A frame of a sequence has an inverse-depth offset, which the line of the report has, too.
 TEST_F(Export, report_of_a_drive)
 {
     const std::string camera = "--camera=" + streetFolder() + "/camera.yml", first = streetFolder() + "/rolling.png",
@@ -438,8 +438,8 @@ TEST_F(Export, report_of_a_drive)
         writeContent(folder / "report.jsonl", frame.dump() + "\n");
         const Outcome refused = exportMotion(stmap);
         EXPECT_NE(0, refused.exitCode) << i;
-        EXPECT_NE(std::string::npos, refused.messages.find(i == 3 ? "report.jsonl, line 1" : "relief"))
-            << refused.messages;
+        const std::string named = i == 3 ? "report.jsonl, line 1" : i == 4 ? "offsetArea" : "relief";
+        EXPECT_NE(std::string::npos, refused.messages.find(named)) << refused.messages;
     }
 }
 

@@ -72,7 +72,7 @@ PERF_TEST_P(Drive, carried, testing::Values(szVGA, sz720p, sz1080p))
     const AckermannMotion motion = motionFromMetric(camera, 0, speed, 2.75, 2.75, 0);
     const Mat frames[] = {streetImage(camera, motion), streetImage(camera, motion, speed * seconds)};
     RollingShutterCorrector::Params params;
-    params.carryMotion = true;
+    params.sequence = true;
     const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
     Mat dst(frames[0].size(), frames[0].type());
     declare.in(frames[0], frames[1]).out(dst);

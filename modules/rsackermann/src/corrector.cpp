@@ -14,7 +14,7 @@
 namespace cv { namespace rsackermann {
 
 RollingShutterCorrector::Params::Params()
-    : interpolation(INTER_LINEAR), carryMotion(false), trackPoints(true), frameInterval(1. / 30)
+    : interpolation(INTER_LINEAR), sequence(false), trackPoints(true), frameInterval(1. / 30)
 {
 }
 
@@ -46,7 +46,7 @@ void RollingShutterCorrector::Params::write(FileStorage& fs) const
     fs.startWriteStruct("warp", FileNode::MAP);
     warp.write(fs);
     fs.endWriteStruct();
-    fs << "interpolation" << interpolation << "carry_motion" << carryMotion << "track_points" << trackPoints
+    fs << "interpolation" << interpolation << "sequence" << sequence << "track_points" << trackPoints
        << "frame_interval" << frameInterval;
 }
 
@@ -55,7 +55,7 @@ void RollingShutterCorrector::Params::read(const FileNode& fn)
     estimator.read(fn["estimator"]);
     warp.read(fn["warp"]);
     cv::read(fn["interpolation"], interpolation, interpolation);
-    cv::read(fn["carry_motion"], carryMotion, carryMotion);
+    cv::read(fn["sequence"], sequence, sequence);
     cv::read(fn["track_points"], trackPoints, trackPoints);
     cv::read(fn["frame_interval"], frameInterval, frameInterval);
 }
@@ -76,9 +76,9 @@ void RollingShutterCorrector::Params::check() const
         CV_Error(
             Error::StsBadArg,
             format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval));
-    if (carryMotion && trackPoints && estimator.model != MODEL_AUTO)
+    if (sequence && trackPoints && estimator.model != MODEL_AUTO)
         CV_Error(Error::StsBadArg, format("params.estimator.model is %d; MODEL_AUTO (%d) is expected if points are "
-                                          "tracked from frame to frame (carryMotion and trackPoints)",
+                                          "tracked from frame to frame (sequence and trackPoints)",
                                           estimator.model, MODEL_AUTO));
 }
 
@@ -201,7 +201,7 @@ public:
                                         OutputArray mask) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        const bool isTracked = params.carryMotion && params.trackPoints;
+        const bool isTracked = params.sequence && params.trackPoints;
         checkRemapped(src, "src", generator->getCamera().imageSize);
         if (isTracked)
             checkImage(src, "src");
@@ -296,7 +296,7 @@ private:
         Stopwatch watch;
         const double seconds = timeOfFrame();
         AckermannMotion motion;
-        if (params.carryMotion)
+        if (params.sequence)
             motion = estimateFrame(seconds);
         else
             motion = estimator->estimate(segments, labels, prior);
@@ -357,7 +357,7 @@ private:
     Ptr<WarpMapGenerator> generator;
     SegmentFinder finder;
     MotionPrior prior;
-    DriveEstimator drive;
+    SequenceEstimator drive;
     GrayFrame next;   // what is known of the image after the next one
     double time;      // of the last frame
     double timestamp; // of the next one; not finite: not given

@@ -9,20 +9,20 @@
 
 namespace cv { namespace rsackermann {
 
-//! Rows and columns that a file tells of a matrix; -1 x -1 if it tells none.
-inline Size toldSize(const FileNode& matrix)
+//! Rows and columns that a file states of a matrix; -1 x -1 if it states none.
+inline Size storedSize(const FileNode& matrix)
 {
-    Size told(-1, -1);
+    Size stored(-1, -1);
     if (matrix.isMap())
     {
-        cv::read(matrix["rows"], told.height, -1);
-        cv::read(matrix["cols"], told.width, -1);
+        cv::read(matrix["rows"], stored.height, -1);
+        cv::read(matrix["cols"], stored.width, -1);
     }
-    return told;
+    return stored;
 }
 
 /** Reads a matrix; it keeps its values if there is none. One of another size is refused before OpenCV takes the memory
-for the size that the file tells, whatever elements there are.
+for the size that the file states, whatever elements there are.
 */
 template <int rows, int cols>
 void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& matrix)
@@ -30,10 +30,10 @@ void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& m
     const FileNode node = fn[key];
     if (node.empty())
         return;
-    const Size told = toldSize(node);
-    if (told != Size(cols, rows))
-        CV_Error(Error::StsBadArg,
-                 format("%s is %d x %d; a matrix of %d x %d is expected", key, told.height, told.width, rows, cols));
+    const Size stored = storedSize(node);
+    if (stored != Size(cols, rows))
+        CV_Error(Error::StsBadArg, format("%s is %d x %d; a matrix of %d x %d is expected", key, stored.height,
+                                          stored.width, rows, cols));
     cv::read(node, matrix, matrix);
 }
 

@@ -80,10 +80,10 @@ inline AckermannMotion exampleMotion()
     m.probabilityWorse = 0.0625;
     for (int i = 0; i < 16; i++)
         m.covariance.val[i] = 0.01 * (i + 1);
-    m.relief.create(4, 5, CV_64F);
+    m.inverseDepthOffset.create(4, 5, CV_64F);
     for (int i = 0; i < 20; i++)
-        m.relief.at<double>(i / 5, i % 5) = 0.001 * (i - 7);
-    m.reliefArea = Rect2d(-0.5, -0.25, 1.125, 0.75);
+        m.inverseDepthOffset.at<double>(i / 5, i % 5) = 0.001 * (i - 7);
+    m.offsetArea = Rect2d(-0.5, -0.25, 1.125, 0.75);
     return m;
 }
 
@@ -97,11 +97,11 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
     EXPECT_EQ(a.covariance, b.covariance);
-    ASSERT_EQ(a.relief.size(), b.relief.size());
-    EXPECT_TRUE(a.relief.empty() || a.relief.type() == b.relief.type());
-    EXPECT_TRUE(a.relief.empty() || a.relief.type() != b.relief.type() ||
-                cvtest::norm(a.relief, b.relief, NORM_INF) == 0);
-    EXPECT_EQ(a.reliefArea, b.reliefArea);
+    ASSERT_EQ(a.inverseDepthOffset.size(), b.inverseDepthOffset.size());
+    EXPECT_TRUE(a.inverseDepthOffset.empty() || a.inverseDepthOffset.type() == b.inverseDepthOffset.type());
+    EXPECT_TRUE(a.inverseDepthOffset.empty() || a.inverseDepthOffset.type() != b.inverseDepthOffset.type() ||
+                cvtest::norm(a.inverseDepthOffset, b.inverseDepthOffset, NORM_INF) == 0);
+    EXPECT_EQ(a.offsetArea, b.offsetArea);
 }
 
 inline MotionPrior examplePrior()
@@ -212,7 +212,7 @@ inline RollingShutterCorrector::Params exampleCorrectorParams()
     p.estimator = exampleEstimatorParams();
     p.warp = exampleWarpParams();
     p.interpolation = INTER_CUBIC;
-    p.carryMotion = true;
+    p.sequence = true;
     p.trackPoints = false;
     p.frameInterval = 0.04;
     return p;
@@ -223,7 +223,7 @@ inline void expectSame(const RollingShutterCorrector::Params& a, const RollingSh
     expectSame(a.estimator, b.estimator);
     expectSame(a.warp, b.warp);
     EXPECT_EQ(a.interpolation, b.interpolation);
-    EXPECT_EQ(a.carryMotion, b.carryMotion);
+    EXPECT_EQ(a.sequence, b.sequence);
     EXPECT_EQ(a.trackPoints, b.trackPoints);
     EXPECT_EQ(a.frameInterval, b.frameInterval);
 }

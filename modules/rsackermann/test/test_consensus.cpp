@@ -105,9 +105,11 @@ TEST(RSAckermann_Consensus, what_is_known_saves_a_segment)
                                                     : k == 1 ? (v ? 6 : 0.2)
                                                              : (v ? 0.1 : 0.001);
         }
-        problem.prior = PriorTerms(vague, street.camera, params);
+        const DrivingPrior little(vague, street.camera, params, problem.limits),
+            much(exact, street.camera, params, problem.limits);
+        problem.prior = &little;
         EXPECT_EQ(4, CandidateConsensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5).sampleSize()) << k;
-        problem.prior = PriorTerms(exact, street.camera, params);
+        problem.prior = &much;
         CandidateConsensus consensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5);
         ASSERT_EQ(3, consensus.sampleSize()) << k;
         Model models[CandidateConsensus::MAX_MODELS];

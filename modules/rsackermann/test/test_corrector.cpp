@@ -211,7 +211,7 @@ TEST(RSAckermann_Corrector, tiny_images)
             RollingShutterCamera camera = RollingShutterCamera::fromFocal(size);
             camera.lineDelay = 1e-5;
             RollingShutterCorrector::Params params;
-            params.carryMotion = isCarried;
+            params.sequence = isCarried;
             const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
             for (int frame = 0; frame < 3; frame++)
             {
@@ -417,7 +417,7 @@ public:
     {
         params.estimator.wallDistance = 2.5;
         params.estimator.gravitySigma = 0;
-        params.carryMotion = true;
+        params.sequence = true;
         params.frameInterval = INTERVAL;
         corrector = RollingShutterCorrector::create(camera, params);
     }
@@ -501,7 +501,7 @@ TEST(RSAckermann_Corrector, segments_alone_dont_confirm_one_another_if_gravity_i
 TEST(RSAckermann_Corrector, motion_is_not_carried_unless_asked_for)
 {
     CorrectorOfFrames c;
-    c.params.carryMotion = false;
+    c.params.sequence = false;
     c.corrector->setParams(c.params);
     const Mat a = noisySegments(c.camera, 0.6, 20, 3), b = noisySegments(c.camera, 0.65, 20.5, 4);
     c.frame(a);
@@ -580,7 +580,7 @@ TEST(RSAckermann_Corrector, frame_that_shows_nothing_goes_on_as_expected)
         for (int i = 0; i < 4; i++)
             motion = c.corrector->correctWithSegments(approached(street, i), nothing, dst);
         ASSERT_EQ(MOTION_OK, motion.status);
-        EXPECT_FALSE(motion.relief.empty()) << "the texture isn't on the planes of a street";
+        EXPECT_FALSE(motion.inverseDepthOffset.empty()) << "the texture isn't on the planes of a street";
         const double sigma = motion.covariance(0, 0);
         double seen = 0, yawRate = 0;
         ASSERT_TRUE(motion.yawRate(c.camera, seen));
@@ -597,7 +597,7 @@ TEST(RSAckermann_Corrector, frame_that_shows_nothing_goes_on_as_expected)
             ASSERT_EQ(MOTION_OK, motion.status) << i;
             EXPECT_LT(motion.expectedResidual, motion.expectedRaw);
             EXPECT_EQ(0, motion.candidates);
-            EXPECT_TRUE(motion.relief.empty());
+            EXPECT_TRUE(motion.inverseDepthOffset.empty());
             motion.yawRate(c.camera, yawRate);
             EXPECT_NEAR(seen * std::exp(-i * INTERVAL / 2), yawRate, 1e-6);
         }
@@ -637,7 +637,7 @@ TEST(RSAckermann_Corrector, next_frame_refines_the_relief)
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(1600, 900));
     camera.lineDelay = 0.02 / 900;
     RollingShutterCorrector::Params params;
-    params.carryMotion = true;
+    params.sequence = true;
     params.frameInterval = INTERVAL;
     const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
     const Mat street = texturedImage(camera.imageSize, 1), nothing(0, 4, CV_32F);
@@ -650,7 +650,7 @@ TEST(RSAckermann_Corrector, next_frame_refines_the_relief)
             corrector->setNextFrame(approached(street, i + 1), std::numeric_limits<double>::quiet_NaN());
         const AckermannMotion motion = corrector->correctWithSegments(approached(street, i), nothing, dst);
         ASSERT_EQ(MOTION_OK, motion.status) << i;
-        values[i] = motion.relief.total();
+        values[i] = motion.inverseDepthOffset.total();
     }
     EXPECT_GT(values[1], 2 * values[2]);
     EXPECT_GT(values[3], values[2]);

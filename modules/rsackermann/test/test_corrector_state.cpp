@@ -46,7 +46,7 @@ enum Mode { ALONE, CARRIED, UNTRACKED, MODES };
 Ptr<RollingShutterCorrector> createCorrector(const RollingShutterCamera& camera, int mode)
 {
     RollingShutterCorrector::Params params;
-    params.carryMotion = mode != ALONE;
+    params.sequence = mode != ALONE;
     params.trackPoints = mode == CARRIED;
     params.frameInterval = INTERVAL;
     params.estimator.gravitySigma = 0;
@@ -321,11 +321,14 @@ TEST(RSAckermann_CorrectorState, parameters_of_tracked_frames)
         {"wallDistance", true, [](Params& p) { p.wallDistance = 7; }},
         {"gravitySigma", true, [](Params& p) { p.gravitySigma = 0.02; }},
         {"priorYawRate", true, [](Params& p) { p.priorYawRate = 0.001; }},
+        {"wallDeviationSigma", true, [](Params& p) { p.wallDeviationSigma = 0.01; }},
+        {"priorSpeed", true, [](Params& p) { p.priorSpeed = 3; }},
+        {"priorWallDistance", true, [](Params& p) { p.priorWallDistance = 50; }},
+        {"standingProbability", true, [](Params& p) { p.standingProbability = 0.9; }},
         {"seed", false, [](Params& p) { p.seed = 5; }},
         {"confidence", false, [](Params& p) { p.confidence = 0.5; }},
         {"maxIterations", false, [](Params& p) { p.maxIterations = 3; }},
         {"minCandidates", false, [](Params& p) { p.minCandidates = 1000; }},
-        {"wallDeviationSigma", false, [](Params& p) { p.wallDeviationSigma = 0.01; }},
         {"reverseProbability", false, [](Params& p) { p.reverseProbability = 0.4; }}};
     const auto lastOf = [&s](const Params* estimator) {
         const Ptr<Corrector> corrector = createCorrector(s.camera, CARRIED);

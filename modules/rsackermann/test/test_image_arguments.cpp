@@ -75,7 +75,7 @@ std::vector<Entry> entries(const RollingShutterCamera& camera)
     for (int mode = 0; mode < 3; mode++) // each image alone, a sequence, a sequence whose points aren't tracked
     {
         RollingShutterCorrector::Params params;
-        params.carryMotion = mode > 0;
+        params.sequence = mode > 0;
         params.trackPoints = mode < 2;
         const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
         list.push_back({"correct", true, [corrector](InputArray image) {

@@ -13,9 +13,9 @@ class MixtureOfMotions : public testing::Test
 {
 protected:
     MixtureOfMotions()
-        : camera(simulation::paperCamera()), field(camera), usual(MotionPrior(), camera, AckermannEstimator::Params(),
+        : camera(simulation::paperCamera()), field(camera), prior(MotionPrior(), camera, AckermannEstimator::Params(),
                                                                   MotionLimits(camera, AckermannEstimator::Params())),
-          mixture(field, usual, 0)
+          mixture(field, prior, 0)
     {
     }
 
@@ -50,7 +50,7 @@ protected:
 
     RollingShutterCamera camera;
     DisplacementField field;
-    UsualDrive usual;
+    DrivingPrior prior;
     MotionMixture mixture;
 };
 
@@ -105,7 +105,7 @@ TEST_F(MixtureOfMotions, harm_is_weighed_against_the_residual)
     for (int k = 0; k < 4; k++)
         for (double rest = 0.05; rest < 1; rest += 0.1)
         {
-            MotionMixture two(field, usual, aversions[k]);
+            MotionMixture two(field, prior, aversions[k]);
             two.add(Fit(MotionHypothesis(MODEL_NONE, 0)), MotionHypothesis(MODEL_NONE, 0), std::log(rest));
             two.add(turning(0.04), turning(0.04).hypothesis, std::log(1 - rest));
             const Posterior best = two.best();
@@ -128,7 +128,7 @@ TEST_F(MixtureOfMotions, the_uncertain_road_is_expected)
     EXPECT_GT(exactWalls, 0.1);
     for (int i = P_B; i <= P_LAMBDA; i++)
         fit.covariance(i, i) = i == P_LAMBDA ? 0.01 : 0.0004;
-    MotionMixture wide(field, usual, 0);
+    MotionMixture wide(field, prior, 0);
     wide.add(fit, fit.hypothesis, 0);
     EXPECT_GT(wide.best().expectedResidual, 1.05 * exactWalls);
 }

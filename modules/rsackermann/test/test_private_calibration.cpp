@@ -17,10 +17,10 @@ CalibrationFrame frameBetween(const RollingShutterCamera& camera, double left, d
     frame.drive = 1;
     frame.time = frame.interval = 1 / 30.;
     frame.value.setZero();
-    frame.value[DRIVE_SPEED] = 10;
-    frame.value[DRIVE_LEFT] = left;
-    frame.value[DRIVE_RIGHT] = right;
-    frame.value[DRIVE_ROAD] = 1 / camera.height;
+    frame.value[SEQUENCE_SPEED] = 10;
+    frame.value[SEQUENCE_LEFT] = left;
+    frame.value[SEQUENCE_RIGHT] = right;
+    frame.value[SEQUENCE_ROAD] = 1 / camera.height;
     for (int i = 0; i < SCENE_VALUES; i++)
     {
         frame.expected[i] = frame.value[i];
@@ -44,7 +44,7 @@ bool counts(CalibrationFrame frame, const Point2d& pixel)
 {
     const RollingShutterCamera camera = straightCamera();
     const PointPair pair = {pixel, pixel};
-    addSights(camera, std::vector<PointPair>(1, pair), frame.interval, frame.sights);
+    addBearings(camera, std::vector<PointPair>(1, pair), frame.interval, frame.bearings);
     FrameProblem(camera, MountVector::Zero(), 1, USUAL).weigh(frame);
     return frame.pointWeights[0] != Matx22d::zeros();
 }

@@ -66,19 +66,19 @@ TEST(RSAckermann_Storage, motion)
 TEST(RSAckermann_Storage, motion_without_relief)
 {
     AckermannMotion motion = exampleMotion(), restored = motion;
-    motion.relief.release();
-    motion.reliefArea = Rect2d();
+    motion.inverseDepthOffset.release();
+    motion.offsetArea = Rect2d();
     readFrom(written(motion, ".yml"), restored);
     expectSame(motion, restored);
 }
 
-TEST(RSAckermann_Storage, relief_of_another_type)
+TEST(RSAckermann_Storage, offset_of_another_type)
 {
     for (const char* type : {"f", "2d", "512d", "u"})
     {
         AckermannMotion motion = exampleMotion();
         const std::string text =
-            format("%%YAML:1.0\n---\nvalue:\n   relief_area: [ 0., 0., 1., 1. ]\n   relief: "
+            format("%%YAML:1.0\n---\nvalue:\n   offset_area: [ 0., 0., 1., 1. ]\n   inverse_depth_offset: "
                    "!!opencv-matrix\n      rows: 4\n      cols: 4\n      dt: %s\n      data: [ 1 ]\n",
                    type);
         EXPECT_THROW(readFrom(text, motion), cv::Exception) << type;
@@ -179,7 +179,7 @@ TEST(RSAckermann_Storage, size_of_matrices)
     checkSizeOfMatrix<RollingShutterCamera>("camera_matrix");
     checkSizeOfMatrix<RollingShutterCamera>("upright_rotation");
     checkSizeOfMatrix<AckermannMotion>("covariance");
-    checkSizeOfMatrix<AckermannMotion>("relief");
+    checkSizeOfMatrix<AckermannMotion>("inverse_depth_offset");
 }
 
 //! @param text file with something that is out of range, and with other values that aren't.

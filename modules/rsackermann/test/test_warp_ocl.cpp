@@ -64,9 +64,9 @@ TEST_P(WarpOpenCL, equals_CPU)
             motion.status = MOTION_NOT_SIGNIFICANT;
         if (round > 1)
         {
-            motion.reliefArea = distort ? Rect2d(-0.3, -0.2, 0.7, 0.35) : Rect2d(-1, -0.8, 2, 1.6);
-            motion.relief.create(distort ? Size(9, 6) : Size(19, 16), CV_64F);
-            rng.fill(motion.relief, RNG::NORMAL, 0, 0.05 * std::hypot(motion.wallSlope, motion.wallOffset));
+            motion.offsetArea = distort ? Rect2d(-0.3, -0.2, 0.7, 0.35) : Rect2d(-1, -0.8, 2, 1.6);
+            motion.inverseDepthOffset.create(distort ? Size(9, 6) : Size(19, 16), CV_64F);
+            rng.fill(motion.inverseDepthOffset, RNG::NORMAL, 0, 0.05 * std::hypot(motion.wallSlope, motion.wallOffset));
         }
         WarpMapGenerator::Params params;
         params.tolerance = 1e-4; // of both

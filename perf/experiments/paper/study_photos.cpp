@@ -16,7 +16,7 @@ using namespace cv::rsackermann;
 
 namespace {
 
-const double USUAL_WALL = 8; // metres, for the paper's method if the wall's distance is unknown
+const double PRIOR_WALL = 8; // metres, for the paper's method if the wall's distance is unknown
 
 // An image, made small, under its caption.
 cv::Mat tile(const cv::Mat& image, const std::string& caption)
@@ -51,7 +51,7 @@ void studyPhotos(const StudyOptions& options)
         {
             Problem own = problem;
             if (contestant.name == "paper" && own.wallDistance == 0)
-                own.wallDistance = USUAL_WALL;
+                own.wallDistance = PRIOR_WALL;
             const AckermannMotion motion = contestant.estimate(own).motion;
             cv::Mat columns, rows, corrected;
             WarpMapGenerator::create(c.camera)->initRectifyMap(motion, columns, rows);

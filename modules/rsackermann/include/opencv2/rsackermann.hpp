@@ -16,18 +16,18 @@
 
 /** @defgroup rsackermann Rolling shutter compensation for cars from a single image
 
-A car's camera reads its rows one after another while the car drives, so that one image is sheared and bent. From one
-such image and the direction of gravity this module finds the yaw rate, the speed (up to the scale of the scene) and a
+A car's camera reads its rows one after another while the car drives, so each image is skewed by the motion. From one
+image and the direction of gravity this module estimates the yaw rate, the speed (up to the scale of the scene) and a
 coarse depth (two walls and the road), and undoes the distortion with cv::remap. It implements @cite purkait2018minimal
 and extends it.
 
 The way from a raw image to a corrected one:
 -   describe the camera with cv::rsackermann::RollingShutterCamera,
--   find the motion with cv::rsackermann::AckermannEstimator,
+-   estimate the motion with cv::rsackermann::AckermannEstimator,
 -   make the maps with cv::rsackermann::WarpMapGenerator and call cv::remap,
 
-or let cv::rsackermann::RollingShutterCorrector do all of it in one call. cv::rsackermann::MountCalibrator finds from a
-drive how the camera is mounted.
+or let cv::rsackermann::RollingShutterCorrector do all of it in one call. cv::rsackermann::MountCalibrator
+self-calibrates mounting angles and line delay from a drive.
 
 Conventions of the whole module:
 -   The camera frame has x to the right, y down and z forward. Pixel centres are at integer coordinates.
@@ -38,7 +38,7 @@ Conventions of the whole module:
 -   The car turns by \f$\theta(t) = 2 \alpha t\f$ and moves by
     \f$\rho(t) (\sin(\theta/2+\psi), 0, \cos(\theta/2+\psi))\f$, \f$\rho(t) = \beta t\,\mathrm{sinc}(\theta/2)\f$,
     where \f$\psi\f$ is the heading.
--   Angles are in radians, lengths in metres, time in seconds, unless something else is said.
+-   Angles are in radians, lengths in metres, time in seconds, unless stated otherwise.
 
 Threads: functions and const methods may run at the same time in several threads, also on the same object. Everything
 else needs an object that no other thread uses meanwhile; different objects share no state. A

@@ -22,18 +22,18 @@ static Point2d rotated(const Matx33d& R, const Point2d& p)
     return Point2d(b[0] / b[2], b[1] / b[2]);
 }
 
-// A sight from a camera of other tilt and line delay.
-static Sight changed(const Sight& s, const Matx33d& R, double laterBefore)
+// A point from a camera of other tilt and line delay.
+static TrackedBearing transformed(const TrackedBearing& s, const Matx33d& R, double shiftBefore)
 {
-    Sight result = s;
+    TrackedBearing result = s;
     result.other = rotated(R, s.other);
     result.now = rotated(R, s.now);
-    result.timeOther += laterBefore;
+    result.timeOther += shiftBefore;
     return result;
 }
 
 // By how much the row time between frames is larger in another unit.
-static double later(double interval, double givenUnit, double unit)
+static double timeShift(double interval, double givenUnit, double unit)
 {
     return interval / givenUnit - interval / unit;
 }
@@ -44,8 +44,8 @@ FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector
       unit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_PASSING])), givenUnit(camera.secondsPerUnitTime()),
       focal(camera.cameraMatrix(0, 0)), reach(PointTracker::reach(camera.imageSize, COARSE_PIXELS)),
       turning(std::exp(mount[MOUNT_DELAY] - mount[MOUNT_PASSING])), residual(heading, unit, focal),
-      turned(heading + STEP, unit, focal), slower(heading, unit * (1 + STEP), focal), pointLoss(pointScale),
-      sigmas(sigmas_)
+      perturbedHeading(heading + STEP, unit, focal), perturbedDelay(heading, unit * (1 + STEP), focal),
+      pointLoss(pointScale), sigmas(sigmas_)
 {
 }
 
@@ -56,22 +56,22 @@ static Matx33d tilt(double roll, double pitch)
 
 static Matx33d tilt(const FrameVector& value)
 {
-    return tilt(value[DRIVE_ROLL], value[DRIVE_PITCH]);
+    return tilt(value[SEQUENCE_ROLL], value[SEQUENCE_PITCH]);
 }
 
 // The motion during the image, in which each effect has the line delay of its own.
 static Model imageMotion(const FrameVector& value, double unit, double turning,
-                         Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian)
+                         Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian)
 {
-    Model m = toModel(DriveVector(value.data()), unit, jacobian);
+    Model m = toModel(SequenceVector(value.data()), unit, jacobian);
     m[P_ALPHA] *= turning;
     if (jacobian)
-        (*jacobian)(P_ALPHA, DRIVE_YAW_RATE) *= turning;
+        (*jacobian)(P_ALPHA, SEQUENCE_YAW_RATE) *= turning;
     return m;
 }
 
 PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame,
-                                    Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian) const
+                                    Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian) const
 {
     return PreparedModel(imageMotion(frame.value, unit, turning, jacobian), heading);
 }
@@ -80,20 +80,20 @@ PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame,
 bool FrameProblem::isAtFoot(const FlowResidual::View& view, const double* values) const
 {
     return std::abs(view.inverseDepth - view.behind) <
-           std::abs(values[DRIVE_SPEED]) * unit * values[DRIVE_ROAD] * reach / focal;
+           std::abs(values[SEQUENCE_SPEED]) * unit * values[SEQUENCE_ROAD] * reach / focal;
 }
 
 // Pixels by which a point is elsewhere in the other image if it is nearer than its plane by a usual deviation.
-Point2d FrameProblem::byDepth(const Sight& sight, const double* values, const FlowResidual::View& view) const
+Point2d FrameProblem::byDepth(const TrackedBearing& point, const double* values, const FlowResidual::View& view) const
 {
     Point2d byInverseDepth;
-    residual.miss(sight, values, view, &byInverseDepth);
-    return values[DRIVE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2] * byInverseDepth;
+    residual.residualOf(point, values, view, &byInverseDepth);
+    return values[SEQUENCE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2] * byInverseDepth;
 }
 
 // By how much a vertical leans otherwise if it is nearer than its wall by a usual deviation, in usual sigmas.
 double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFrame& frame, const PreparedModel& model,
-                                  const Matx<double, PARAMETERS, DRIVE_VALUES>& byValues) const
+                                  const Matx<double, PARAMETERS, SEQUENCE_VALUES>& byValues) const
 {
     const double grazing = 0.05; // of a wall as seen from the camera; there is hardly a vertical
     int plane;
@@ -101,24 +101,24 @@ double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFram
     slantInSigmas(c, model, focal, byParameters.val, plane);
     if (plane != Scene::LEFT_WALL && plane != Scene::RIGHT_WALL)
         return 0;
-    const DriveVector by = byValues.t() * byParameters;
+    const SequenceVector by = byValues.t() * byParameters;
     // The inverse depth of a wall is its inverse distance times this.
-    const double direction = frame.value[DRIVE_DIRECTION],
+    const double direction = frame.value[SEQUENCE_DIRECTION],
                  across = std::abs(std::sin(direction) - std::cos(direction) * 0.5 * (c.u[0] + c.v[0]));
     // The other wall has no part in it. A right wall alone has the place of the left one in the model.
-    return (by[DRIVE_LEFT] + by[DRIVE_RIGHT]) * DEVIATION_SIGMA / std::max(across, grazing);
+    return (by[SEQUENCE_LEFT] + by[SEQUENCE_RIGHT]) * DEVIATION_SIGMA / std::max(across, grazing);
 }
 
 void FrameProblem::weigh(CalibrationFrame& frame) const
 {
     const Matx33d R = tilt(frame.value);
-    const double shift = later(frame.interval, givenUnit, unit);
+    const double shift = timeShift(frame.interval, givenUnit, unit);
     const double pointSigma = POINT_SIGMA * sigmas.points;
     frame.pointWeights.clear();
-    for (size_t i = 0; i < frame.sights.size(); i++)
+    for (size_t i = 0; i < frame.bearings.size(); i++)
     {
-        const Sight now = changed(frame.sights[i], R, shift);
-        const FlowResidual::View view = residual.look(now, frame.value.data());
+        const TrackedBearing now = transformed(frame.bearings[i], R, shift);
+        const FlowResidual::View view = residual.predict(now, frame.value.data());
         if (isAtFoot(view, frame.value.data()))
         {
             frame.pointWeights.push_back(Matx22d::zeros());
@@ -131,7 +131,7 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
         frame.pointWeights.push_back(Matx22d(inverse - less * d.x * d.x, -less * d.x * d.y, //
                                              -less * d.x * d.y, inverse - less * d.y * d.y));
     }
-    Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+    Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const PreparedModel model = modelOf(frame, &byValues);
     frame.slantWeights.clear();
     for (size_t i = 0; i < frame.verticals.size(); i++)
@@ -145,14 +145,15 @@ void FrameProblem::addMisses(const CalibrationFrame& frame, std::vector<double>&
                              std::vector<DepthResidual>& along) const
 {
     const Matx33d R = tilt(frame.value);
-    const double shift = later(frame.interval, givenUnit, unit);
-    for (size_t i = 0; i < frame.sights.size(); i++)
+    const double shift = timeShift(frame.interval, givenUnit, unit);
+    for (size_t i = 0; i < frame.bearings.size(); i++)
     {
         if (frame.pointWeights[i] == Matx22d::zeros())
             continue;
-        const Sight now = changed(frame.sights[i], R, shift);
-        const FlowResidual::View view = residual.look(now, frame.value.data());
-        const Point2d d = byDepth(now, frame.value.data(), view), r = residual.miss(now, frame.value.data(), view);
+        const TrackedBearing now = transformed(frame.bearings[i], R, shift);
+        const FlowResidual::View view = residual.predict(now, frame.value.data());
+        const Point2d d = byDepth(now, frame.value.data(), view),
+                      r = residual.residualOf(now, frame.value.data(), view);
         const double length = norm(d);
         if (!(length > 0))
             continue;
@@ -164,7 +165,7 @@ void FrameProblem::addMisses(const CalibrationFrame& frame, std::vector<double>&
 
 void FrameProblem::addSlants(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const
 {
-    Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+    Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const PreparedModel model = modelOf(frame, &byValues);
     for (size_t i = 0; i < frame.verticals.size(); i++)
     {
@@ -176,42 +177,42 @@ void FrameProblem::addSlants(const CalibrationFrame& frame, std::vector<DepthRes
 
 void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const
 {
-    const double *u = value.data(), roll = u[DRIVE_ROLL], pitch = u[DRIVE_PITCH];
+    const double *u = value.data(), roll = u[SEQUENCE_ROLL], pitch = u[SEQUENCE_PITCH];
     const Matx33d R = tilt(roll, pitch), rolled = tilt(roll + STEP, pitch), pitched = tilt(roll, pitch + STEP);
-    const double shift = later(frame.interval, givenUnit, unit),
-                 slowerShift = later(frame.interval, givenUnit, unit * (1 + STEP));
-    const auto evaluatePoint = [&](const Sight& s, Eigen::Matrix<double, COLUMNS, 2>& J) {
-        const Sight now = changed(s, R, shift);
+    const double shift = timeShift(frame.interval, givenUnit, unit),
+                 perturbedShift = timeShift(frame.interval, givenUnit, unit * (1 + STEP));
+    const auto evaluatePoint = [&](const TrackedBearing& s, Eigen::Matrix<double, COLUMNS, 2>& J) {
+        const TrackedBearing now = transformed(s, R, shift);
         Eigen::Matrix<double, FLOW_VALUES, 2> byValues;
         const Point2d r = residual.evaluate(now, u, byValues.data());
         const auto slope = [&](const Point2d& there) {
             return Eigen::RowVector2d((there.x - r.x) / STEP, (there.y - r.y) / STEP);
         };
-        J << byValues.topRows<FRAME_VALUES>(), slope(turned.evaluate(now, u, 0)), Eigen::RowVector2d::Zero(),
-            slope(slower.evaluate(changed(s, R, slowerShift), u, 0));
-        J.row(DRIVE_ROLL) = slope(residual.evaluate(changed(s, rolled, shift), u, 0));
-        J.row(DRIVE_PITCH) = slope(residual.evaluate(changed(s, pitched, shift), u, 0));
+        J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)), Eigen::RowVector2d::Zero(),
+            slope(perturbedDelay.evaluate(transformed(s, R, perturbedShift), u, 0));
+        J.row(SEQUENCE_ROLL) = slope(residual.evaluate(transformed(s, rolled, shift), u, 0));
+        J.row(SEQUENCE_PITCH) = slope(residual.evaluate(transformed(s, pitched, shift), u, 0));
         return r;
     };
-    rsackermann::addPoints<COLUMNS>(frame.sights, frame.pointWeights, pointLoss, evaluatePoint, equations);
+    rsackermann::addPoints<COLUMNS>(frame.bearings, frame.pointWeights, pointLoss, evaluatePoint, equations);
 }
 
 void FrameProblem::addVerticals(const CalibrationFrame& frame, const FrameVector& value,
                                 FrameEquations& equations) const
 {
-    Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
+    Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const Model motion = imageMotion(value, unit, turning, &byValues);
-    const PreparedModel model(motion, heading), turnedModel(motion, heading + STEP),
-        slowerModel(imageMotion(value, unit * (1 + STEP), turning / (1 + STEP), 0), heading);
+    const PreparedModel model(motion, heading), perturbedHeadingModel(motion, heading + STEP),
+        perturbedDelayModel(imageMotion(value, unit * (1 + STEP), turning / (1 + STEP), 0), heading);
     const auto evaluateVertical = [&](const UprightSegment& c, Eigen::Matrix<double, COLUMNS, 1>& J) {
         Vec<double, PARAMETERS> byParameters;
         const double r = slantInSigmas(c, model, focal, byParameters.val);
-        const DriveVector by = byValues.t() * byParameters;
+        const SequenceVector by = byValues.t() * byParameters;
         J.setZero();
-        J.head<DRIVE_VALUES>() = Eigen::Map<const Eigen::Matrix<double, DRIVE_VALUES, 1>>(by.val);
-        J[HEADING_COLUMN] = (slantInSigmas(c, turnedModel, focal, 0) - r) / STEP;
+        J.head<SEQUENCE_VALUES>() = Eigen::Map<const Eigen::Matrix<double, SEQUENCE_VALUES, 1>>(by.val);
+        J[HEADING_COLUMN] = (slantInSigmas(c, perturbedHeadingModel, focal, 0) - r) / STEP;
         J[DELAY_COLUMN] = byParameters[P_ALPHA] * motion[P_ALPHA];
-        J[PASSING_COLUMN] = (slantInSigmas(c, slowerModel, focal, 0) - r) / STEP;
+        J[PASSING_COLUMN] = (slantInSigmas(c, perturbedDelayModel, focal, 0) - r) / STEP;
         return r;
     };
     rsackermann::addVerticals<COLUMNS>(frame.verticals, frame.slantWeights, LEANING_SCALE, evaluateVertical, equations);

@@ -25,7 +25,7 @@ typedef Eigen::Matrix<double, MOUNT_VALUES, 1> MountVector;
 typedef Eigen::Matrix<double, MOUNT_VALUES, MOUNT_VALUES> MountMatrix;
 // The first of FlowResidual's values, without the turns to a frame after. Those that other frames have to do with are
 // the last ones: roll, pitch, the change of the yaw rate and the turns about both axes since the frame before.
-enum { FRAME_VALUES = FLOW_ROLL_BEFORE + 1, SCENE_VALUES = DRIVE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
+enum { FRAME_VALUES = FLOW_ROLL_BEFORE + 1, SCENE_VALUES = SEQUENCE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
 enum { LINKED_ROLL, LINKED_PITCH, LINKED_YAW_CHANGE, LINKED_PITCH_TURN, LINKED_ROLL_TURN };
 typedef Eigen::Matrix<double, FRAME_VALUES, 1> FrameVector;
 
@@ -46,7 +46,7 @@ struct CalibrationFrame
 {
     int drive;             //!< its number: frames of one drive follow each other
     double time, interval; //!< seconds; since the frame before
-    std::vector<Sight> sights;
+    std::vector<TrackedBearing> bearings;
     std::vector<UprightSegment> verticals;
     FrameVector value; //!< unknowns of the frame, with the whole corrections of roll and pitch
     double expected[SCENE_VALUES], sigma[SCENE_VALUES]; //!< of the first of them, as known before
@@ -85,15 +85,16 @@ public:
 private:
     void addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const;
     void addVerticals(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const;
-    PreparedModel modelOf(const CalibrationFrame& frame, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian = 0) const;
+    PreparedModel modelOf(const CalibrationFrame& frame, Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian = 0) const;
     bool isAtFoot(const FlowResidual::View& view, const double* values) const;
-    Point2d byDepth(const Sight& sight, const double* values, const FlowResidual::View& view) const;
+    Point2d byDepth(const TrackedBearing& point, const double* values, const FlowResidual::View& view) const;
     double slantByDepth(const UprightSegment& vertical, const CalibrationFrame& frame, const PreparedModel& model,
-                        const Matx<double, PARAMETERS, DRIVE_VALUES>& byValues) const;
+                        const Matx<double, PARAMETERS, SEQUENCE_VALUES>& byValues) const;
 
     double heading, unit, givenUnit, focal, reach; // unit: as the passing of the scene shows it
     double turning;                                // the unit as the turning shows it, over that
-    FlowResidual residual, turned, slower;         // of this heading and line delay, and of slightly larger ones
+    FlowResidual residual, perturbedHeading,
+        perturbedDelay; // of this heading and line delay, and of slightly larger ones
     double pointLoss;
     ResidualSigmas sigmas;
 };

@@ -18,7 +18,7 @@ namespace cv { namespace rsackermann {
 
 // Frames that are kept or left out together, since what connects neighbours tells the suspension
 static const int RUN = 30;
-static const double USUAL_READOUT = 0.5; // of the time between two frames, if no line delay is given
+static const double PRIOR_READOUT = 0.5; // of the time between two frames, if no line delay is given
 // Of the standard deviation before, at most, for a value that the drive tells
 static const double OBSERVED = 0.5;
 
@@ -211,8 +211,8 @@ private:
 
     MountVector sigmaBefore() const
     {
-        const double told = relativeLineDelaySigma(given),
-                     delay = told > 0 ? told : params.lineDelaySigma * (given.lineDelay > 0 ? 1 : 2);
+        const double delaySigma = relativeLineDelaySigma(given),
+                     delay = delaySigma > 0 ? delaySigma : params.lineDelaySigma * (given.lineDelay > 0 ? 1 : 2);
         MountVector sigma;
         sigma << params.tiltSigma, params.tiltSigma, params.headingSigma, delay, delay;
         return sigma;
@@ -234,22 +234,22 @@ private:
         }
         else if (!(start.lineDelay > 0))
         {
-            start.lineDelay = USUAL_READOUT * passed / start.imageSize.height;
-            filter.forget(start, gates);
+            start.lineDelay = PRIOR_READOUT * passed / start.imageSize.height;
+            filter.reset(start, gates);
         }
         look(passed);
-        if (!follows || features.sights.size() < LEAST_POINTS)
+        if (!follows || features.bearings.size() < LEAST_POINTS)
             return false;
         features.setSegments(start, gates, segments);
         filter.state.measure(prior);
-        DriveFit fit(filter.state);
+        SequenceFit fit(filter.state);
         if (!filter.update(features, start, gates, fit) || !fit.moves)
             return false;
         keep(frameOf(fit, passed, prior));
         return true;
     }
 
-    CalibrationFrame frameOf(const DriveFit& fit, double passed, const MotionPrior& prior) const
+    CalibrationFrame frameOf(const SequenceFit& fit, double passed, const MotionPrior& prior) const
     {
         CalibrationFrame frame;
         frame.drive = drive;
@@ -257,14 +257,14 @@ private:
         frame.interval = passed;
         frame.verticals = features.verticals;
         for (int i = 0; i < FRAME_VALUES; i++)
-            frame.value[i] = i < DRIVE_VALUES ? fit.state.value[i] : 0;
-        frame.sights = withoutOwnCar(start, features.sights, frame.value.data());
-        DriveState usual(start, gates);
-        usual.measure(prior);
+            frame.value[i] = i < SEQUENCE_VALUES ? fit.state.value[i] : 0;
+        frame.bearings = withoutOwnCar(start, features.bearings, frame.value.data());
+        SequenceState expected(start, gates);
+        expected.measure(prior);
         for (int i = 0; i < SCENE_VALUES; i++)
         {
-            frame.expected[i] = usual.value[i];
-            frame.sigma[i] = std::sqrt(usual.covariance(i, i));
+            frame.expected[i] = expected.value[i];
+            frame.sigma[i] = std::sqrt(expected.covariance(i, i));
         }
         return frame;
     }

@@ -90,7 +90,7 @@ public:
         for (size_t k = 0; k < state.frames.size(); k++)
         {
             state.frames[k] += step.frames[k];
-            for (int i = DRIVE_LEFT; i <= DRIVE_ROAD; i++)
+            for (int i = SEQUENCE_LEFT; i <= SEQUENCE_ROAD; i++)
                 state.frames[k][i] = std::max(state.frames[k][i], 0.);
         }
         return state;
@@ -99,7 +99,7 @@ public:
     static bool allows(const MountState&) { return true; }
 
     // How much points and verticals of this drive really err.
-    void learnSigmas()
+    void updateSigmas()
     {
         const FrameProblem problem(camera, mount, 1, sigmas);
         std::vector<double> across;
@@ -229,7 +229,7 @@ private:
     // The tilts that a frame shows.
     Eigen::Vector2d tilts(size_t k) const
     {
-        return Eigen::Vector2d(frames[k].value[DRIVE_ROLL], frames[k].value[DRIVE_PITCH]);
+        return Eigen::Vector2d(frames[k].value[SEQUENCE_ROLL], frames[k].value[SEQUENCE_PITCH]);
     }
 
     // Of the mean tilts and of the sum of all pulls.
@@ -301,7 +301,7 @@ MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFra
     MountProblem problem(camera, frames, sigma, suspension);
     problem.refine(3);
     problem.refine(1);
-    problem.learnSigmas();
+    problem.updateSigmas();
     problem.refine(2);
     return problem.result();
 }

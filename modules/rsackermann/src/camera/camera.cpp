@@ -27,10 +27,10 @@ RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double fo
     if (!(focal >= 0) || cvIsInf(focal))
         CV_Error(Error::StsBadArg,
                  format("focal is %g; a positive number of pixels, or 0 for the default, is expected", focal));
-    const double usual = 0.9, usualSigma = 0.2; // of cameras in cars
-    const double f = focal > 0 ? focal : usual * std::max(size.width, size.height);
+    const double relative = 0.9, relativeSigma = 0.2; // of cameras in cars
+    const double f = focal > 0 ? focal : relative * std::max(size.width, size.height);
     RollingShutterCamera camera(size, Matx33d(f, 0, (size.width - 1) / 2., 0, f, (size.height - 1) / 2., 0, 0, 1));
-    camera.focalSigma = focal > 0 ? 0 : usualSigma * f;
+    camera.focalSigma = focal > 0 ? 0 : relativeSigma * f;
     camera.check();
     return camera;
 }

@@ -6,9 +6,12 @@
 #define OPENCV_RSACKERMANN_SRC_FACTORS_DRIVING_PRIOR_HPP
 
 #include "../features/upright_segment.hpp"
+#include "../motion/sequence_values.hpp"
 #include "jet.hpp"
 
 namespace cv { namespace rsackermann {
+
+const double LOG_RATIO_SIGMA = 0.8; //!< of the ratio of the walls' distances
 
 //! What segments that stand on the road say about its distance.
 struct RoadContact
@@ -19,22 +22,37 @@ struct RoadContact
     RoadContact() : ratio(0), logSigma(0) {}
 };
 
-/** How cars drive and how far away walls are, as a distribution (doc/theory.md, "Posterior").
+//! The values of a MotionPrior in the units of the estimation; a sigma of 0: not given.
+struct GivenValues
+{
+    double alpha, alphaSigma;
+    double speed, speedSigma;             // by the row time alone, in metres
+    double scaledSpeed, scaledSpeedSigma; // of sqrt(B^2 + D^2), signed; needs the wall's distance, too
+    double street, streetSigma;           // azimuth of the street
 
-It takes the place of a choice among motion models: what the segments don't tell stays where it usually is.
+    GivenValues()
+        : alpha(0), alphaSigma(0), speed(0), speedSigma(0), scaledSpeed(0), scaledSpeedSigma(0), street(0),
+          streetSigma(0)
+    {
+    }
+    GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera, double wallDistance);
+};
+
+/** How cars drive and how far away walls are, and what is given of it, as a distribution (doc/theory.md, "Prior").
+
+It takes the place of a choice among motion models: what the segments don't determine stays where it is expected.
 */
-class UsualDrive
+class DrivingPrior
 {
 public:
-    UsualDrive(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-               const MotionLimits& limits);
+    DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                 const MotionLimits& limits);
 
-    enum { MAX_RESIDUALS = 3 };
+    enum { MAX_RESIDUALS = 6 };
     //! Residuals in units of their standard deviations. @return their number.
     int evaluate(const Model& model, const MotionHypothesis& hypothesis, Jet residuals[MAX_RESIDUALS]) const;
 
-    //! Logarithm of the prior density of alpha; a told yaw rate is in the cost of the refinement, but for its
-    //! normalisation.
+    //! Logarithm of the prior density of alpha; a given yaw rate is in the residuals, but for its normalisation.
     double logYawDensity(double alpha) const;
 
     //! Logarithm of the volume that the priors leave to the unknowns of a hypothesis besides alpha.
@@ -47,31 +65,38 @@ public:
     //! Slope G of the road's scaled inverse depth for a motion, and its variance.
     void road(const Model& model, const RoadContact& contact, double& G, double& variance) const;
 
-    double alphaScale() const { return toldAlphaSigma > 0 ? toldAlphaSigma : yawScale; }
-    bool motionIsTold() const { return toldAlphaSigma > 0 || toldSpeedSigma > 0; }
-    bool yawRateIsTold() const { return toldAlphaSigma > 0; }
-    double toldAlpha() const { return toldAlphaSigma > 0 ? alpha : 0; }
+    const GivenValues& given() const { return given_; }
+    double alphaScale() const { return yawRateIsGiven() ? given_.alphaSigma : yawScale; }
+    bool yawRateIsGiven() const { return given_.alphaSigma > 0; }
+    bool speedIsGiven() const { return given_.speedSigma > 0; }
     //! Scaled speed sqrt(B^2 + D^2) that is to be expected, for 1 forward and -1 reverse.
-    double usualScaledSpeed(int direction) const;
-    //! Whether the speed is told, in which direction: 1 or -1; 0: it isn't told.
-    int toldDirection() const { return toldSpeedSigma > 0 ? (toldSpeed < 0 ? -1 : 1) : 0; }
+    double expectedScaledSpeed(int direction) const;
+    //! The direction of a given speed: 1 or -1; 0: none is given.
+    int givenDirection() const { return speedIsGiven() ? (given_.speed < 0 ? -1 : 1) : 0; }
     //! Distance of the left (or only) wall over the height of the camera.
     double roadRatio() const { return ratio; }
 
 private:
-    double yawScale;                  // of alpha
-    double alpha, toldAlphaSigma;     // 0: not told
-    double toldSpeed, toldSpeedSigma; // scaled by the row time alone, in metres; 0: not told
-    double logSpeed, logSpeedSigma;   // of the scaled speed, without the uncertainty of the wall
-    double logWallSigma;              // of the logarithm of a wall's distance; 0: told
-    double heading, headingSigma;
+    bool scaledSpeedIsGiven() const { return given_.scaledSpeedSigma > 0; }
+    Jet yawResidual(double alpha) const;
+    Jet speedResidual(const Model& model, const MotionHypothesis& hypothesis) const;
+
+    GivenValues given_;
+    double yawScale;                // of alpha
+    double logSpeed, logSpeedSigma; // of the scaled speed, without the uncertainty of the wall
+    double logWallSigma;            // of the logarithm of a wall's distance; 0: given
+    double heading, headingSigma;   // the walls are along the vehicle's forward direction, more or less
     double height, ratio, logHeightSigma;
-    double standing;     // probability
-    double reverseRatio; // of the usual speed in reverse to that forward
-    bool roadRatioIsTold;
-    bool speedIsKnown; // with the wall's distance: the refinement has it as a measurement
+    double standing;       // probability
+    double reverseRatio;   // of the expected speed in reverse to that forward
+    double reversePenalty; // cost of driving backward
+    bool roadRatioIsGiven;
     bool roadIsSeen;
 };
+
+/** Mean and standard deviations of the same distribution for the state of a sequence, before anything is seen. */
+void stationaryState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, SequenceVector& mean,
+                     SequenceVector& sigma);
 
 }} // namespace cv::rsackermann
 

@@ -18,10 +18,10 @@ FlowResidual::FlowResidual(double heading_, double unit_, double focal_) : headi
 
 static const double LEAST = 0.1; // of a depth, relative to what it is at the reference row
 
-FlowResidual::View FlowResidual::look(const Sight& s, const double* u) const
+FlowResidual::View FlowResidual::predict(const TrackedBearing& s, const double* u) const
 {
-    const double alpha = u[DRIVE_YAW_RATE] * unit / 2, length = u[DRIVE_SPEED] * unit;
-    const double cosine = std::cos(u[DRIVE_DIRECTION]), sine = std::sin(u[DRIVE_DIRECTION]);
+    const double alpha = u[SEQUENCE_YAW_RATE] * unit / 2, length = u[SEQUENCE_SPEED] * unit;
+    const double cosine = std::cos(u[SEQUENCE_DIRECTION]), sine = std::sin(u[SEQUENCE_DIRECTION]);
     const RowMotion now(alpha, heading, s.timeNow);
     View v;
     v.ray[1] = s.now.y;
@@ -31,18 +31,18 @@ FlowResidual::View FlowResidual::look(const Sight& s, const double* u) const
     // The inverse depth of the nearest plane, over the speed. A camera that would have passed a wall is kept before it.
     const double across = sine * v.ray[2] - cosine * v.ray[0],
                  passed = length * (sine * v.place[2] - cosine * v.place[0]);
-    const double planes[3] = {u[DRIVE_LEFT] * across / std::max(LEAST, 1 - u[DRIVE_LEFT] * passed),
-                              -u[DRIVE_RIGHT] * across / std::max(LEAST, 1 + u[DRIVE_RIGHT] * passed),
-                              u[DRIVE_ROAD] * v.ray[1]};
+    const double planes[3] = {u[SEQUENCE_LEFT] * across / std::max(LEAST, 1 - u[SEQUENCE_LEFT] * passed),
+                              -u[SEQUENCE_RIGHT] * across / std::max(LEAST, 1 + u[SEQUENCE_RIGHT] * passed),
+                              u[SEQUENCE_ROAD] * v.ray[1]};
     v.plane = int(std::max_element(planes, planes + 3) - planes);
     v.inverseDepth = length * std::max(0., planes[v.plane]);
     v.behind = length * (v.plane == 2 ? std::max(0., std::max(planes[0], planes[1])) : planes[2]);
     return v;
 }
 
-Point2d FlowResidual::miss(const Sight& s, const double* u, const View& v, Point2d* byInverseDepth) const
+Point2d FlowResidual::residualOf(const TrackedBearing& s, const double* u, const View& v, Point2d* byInverseDepth) const
 {
-    const RowMotion other(u[DRIVE_YAW_RATE] * unit / 2, heading, s.timeOther);
+    const RowMotion other(u[SEQUENCE_YAW_RATE] * unit / 2, heading, s.timeOther);
     const double wayX = v.place[0] - other.tau * other.s2, wayZ = v.place[2] - other.tau * other.c2;
     const double x = v.ray[0] + v.inverseDepth * wayX, z = v.ray[2] + v.inverseDepth * wayZ;
     // By how much the other row has turned further from this one.
@@ -66,45 +66,45 @@ Point2d FlowResidual::miss(const Sight& s, const double* u, const View& v, Point
 }
 
 // Half of the difference of the squares of the two times, in seconds: what a change of the yaw rate counts by.
-double FlowResidual::halfSquare(const Sight& s) const
+double FlowResidual::halfSquare(const TrackedBearing& s) const
 {
     return 0.5 * (s.timeOther * s.timeOther - s.timeNow * s.timeNow) * unit * unit;
 }
 
-Point2d FlowResidual::evaluate(const Sight& s, const double* u, double* jacobian) const
+Point2d FlowResidual::evaluate(const TrackedBearing& s, const double* u, double* jacobian) const
 {
-    const View view = look(s, u);
-    const Point2d residual = miss(s, u, view);
+    const View view = predict(s, u);
+    const Point2d residual = residualOf(s, u, view);
     if (jacobian)
     {
-        const double length = u[DRIVE_SPEED] * unit;
-        const double cosine = std::cos(u[DRIVE_DIRECTION]), sine = std::sin(u[DRIVE_DIRECTION]);
+        const double length = u[SEQUENCE_SPEED] * unit;
+        const double cosine = std::cos(u[SEQUENCE_DIRECTION]), sine = std::sin(u[SEQUENCE_DIRECTION]);
         double *jx = jacobian, *jy = jacobian + FLOW_VALUES;
         std::fill(jx, jx + 2 * FLOW_VALUES, 0.);
         const double mx = (s.now.x + s.other.x) / 2, my = (s.now.y + s.other.y) / 2,
                      f = focal * (s.timeNow - s.timeOther);
         const double xByW = f * (heading.s - mx * heading.c), yByW = -f * my * heading.c;
-        double wBy[DRIVE_VALUES] = {0};
+        double wBy[SEQUENCE_VALUES] = {0};
         if (view.plane == 2)
         {
-            wBy[DRIVE_SPEED] = unit * u[DRIVE_ROAD] * my;
-            wBy[DRIVE_ROAD] = length * my;
+            wBy[SEQUENCE_SPEED] = unit * u[SEQUENCE_ROAD] * my;
+            wBy[SEQUENCE_ROAD] = length * my;
         }
         else
         {
-            const int wall = view.plane == 0 ? DRIVE_LEFT : DRIVE_RIGHT, side = view.plane == 0 ? 1 : -1;
+            const int wall = view.plane == 0 ? SEQUENCE_LEFT : SEQUENCE_RIGHT, side = view.plane == 0 ? 1 : -1;
             const double slope = side * (sine - cosine * mx);
-            wBy[DRIVE_SPEED] = unit * u[wall] * slope;
+            wBy[SEQUENCE_SPEED] = unit * u[wall] * slope;
             wBy[wall] = length * slope;
-            wBy[DRIVE_DIRECTION] = side * length * u[wall] * (cosine + sine * mx);
+            wBy[SEQUENCE_DIRECTION] = side * length * u[wall] * (cosine + sine * mx);
         }
-        for (int i = 0; i < DRIVE_VALUES; i++)
+        for (int i = 0; i < SEQUENCE_VALUES; i++)
         {
             jx[i] = xByW * wBy[i];
             jy[i] = yByW * wBy[i];
         }
-        jx[DRIVE_YAW_RATE] = f * unit * (1 + mx * mx);
-        jy[DRIVE_YAW_RATE] = f * unit * mx * my;
+        jx[SEQUENCE_YAW_RATE] = f * unit * (1 + mx * mx);
+        jy[SEQUENCE_YAW_RATE] = f * unit * mx * my;
         jx[FLOW_YAW_CHANGE] = -focal * halfSquare(s) * (1 + mx * mx);
         jy[FLOW_YAW_CHANGE] = -focal * halfSquare(s) * mx * my;
         jx[s.pitch] = focal * mx * my;

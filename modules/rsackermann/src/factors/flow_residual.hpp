@@ -24,7 +24,7 @@ public:
     /** @param values FLOW_VALUES of them.
     @param jacobian receives, unless it is null, 2 x FLOW_VALUES derivatives: those of x and then those of y.
     @return pixels. */
-    Point2d evaluate(const Sight& sight, const double* values, double* jacobian) const;
+    Point2d evaluate(const TrackedBearing& point, const double* values, double* jacobian) const;
 
     //! How a point is seen from the present image.
     struct View
@@ -36,20 +36,21 @@ public:
         double behind; // the same of the nearer wall if the plane is the road, and of the road otherwise: negative
                        // above the horizon
     };
-    View look(const Sight& sight, const double* values) const;
+    View predict(const TrackedBearing& point, const double* values) const;
 
     /** The residual of a view, with whatever inverse depth it has.
     @param byInverseDepth receives, unless it is null, the derivative; 0 of a point that would be behind. */
-    Point2d miss(const Sight& sight, const double* values, const View& view, Point2d* byInverseDepth = 0) const;
+    Point2d residualOf(const TrackedBearing& point, const double* values, const View& view,
+                       Point2d* byInverseDepth = 0) const;
 
     //! Whether a residual stands for a point that would be behind the camera, or might.
     static bool isBehind(const Point2d& residual) { return !(residual.dot(residual) < 1e6); }
 
     //! Part of a point's displacement between the frames that the shutter makes in the present image.
-    static double shutterPart(const Sight& s) { return std::abs(s.timeNow / (s.timeNow - s.timeOther)); }
+    static double shutterPart(const TrackedBearing& s) { return std::abs(s.timeNow / (s.timeNow - s.timeOther)); }
 
 private:
-    double halfSquare(const Sight& sight) const;
+    double halfSquare(const TrackedBearing& point) const;
 
     Heading heading;
     double unit, focal;

@@ -11,8 +11,8 @@ namespace cv { namespace rsackermann {
 static const size_t MANY_POINTS = 80;    // if next to none of them was there before, it is another scene
 static const double LEAST_TRACKED = 0.3; // of the points that a frame has
 
-void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
-               std::vector<Sight>& sights)
+void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
+                 std::vector<TrackedBearing>& bearings)
 {
     const double inFront = 0.1, unit = camera.secondsPerUnitTime();
     if (!(unit > 0))
@@ -30,15 +30,15 @@ void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>&
         const Vec3d b = camera.uprightRotation * Vec3d(rays[2 * i + 1].x, rays[2 * i + 1].y, 1);
         if (!(a[2] > inFront && b[2] > inFront))
             continue;
-        const Sight s = {Point2d(a[0] / a[2], a[1] / a[2]),
-                         Point2d(b[0] / b[2], b[1] / b[2]),
-                         camera.rowTime(pixels[2 * i]) - seconds / unit,
-                         camera.rowTime(pixels[2 * i + 1]),
-                         seconds > 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER,
-                         seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER,
-                         norm(pairs[i].now - pairs[i].other) < POINT_SIGMA};
+        const TrackedBearing s = {Point2d(a[0] / a[2], a[1] / a[2]),
+                                  Point2d(b[0] / b[2], b[1] / b[2]),
+                                  camera.rowTime(pixels[2 * i]) - seconds / unit,
+                                  camera.rowTime(pixels[2 * i + 1]),
+                                  seconds > 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER,
+                                  seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER,
+                                  norm(pairs[i].now - pairs[i].other) < POINT_SIGMA};
         if (std::abs(s.timeNow - s.timeOther) > FLT_EPSILON)
-            sights.push_back(s);
+            bearings.push_back(s);
     }
 }
 
@@ -56,39 +56,39 @@ bool FrameFeatures::hasManyPoints() const
 void FrameFeatures::setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed)
 {
     reset();
-    sights.clear();
-    addSights(camera, tracked, passed, sights);
+    bearings.clear();
+    addBearings(camera, tracked, passed, bearings);
 }
 
 void FrameFeatures::track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
                           const GrayFrame& next)
 {
-    sights.clear();
-    fineSights.clear();
+    bearings.clear();
+    fineBearings.clear();
     if (frame.gray.empty())
         return;
     const double ahead = next.seconds - frame.seconds;
     const bool hasNext = !next.gray.empty() && ahead != 0 && std::abs(ahead) < LONGEST_INTERVAL;
-    follow(camera, tracker, frame, passed, hasNext ? &next : 0, sights);
+    follow(camera, tracker, frame, passed, hasNext ? &next : 0, bearings);
     // A recorded drive has the time for it. In small images it would be the same points.
     if (hasNext && frame.gray.total() > COARSE_PIXELS)
-        follow(camera, fineTracker, frame, passed, &next, fineSights);
+        follow(camera, fineTracker, frame, passed, &next, fineBearings);
     else
         fineTracker.reset();
 }
 
 // Between frames of different scenes some points find something that looks like them.
 void FrameFeatures::follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame,
-                           double passed, const GrayFrame* next, std::vector<Sight>& found)
+                           double passed, const GrayFrame* next, std::vector<TrackedBearing>& found)
 {
     points.track(frame.gray, frame.scale, pairs);
     if (pairs.size() >= LEAST_TRACKED * points.pointCount())
-        addSights(camera, pairs, passed, found);
+        addBearings(camera, pairs, passed, found);
     if (!next)
         return;
     points.trackNext(next->gray, pairs);
     if (pairs.size() >= LEAST_TRACKED * points.pointCount())
-        addSights(camera, pairs, frame.seconds - next->seconds, found);
+        addBearings(camera, pairs, frame.seconds - next->seconds, found);
 }
 
 }} // namespace cv::rsackermann

@@ -17,7 +17,7 @@ const double POINT_SIGMA = 1.5; //!< pixels by which points of the scene miss it
 
 //! A tracked point as upright bearings with z = 1, and the row times at which it was seen, from the present reference
 //! row.
-struct Sight
+struct TrackedBearing
 {
     Point2d other, now;
     double timeOther, timeNow;
@@ -25,10 +25,10 @@ struct Sight
     bool isStill;    // at the same place of both images, to POINT_SIGMA
 };
 
-/** Adds the sights of points; none without a line delay.
+/** Adds the bearings of points; none without a line delay.
 @param seconds from the other frame's reference row to the present one; negative if the other frame comes after. */
-void addSights(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
-               std::vector<Sight>& sights);
+void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
+                 std::vector<TrackedBearing>& bearings);
 
 //! A frame in 8 bit grey, smaller by scale; empty: points aren't tracked in it.
 struct GrayFrame
@@ -45,7 +45,8 @@ struct GrayFrame
 class FrameFeatures
 {
 public:
-    std::vector<Sight> sights, fineSights; // those of the fit, and of the relief if there is time for more
+    std::vector<TrackedBearing> bearings,
+        fineBearings; // those of the fit, and of the inverse-depth offset if there is time for more
     std::vector<UprightSegment> verticals, others;
 
     FrameFeatures() : tracker(COARSE_PIXELS), fineTracker(FINE_PIXELS) {}
@@ -73,7 +74,7 @@ public:
 
 private:
     void follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame, double passed,
-                const GrayFrame* next, std::vector<Sight>& found);
+                const GrayFrame* next, std::vector<TrackedBearing>& found);
 
     PointTracker tracker, fineTracker;
     std::vector<PointPair> pairs;

@@ -11,7 +11,7 @@ namespace cv { namespace rsackermann {
 
 //! For the motion: points can still be told to a tenth of a pixel of the result.
 const size_t COARSE_PIXELS = 300000;
-//! For the relief, which more points show better, if there is time.
+//! For the inverse-depth offset, which more points show better, if there is time.
 const size_t FINE_PIXELS = 1200000;
 
 //! A point of the scene in the present raw image and in another one, pixels.

@@ -9,7 +9,7 @@
 
 namespace cv { namespace rsackermann {
 
-const double USUAL_LEAN = 0.3 * CV_PI / 180; //!< radians, of verticals of real streets
+const double PRIOR_LEAN = 0.3 * CV_PI / 180; //!< radians, of verticals of real streets
 
 //! A segment of the image in the upright frame.
 struct UprightSegment

@@ -120,7 +120,7 @@ void AckermannMotion::pose(const RollingShutterCamera& camera, double time, Matx
     const RowMotion row(alpha, camera.heading, time);
     const Matx33d upright = uprightRotation(camera);
     R = upright.t() * yawRotation(2 * alpha * time) * upright;
-    const bool translates = wallSlope != 0 || wallOffset != 0 || roadSlope != 0 || !relief.empty();
+    const bool translates = wallSlope != 0 || wallOffset != 0 || roadSlope != 0 || !inverseDepthOffset.empty();
     T = translates ? upright.t() * Vec3d(row.s2, 0, row.c2) * (direction * row.tau) : Vec3d();
 }
 
@@ -133,31 +133,32 @@ void AckermannMotion::write(FileStorage& fs) const
        << wallDistance;
     fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_residual" << expectedResidual;
     fs << "probability_worse" << probabilityWorse;
-    fs << "relief_area" << reliefArea;
-    if (!relief.empty())
-        fs << "relief" << relief;
+    fs << "offset_area" << offsetArea;
+    if (!inverseDepthOffset.empty())
+        fs << "inverse_depth_offset" << inverseDepthOffset;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
 }
 
-// A size or type that no relief has is refused before OpenCV takes the memory for it.
-static void readRelief(const FileNode& fn, Mat& relief, Rect2d& area)
+// A size or type that no offset has is refused before OpenCV takes the memory for it.
+static void readOffset(const FileNode& fn, Mat& offset, Rect2d& area)
 {
-    if (fn["relief_area"].empty() && fn["relief"].empty())
+    if (fn["offset_area"].empty() && fn["inverse_depth_offset"].empty())
         return;
     Mat values; // copies of the motion keep theirs
-    const FileNode node = fn["relief"];
+    const FileNode node = fn["inverse_depth_offset"];
     if (!node.empty())
     {
-        const Size told = toldSize(node);
+        const Size stored = storedSize(node);
         const String type = node.isMap() ? String(node["dt"]) : String();
-        if (!Relief::isPossible(told) || type != "d")
-            CV_Error(Error::StsBadArg, format("relief is %d x %d of type \"%s\"; %s of type \"d\" are expected",
-                                              told.height, told.width, type.c_str(), Relief::possibleSizes().c_str()));
+        if (!InverseDepthOffset::isPossible(stored) || type != "d")
+            CV_Error(Error::StsBadArg,
+                     format("inverse_depth_offset is %d x %d of type \"%s\"; %s of type \"d\" are expected",
+                            stored.height, stored.width, type.c_str(), InverseDepthOffset::possibleSizes().c_str()));
         cv::read(node, values);
     }
-    relief = values;
-    cv::read(fn["relief_area"], area, area);
+    offset = values;
+    cv::read(fn["offset_area"], area, area);
 }
 
 void AckermannMotion::read(const FileNode& fn)
@@ -178,7 +179,7 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["expected_residual"], expectedResidual, expectedResidual);
     cv::read(fn["probability_worse"], probabilityWorse, probabilityWorse);
     readMatrix(fn, "covariance", covariance);
-    readRelief(fn, relief, reliefArea);
+    readOffset(fn, inverseDepthOffset, offsetArea);
     cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);
     cv::read(fn["candidates"], candidates, candidates);
     cv::read(fn["inliers"], inliers, inliers);

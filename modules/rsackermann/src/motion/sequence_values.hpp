@@ -11,22 +11,22 @@ namespace cv { namespace rsackermann {
 
 //! The state of a drive, from one frame to the next. Lengths are metres if the camera's height is told, and near to
 //! that if not.
-enum DriveValue {
-    DRIVE_YAW_RATE,  //!< rad/s
-    DRIVE_SPEED,     //!< m/s, negative in reverse
-    DRIVE_DIRECTION, //!< azimuth along the walls in the upright frame, radians
-    DRIVE_LEFT,      //!< inverse distance of the left wall, 1/m; 0: none
-    DRIVE_RIGHT,     //!< the same of the right wall
-    DRIVE_ROAD,      //!< inverse height of the camera above the road, 1/m
-    DRIVE_ROLL,      //!< corrections of gravity, radians
-    DRIVE_PITCH,
-    DRIVE_VALUES
+enum SequenceValue {
+    SEQUENCE_YAW_RATE,  //!< rad/s
+    SEQUENCE_SPEED,     //!< m/s, negative in reverse
+    SEQUENCE_DIRECTION, //!< azimuth along the walls in the upright frame, radians
+    SEQUENCE_LEFT,      //!< inverse distance of the left wall, 1/m; 0: none
+    SEQUENCE_RIGHT,     //!< the same of the right wall
+    SEQUENCE_ROAD,      //!< inverse height of the camera above the road, 1/m
+    SEQUENCE_ROLL,      //!< corrections of gravity, radians
+    SEQUENCE_PITCH,
+    SEQUENCE_VALUES
 };
 
 /** The state of a drive, and the differences of other frames from the present one: the change of the yaw rate, and
 turns about the other axes from the frame before and to the frame after. */
 enum {
-    FLOW_YAW_CHANGE = DRIVE_VALUES, //!< rad/s^2
+    FLOW_YAW_CHANGE = SEQUENCE_VALUES, //!< rad/s^2
     FLOW_PITCH_BEFORE,
     FLOW_ROLL_BEFORE,
     FLOW_PITCH_AFTER,
@@ -34,13 +34,13 @@ enum {
     FLOW_VALUES
 };
 
-typedef Vec<double, DRIVE_VALUES> DriveVector;
-typedef Matx<double, DRIVE_VALUES, DRIVE_VALUES> DriveMatrix;
+typedef Vec<double, SEQUENCE_VALUES> SequenceVector;
+typedef Matx<double, SEQUENCE_VALUES, SEQUENCE_VALUES> SequenceMatrix;
 
 /** The motion during one image in units of row time.
 @param unit seconds per unit of row time.
 @param jacobian receives, unless it is null, the derivatives by the values. */
-Model toModel(const DriveVector& value, double unit, Matx<double, PARAMETERS, DRIVE_VALUES>* jacobian);
+Model toModel(const SequenceVector& value, double unit, Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian);
 
 }} // namespace cv::rsackermann
 

@@ -20,8 +20,8 @@ struct Warp
     float maxRadius2;
     float up[9];
     float B, D, lambda, G, direction;
-    float reliefX, reliefY, cellsPerX, cellsPerY; // where the cells of the relief begin, and how many there are for 1
-    int reliefColumns, reliefRows;                // control values
+    float offsetX, offsetY, cellsPerX, cellsPerY; // where the cells of the inverse-depth offset begin, and how many there are for 1
+    int offsetColumns, offsetRows;                // control values
     float alpha, cosHeading, sinHeading;
     float reference, timeStep;
     float timeTolerance;
@@ -102,18 +102,18 @@ inline int splineWeights(float at, int controls, float4* weights)
 #endif
 
 // By how much the scene is nearer than its planes in the direction b.
-inline float relief(const struct Warp* p, __global const float* controls, float3 b)
+inline float inverseDepthOffset(const struct Warp* p, __global const float* controls, float3 b)
 {
     float sum = 0.f;
 #ifdef RELIEF
     if (!(b.z > 0.f))
         return 0.f;
     float4 x, y;
-    const int column = splineWeights((b.x / b.z - p->reliefX) * p->cellsPerX, p->reliefColumns, &x);
-    const int row = splineWeights((b.y / b.z - p->reliefY) * p->cellsPerY, p->reliefRows, &y);
+    const int column = splineWeights((b.x / b.z - p->offsetX) * p->cellsPerX, p->offsetColumns, &x);
+    const int row = splineWeights((b.y / b.z - p->offsetY) * p->cellsPerY, p->offsetRows, &y);
     const float weights[4] = {y.x, y.y, y.z, y.w};
     for (int i = 0; i < 4; i++)
-        sum += weights[i] * dot(x, vload4(0, controls + (row + i) * p->reliefColumns + column));
+        sum += weights[i] * dot(x, vload4(0, controls + (row + i) * p->offsetColumns + column));
     sum *= b.z;
 #endif
     return sum;
@@ -198,7 +198,7 @@ inline float2 placeOf(const struct Warp* p, __global const float* controls, floa
 #else
     const float3 b = bearing(p, ray);
     const float left = p->D * b.z - p->B * b.x;
-    const float w = nearest(p, 0.f, left, -p->lambda * left, p->G * b.y) + relief(p, controls, b);
+    const float w = nearest(p, 0.f, left, -p->lambda * left, p->G * b.y) + inverseDepthOffset(p, controls, b);
 
     float time = hasLensPixel ? rowTime(p, raw) : 0.f;
     float slope = 0.f, lastTime = 0.f, lastValue = 0.f;
@@ -322,7 +322,7 @@ inline float2 placeOf(const struct Warp* p, __global const float* controls, floa
     for (int i = 0; i < 30 && !found; i++)
     {
         const float last = w,
-                    added = relief(p, controls, (float3)(b.x + dx + w * m.ex, b.y, b.z + dz + w * m.ez));
+                    added = inverseDepthOffset(p, controls, (float3)(b.x + dx + w * m.ex, b.y, b.z + dz + w * m.ez));
         w = nearest(p, added, (left + added) / toLeft, (added - p->lambda * left) / toRight, p->G * b.y + added);
         found = fabs(w - last) <= 1e-6f * (1.f + fabs(w));
     }

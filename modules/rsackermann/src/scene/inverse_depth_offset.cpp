@@ -25,7 +25,7 @@ SplineWeights::SplineWeights(const Rect2d& area, const Size& controls, const Poi
 {
 }
 
-double Relief::at(const Vec3d& ray) const
+double InverseDepthOffset::at(const Vec3d& ray) const
 {
     if (empty() || !(ray[2] > 0))
         return 0;

@@ -30,11 +30,14 @@ struct SplineWeights
     SplineWeights(const Rect2d& area, const Size& controls, const Point2d& place);
 };
 
-//! By how much the scene is nearer than its planes, from place to place: AckermannMotion::relief.
-class Relief
+//! By how much the scene is nearer than its planes, from place to place: AckermannMotion::inverseDepthOffset.
+class InverseDepthOffset
 {
 public:
-    explicit Relief(const AckermannMotion& motion) : controls(motion.relief), area(motion.reliefArea) {}
+    explicit InverseDepthOffset(const AckermannMotion& motion)
+        : controls(motion.inverseDepthOffset), area(motion.offsetArea)
+    {
+    }
 
     bool empty() const { return controls.empty(); }
 
@@ -48,7 +51,7 @@ public:
                        (ray[1] / ray[2] - area.y) / area.height * cells().height);
     }
 
-    //! Whether so many control values can be a relief.
+    //! Whether so many control values can be an offset.
     static bool isPossible(const Size& size)
     {
         return std::min(size.width, size.height) > ADDED && std::max(size.width, size.height) <= MOST;

@@ -12,16 +12,16 @@ namespace cv { namespace rsackermann {
 
 static const int STEPS = 10; // at each scale
 
-std::vector<Sight> withoutOwnCar(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
-                                 const double* values)
+std::vector<TrackedBearing> withoutOwnCar(const RollingShutterCamera& camera,
+                                          const std::vector<TrackedBearing>& bearings, const double* values)
 {
     const FlowResidual residual(camera);
-    std::vector<Sight> kept;
-    for (size_t i = 0; i < sights.size(); i++)
+    std::vector<TrackedBearing> kept;
+    for (size_t i = 0; i < bearings.size(); i++)
     {
-        const Point2d r = residual.evaluate(sights[i], values, 0) / POINT_SIGMA;
-        if (!isOfOwnCar(sights[i], r.dot(r)))
-            kept.push_back(sights[i]);
+        const Point2d r = residual.evaluate(bearings[i], values, 0) / POINT_SIGMA;
+        if (!isOfOwnCar(bearings[i], r.dot(r)))
+            kept.push_back(bearings[i]);
     }
     return kept;
 }
@@ -45,20 +45,20 @@ public:
     typedef Unknowns Step;
     typedef FlowEquations Equations;
 
-    DriveProblem(const RollingShutterCamera& camera, const std::vector<Sight>& sights_,
-                 const std::vector<UprightSegment>& verticals_, const DriveState& prediction)
-        : sights(sights_), residual(camera), verticals(verticals_),
-          pointWeights(sights_.size(), Matx22d::eye() * (1 / POINT_SIGMA)), slantWeights(verticals_.size(), 1.),
+    DriveProblem(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings_,
+                 const std::vector<UprightSegment>& verticals_, const SequenceState& prediction)
+        : bearings(bearings_), residual(camera), verticals(verticals_),
+          pointWeights(bearings_.size(), Matx22d::eye() * (1 / POINT_SIGMA)), slantWeights(verticals_.size(), 1.),
           heading(camera.heading), unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0)), scale(1)
     {
         Matx<double, FLOW_VALUES, FLOW_VALUES> covariance =
             Matx<double, FLOW_VALUES, FLOW_VALUES>::eye() * (TURN_SIGMA * TURN_SIGMA);
         covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
         expected.setZero();
-        for (int i = 0; i < DRIVE_VALUES; i++)
+        for (int i = 0; i < SEQUENCE_VALUES; i++)
         {
             expected[i] = prediction.value[i];
-            for (int j = 0; j < DRIVE_VALUES; j++)
+            for (int j = 0; j < SEQUENCE_VALUES; j++)
                 covariance(i, j) = prediction.covariance(i, j);
         }
         prior = scaledInverse<FlowEquations::Matrix>(Eigen::Map<FlowEquations::Matrix>(covariance.val));
@@ -98,29 +98,30 @@ public:
     static Unknowns moved(Unknowns u, const Unknowns& step)
     {
         u += step;
-        for (int i = DRIVE_LEFT; i <= DRIVE_ROAD; i++)
+        for (int i = SEQUENCE_LEFT; i <= SEQUENCE_ROAD; i++)
             u[i] = std::max(u[i], 0.);
         return u;
     }
 
     static bool allows(const Unknowns&) { return true; }
 
-    const std::vector<Sight>& sights;
+    const std::vector<TrackedBearing>& bearings;
     const FlowResidual residual;
 
 private:
     void addPoints(const Unknowns& u, FlowEquations& equations) const
     {
         rsackermann::addPoints<FLOW_VALUES>(
-            sights, pointWeights, scale,
-            [&](const Sight& s, FlowGradient& J) { return residual.evaluate(s, u.data(), J.data()); }, equations);
+            bearings, pointWeights, scale,
+            [&](const TrackedBearing& s, FlowGradient& J) { return residual.evaluate(s, u.data(), J.data()); },
+            equations);
     }
 
     void addVerticals(const Unknowns& u, FlowEquations& equations) const
     {
         typedef NormalEquations<PARAMETERS> ModelEquations;
-        Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
-        const PreparedModel model(toModel(DriveVector(u.data()), unit, &byValues), heading);
+        Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
+        const PreparedModel model(toModel(SequenceVector(u.data()), unit, &byValues), heading);
         // Summed in the parameters of a model first, of which there are fewer.
         ModelEquations sums;
         rsackermann::addVerticals<PARAMETERS>(
@@ -129,10 +130,10 @@ private:
                 return slantInSigmas(c, model, focal, J.data());
             },
             sums);
-        const Eigen::Map<Eigen::Matrix<double, DRIVE_VALUES, PARAMETERS>> J(byValues.val);
+        const Eigen::Map<Eigen::Matrix<double, SEQUENCE_VALUES, PARAMETERS>> J(byValues.val);
         equations.cost += sums.cost;
-        equations.gradient.head<DRIVE_VALUES>() += J * sums.gradient;
-        equations.information.topLeftCorner<DRIVE_VALUES, DRIVE_VALUES>() += J * sums.symmetric() * J.transpose();
+        equations.gradient.head<SEQUENCE_VALUES>() += J * sums.gradient;
+        equations.information.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>() += J * sums.symmetric() * J.transpose();
     }
 
     const std::vector<UprightSegment>& verticals;
@@ -146,13 +147,13 @@ private:
 
 // The share of the displacement that is left, as the points show it; those that don't move with the scene don't count.
 // Returns the share of all points that agree.
-double expect(const DriveProblem& problem, const Unknowns& u, double focal, DriveFit& fit)
+double expect(const DriveProblem& problem, const Unknowns& u, double focal, SequenceFit& fit)
 {
     size_t count = 0, others = 0;
     double displacement = 0, missed = 0;
-    for (size_t i = 0; i < problem.sights.size(); i++)
+    for (size_t i = 0; i < problem.bearings.size(); i++)
     {
-        const Sight& s = problem.sights[i];
+        const TrackedBearing& s = problem.bearings[i];
         const double left = norm(problem.residual.evaluate(s, u.data(), 0));
         if (!(left < AGREES * POINT_SIGMA))
         {
@@ -168,24 +169,25 @@ double expect(const DriveProblem& problem, const Unknowns& u, double focal, Driv
     // A motion has to explain more than its unknowns would by chance.
     const int unknowns = 6;
     Unknowns still = u;
-    still[DRIVE_YAW_RATE] = still[DRIVE_SPEED] = 0;
+    still[SEQUENCE_YAW_RATE] = still[SEQUENCE_SPEED] = 0;
     fit.moves = problem.pointCost(still) - problem.pointCost(u) > 2 * unknowns;
-    return problem.sights.empty() ? 0 : double(count) / double(problem.sights.size());
+    return problem.bearings.empty() ? 0 : double(count) / double(problem.bearings.size());
 }
 
 } // namespace
 
-DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
-                  const std::vector<UprightSegment>& verticals, const DriveState& prediction, bool isVague)
+SequenceFit fitDrive(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
+                     const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
+                     bool isUninitialised)
 {
     const double enough = 0.5; // of the points agree
-    DriveProblem problem(camera, sights, verticals, prediction);
-    DriveFit fit(prediction);
+    DriveProblem problem(camera, bearings, verticals, prediction);
+    SequenceFit fit(prediction);
     Unknowns u = Unknowns::Zero();
-    for (int i = 0; i < DRIVE_VALUES; i++)
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
         u[i] = prediction.value[i];
     Minimum best = problem.refine(u, true);
-    if (!isVague)
+    if (!isUninitialised)
     {
         // What doesn't move with the scene may lead astray from where it was.
         const Minimum nearby = problem.refine(u, false);
@@ -193,14 +195,14 @@ DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& 
             best = nearby;
     }
     const double share = expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
-    if (isVague || share < enough)
+    if (isUninitialised || share < enough)
     {
         const double speeds[] = {0, 10, 10, -3}, walls[] = {0.1, 0.2, 0.08, 0.1}; // m/s, 1/m
         for (int i = 0; i < 4; i++)
         {
             Unknowns start = u;
-            start[DRIVE_SPEED] = speeds[i];
-            start[DRIVE_LEFT] = start[DRIVE_RIGHT] = walls[i];
+            start[SEQUENCE_SPEED] = speeds[i];
+            start[SEQUENCE_LEFT] = start[SEQUENCE_RIGHT] = walls[i];
             const Minimum other = problem.refine(start, true);
             if (other.equations.cost < best.equations.cost)
                 best = other;
@@ -209,10 +211,10 @@ DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& 
     }
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     const FlowEquations::Matrix covariance = scaledInverse(best.equations.symmetric());
-    for (int i = 0; i < DRIVE_VALUES; i++)
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
     {
         fit.state.value[i] = best.at[i];
-        for (int j = 0; j < DRIVE_VALUES; j++)
+        for (int j = 0; j < SEQUENCE_VALUES; j++)
             fit.state.covariance(i, j) = covariance(i, j);
     }
     return fit;

@@ -11,24 +11,29 @@
 namespace cv { namespace rsackermann {
 
 //! The evidence of a frame of a drive.
-struct DriveFit
+struct SequenceFit
 {
-    DriveState state;           //!< prediction and frame together
+    SequenceState state;        //!< prediction and frame together
     double values[FLOW_VALUES]; //!< state and turns
     bool moves;                 //!< whether the points tell the motion from a camera at rest
     double left;     //!< by which part of their displacement in the raw image the points that agree miss the motion
     double agreeing; //!< share of the points that agree with the motion, without those on the car itself
 
-    explicit DriveFit(const DriveState& prediction) : state(prediction), values(), moves(false), left(1), agreeing(0) {}
+    explicit SequenceFit(const SequenceState& prediction)
+        : state(prediction), values(), moves(false), left(1), agreeing(0)
+    {
+    }
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to
 the verticals of the present one, together with the state of the frames before (doc/theory.md, "Sequence").
 @param prediction of the state at the present frame.
-@param isVague whether the prediction is hardly more than the usual values: motions that differ from it are tried, too.
+@param isUninitialised whether the prediction is hardly more than the usual values: motions that differ from it are
+tried, too.
 */
-DriveFit fitDrive(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
-                  const std::vector<UprightSegment>& verticals, const DriveState& prediction, bool isVague);
+SequenceFit fitDrive(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
+                     const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
+                     bool isUninitialised);
 
 }} // namespace cv::rsackermann
 

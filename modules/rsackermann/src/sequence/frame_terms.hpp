@@ -25,21 +25,21 @@ const double TURN_SIGMA = 0.5 * CV_PI / 180;     //!< of pitch and roll from fra
 
 //! Whether a point is seen on the car itself: it stands still where the scene moves. @param squared its residual, in
 //! sigmas.
-inline bool isOfOwnCar(const Sight& sight, double squared)
+inline bool isOfOwnCar(const TrackedBearing& point, double squared)
 {
-    return sight.isStill && squared > AGREES * AGREES;
+    return point.isStill && squared > AGREES * AGREES;
 }
 
 //! Those that aren't seen on the car itself. @param values FLOW_VALUES of them.
-std::vector<Sight> withoutOwnCar(const RollingShutterCamera& camera, const std::vector<Sight>& sights,
-                                 const double* values);
+std::vector<TrackedBearing> withoutOwnCar(const RollingShutterCamera& camera,
+                                          const std::vector<TrackedBearing>& bearings, const double* values);
 
 /** Slant of a vertical that the motion should have made upright, and its derivatives, in sigmas.
 @param plane receives the one of Scene that it is on. */
 inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model, double focal, double* jacobian,
                             int& plane)
 {
-    const double length = norm(c.u - c.v), sigma = std::hypot(USUAL_LEAN * length, END_SIGMA / focal);
+    const double length = norm(c.u - c.v), sigma = std::hypot(PRIOR_LEAN * length, END_SIGMA / focal);
     const double r = verticalResidual(c, model, plane, jacobian);
     for (int i = 0; i < PARAMETERS && jacobian; i++)
         jacobian[i] /= sigma;
@@ -53,19 +53,19 @@ inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model,
 
 /** Adds the residuals of points to normal equations.
 @param weights by which residuals are multiplied: symmetric.
-@param evaluate returns the residual of a sight and sets its derivatives, a row for each unknown. */
+@param evaluate returns the residual of a point and sets its derivatives, a row for each unknown. */
 template <int UNKNOWNS, class Evaluate, class Equations>
-void addPoints(const std::vector<Sight>& sights, const std::vector<Matx22d>& weights, double scale,
+void addPoints(const std::vector<TrackedBearing>& bearings, const std::vector<Matx22d>& weights, double scale,
                const Evaluate& evaluate, Equations& equations)
 {
     const CauchyLoss loss(scale, 1 / POINT_DEPENDENCE);
-    for (size_t i = 0; i < sights.size(); i++)
+    for (size_t i = 0; i < bearings.size(); i++)
     {
         Eigen::Matrix<double, UNKNOWNS, 2> J;
-        const Point2d r = evaluate(sights[i], J);
+        const Point2d r = evaluate(bearings[i], J);
         const Eigen::Map<const Eigen::Matrix2d> weight(weights[i].val);
         const Eigen::Vector2d weighed = weight * Eigen::Vector2d(r.x, r.y);
-        if (isOfOwnCar(sights[i], r.dot(r) / (POINT_SIGMA * POINT_SIGMA)))
+        if (isOfOwnCar(bearings[i], r.dot(r) / (POINT_SIGMA * POINT_SIGMA)))
             equations.cost += loss.cost(AGREES * AGREES);
         else if (FlowResidual::isBehind(r))
             equations.cost += loss.cost(weighed.squaredNorm());

@@ -24,7 +24,7 @@ struct Deviation
     Point2d place;
     double along;  // pixels by which it misses the planes, on the way on which its depth moves it
     double across; // and across
-    double slope;  // pixels along for each unit of the relief
+    double slope;  // pixels along for each unit of the offset
 };
 
 bool isInFront(const Vec3d& ray)
@@ -77,24 +77,24 @@ Size controlCount(size_t points, const Rect2d& area)
                 added + std::min(std::max(cvRound(cells / across), 1), most));
 }
 
-std::vector<Deviation> deviationsOf(const RollingShutterCamera& camera, const std::vector<Sight>& all,
+std::vector<Deviation> deviationsOf(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& all,
                                     const double* values, const AckermannMotion& motion)
 {
     const FlowResidual residual(camera);
     const Scene scene(motion);
     const Matx33d turn = motion.uprightRotation(camera) * camera.uprightRotation.t();
-    const std::vector<Sight> sights = withoutOwnCar(camera, all, values);
+    const std::vector<TrackedBearing> bearings = withoutOwnCar(camera, all, values);
     std::vector<Deviation> deviations;
-    for (size_t i = 0; i < sights.size(); i++)
+    for (size_t i = 0; i < bearings.size(); i++)
     {
-        FlowResidual::View view = residual.look(sights[i], values);
+        FlowResidual::View view = residual.predict(bearings[i], values);
         const Vec3d ray = turn * (view.ray + view.inverseDepth * view.place);
         if (!isInFront(ray))
             continue;
         // The planes of the motion, which is upright, aren't quite those of the fit.
         view.inverseDepth = scene.inverseDepth(ray);
         Point2d change;
-        const Point2d planes = residual.miss(sights[i], values, view, &change);
+        const Point2d planes = residual.residualOf(bearings[i], values, view, &change);
         change *= ray[2];
         const double slope = norm(change);
         if (!(slope > 0) || FlowResidual::isBehind(planes))
@@ -157,20 +157,20 @@ Eigen::VectorXd solveControls(const std::vector<Deviation>& deviations, const Ei
 
 } // namespace
 
-void fitRelief(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const double* values,
+void fitOffset(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
                AckermannMotion& motion)
 {
-    const double sigma = DEVIATION_SIGMA * std::abs(values[DRIVE_SPEED]) * camera.secondsPerUnitTime();
-    const std::vector<Deviation> deviations = deviationsOf(camera, sights, values, motion);
+    const double sigma = DEVIATION_SIGMA * std::abs(values[SEQUENCE_SPEED]) * camera.secondsPerUnitTime();
+    const std::vector<Deviation> deviations = deviationsOf(camera, bearings, values, motion);
     const Rect2d area = seenArea(camera, motion.uprightRotation(camera));
     if (deviations.size() < LEAST_POINTS || !(sigma > FLT_EPSILON) || area.empty())
         return;
     const Size controls = controlCount(deviations.size(), area);
-    Eigen::VectorXd relief = solveControls(deviations, slopesByControls(deviations, area, controls), sigma);
-    if (!relief.allFinite())
+    Eigen::VectorXd offset = solveControls(deviations, slopesByControls(deviations, area, controls), sigma);
+    if (!offset.allFinite())
         return;
-    motion.reliefArea = area;
-    motion.relief = Mat(controls, CV_64F, relief.data()).clone();
+    motion.offsetArea = area;
+    motion.inverseDepthOffset = Mat(controls, CV_64F, offset.data()).clone();
 }
 
 }} // namespace cv::rsackermann

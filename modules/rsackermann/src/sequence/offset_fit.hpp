@@ -11,10 +11,10 @@ namespace cv { namespace rsackermann {
 
 /** Finds by how much the scene deviates from the planes of a motion: what the points miss them by (doc/theory.md,
 "Inverse-depth offset").
-@param sights points, those of the fit or others.
+@param bearings points, those of the fit or others.
 @param values of the fit, FLOW_VALUES of them.
-@param motion that of the fit; receives the relief. It stays without one if there are too few points. */
-void fitRelief(const RollingShutterCamera& camera, const std::vector<Sight>& sights, const double* values,
+@param motion that of the fit; receives the offset. It stays without one if there are too few points. */
+void fitOffset(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
                AckermannMotion& motion);
 
 }} // namespace cv::rsackermann

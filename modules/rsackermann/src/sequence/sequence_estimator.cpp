@@ -10,24 +10,24 @@
 
 namespace cv { namespace rsackermann {
 
-DriveEstimator::DriveEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
-                               const Ptr<AckermannEstimator>& single_)
+SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
+                                     const Ptr<AckermannEstimator>& single_)
     : camera(camera_), params(params_), single(single_), filter(camera_, params_), last(filter.state),
       seen(std::numeric_limits<double>::quiet_NaN())
 {
 }
 
-void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
+void SequenceEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
 {
     // Its uncertainty is that of gravity.
     const bool isSameGravity = camera_.uprightRotation == camera.uprightRotation &&
                                params_.gravitySigma == params.gravitySigma &&
                                params_.vehiclePitchSigma == params.vehiclePitchSigma;
-    const int kept = isSameGravity ? DRIVE_VALUES : DRIVE_ROLL;
-    const DriveState before = filter.state;
+    const int kept = isSameGravity ? SEQUENCE_VALUES : SEQUENCE_ROLL;
+    const SequenceState before = filter.state;
     camera = camera_;
     params = params_;
-    filter.state = DriveState(camera, params);
+    filter.state = SequenceState(camera, params);
     for (int i = 0; i < kept; i++)
     {
         filter.state.value[i] = before.value[i];
@@ -36,21 +36,21 @@ void DriveEstimator::set(const RollingShutterCamera& camera_, const AckermannEst
     }
 }
 
-void DriveEstimator::reset()
+void SequenceEstimator::reset()
 {
     features.reset();
     filter.hasFrame = false;
-    forget();
+    resetState();
 }
 
-void DriveEstimator::forget()
+void SequenceEstimator::resetState()
 {
-    filter.forget(camera, params);
+    filter.reset(camera, params);
     seen = std::numeric_limits<double>::quiet_NaN();
 }
 
-AckermannMotion DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
-                                         const MotionPrior& prior, Mat& labels)
+AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                                            const MotionPrior& prior, Mat& labels)
 {
     AckermannMotion motion;
     if (estimateFromPoints(frame, next, segments, prior, motion, labels))
@@ -62,8 +62,8 @@ AckermannMotion DriveEstimator::estimate(const GrayFrame& frame, const GrayFrame
 }
 
 // Returns whether there were points to go by.
-bool DriveEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
-                                        const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
+bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                                           const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
 {
     const double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
@@ -72,16 +72,16 @@ bool DriveEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame&
     const bool isTimed = camera.isRowShutter() && camera.secondsPerUnitTime() > 0;
     features.track(camera, isTimed ? frame : GrayFrame(), passed, next);
     filter.state.measure(prior);
-    if (features.sights.size() < LEAST_POINTS)
+    if (features.bearings.size() < LEAST_POINTS)
     {
         if (follows && features.hasManyPoints())
-            forget();
+            resetState();
         return false;
     }
     features.setSegments(camera, params, segments);
     if (!filter.update(features, camera, params, last))
     {
-        forget();
+        resetState();
         return false;
     }
     seen = filter.time;
@@ -90,23 +90,23 @@ bool DriveEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame&
     for (size_t i = 0; i < verticals.size(); i++)
         labels.at<uchar>(verticals[i].index) = SEGMENT_OUTLIER;
     report(last, verticals, prior, motion, labels);
-    const std::vector<Sight>& fine = features.fineSights;
+    const std::vector<TrackedBearing>& fine = features.fineBearings;
     if (motion.status == MOTION_OK)
-        fitRelief(camera, fine.size() < LEAST_POINTS ? features.sights : fine, last.values, motion);
+        fitOffset(camera, fine.size() < LEAST_POINTS ? features.bearings : fine, last.values, motion);
     return true;
 }
 
 // Points aren't spread as pixels are: they show the share of the displacement that is left.
-Model DriveEstimator::predictDisplacement(const DriveFit& fit, AckermannMotion& motion) const
+Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMotion& motion) const
 {
     const double unit = camera.secondsPerUnitTime();
-    Matx<double, PARAMETERS, DRIVE_VALUES> byValues;
-    const DriveVector& value = fit.state.value;
+    Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
+    const SequenceVector& value = fit.state.value;
     const Model model = toModel(value, unit, &byValues);
-    const double G = value[DRIVE_SPEED] * unit * value[DRIVE_ROAD];
-    Matx<double, 1, DRIVE_VALUES> roadByValues;
-    roadByValues(0, DRIVE_SPEED) = unit * value[DRIVE_ROAD];
-    roadByValues(0, DRIVE_ROAD) = unit * value[DRIVE_SPEED];
+    const double G = value[SEQUENCE_SPEED] * unit * value[SEQUENCE_ROAD];
+    Matx<double, 1, SEQUENCE_VALUES> roadByValues;
+    roadByValues(0, SEQUENCE_SPEED) = unit * value[SEQUENCE_ROAD];
+    roadByValues(0, SEQUENCE_ROAD) = unit * value[SEQUENCE_SPEED];
     const DisplacementField field(camera);
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
@@ -119,8 +119,8 @@ Model DriveEstimator::predictDisplacement(const DriveFit& fit, AckermannMotion& 
     return model;
 }
 
-void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
-                            AckermannMotion& motion, Mat& labels) const
+void SequenceEstimator::report(const SequenceFit& fit, const std::vector<UprightSegment>& verticals,
+                               const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
 {
     motion.candidates = int(verticals.size());
     const Model model = predictDisplacement(fit, motion);
@@ -135,23 +135,24 @@ void DriveEstimator::report(const DriveFit& fit, const std::vector<UprightSegmen
     const double change = motion.alpha * camera.focalSigma / camera.cameraMatrix(0, 0);
     motion.covariance(0, 0) += change * change;
     motion.model = DisplacementField(camera).mainMotion(model, motion.roadSlope);
-    const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, USUAL_LEAN};
+    const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, PRIOR_LEAN};
     labelInliers(verticals, model, camera.heading, agreement, motion, labels);
-    if (!setToldScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
+    if (!setGivenScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
     {
         motion.scale = SCALE_ROAD;
-        const bool hasLeft = fit.state.value[DRIVE_LEFT] > 0;
-        motion.wallDistance = 1 / std::max(fit.state.value[hasLeft ? DRIVE_LEFT : DRIVE_RIGHT], double(FLT_EPSILON));
+        const bool hasLeft = fit.state.value[SEQUENCE_LEFT] > 0;
+        motion.wallDistance =
+            1 / std::max(fit.state.value[hasLeft ? SEQUENCE_LEFT : SEQUENCE_RIGHT], double(FLT_EPSILON));
     }
 }
 
 // The motion that the frames of the last second let expect of the present one; changed only if one is expected and
 // helps.
-void DriveEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
+void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
 {
     if (!(std::abs(filter.time - seen) < LONGEST_INTERVAL))
         return;
-    DriveFit expected = last;
+    SequenceFit expected = last;
     expected.state = filter.state;
     AckermannMotion result;
     report(expected, std::vector<UprightSegment>(), prior, result, labels);
@@ -162,25 +163,25 @@ void DriveEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& mot
 }
 
 // From the image alone, with the yaw rate of the frames before, and for the frames after.
-AckermannMotion DriveEstimator::estimateAlone(const Mat& segments, MotionPrior prior, Mat& labels)
+AckermannMotion SequenceEstimator::estimateAlone(const Mat& segments, MotionPrior prior, Mat& labels)
 {
-    DriveState& state = filter.state;
-    if (!filter.isVague)
+    SequenceState& state = filter.state;
+    if (!filter.isUninitialised)
     {
         // A given yaw rate is in the state already.
-        prior.yawRate = state.value[DRIVE_YAW_RATE];
-        prior.yawRateSigma = std::sqrt(state.covariance(DRIVE_YAW_RATE, DRIVE_YAW_RATE));
+        prior.yawRate = state.value[SEQUENCE_YAW_RATE];
+        prior.yawRateSigma = std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
     }
     const AckermannMotion motion = single->estimate(segments, labels, prior);
     double yawRate;
     // An unknown gravity misleads all frames in the same way: they can't confirm one another.
     if (params.gravitySigma > 0 || motion.status != MOTION_OK || !motion.yawRate(camera, yawRate))
         return motion;
-    filter.isVague = false;
-    state.value[DRIVE_YAW_RATE] = yawRate;
-    for (int i = 0; i < DRIVE_VALUES; i++)
-        state.covariance(DRIVE_YAW_RATE, i) = state.covariance(i, DRIVE_YAW_RATE) = 0;
-    state.covariance(DRIVE_YAW_RATE, DRIVE_YAW_RATE) = motion.metricCovariance(camera)(0, 0);
+    filter.isUninitialised = false;
+    state.value[SEQUENCE_YAW_RATE] = yawRate;
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+        state.covariance(SEQUENCE_YAW_RATE, i) = state.covariance(i, SEQUENCE_YAW_RATE) = 0;
+    state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE) = motion.metricCovariance(camera)(0, 0);
     return motion;
 }
 

@@ -10,13 +10,13 @@
 namespace cv { namespace rsackermann {
 
 //! The estimate from consecutive frames (doc/theory.md, "Sequence").
-class DriveEstimator
+class SequenceEstimator
 {
 public:
     //! @param single estimates motions of frames that have nothing to do with their neighbours; of the same camera and
     //! parameters.
-    DriveEstimator(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                   const Ptr<AckermannEstimator>& single);
+    SequenceEstimator(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                      const Ptr<AckermannEstimator>& single);
 
     //! The same drive, with another gravity or other parameters.
     void set(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
@@ -39,9 +39,9 @@ private:
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     AckermannMotion estimateAlone(const Mat& segments, MotionPrior prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
-    void forget();
-    Model predictDisplacement(const DriveFit& fit, AckermannMotion& motion) const;
-    void report(const DriveFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
+    void resetState();
+    Model predictDisplacement(const SequenceFit& fit, AckermannMotion& motion) const;
+    void report(const SequenceFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
                 AckermannMotion& motion, Mat& labels) const;
 
     RollingShutterCamera camera;
@@ -49,8 +49,8 @@ private:
     Ptr<AckermannEstimator> single;
     FrameFeatures features;
     SequenceFilter filter;
-    DriveFit last; // whose points showed the motion
-    double seen;   // time of that; not finite if there is none
+    SequenceFit last; // whose points showed the motion
+    double seen;      // time of that; not finite if there is none
 };
 
 }} // namespace cv::rsackermann

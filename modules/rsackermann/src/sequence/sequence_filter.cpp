@@ -21,30 +21,30 @@ bool SequenceFilter::advance(double seconds, const RollingShutterCamera& camera,
     if (follows)
         state.predict(std::abs(seconds - time));
     else
-        forget(camera, params);
+        reset(camera, params);
     time = seconds;
     hasFrame = true;
     return follows;
 }
 
 bool SequenceFilter::update(const FrameFeatures& frame, const RollingShutterCamera& camera,
-                            const AckermannEstimator::Params& params, DriveFit& fit)
+                            const AckermannEstimator::Params& params, SequenceFit& fit)
 {
-    fit = fitDrive(camera, frame.sights, frame.verticals, state, isVague);
+    fit = fitDrive(camera, frame.bearings, frame.verticals, state, isUninitialised);
     if (fit.agreeing < LEAST_AGREEING)
     {
-        forget(camera, params);
+        reset(camera, params);
         return false;
     }
     state = fit.state;
-    isVague = false;
+    isUninitialised = false;
     return true;
 }
 
-void SequenceFilter::forget(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+void SequenceFilter::reset(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
-    state = DriveState(camera, params);
-    isVague = true;
+    state = SequenceState(camera, params);
+    isUninitialised = true;
 }
 
 }} // namespace cv::rsackermann

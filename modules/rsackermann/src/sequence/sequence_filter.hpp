@@ -12,13 +12,13 @@ namespace cv { namespace rsackermann {
 //! The state of a sequence from frame to frame: predicted, measured and, if it is another scene, forgotten.
 struct SequenceFilter
 {
-    DriveState state;
-    bool isVague; //!< whether no frame has shown the motion yet
+    SequenceState state;
+    bool isUninitialised; //!< whether no frame has shown the motion yet
     bool hasFrame;
     double time; //!< of the last frame
 
     SequenceFilter(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
-        : state(camera, params), isVague(true), hasFrame(false), time(0)
+        : state(camera, params), isUninitialised(true), hasFrame(false), time(0)
     {
     }
 
@@ -32,10 +32,10 @@ struct SequenceFilter
     /** Fits the state to a frame; it is forgotten if that shows another scene.
     @return whether the fit is one of this scene. */
     bool update(const FrameFeatures& frame, const RollingShutterCamera& camera,
-                const AckermannEstimator::Params& params, DriveFit& fit);
+                const AckermannEstimator::Params& params, SequenceFit& fit);
 
     //! It is another scene.
-    void forget(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+    void reset(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 };
 
 }} // namespace cv::rsackermann

@@ -9,62 +9,54 @@
 
 namespace cv { namespace rsackermann {
 
-// Seconds after which a value is forgotten, for each DriveValue: each wanders about its usual value (an
+// Seconds after which a value is forgotten, for each SequenceValue: each wanders about its stationary mean (an
 // Ornstein-Uhlenbeck process).
-static const double MEMORY[DRIVE_VALUES] = {2, 10, 1, 1, 1, 1, 10, 10};
-static const double KNOWN = 1e-6; // radians, for the standard deviation of a gravity that is exact
+static const double MEMORY[SEQUENCE_VALUES] = {2, 10, 1, 1, 1, 1, 10, 10};
 
-DriveState::DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+SequenceState::SequenceState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
-    const double height = camera.height > 0 ? camera.height : params.priorHeight,
-                 heightSigma = camera.height > 0 ? 0.15 : params.priorHeightLogSigma;
-    const bool isExact = !(params.gravitySigma > 0);
-    const double pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? KNOWN : params.vehiclePitchSigma;
-    usual = DriveVector(0, 8, camera.heading, 0.1, 0.1, 1 / height, 0, 0);
-    // Over seconds yaw rates stay what they are, and bends of three times the usual ones are no exception.
-    usualSigma = DriveVector(3 * params.priorYawRate, 10, 0.4, 0.1, 0.1, heightSigma / height,
-                             isExact ? KNOWN : params.gravitySigma, pitchSigma);
-    value = usual;
-    covariance = DriveMatrix::diag(usualSigma.mul(usualSigma));
+    stationaryState(camera, params, stationary, stationarySigma);
+    value = stationary;
+    covariance = SequenceMatrix::diag(stationarySigma.mul(stationarySigma));
 }
 
-void DriveState::predict(double seconds)
+void SequenceState::predict(double seconds)
 {
-    DriveVector kept;
-    for (int i = 0; i < DRIVE_VALUES; i++)
+    SequenceVector kept;
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
         kept[i] = std::exp(-seconds / MEMORY[i]);
-    value = usual + kept.mul(value - usual);
+    value = stationary + kept.mul(value - stationary);
     covariance = covariance.mul(kept * kept.t());
-    for (int i = 0; i < DRIVE_VALUES; i++)
-        covariance(i, i) += (1 - kept[i] * kept[i]) * usualSigma[i] * usualSigma[i];
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+        covariance(i, i) += (1 - kept[i] * kept[i]) * stationarySigma[i] * stationarySigma[i];
 }
 
-void DriveState::measure(DriveValue which, double measured, double sigma)
+void SequenceState::measure(SequenceValue which, double measured, double sigma)
 {
     if (!(sigma > 0))
         return;
-    const DriveVector column(covariance.col(which).val);
-    const DriveVector gain = column * (1 / (covariance(which, which) + sigma * sigma));
+    const SequenceVector column(covariance.col(which).val);
+    const SequenceVector gain = column * (1 / (covariance(which, which) + sigma * sigma));
     value += gain * (measured - value[which]);
     covariance -= gain * column.t();
 }
 
-void DriveState::measure(const MotionPrior& prior)
+void SequenceState::measure(const MotionPrior& prior)
 {
-    measure(DRIVE_YAW_RATE, prior.yawRate, prior.yawRateSigma);
-    measure(DRIVE_SPEED, prior.speed, prior.speedSigma);
-    measure(DRIVE_DIRECTION, prior.wallDirection, prior.wallDirectionSigma);
+    measure(SEQUENCE_YAW_RATE, prior.yawRate, prior.yawRateSigma);
+    measure(SEQUENCE_SPEED, prior.speed, prior.speedSigma);
+    measure(SEQUENCE_DIRECTION, prior.wallDirection, prior.wallDirectionSigma);
 }
 
-void DriveState::toMotion(double unit, AckermannMotion& motion) const
+void SequenceState::toMotion(double unit, AckermannMotion& motion) const
 {
-    Matx<double, PARAMETERS, DRIVE_VALUES> J;
+    Matx<double, PARAMETERS, SEQUENCE_VALUES> J;
     const Model m = toModel(value, unit, &J);
     motion.alpha = m[P_ALPHA];
     motion.wallSlope = m[P_B];
     motion.wallOffset = m[P_D];
     motion.wallRatio = m[P_LAMBDA];
-    motion.roadSlope = value[DRIVE_SPEED] * unit * value[DRIVE_ROAD];
+    motion.roadSlope = value[SEQUENCE_SPEED] * unit * value[SEQUENCE_ROAD];
     motion.direction = m.direction;
     motion.rollCorrection = m[P_ROLL];
     motion.pitchCorrection = m[P_PITCH];

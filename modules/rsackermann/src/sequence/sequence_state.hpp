@@ -14,19 +14,19 @@ namespace cv { namespace rsackermann {
 
 A wall that isn't there is infinitely far away: walls come, go and change sides without a change of the unknowns.
 */
-struct DriveState
+struct SequenceState
 {
-    DriveVector value;
-    DriveMatrix covariance;
+    SequenceVector value;
+    SequenceMatrix covariance;
 
-    //! The usual state, before anything is seen.
-    DriveState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+    //! The stationary state, before anything is seen.
+    SequenceState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 
     //! The state some seconds later.
     void predict(double seconds);
 
     //! A measurement of one value; ignored unless sigma is positive.
-    void measure(DriveValue which, double measured, double sigma);
+    void measure(SequenceValue which, double measured, double sigma);
 
     //! Measurements of what is known from elsewhere.
     void measure(const MotionPrior& prior);
@@ -35,7 +35,7 @@ struct DriveState
     void toMotion(double unit, AckermannMotion& motion) const;
 
 private:
-    DriveVector usual, usualSigma;
+    SequenceVector stationary, stationarySigma;
 };
 
 }} // namespace cv::rsackermann

@@ -30,22 +30,22 @@ CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const 
 // A prior that leaves much open says less than another segment.
 bool CandidateConsensus::knowsYawRate() const
 {
-    const PriorTerms& prior = problem.prior;
-    return hypothesis.motion == MODEL_4LA && prior.alphaSigma > 0 &&
-           prior.alphaSigma < PRECISE * problem.limits.maxAlpha;
+    const GivenValues given = problem.given();
+    return hypothesis.motion == MODEL_4LA && given.alphaSigma > 0 &&
+           given.alphaSigma < PRECISE * problem.limits.maxAlpha;
 }
 
 bool CandidateConsensus::knowsSpeed() const
 {
-    const PriorTerms& prior = problem.prior;
-    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && prior.scaledSpeedSigma > 0 &&
-           prior.scaledSpeedSigma < PRECISE * std::abs(prior.scaledSpeed);
+    const GivenValues given = problem.given();
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && given.scaledSpeedSigma > 0 &&
+           given.scaledSpeedSigma < PRECISE * std::abs(given.scaledSpeed);
 }
 
 bool CandidateConsensus::knowsWallDirection() const
 {
-    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.prior.streetSigma > 0 &&
-           problem.prior.streetSigma < PRECISE_DIRECTION;
+    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.given().streetSigma > 0 &&
+           problem.given().streetSigma < PRECISE_DIRECTION;
 }
 
 int CandidateConsensus::sampleSize() const
@@ -61,11 +61,11 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
     options.maxScaledSpeed = problem.limits.maxRightScaledSpeed; // either wall may be the first one
     const bool twoWalls = hypothesis.walls == 2;
     if (knowsYawRate())
-        return solveKnownYawRate(segments, twoWalls, problem.prior.alpha, options, solutions);
+        return solveKnownYawRate(segments, twoWalls, problem.given().alpha, options, solutions);
     if (knowsSpeed())
-        return solveKnownSpeed(segments, twoWalls, std::abs(problem.prior.scaledSpeed), options, solutions);
+        return solveKnownSpeed(segments, twoWalls, std::abs(problem.given().scaledSpeed), options, solutions);
     if (knowsWallDirection())
-        return solveKnownWallDirection(segments, twoWalls, problem.prior.street, options, solutions);
+        return solveKnownWallDirection(segments, twoWalls, problem.given().street, options, solutions);
     switch (hypothesis.motion)
     {
     case MODEL_1LA:

@@ -75,7 +75,7 @@ public:
 
 private:
     AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
-    RefinementProblem makeProblem(const MotionPrior& prior) const;
+    RefinementProblem makeProblem(const MotionLimits& limits) const;
     int findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion, Mat& labels) const;
     void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
                 AckermannMotion& motion) const;
@@ -84,11 +84,9 @@ private:
     Params params;
 };
 
-RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionPrior& prior) const
+RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits) const
 {
-    const MotionLimits limits(camera, params);
     RefinementProblem problem(limits);
-    problem.prior = PriorTerms(prior, camera, params);
     problem.heading = camera.heading;
     problem.focal = camera.cameraMatrix(0, 0);
     problem.sigma = FIRST_SIGMA;
@@ -108,10 +106,11 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
         motion.status = MOTION_NOT_OBSERVABLE;
     else
     {
-        RefinementProblem problem = makeProblem(prior);
-        const UsualDrive usual(prior, camera, params, problem.limits);
-        problem.usual = &usual;
-        problem.roadRatio = usual.roadRatio();
+        const MotionLimits limits(camera, params);
+        const DrivingPrior driving(prior, camera, params, limits);
+        RefinementProblem problem = makeProblem(limits);
+        problem.prior = &driving;
+        problem.roadRatio = driving.roadRatio();
         selectCandidates(segments, camera, params, problem.verticals, problem.others);
         problem.arrange();
         for (size_t i = 0; i < problem.verticals.size(); i++)
@@ -168,9 +167,9 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
             motion.covariance(i, j) = found.covariance(i, j);
     motion.rollYawAmbiguous = isRollYawAmbiguous(found.covariance);
 
-    // Measurements give a length; usual values don't.
+    // Measurements give a length; a prior doesn't.
     const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
-    if (!(speed > 0) || setToldScale(camera, params, prior, motion))
+    if (!(speed > 0) || setGivenScale(camera, params, prior, motion))
         return;
     if (params.scaleFromRoad && camera.height > 0)
     {

@@ -27,20 +27,19 @@ void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterC
     other.cameraMatrix(0, 0) *= longer;
     other.cameraMatrix(1, 1) *= longer;
     const MotionLimits limits(other, params);
-    const UsualDrive usual(prior, other, params, limits);
-    RefinementProblem changed = problem;
-    changed.limits = limits;
-    changed.prior = PriorTerms(prior, other, params);
-    changed.usual = &usual;
-    changed.focal = other.cameraMatrix(0, 0);
-    selectCandidates(segments, other, params, changed.verticals, changed.others);
-    if (changed.verticals.empty())
+    const DrivingPrior driving(prior, other, params, limits);
+    RefinementProblem rescaled = problem;
+    rescaled.limits = limits;
+    rescaled.prior = &driving;
+    rescaled.focal = other.cameraMatrix(0, 0);
+    selectCandidates(segments, other, params, rescaled.verticals, rescaled.others);
+    if (rescaled.verticals.empty())
         return; // a camera that sees nothing upright
-    changed.arrange();
+    rescaled.arrange();
 
     Model model = found.model, otherModel = found.model;
     if (!(refine(problem, found.hypothesis, ALL_SEGMENTS, ITERATIONS, model) < DBL_MAX) ||
-        !(refine(changed, found.hypothesis, ALL_SEGMENTS, ITERATIONS, otherModel) < DBL_MAX))
+        !(refine(rescaled, found.hypothesis, ALL_SEGMENTS, ITERATIONS, otherModel) < DBL_MAX))
         return;
     DisplacementField::Values displacement, otherDisplacement;
     DisplacementField(camera).displacement(model, roadOf(found, model), displacement);

@@ -9,8 +9,8 @@
 
 namespace cv { namespace rsackermann {
 
-static const double AMBIGUOUS = 0.9; // correlation
-static const double USUAL_LEANS = 2; // sigmas of the lean within which a vertical agrees
+static const double AMBIGUOUS = 0.9;    // correlation
+static const double AGREEING_LEANS = 2; // sigmas of the lean within which a vertical agrees
 
 void labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading,
                   const Agreement& agreement, AckermannMotion& motion, Mat& labels)
@@ -22,7 +22,7 @@ void labelInliers(const std::vector<UprightSegment>& verticals, const Model& mod
     {
         const UprightSegment& c = verticals[i];
         // Real verticals lean; their usual lean is no disagreement.
-        const double leaning = USUAL_LEANS * agreement.focal * agreement.lean * norm(c.u - c.v),
+        const double leaning = AGREEING_LEANS * agreement.focal * agreement.lean * norm(c.u - c.v),
                      threshold = std::max(agreement.threshold, leaning);
         int wall;
         const double r = agreement.focal * verticalResidual(c, model, heading, wall, 0);
@@ -41,8 +41,8 @@ bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance)
     return variances > 0 && std::abs(covariance(P_ALPHA, P_ROLL)) > AMBIGUOUS * std::sqrt(variances);
 }
 
-bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                  const MotionPrior& prior, AckermannMotion& motion)
+bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                   const MotionPrior& prior, AckermannMotion& motion)
 {
     const double speed = std::hypot(motion.wallSlope, motion.wallOffset), unit = camera.secondsPerUnitTime();
     if (params.wallDistance > 0)

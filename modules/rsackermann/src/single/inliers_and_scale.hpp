@@ -28,8 +28,8 @@ bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance);
 
 /** Gives a motion the length that a told wall or speed is.
 @return false if neither is told. */
-bool setToldScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                  const MotionPrior& prior, AckermannMotion& motion);
+bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                   const MotionPrior& prior, AckermannMotion& motion);
 
 }} // namespace cv::rsackermann
 

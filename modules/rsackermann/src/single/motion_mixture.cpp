@@ -68,7 +68,7 @@ static double bestFraction(const MotionSamples& samples, const Correction& corre
 Posterior MotionMixture::best() const
 {
     const std::vector<double> probability = probabilities();
-    MotionSamples samples(field, usual, contact);
+    MotionSamples samples(field, prior, contact);
     for (size_t i = 0; i < components.size(); i++)
         if (probability[i] > NEGLIGIBLE)
             samples.add(components[i].model, components[i].covariance, probability[i]);

@@ -15,8 +15,8 @@ class MotionMixture
 {
 public:
     //! @param harmAversion_ weight of the displacement by which an image is expected to become worse.
-    MotionMixture(const DisplacementField& field_, const UsualDrive& usual_, double harmAversion_)
-        : field(field_), usual(usual_), harmAversion(harmAversion_)
+    MotionMixture(const DisplacementField& field_, const DrivingPrior& prior_, double harmAversion_)
+        : field(field_), prior(prior_), harmAversion(harmAversion_)
     {
     }
 
@@ -45,7 +45,7 @@ private:
     std::vector<double> probabilities() const;
 
     const DisplacementField& field;
-    const UsualDrive& usual;
+    const DrivingPrior& prior;
     const double harmAversion;
     RoadContact contact;
     std::vector<Component> components;

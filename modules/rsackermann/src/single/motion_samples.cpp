@@ -53,7 +53,7 @@ void MotionSamples::addSample(const Model& model, double G, double weight)
 void MotionSamples::add(const Model& model, const Matx<double, PARAMETERS, PARAMETERS>& covariance, double weight)
 {
     double G, variance;
-    usual.road(model, contact, G, variance);
+    prior.road(model, contact, G, variance);
     const Parameter walls[3] = {P_B, P_D, P_LAMBDA};
     const int unknowns = model.direction == 0 ? 0 : model[P_LAMBDA] > 0 ? 3 : 2;
     if (unknowns == 0 || weight < LEAST_WEIGHT)
@@ -82,7 +82,7 @@ void MotionSamples::add(const Model& model, const Matx<double, PARAMETERS, PARAM
                 moved[walls[i]] += sign * spread * L(i, j);
             moved[P_LAMBDA] = std::max(moved[P_LAMBDA], 0.);
             double movedG, movedVariance;
-            usual.road(moved, contact, movedG, movedVariance);
+            prior.road(moved, contact, movedG, movedVariance);
             addSample(moved, movedG, part);
         }
         // Log-normal.

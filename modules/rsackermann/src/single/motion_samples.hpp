@@ -27,8 +27,8 @@ struct Correction
 class MotionSamples
 {
 public:
-    MotionSamples(const DisplacementField& field_, const UsualDrive& usual_, const RoadContact& contact_)
-        : field(field_), usual(usual_), contact(contact_)
+    MotionSamples(const DisplacementField& field_, const DrivingPrior& prior_, const RoadContact& contact_)
+        : field(field_), prior(prior_), contact(contact_)
     {
     }
 
@@ -59,7 +59,7 @@ private:
     Correction mean(const std::vector<double>& weights) const;
 
     const DisplacementField& field;
-    const UsualDrive& usual;
+    const DrivingPrior& prior;
     const RoadContact contact;
     std::vector<Correction> motions;
     std::vector<double> weights; // their sum is 1

@@ -40,7 +40,7 @@ class Explorer
 {
 public:
     Explorer(RefinementProblem& problem_, const AckermannEstimator::Params& params_, const DisplacementField& field)
-        : problem(problem_), params(params_), usual(*problem_.usual), mixture(field, usual, params_.harmAversion)
+        : problem(problem_), params(params_), prior(*problem_.prior), mixture(field, prior, params_.harmAversion)
     {
     }
 
@@ -57,7 +57,7 @@ public:
             return false;
         measureNoise(fits);
         mixture.setRoadContact(roadContact(fits));
-        addFit(fits[0], usual.logRest());
+        addFit(fits[0], prior.logRest());
         for (size_t i = 0; i < all.size(); i++)
         {
             const Fit& fit = fits[i + 1];
@@ -87,7 +87,7 @@ private:
         return all;
     }
 
-    // The usual motion, a consensus of the verticals, and a pure rotation.
+    // The expected motion, a consensus of the verticals, and a pure rotation.
     std::vector<Model> starts(const MotionHypothesis& hypothesis) const
     {
         std::vector<Model> models;
@@ -98,21 +98,21 @@ private:
             models.push_back(consensus);
         if (!hypothesis.translates())
         {
-            m[P_ALPHA] = usual.yawRateIsTold() ? usual.toldAlpha() : medianAlpha();
+            m[P_ALPHA] = prior.yawRateIsGiven() ? prior.given().alpha : medianAlpha();
             models.push_back(m);
             return models;
         }
-        m[P_ALPHA] = hypothesis.turns() ? usual.toldAlpha() : 0;
+        m[P_ALPHA] = hypothesis.turns() ? prior.given().alpha : 0;
         m[P_LAMBDA] = hypothesis.walls == 2 ? 1 : 0;
         const double factors[] = {0.5, 2};
         for (int direction = 1; direction >= -1; direction -= 2)
             for (int i = 0; i < 2; i++)
             {
                 // One start is enough for a rare direction.
-                if ((usual.toldDirection() != 0 && direction != usual.toldDirection()) ||
-                    (direction < 0 && usual.toldDirection() == 0 && i != 1))
+                if ((prior.givenDirection() != 0 && direction != prior.givenDirection()) ||
+                    (direction < 0 && prior.givenDirection() == 0 && i != 1))
                     continue;
-                const double speed = direction * factors[i] * usual.usualScaledSpeed(direction);
+                const double speed = direction * factors[i] * prior.expectedScaledSpeed(direction);
                 m[P_B] = speed * problem.heading.c;
                 m[P_D] = speed * problem.heading.s;
                 m.direction = direction;
@@ -125,7 +125,7 @@ private:
                 }
                 models.push_back(m);
             }
-        if (hypothesis.turns() && !usual.yawRateIsTold())
+        if (hypothesis.turns() && !prior.yawRateIsGiven())
         {
             models.push_back(models.back());
             models.back()[P_ALPHA] = medianAlpha();
@@ -250,7 +250,7 @@ private:
     // Laplace's approximation of the contribution of a fit at one yaw rate.
     double logEvidence(const Fit& fit, const MotionHypothesis& hypothesis) const
     {
-        double volume = logVolume(fit) - usual.logVolume(hypothesis);
+        double volume = logVolume(fit) - prior.logVolume(hypothesis);
         // In the logarithms of the wall's scaled speed and of the ratio, and in the azimuth.
         if (hypothesis.translates())
             volume -= 2 * std::log(std::hypot(fit.model[P_B], fit.model[P_D]));
@@ -317,8 +317,8 @@ private:
     {
         const MotionHypothesis pinned(fit.hypothesis.translates() ? MODEL_3LA : MODEL_NONE, fit.hypothesis.walls);
         const double variance = fit.covariance(P_ALPHA, P_ALPHA),
-                     sigma = variance > 0 ? std::sqrt(variance) : usual.alphaScale();
-        const double first = std::min(FIRST_STEP * sigma, 0.5 * usual.alphaScale());
+                     sigma = variance > 0 ? std::sqrt(variance) : prior.alphaScale();
+        const double first = std::min(FIRST_STEP * sigma, 0.5 * prior.alphaScale());
         Swept swept;
         Fit middle(pinned);
         middle.model = fit.model;
@@ -352,7 +352,7 @@ private:
     {
         const int iterations = 8;
         fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
-        const double density = logEvidence(fit, hypothesis) + usual.logYawDensity(fit.model[P_ALPHA]);
+        const double density = logEvidence(fit, hypothesis) + prior.logYawDensity(fit.model[P_ALPHA]);
         swept.fits.push_back(fit);
         swept.logDensity.push_back(density);
         swept.logWidth.push_back(std::log(width));
@@ -361,7 +361,7 @@ private:
 
     RefinementProblem& problem;
     const AckermannEstimator::Params& params;
-    const UsualDrive& usual;
+    const DrivingPrior& prior;
     MotionMixture mixture;
     SlantNoise noise = SlantNoise(); // of the best fit
     double dependence = 1;           // by which the verticals say less than their number

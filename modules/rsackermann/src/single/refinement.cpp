@@ -44,7 +44,7 @@ static FreeParameters freeParameters(const RefinementProblem& problem, const Mot
         unknowns.add(P_PITCH);
     }
     if (!hypothesis.translates() && evidence == ALL_SEGMENTS &&
-        (!problem.others.empty() || problem.prior.streetSigma > 0))
+        (!problem.others.empty() || problem.given().streetSigma > 0))
         unknowns.add(P_STREET);
     return unknowns;
 }
@@ -65,16 +65,12 @@ static void addJet(const Jet& residual, const FreeParameters& unknowns, Residual
 static void addPriors(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
                       const FreeParameters& unknowns, const Model& model, ResidualSums& sums)
 {
-    Jet prior[PriorTerms::MAX_RESIDUALS];
-    const int n = problem.prior.evaluate(model, hypothesis, prior);
-    for (int i = 0; i < n; i++)
-        addJet(prior[i], unknowns, sums);
-    if (problem.usual)
+    if (problem.prior)
     {
-        Jet usual[UsualDrive::MAX_RESIDUALS];
-        const int m = problem.usual->evaluate(model, hypothesis, usual);
-        for (int i = 0; i < m; i++)
-            addJet(usual[i], unknowns, sums);
+        Jet prior[DrivingPrior::MAX_RESIDUALS];
+        const int n = problem.prior->evaluate(model, hypothesis, prior);
+        for (int i = 0; i < n; i++)
+            addJet(prior[i], unknowns, sums);
     }
     if (problem.gravitySigma > 0)
     {

@@ -8,7 +8,6 @@
 #include "../motion/compensation.hpp"
 #include "../features/upright_segment.hpp"
 #include "../motion/model.hpp"
-#include "../factors/given_prior.hpp"
 #include "../factors/segment_arrays.hpp"
 #include "../factors/driving_prior.hpp"
 
@@ -21,29 +20,30 @@ struct RefinementProblem
     std::vector<UprightSegment> others;    // may point along the street or across it
     SegmentArrays verticalArrays, otherArrays;
     MotionLimits limits;
-    PriorTerms prior;
     Heading heading;
-    double focal;             // pixels
-    double sigma;             // pixels, of the residual of a vertical
-    double lean;              // radians, by which verticals of the scene lean, whatever their length
-    double directionSigma;    // pixels, of the residual of another segment
-    double lossScale;         // of the robust loss, in sigmas
-    double verticalWeight;    // of the evidence of a vertical: below 1 if they err together
-    double otherWeight;       // the same for another segment
-    double roadRatio;         // distance of the left (or only) wall over the height of the camera
-    double gravitySigma;      // radians, of the vehicle's roll; 0: gravity is exact
-    double vehiclePitchSigma; // radians, of its pitch
-    const UsualDrive* usual;  // how cars drive and what streets look like; 0: not used
+    double focal;              // pixels
+    double sigma;              // pixels, of the residual of a vertical
+    double lean;               // radians, by which verticals of the scene lean, whatever their length
+    double directionSigma;     // pixels, of the residual of another segment
+    double lossScale;          // of the robust loss, in sigmas
+    double verticalWeight;     // of the evidence of a vertical: below 1 if they err together
+    double otherWeight;        // the same for another segment
+    double roadRatio;          // distance of the left (or only) wall over the height of the camera
+    double gravitySigma;       // radians, of the vehicle's roll; 0: gravity is exact
+    double vehiclePitchSigma;  // radians, of its pitch
+    const DrivingPrior* prior; // 0: none
 
     explicit RefinementProblem(const MotionLimits& l)
         : limits(l), heading(0), focal(1), sigma(1), lean(0), directionSigma(1), lossScale(1), verticalWeight(1),
-          otherWeight(1), roadRatio(1), gravitySigma(0), vehiclePitchSigma(0), usual(0)
+          otherWeight(1), roadRatio(1), gravitySigma(0), vehiclePitchSigma(0), prior(0)
     {
     }
 
     //! Standard deviation of the roll about the optical axis, to which the vehicle's pitch adds if the camera looks to
     //! a side.
     double rollSigma() const { return std::hypot(heading.c * gravitySigma, heading.s * vehiclePitchSigma); }
+
+    GivenValues given() const { return prior ? prior->given() : GivenValues(); }
 
     //! Fills the arrays, after the segments have changed.
     void arrange();

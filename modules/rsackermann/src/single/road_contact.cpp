@@ -5,7 +5,6 @@
 #include "../precomp.hpp"
 #include "../scene/planes.hpp"
 #include "../factors/direction_residual.hpp"
-#include "../factors/given_prior.hpp"
 #include "road_contact.hpp"
 #include "../factors/vertical_residual.hpp"
 
@@ -61,7 +60,7 @@ RoadContact findRoadContact(const RefinementProblem& problem, const Model& model
     // The speed rests on the geometric mean of both distances.
     if (lambda > 0 && (left == 0 || right == 0))
         contact.logSigma = std::hypot(
-            contact.logSigma, 0.5 * std::min(std::sqrt(covariance(P_LAMBDA, P_LAMBDA)) / lambda, USUAL_LOG_RATIO));
+            contact.logSigma, 0.5 * std::min(std::sqrt(covariance(P_LAMBDA, P_LAMBDA)) / lambda, LOG_RATIO_SIGMA));
     return contact;
 }
 

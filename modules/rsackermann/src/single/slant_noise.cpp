@@ -88,13 +88,13 @@ void improve(const Slants& s, double error, SlantNoise& noise)
         otherSquares += (1 - isVertical) * d.other.weighedSquare(s.slant[i]);
     }
     noise.share = std::min(0.95, (s.size() - verticals + 1) / (s.size() + 2));
-    noise.lean = scaleOf(squares, verticals, USUAL_LEAN);
+    noise.lean = scaleOf(squares, verticals, PRIOR_LEAN);
     noise.otherLean = std::max(DISTINCT * noise.lean, scaleOf(otherSquares, s.size() - verticals, OTHER_LEAN));
 }
 
 double logLikelihood(const Slants& s, double error, const SlantNoise& noise)
 {
-    const double unusual = std::log(noise.lean / USUAL_LEAN), otherUnusual = std::log(noise.otherLean / OTHER_LEAN);
+    const double unusual = std::log(noise.lean / PRIOR_LEAN), otherUnusual = std::log(noise.otherLean / OTHER_LEAN);
     double sum = -0.5 * (unusual * unusual + otherUnusual * otherUnusual);
     for (size_t i = 0; i < s.size(); i++)
     {
@@ -127,7 +127,7 @@ static void keepBetter(const Slants& slants, double focal, int steps, SlantNoise
 SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* start)
 {
     // The likelihood has a maximum with few, exact verticals, and one with many that lean.
-    const double leans[] = {USUAL_LEAN, USUAL_LEAN / 8}, shares[] = {0.3, 0.5};
+    const double leans[] = {PRIOR_LEAN, PRIOR_LEAN / 8}, shares[] = {0.3, 0.5};
     const int few = 6, more = 6;
     SlantNoise best = SlantNoise();
     best.logLikelihood = -DBL_MAX;

@@ -17,17 +17,17 @@ static const double STREET_STEP = 0.01; // radians
 // The model with walls along an azimuth.
 static Model turnStreet(const Model& model, const MotionHypothesis& hypothesis, double azimuth)
 {
-    Model turned = model;
-    turned[P_STREET] = azimuth;
+    Model aligned = model;
+    aligned[P_STREET] = azimuth;
     if (hypothesis.translates())
     {
         // Along or against the azimuth: the walls stay on the side on which they are.
         const double size = std::hypot(model[P_B], model[P_D]);
         const double sign = model[P_B] * std::cos(azimuth) + model[P_D] * std::sin(azimuth) < 0 ? -1 : 1;
-        turned[P_B] = sign * size * std::cos(azimuth);
-        turned[P_D] = sign * size * std::sin(azimuth);
+        aligned[P_B] = sign * size * std::cos(azimuth);
+        aligned[P_D] = sign * size * std::sin(azimuth);
     }
-    return turned;
+    return aligned;
 }
 
 bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model)

@@ -10,9 +10,9 @@
 namespace cv { namespace rsackermann {
 
 /** Finds the ray of the global-shutter camera to the point that a raw pixel sees, in closed form unless there is a
-relief (doc/theory.md, "Warp").
+offset (doc/theory.md, "Warp").
 
-Of the planes the nearest along the ray is seen; a ray that meets none sees a point at infinity (w = 0, and the relief).
+Of the planes the nearest along the ray is seen; a ray that meets none sees a point at infinity (w = 0, and the offset).
 The planes
 surround the camera without hiding one another until it passes a wall; a row at whose instant it would have done so sees
 nothing.
@@ -86,18 +86,18 @@ public:
     }
 
 private:
-    // The relief tells by how much the point is nearer at the place where the global-shutter camera sees it, which
-    // depends on that: a fixed point. It is a contraction unless the relief is steep; then the pixel sees nothing.
+    // The offset says by how much the point is nearer at the place where the global-shutter camera sees it, which
+    // depends on that: a fixed point. It is a contraction unless the offset is steep; then the pixel sees nothing.
     bool findInverseDepth(const View& v, double& w) const
     {
         const int iterations = 30;
         const double enough = 1e-13;
         w = shutter.scene.inverseDepth(v.direction, v.x, v.z);
-        if (shutter.relief.empty())
+        if (shutter.depthOffset.empty())
             return true;
         for (int i = 0; i < iterations; i++)
         {
-            const double last = w, added = shutter.relief.at(v.direction + Vec3d(w * v.x, 0, w * v.z));
+            const double last = w, added = shutter.depthOffset.at(v.direction + Vec3d(w * v.x, 0, w * v.z));
             w = shutter.scene.inverseDepth(v.direction, v.x, v.z, added);
             if (std::abs(w - last) <= enough * (1 + std::abs(w)))
                 return true;

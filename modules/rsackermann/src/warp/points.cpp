@@ -14,7 +14,7 @@ namespace cv { namespace rsackermann {
 static double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion)
 {
     const double wall = std::hypot(motion.wallSlope, motion.wallOffset);
-    if (wall == 0 && motion.roadSlope == 0 && motion.relief.empty())
+    if (wall == 0 && motion.roadSlope == 0 && motion.inverseDepthOffset.empty())
         return 0;
     if (wall > 0 && motion.wallDistance > 0)
         return (motion.direction < 0 ? -wall : wall) * motion.wallDistance;

@@ -22,7 +22,7 @@ class ShutterGeometry
 {
 public:
     ShutterGeometry(const RollingShutterCamera& camera, const AckermannMotion& motion)
-        : moving(motion.status == MOTION_OK), scene(motion), relief(motion), lens(camera),
+        : moving(motion.status == MOTION_OK), scene(motion), depthOffset(motion), lens(camera),
           up(motion.uprightRotation(camera)), down(up.t()), alpha(motion.alpha), heading(camera.heading),
           byRows(camera.isRowShutter()), time0(camera.rowTime(Point2d(0, 0))),
           timeStep(camera.rowTime(Point2d(1, 1)) - time0)
@@ -40,7 +40,7 @@ public:
     bool isInside(const RowMotion& m) const { return scene.isInside(m.tau * m.s2, m.tau * m.c2); }
 
     //! w of the point that is seen with a bearing of the global-shutter camera.
-    double inverseDepth(const Vec3d& b) const { return scene.inverseDepth(b) + relief.at(b); }
+    double inverseDepth(const Vec3d& b) const { return scene.inverseDepth(b) + depthOffset.at(b); }
 
     //! Bearing of the global-shutter camera to the bearing of the moved camera.
     Vec3d toRolling(const Vec3d& b, double w, const RowMotion& m) const
@@ -53,9 +53,9 @@ public:
     //! Bearing of the moved camera in the orientation of the global-shutter camera.
     static Vec3d rotateBack(const Vec3d& q, const RowMotion& m)
     {
-        Vec3d turned(0, q[1], 0);
-        m.turn(q[0], q[2], turned[0], turned[2]);
-        return turned;
+        Vec3d rotated(0, q[1], 0);
+        m.turn(q[0], q[2], rotated[0], rotated[2]);
+        return rotated;
     }
 
     //! Inverse of toRolling() with rotateBack() already done.
@@ -73,7 +73,7 @@ public:
 
     bool moving; //!< false: there is only a lens
     Scene scene;
-    Relief relief;
+    InverseDepthOffset depthOffset;
     Lens<double> lens;
     Matx33d up;   //!< camera frame to upright frame
     Matx33d down; //!< upright frame to camera frame

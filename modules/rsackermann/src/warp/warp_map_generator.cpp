@@ -80,27 +80,29 @@ void WarpMapGenerator::Params::check() const
         CV_Error(Error::StsBadArg, format("tolerance is %g; a positive number of pixels is expected", tolerance));
 }
 
-static void checkRelief(const AckermannMotion& motion)
+static void checkOffset(const AckermannMotion& motion)
 {
-    const Mat& relief = motion.relief;
-    const Rect2d& area = motion.reliefArea;
-    if (relief.empty())
+    const Mat& offset = motion.inverseDepthOffset;
+    const Rect2d& area = motion.offsetArea;
+    if (offset.empty())
         return;
-    if (relief.dims != 2 || relief.type() != CV_64FC1 || !Relief::isPossible(relief.size()))
+    if (offset.dims != 2 || offset.type() != CV_64FC1 || !InverseDepthOffset::isPossible(offset.size()))
         CV_Error(Error::StsBadArg,
-                 format("motion.relief is a %d x %d matrix of type %s; %s of type CV_64FC1 are expected", relief.rows,
-                        relief.cols, typeToString(relief.type()).c_str(), Relief::possibleSizes().c_str()));
-    if (!cv::checkRange(relief, true, 0, -LARGEST_VALUE, LARGEST_VALUE))
-        CV_Error(Error::StsBadArg, format("motion.relief has values that aren't finite or beyond +-%g", LARGEST_VALUE));
-    checkFinite(area.x, "motion.reliefArea.x");
-    checkFinite(area.y, "motion.reliefArea.y");
-    checkPositive(area.width, "motion.reliefArea.width");
-    checkPositive(area.height, "motion.reliefArea.height");
+                 format("motion.inverseDepthOffset is a %d x %d matrix of type %s; %s of type CV_64FC1 are expected",
+                        offset.rows, offset.cols, typeToString(offset.type()).c_str(),
+                        InverseDepthOffset::possibleSizes().c_str()));
+    if (!cv::checkRange(offset, true, 0, -LARGEST_VALUE, LARGEST_VALUE))
+        CV_Error(Error::StsBadArg,
+                 format("motion.inverseDepthOffset has values that aren't finite or beyond +-%g", LARGEST_VALUE));
+    checkFinite(area.x, "motion.offsetArea.x");
+    checkFinite(area.y, "motion.offsetArea.y");
+    checkPositive(area.width, "motion.offsetArea.width");
+    checkPositive(area.height, "motion.offsetArea.height");
 }
 
 static void checkMotion(const AckermannMotion& motion)
 {
-    checkRelief(motion);
+    checkOffset(motion);
     const double values[] = {motion.alpha,     motion.wallSlope,      motion.wallOffset,      motion.wallRatio,
                              motion.roadSlope, motion.rollCorrection, motion.pitchCorrection, motion.wallDistance};
     const char* const names[] = {"alpha",     "wallSlope",      "wallOffset",      "wallRatio",

@@ -12,7 +12,7 @@ namespace cv { namespace rsackermann {
 //! @addtogroup rsackermann
 //! @{
 
-/** @brief A camera's mount and line delay as a drive shows them, from MountCalibrator.
+/** @brief A camera's mount and line delay, self-calibrated by MountCalibrator.
 
 Const methods may run at the same time in several threads on the same object; changes need an object that no other
 thread uses meanwhile.
@@ -22,16 +22,17 @@ class CV_EXPORTS_W_SIMPLE MountCalibration
 public:
     CV_WRAP MountCalibration(); //!< of no frame
 
-    /** @brief The line at infinity of the road in the image.
+    /** @brief The horizon of the road in the image.
     @return (a, b, c) with \f$a x + b y + c = 0\f$ for pixels (x, y) of the image without lens distortion, \f$a^2 + b^2
     = 1\f$, positive below.
      */
     CV_WRAP Vec3d horizon() const;
 
-    //! Frames of a moving car that were used; with fewer than five the camera is that of create(), and nothing is shown
+    //! Frames of a moving car that were used; with fewer than five nothing is observable, and the camera is that of
+    //! create()
     CV_PROP_RW int frames;
-    //! That of create() with the upright rotation, the heading and, if the drive shows it, the line delay that were
-    //! found, and the standard deviation of the latter
+    //! That of create() with the estimated upright rotation, heading and, if it is observable, line delay, and the
+    //! standard deviation of the latter
     CV_PROP_RW RollingShutterCamera camera;
     CV_PROP_RW double roll;           //!< radians, as in RollingShutterCamera::setRollPitch()
     CV_PROP_RW double rollSigma;      //!< standard deviation of roll
@@ -39,27 +40,27 @@ public:
     CV_PROP_RW double pitchSigma;     //!< standard deviation of pitch
     CV_PROP_RW double heading;        //!< radians, as RollingShutterCamera::heading
     CV_PROP_RW double headingSigma;   //!< standard deviation of heading
-    CV_PROP_RW double lineDelay;      //!< seconds; 0: unknown, as none was given and the drive doesn't show it
+    CV_PROP_RW double lineDelay;      //!< seconds; 0: unknown, as none was given and it is unobservable
     CV_PROP_RW double lineDelaySigma; //!< standard deviation of lineDelay
 
-    //! Whether the drive shows the roll: less than half of the standard deviation that was known before is left
+    //! Whether the roll is observable: its standard deviation is less than half of that before the calibration
     CV_PROP_RW bool rollObserved;
     CV_PROP_RW bool pitchObserved;   //!< the same of the pitch
     CV_PROP_RW bool headingObserved; //!< the same of the heading
-    //! The same of the line delay, as bends show it; if not, as after a straight drive, it isn't changed
+    //! The same of the line delay, which is observable in bends; if not, as after a straight drive, it isn't changed
     CV_PROP_RW bool lineDelayObserved;
 };
 
-/** @brief Finds how a camera is mounted, and its line delay, from a drive.
+/** @brief Self-calibrates mounting angles and line delay from a drive.
 
-The frames before tell the car's motion, the images' verticals are upright, the mount stays the same while suspension
+Tracked points determine the car's motion, the images' verticals are upright, the mount stays the same while suspension
 and road tilt the car, and the slants of verticals grow with the yaw rate in proportion to the line delay. All frames
-are explained together. Times of the frames are needed; speed and yaw rate of each frame (MotionPrior) are used if they
-are known.
+are fitted together. Times of the frames are needed; speed and yaw rate of each frame (MotionPrior) are used if they
+are given.
 
 A car that leans to one side all the time, as on a road with a crown, looks like a mount that is tilted: roll is that of
 the mean of the drive. A camera far ahead of the rear axle moves across the car in bends; bends to both sides keep that
-from the heading. At most Params::maxFrames frames are kept, whatever the length of the drive: parts of it are left out
+from the heading. At most Params::maxFrames frames are kept, whatever the length of the drive: parts of it are omitted
 evenly. An object is for one thread at a time.
  */
 class CV_EXPORTS_W MountCalibrator : public Algorithm
@@ -90,8 +91,8 @@ public:
         CV_PROP_RW double lineDelaySigma;
         //! Radians; by which suspension and road tilt the car, default 0.4 degrees
         CV_PROP_RW double suspensionSigma;
-        //! Seconds within which such a tilt is forgotten, default 0.5: that of a body that swings at 1.2 Hz with a
-        //! damping ratio of 0.25
+        //! Seconds; memory of such a tilt, default 0.5: that of a body that swings at 1.2 Hz with a damping ratio of
+        //! 0.25
         CV_PROP_RW double suspensionTime;
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
@@ -110,8 +111,8 @@ public:
     };
 
     /** @brief Creates a calibrator.
-    @param camera the camera as far as it is known; its shutter must go along the rows. A line delay of 0 is found as
-    well, from yaw rates in particular.
+    @param camera the camera as far as it is known; its shutter must go along the rows. A line delay of 0 is estimated
+    as well, from yaw rates in particular.
     @param params see MountCalibrator::Params.
     @return the calibrator; throws cv::Exception if the camera or a parameter is out of range.
      */
@@ -125,11 +126,11 @@ public:
      */
     CV_WRAP static Ptr<MountCalibrator> load(const String& filename, const String& objname = String());
 
-    //! Sets another camera and forgets all frames; throws cv::Exception as create() does.
+    //! Sets another camera and removes all frames; throws cv::Exception as create() does.
     CV_WRAP virtual void setCamera(const RollingShutterCamera& camera) = 0;
     //! The camera that is set.
     CV_WRAP virtual RollingShutterCamera getCamera() const = 0;
-    //! Sets other parameters and forgets all frames; throws cv::Exception with the name and value of the first one that
+    //! Sets other parameters and removes all frames; throws cv::Exception with the name and value of the first one that
     //! is out of range.
     CV_WRAP virtual void setParams(const MountCalibrator::Params& params) = 0;
     //! The present parameters.
@@ -139,7 +140,7 @@ public:
     @param image raw image of the camera's size, 8 or 16 bit with 1, 3 or 4 channels.
     @param seconds time of its reference row, from any origin. A second or more after the frame before, or not after it:
     another drive begins.
-    @param prior speed and yaw rate, if they are known.
+    @param prior speed and yaw rate, if they are given.
     @return whether the frame is used: the car moves, and enough points could be tracked from the frame before, which
     was given as an image, too.
      */
@@ -157,7 +158,7 @@ public:
     CV_WRAP virtual bool addPoints(InputArray points, InputArray segments, double seconds,
                                    const MotionPrior& prior = MotionPrior()) = 0;
 
-    /** @brief Explains all frames together.
+    /** @brief Fits all frames together.
     @return mount and line delay; may be called again after more frames.
      */
     CV_WRAP virtual MountCalibration calibrate() const = 0;

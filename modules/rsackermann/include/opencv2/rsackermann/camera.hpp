@@ -16,8 +16,8 @@ namespace cv { namespace rsackermann {
 enum ScanDirection {
     SCAN_TOP_TO_BOTTOM = 0, //!< row 0 is read first (default)
     SCAN_BOTTOM_TO_TOP = 1, //!< the last row is read first
-    SCAN_LEFT_TO_RIGHT = 2, //!< column 0 is read first; the motion can't be observed from vertical lines
-    SCAN_RIGHT_TO_LEFT = 3  //!< the last column is read first; the motion can't be observed from vertical lines
+    SCAN_LEFT_TO_RIGHT = 2, //!< column 0 is read first; the motion is unobservable from vertical lines
+    SCAN_RIGHT_TO_LEFT = 3  //!< the last column is read first; the motion is unobservable from vertical lines
 };
 
 //! The lens models of OpenCV that a RollingShutterCamera can have.
@@ -28,8 +28,7 @@ enum LensModel {
 
 /** @brief A rolling-shutter camera in a car: lens, shutter timing and mounting.
 
-All fields may be set directly; check() tells whether they make sense together and is called by every algorithm that
-takes a camera.
+All fields may be set directly; check() verifies them together and is called by every algorithm that takes a camera.
 
 Const methods may run at the same time in several threads on the same object; changes need an object that no other
 thread uses meanwhile.
@@ -84,7 +83,7 @@ public:
     //! Seconds per unit of row time, \f$f_y \cdot lineDelay\f$; 0 if lineDelay is unknown.
     CV_WRAP double secondsPerUnitTime() const;
 
-    //! Whether the shutter goes along the rows, so that vertical lines show the motion.
+    //! Whether the shutter goes along the rows, so that vertical lines determine the motion.
     CV_WRAP bool isRowShutter() const;
 
     //! Throws cv::Exception with the name and value of the first field that is out of range.

@@ -18,8 +18,8 @@ and remaps.
 
 If the motion's status isn't #MOTION_OK only the lens is corrected; without lens coefficients the image is copied.
 
-Each thread needs its own object: a correction changes it, as it keeps buffers, segments, maps and the motion that is
-carried. Objects share no state.
+Each thread needs its own object: a correction changes its buffers, segments, maps and the state of a sequence. Objects
+share no state.
 @sa AckermannEstimator, WarpMapGenerator
  */
 class CV_EXPORTS_W RollingShutterCorrector : public Algorithm
@@ -46,15 +46,15 @@ public:
         AckermannEstimator::Params estimator; //!< of the estimation
         WarpMapGenerator::Params warp;        //!< of the maps
         CV_PROP_RW int interpolation;         //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
-        /** whether the images are consecutive frames of a drive, default false: each helps with the next, and with
-        trackPoints tells by how much the scene deviates from planes (AckermannMotion::relief); needs
-        RollingShutterCamera::lineDelay */
-        CV_PROP_RW bool carryMotion;
-        //! Whether points are tracked from frame to frame if carryMotion is set, default true. Then the estimator's
+        /** whether the images are consecutive frames of one sequence, default false: motion and scene are propagated
+        between frames, and with trackPoints deviations of the scene from planes are estimated
+        (AckermannMotion::inverseDepthOffset); needs RollingShutterCamera::lineDelay */
+        CV_PROP_RW bool sequence;
+        //! Whether points are tracked from frame to frame if sequence is set, default true. Then the estimator's
         //! model has to be #MODEL_AUTO, and a frame whose points are found again doesn't use its seed, confidence,
-        //! maxIterations, minCandidates, wallDeviationSigma and reverseProbability.
+        //! maxIterations, minCandidates and reverseProbability.
         CV_PROP_RW bool trackPoints;
-        //! Seconds from one frame to the next if setTimestamp() doesn't tell, default 1/30
+        //! Seconds from one frame to the next without setTimestamp(), default 1/30
         CV_PROP_RW double frameInterval;
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
@@ -97,7 +97,7 @@ public:
     //! The present parameters.
     CV_WRAP virtual RollingShutterCorrector::Params getParams() const = 0;
 
-    /** @brief Sets the knowledge of the motion from elsewhere; used for all images until it is set again.
+    /** @brief Sets given values of the motion; used for all images until they are set again.
     @param prior see MotionPrior.
      */
     CV_WRAP virtual void setPrior(const MotionPrior& prior) = 0;
@@ -116,28 +116,27 @@ public:
     whose correction threw an exception.
 
     Its time is that of setTimestamp() or Params::frameInterval after the image before. Without this call, or the time
-    of the image after it, the motion between the two images beside the gap would be taken for that of one interval.
+    of the image after it, the interval between the two images beside the gap would be wrong.
      */
     CV_WRAP virtual void skipFrame() = 0;
 
-    /** @brief Shows the image after the one that is corrected next: points that are seen in both count, too, and the
-    relief is found from more of them if the image is large.
+    /** @brief Sets the image after the one that is corrected next: points are tracked into it, too, and more of them
+    determine the inverse-depth offset if the image is large.
 
-    For recorded drives, of which each frame or at least the first one can be corrected with the help of later ones.
-    Used if Params::carryMotion and Params::trackPoints are set.
+    For recorded sequences, of which each frame or at least the first one can be corrected with later ones.
+    Used if Params::sequence and Params::trackPoints are set.
     @param image raw image of the camera's size, of a type for the detection; copied.
     @param seconds time of its reference row, as in setTimestamp(); not finite: Params::frameInterval after the one
     before it. An image that isn't later than that isn't used.
      */
     CV_WRAP virtual void setNextFrame(InputArray image, double seconds) = 0;
 
-    /** @brief Forgets the motion that is carried to the next frame, its time and the frame after it: for the first
-    frame of another sequence.
+    /** @brief Resets the state of the sequence, its time and the frame after it: for the first frame of another
+    sequence.
 
-    The motion is also forgotten if a camera is set that differs in more than uprightRotation and standard deviations,
-    after more than a second without an image, and if hardly anything of the image before is found again. An image that
-    shows nothing itself is corrected by the motion that is expected of it, for a second and as long as that is expected
-    to help.
+    The state is also reset if a camera is set that differs in more than uprightRotation and standard deviations, after
+    more than a second without an image, and if hardly any point of the image before is found again. An image without
+    evidence is corrected by the predicted motion, for a second and as long as that is expected to help.
      */
     CV_WRAP virtual void reset() = 0;
 
@@ -152,7 +151,7 @@ public:
 
     /** @brief Corrects an image with segments that were found elsewhere.
     @param src raw image of the camera's size, of any type that cv::remap takes; of a type for the detection, as in
-    correct(), if points are tracked (Params::carryMotion and Params::trackPoints).
+    correct(), if points are tracked (Params::sequence and Params::trackPoints).
     @param segments as in AckermannEstimator::estimate.
     @param dst corrected image, as in correct().
     @param mask as in correct().
@@ -161,7 +160,7 @@ public:
     CV_WRAP virtual AckermannMotion correctWithSegments(InputArray src, InputArray segments, OutputArray dst,
                                                         OutputArray mask = noArray()) = 0;
 
-    /** @brief Corrects an image with a motion that is known. It isn't a frame of the sequence, see skipFrame().
+    /** @brief Corrects an image with a given motion. It isn't a frame of the sequence, see skipFrame().
     @param src raw image of the camera's size, of any type that cv::remap takes.
     @param motion the motion; if its status isn't #MOTION_OK only the lens is corrected.
     @param dst corrected image, as in correct().

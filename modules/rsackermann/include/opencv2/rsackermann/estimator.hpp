@@ -34,24 +34,23 @@ after detectors other than LSD, the ends are refined to a fraction of a pixel in
 @param image grey or colour image, 8 or 16 bit.
 @param segments N x 4 matrix CV_32F with rows (x1, y1, x2, y2) in pixels, or vector<Vec4f>.
 @param detector one of #SegmentDetector.
-@param minLength length in pixels below which segments are left out.
+@param minLength length in pixels below which segments are omitted.
  */
 CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int detector = DETECTOR_LSD,
                                  double minLength = 35);
 
 /** @brief Estimates the motion of the car during one rolling-shutter image.
 
-Vertical lines of the scene (walls, posts, windows) are slanted and bent by the motion. The estimator
+The images of vertical lines of the scene (walls, posts, windows) are skewed by the motion. The estimator
 -# keeps the segments that can be images of vertical lines within the limits of motion,
--# refines the motion with the exact model and a robust loss on all candidates; the other segments say where the street
-goes and, with the candidates, how far gravity is off; the prior counts as further measurements,
+-# refines the motion with the exact model and a robust loss on all candidates; the other segments determine the
+direction of the street and, with the candidates, the error of gravity; given values are further measurements,
 -# averages the correction over all motions that are possible, a camera at rest among them, weighted by their
-probability, so that the displacement that is to be expected is the smallest. If that isn't below that of the raw image,
-as it is if the camera is at rest with a probability above one half, no motion is reported.
+probability, so that the expected displacement is the smallest. If that isn't below that of the raw image, as it is if
+the camera is at rest with a probability above one half, no motion is reported.
 
-With Params::gravitySigma 0, or with a Params::model, a consensus of minimal solvers (solve1LA, solve3LA, solve4LA) in a
-locally optimised RANSAC @cite chum2003locally is refined in place of the average, and an information criterion chooses
-the model.
+With a Params::model the average is restricted to its motions. One of the starts of the refinement is a consensus of
+minimal solvers (solve1LA, solve3LA, solve4LA) in a locally optimised RANSAC @cite chum2003locally.
 
 The result is the same for the same seed, whatever the number of threads.
 
@@ -72,7 +71,7 @@ public:
         CV_WRAP Params();            //!< the defaults
         CV_PROP_RW int model;        //!< one of #MotionModel, default #MODEL_AUTO
         CV_PROP_RW int detector;     //!< one of #SegmentDetector, default #DETECTOR_LSD
-        CV_PROP_RW double minLength; //!< pixels; shorter segments are left out, default 35
+        CV_PROP_RW double minLength; //!< pixels; shorter segments are omitted, default 35
         //! Largest tangent of the angle between a candidate and the vertical, used unless maxYawRate and maxSpeed limit
         //! it, default 0.35
         CV_PROP_RW double maxSlant;
@@ -94,18 +93,18 @@ public:
         //! If wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on
         //! the road, default false
         CV_PROP_RW bool scaleFromRoad;
-        /** radians; standard deviation of the vehicle's roll, by which the camera's upright rotation is off against the
-        verticals of the scene and which is then corrected. 0: the upright rotation is exact; default 1 degree, as the
-        crown of a road and the suspension make it */
+        /** radians; standard deviation of the vehicle's roll: the error of the camera's upright rotation against the
+        verticals of the scene, which is then corrected. 0: the upright rotation is exact; default 1 degree, for the
+        crown of a road and the suspension */
         CV_PROP_RW double gravitySigma;
         //! Radians; the same for the vehicle's pitch, used unless gravitySigma is 0, default 0.3 degrees
         CV_PROP_RW double vehiclePitchSigma;
         //! Standard deviation of the sine of the angle between the walls and the vehicle's forward direction, 0:
         //! unknown, default 0.4
         CV_PROP_RW double wallDeviationSigma;
-        /** @name The prior: how cars drive and what streets look like, where nothing is given
-        A sequence begins with the mean and the variance of the same distributions and returns to them where nothing is
-        seen. doc/theory.md, "Posterior", says where the defaults come from.
+        /** @name The prior on motion and street, where nothing is given
+        A sequence begins with the mean and the variance of the same distributions and returns to them without
+        evidence: doc/theory.md, "Prior".
         @{ */
         //! Radians per second; scale of Student's t distribution with two degrees of freedom of the yaw rate: half of
         //! all are below 0.82 of it. Default 5 degrees per second
@@ -167,7 +166,7 @@ public:
     @param segments N x 4 matrix or N x 1 four-channel matrix, CV_32F or CV_64F, with (x1, y1, x2, y2) in pixels of the
     raw image; vector<Vec4f> for short.
     @param labels receives an N x 1 matrix CV_8U with one of #SegmentLabel for each segment.
-    @param prior knowledge from elsewhere.
+    @param prior given values.
     @return the motion; see AckermannMotion::status.
      */
     CV_WRAP virtual AckermannMotion estimate(InputArray segments, OutputArray labels = noArray(),

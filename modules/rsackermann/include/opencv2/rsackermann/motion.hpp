@@ -24,8 +24,7 @@ enum MotionStatus {
 
 //! The motion models, named by the number of line segments (lines, "L") that determine them.
 enum MotionModel {
-    //! For AckermannEstimator::Params::model: average over all possible motions, or, if gravity is exact, let an
-    //! information criterion choose
+    //! For AckermannEstimator::Params::model: average over all possible motions
     MODEL_AUTO = -1,
     MODEL_NONE = 0, //!< camera at rest
     MODEL_1LA = 1,  //!< pure rotation: yaw rate
@@ -35,9 +34,9 @@ enum MotionModel {
 
 //! The source of a motion's metres.
 enum MotionScale {
-    SCALE_UNKNOWN = 0, //!< there are none: the road is assumed where it usually is
+    SCALE_UNKNOWN = 0, //!< there are none: the road is where the prior expects it
     SCALE_WALL = 1,    //!< AckermannEstimator::Params::wallDistance
-    SCALE_ROAD = 2,    //!< RollingShutterCamera::height, and walls that are seen to stand on the road
+    SCALE_ROAD = 2,    //!< RollingShutterCamera::height, and walls that visibly stand on the road
     SCALE_SPEED = 3    //!< MotionPrior::speed
 };
 
@@ -60,10 +59,10 @@ public:
 The scaled inverse depth \f$w = \beta / s\f$ of the scene is linear on each plane at the global-shutter point
 \f$(x, y)\f$ of the upright frame: left (or only) wall \f$D - B x\f$, right wall \f$\lambda (B x - D)\f$, road \f$G y\f$
 with the slope B (wallSlope) and the offset D (wallOffset) of the left wall, the ratio \f$\lambda\f$ (wallRatio) and the
-slope G (roadSlope). The nearest plane is seen; if the motion has a relief, it is added. A scene with only one wall has
-\f$\lambda = 0\f$; there the wall may be on either side and B may have either sign.
+slope G (roadSlope). The nearest plane is seen; if the motion has an inverse-depth offset, it is added. A scene with
+only one wall has \f$\lambda = 0\f$; there the wall may be on either side and B may have either sign.
 
-The methods take the values as they are, whatever the status, unless they say something else.
+The methods take the values as they are, whatever the status, unless stated otherwise.
 
 Const methods may run at the same time in several threads on the same object; changes need an object that no other
 thread uses meanwhile.
@@ -74,22 +73,22 @@ public:
     //! A camera at rest, with status #MOTION_NOT_SIGNIFICANT.
     CV_WRAP AckermannMotion();
 
-    /** @brief A motion made from metric values, for simulation and for callers that know it all.
+    /** @brief A motion made from metric values, for simulation and for callers that know all of them.
     @param camera camera with lineDelay and, for the road, height.
     @param metric motion and walls.
     @return the motion, of status #MOTION_OK unless it is that of a camera at rest.
      */
     CV_WRAP static AckermannMotion fromMetric(const RollingShutterCamera& camera, const MetricMotion& metric);
 
-    //! Column of the line at infinity of the walls in the upright frame, wallOffset / wallSlope; 0 if the walls are
+    //! Column of the vanishing point of the walls in the upright frame, wallOffset / wallSlope; 0 if the walls are
     //! parallel to the image.
     CV_WRAP double delta() const;
 
     /** @brief Yaw rate, 2 alpha / secondsPerUnitTime, in radians per second; positive to the right.
     @param camera the camera with which the motion was estimated.
     @param radiansPerSecond receives the yaw rate; 0 if it is unknown.
-    @return false if lineDelay is unknown, or if nothing is known of the motion, which is at a #status other than
-    #MOTION_OK and #MOTION_NOT_SIGNIFICANT. With the latter it is 0: that of a camera at rest.
+    @return false if lineDelay is unknown, or if the motion is, at a #status other than #MOTION_OK and
+    #MOTION_NOT_SIGNIFICANT. With the latter the yaw rate is 0: that of a camera at rest.
      */
     CV_WRAP bool yawRate(const RollingShutterCamera& camera, CV_OUT double& radiansPerSecond) const;
 
@@ -97,8 +96,8 @@ public:
     reverse.
     @param camera the camera with which the motion was estimated.
     @param metresPerSecond receives the speed; 0 if it is unknown.
-    @return false if wallDistance or lineDelay is unknown. The estimator knows wallDistance with #MOTION_OK alone and
-    then tells by #scale where it comes from: with #SCALE_SPEED the result is the speed of the prior, no measurement.
+    @return false if wallDistance or lineDelay is unknown. The estimator sets wallDistance with #MOTION_OK alone;
+    #scale is its source: with #SCALE_SPEED the result is the given speed, no measurement.
      */
     CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
 
@@ -146,16 +145,16 @@ public:
     CV_PROP_RW double roadSlope;  //!< slope of the road's scaled inverse depth; 0: no road
     /** By how much the scene deviates from its planes, in scaled inverse depth, which has the sign of #direction:
     control values CV_64FC1, from 4 x 4 to 1024 x 1024, rows downward and columns to the right, of a uniform cubic
-    B-spline over #reliefArea. Empty (default): not at all. Beyond the area the nearest place of it counts.
+    B-spline over #offsetArea. Empty (default): not at all. Beyond the area the nearest place of it counts.
 
     With as many cells as there are control values less 3 along each side, the value at (u, v) cells from the corner of
     the area is the sum of \f$c_{ij} N(v + 3 - i) N(u + 3 - j)\f$ with row i, column j and the cubic B-spline N on the
     knots 0 to 4.
 
-    Frames of a drive may have one, see RollingShutterCorrector::Params::carryMotion. Copies of a motion share the
+    Frames of a sequence may have one, see RollingShutterCorrector::Params::sequence. Copies of a motion share the
     values, as copies of a Mat do. */
-    CV_PROP_RW Mat relief;
-    CV_PROP_RW Rect2d reliefArea; //!< the rectangle of (x, y) in the upright frame that the relief covers
+    CV_PROP_RW Mat inverseDepthOffset;
+    CV_PROP_RW Rect2d offsetArea; //!< the rectangle of (x, y) in the upright frame that the offset covers
     CV_PROP_RW int direction;     //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
@@ -166,7 +165,7 @@ public:
     //! Of (alpha, wallSlope, wallOffset, wallRatio), including the uncertainty of gravity; 0 for values that aren't
     //! part of the model
     CV_PROP_RW Matx44d covariance;
-    //! Whether roll and yaw rate can't be told apart: the uncertainty of the roll decides that of the yaw rate
+    //! Whether roll and yaw rate can't be distinguished: the uncertainty of the roll decides that of the yaw rate
     CV_PROP_RW bool rollYawAmbiguous;
 
     CV_PROP_RW int candidates; //!< segments that passed the gates
@@ -179,9 +178,9 @@ public:
     CV_PROP_RW double probabilityWorse;
 };
 
-/** @brief Knowledge of the motion from elsewhere: the car's bus, a gyro, calibration.
+/** @brief Given values of the motion: from the car's bus, a gyro, calibration.
 
-Each piece is used if its standard deviation is positive.
+Each value is used if its standard deviation is positive.
 
 Const methods may run at the same time in several threads on the same object; changes need an object that no other
 thread uses meanwhile.
@@ -189,7 +188,7 @@ thread uses meanwhile.
 class CV_EXPORTS_W_SIMPLE MotionPrior
 {
 public:
-    //! Nothing is known.
+    //! Nothing is given.
     CV_WRAP MotionPrior();
 
     //! Throws cv::Exception with the name and value of the first field that is out of range.
@@ -206,16 +205,16 @@ public:
     //! Reads the fields that write() has written; the others keep their values.
     CV_WRAP void read(const FileNode& fn);
 
-    //! Metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; says most with
+    //! Metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; helps most with
     //! AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road
     CV_PROP_RW double speed;
-    CV_PROP_RW double speedSigma; //!< standard deviation of speed; 0 (default): not known
+    CV_PROP_RW double speedSigma; //!< standard deviation of speed; 0 (default): not given
     //! Radians per second, positive to the right; needs RollingShutterCamera::lineDelay
     CV_PROP_RW double yawRate;
-    CV_PROP_RW double yawRateSigma; //!< standard deviation of yawRate; 0 (default): not known
-    //! Azimuth of the line at infinity of the walls in the upright frame, radians; its column is the tangent
+    CV_PROP_RW double yawRateSigma; //!< standard deviation of yawRate; 0 (default): not given
+    //! Azimuth of the vanishing point of the walls in the upright frame, radians; its column is the tangent
     CV_PROP_RW double wallDirection;
-    CV_PROP_RW double wallDirectionSigma; //!< standard deviation of wallDirection; 0 (default): not known
+    CV_PROP_RW double wallDirectionSigma; //!< standard deviation of wallDirection; 0 (default): not given
 };
 
 //! @}

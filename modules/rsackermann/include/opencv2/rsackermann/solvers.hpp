@@ -133,7 +133,7 @@ left (or only) wall.
 CV_EXPORTS int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scaledSpeed,
                                const SolverOptions& options, MinimalSolution solutions[8]);
 
-/** @brief Yaw rate and speed for a known line at infinity of the walls, exact.
+/** @brief Yaw rate and speed for a known vanishing point of the walls, exact.
 @param segments two images of vertical lines on the left (or only) wall and, if twoWalls, a third one on the right wall.
 @param twoWalls whether there is a third segment; otherwise lambda is 0.
 @param azimuth of the walls in the upright frame, radians; either of their two directions.

@@ -106,10 +106,11 @@ public:
     @param m1type as in initRectifyMap().
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the global-shutter image and 0 elsewhere.
 
-    A raw pixel sees the nearest plane along its ray, or infinity if the ray meets none, nearer or farther by the relief
-    of the motion. The planes surround the camera without hiding one another, unless it passes a wall; rows at whose
-    instant it would have done so are mapped to (-16384, -16384), and so are pixels for which the lens model has no ray
-    or whose place has a coordinate beyond +-32767, or that could show two points of a steep relief.
+    A raw pixel sees the nearest plane along its ray, or infinity if the ray meets none, nearer or farther by the
+    inverse-depth offset of the motion. The planes surround the camera without hiding one another, unless it passes a
+    wall; rows at whose instant it would have done so are mapped to (-16384, -16384), and so are pixels for which the
+    lens model has no ray or whose place has a coordinate beyond +-32767, or that could show two points of a steep
+    offset.
      */
     CV_WRAP virtual void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2,
                                         int m1type = CV_32FC1, OutputArray mask = noArray()) const = 0;
@@ -121,8 +122,9 @@ public:
     @param dst points in pixels of the global-shutter camera, of the size and type of src; (-16384, -16384) if there is
     none.
     @param depths metres along the optical axis of the global-shutter camera to each point, N values CV_32F or CV_64F;
-    for points whose value is not positive, and without this argument, the planes and the relief of the motion are used.
-    Depths need AckermannMotion::wallDistance, or AckermannMotion::roadSlope and RollingShutterCamera::height.
+    for points whose value is not positive, and without this argument, the planes and the inverse-depth offset of the
+    motion are used. Depths need AckermannMotion::wallDistance, or AckermannMotion::roadSlope and
+    RollingShutterCamera::height.
     @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not,
     and 0 for the others.
 

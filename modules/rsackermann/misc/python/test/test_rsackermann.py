@@ -203,8 +203,8 @@ class rsackermann_test(NewOpenCVTests):
 
     def test_corrector_prior(self):
         params = cv.rsackermann.RollingShutterCorrector.Params()
-        self.assertFalse(params.carryMotion)
-        params.carryMotion = True
+        self.assertFalse(params.sequence)
+        params.sequence = True
         params.frameInterval = 0.2
         corrector = cv.rsackermann.RollingShutterCorrector.create(make_camera(), params)
         self.assertEqual(corrector.getParams().frameInterval, 0.2)
@@ -235,8 +235,8 @@ class rsackermann_test(NewOpenCVTests):
         """One of each type, with values that aren't the defaults, and a function that tells them."""
         camera = make_camera()
         motion = make_motion(camera)
-        motion.relief = np.arange(30.0).reshape(5, 6) / 1000
-        motion.reliefArea = (-0.5, -0.25, 1.125, 0.75)
+        motion.inverseDepthOffset = np.arange(30.0).reshape(5, 6) / 1000
+        motion.offsetArea = (-0.5, -0.25, 1.125, 0.75)
         prior = cv.rsackermann.MotionPrior()
         prior.speed = 12.5
         estimator_params = cv.rsackermann.AckermannEstimator.Params()
@@ -244,18 +244,18 @@ class rsackermann_test(NewOpenCVTests):
         warp_params = cv.rsackermann.WarpMapGenerator.Params()
         warp_params.tolerance = 1.0 / 3
         corrector_params = cv.rsackermann.RollingShutterCorrector.Params()
-        corrector_params.carryMotion = True
+        corrector_params.sequence = True
         corrector_params.setEstimatorParams(estimator_params)
         calibrator_params = cv.rsackermann.MountCalibrator.Params()
         calibrator_params.maxFrames = 500
         return [
             (camera, lambda c: (c.lineDelay, c.height, c.imageSize, c.cameraMatrix.tolist())),
             (motion, lambda m: (m.status, m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope,
-                                np.array(m.relief).tolist(), m.reliefArea)),
+                                np.array(m.inverseDepthOffset).tolist(), m.offsetArea)),
             (prior, lambda p: (p.speed, p.yawRate)),
             (estimator_params, lambda p: p.seed),
             (warp_params, lambda p: p.tolerance),
-            (corrector_params, lambda p: (p.carryMotion, p.getEstimatorParams().seed)),
+            (corrector_params, lambda p: (p.sequence, p.getEstimatorParams().seed)),
             (calibrator_params, lambda p: p.maxFrames),
         ]
 

@@ -23,8 +23,8 @@ struct KernelWarp
     float maxRadius2;
     float up[9];
     float B, D, lambda, G, direction;
-    float reliefX, reliefY, cellsPerX, cellsPerY;
-    int reliefColumns, reliefRows;
+    float offsetX, offsetY, cellsPerX, cellsPerY;
+    int offsetColumns, offsetRows;
     float alpha, cosHeading, sinHeading;
     float reference, timeStep;
     float timeTolerance;
@@ -63,14 +63,14 @@ static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& cam
     r.lambda = float(scene.lambda);
     r.G = float(scene.G);
     r.direction = float(scene.direction);
-    const Rect2d& area = motion.reliefArea;
-    const Size cells = Relief(motion).cells();
-    r.reliefX = float(area.x);
-    r.reliefY = float(area.y);
+    const Rect2d& area = motion.offsetArea;
+    const Size cells = InverseDepthOffset(motion).cells();
+    r.offsetX = float(area.x);
+    r.offsetY = float(area.y);
     r.cellsPerX = float(cells.width / area.width);
     r.cellsPerY = float(cells.height / area.height);
-    r.reliefColumns = motion.relief.cols;
-    r.reliefRows = motion.relief.rows;
+    r.offsetColumns = motion.inverseDepthOffset.cols;
+    r.offsetRows = motion.inverseDepthOffset.rows;
     r.alpha = float(motion.alpha);
     r.cosHeading = float(std::cos(camera.heading));
     r.sinHeading = float(std::sin(camera.heading));
@@ -99,7 +99,7 @@ static String buildOptions(WarpDirection warp, const Lens<float>& lens, const Ac
         options += " -D TILTED";
     if (moving)
         options += " -D MOVING";
-    if (moving && !motion.relief.empty())
+    if (moving && !motion.inverseDepthOffset.empty())
         options += " -D RELIEF";
     if (mask)
         options += " -D MASK";
@@ -137,11 +137,11 @@ bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const Wa
             mask.create(size, CV_8UC1);
         index = kernel.set(index, ocl::KernelArg::WriteOnlyNoSize(mask));
     }
-    UMat relief;
-    if (motion.status == MOTION_OK && !motion.relief.empty())
+    UMat offset;
+    if (motion.status == MOTION_OK && !motion.inverseDepthOffset.empty())
     {
-        motion.relief.convertTo(relief, CV_32F);
-        index = kernel.set(index, ocl::KernelArg::PtrReadOnly(relief));
+        motion.inverseDepthOffset.convertTo(offset, CV_32F);
+        index = kernel.set(index, ocl::KernelArg::PtrReadOnly(offset));
     }
     index = kernel.set(index, size.height);
     index = kernel.set(index, size.width);

@@ -78,8 +78,8 @@ struct MapPatch
     /** The pixels at which the error is measured.
 
 It is of fourth order along both axes. At these pixels it is nearly as large as anywhere on their side of the square,
-with signs of its two parts that are the same at some and opposite at others. The knots of a relief can be anywhere:
-the centres between the nodes are checked, too.
+with signs of its two parts that are the same at some and opposite at others. The knots of an inverse-depth offset can
+be anywhere: the centres between the nodes are checked, too.
 */
     static Point2d check(int i, double step)
     {

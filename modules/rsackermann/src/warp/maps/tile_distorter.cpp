@@ -18,7 +18,7 @@ bool TileDistorter::fillByPatches(const Rect& square, MapWriter::Tile& tile) con
 {
     Nodes nodes;
     // Its depth isn't known before the place is.
-    if (!shutter.relief.empty() || !look(square, nodes))
+    if (!shutter.depthOffset.empty() || !look(square, nodes))
         return false;
     int visible[PLANES];
     const int count = visiblePlanes(nodes, visible);

@@ -46,7 +46,7 @@ bool TileRectifier::fillByPatches(const Rect& square, MapWriter::Tile& tile) con
     return true;
 }
 
-// A relief has an edge where its area ends, beyond which it doesn't change on that axis any more.
+// An inverse-depth offset has an edge where its area ends, beyond which it doesn't change on that axis any more.
 static bool isSmoothAlong(double low, double high, int cells)
 {
     const int most = 3; // of the cells in a patch, which its nodes and checks wouldn't notice if there were many
@@ -55,7 +55,7 @@ static bool isSmoothAlong(double low, double high, int cells)
 
 bool TileRectifier::isSmooth(const Rect& square) const
 {
-    if (!shutter.moving || shutter.relief.empty())
+    if (!shutter.moving || shutter.depthOffset.empty())
         return true;
     Point2d low(DBL_MAX, DBL_MAX), high = -low;
     for (int k = 0; k < 4; k++)
@@ -64,11 +64,11 @@ bool TileRectifier::isSmooth(const Rect& square) const
         const Vec3d ray = upright * Vec3d(corner.x, corner.y, 1);
         if (!(ray[2] > 0))
             return false;
-        const Point2d cell = shutter.relief.cellOf(ray);
+        const Point2d cell = shutter.depthOffset.cellOf(ray);
         low = Point2d(std::min(low.x, cell.x), std::min(low.y, cell.y));
         high = Point2d(std::max(high.x, cell.x), std::max(high.y, cell.y));
     }
-    const Size cells = shutter.relief.cells();
+    const Size cells = shutter.depthOffset.cells();
     return isSmoothAlong(low.x, high.x, cells.width) && isSmoothAlong(low.y, high.y, cells.height);
 }
 
@@ -138,7 +138,7 @@ bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth,
     }
 
     patch = MapPatch(nodes, step);
-    const int checks = shutter.relief.empty() ? MapPatch::CHECKS : MapPatch::CHECKS_WITH_KNOTS;
+    const int checks = shutter.depthOffset.empty() ? MapPatch::CHECKS : MapPatch::CHECKS_WITH_KNOTS;
     for (int i = 0; i < checks; i++)
     {
         const Point2d check = MapPatch::check(i, step), expected = patch.at(check.x, check.y);
@@ -154,7 +154,7 @@ bool TileRectifier::solve(const Rect& square, double column, double row, const P
                           Rectifier::Guess& guess, Point2d& place) const
 {
     const Vec3d pixel(square.x + column, square.y + row, 1), b = upright * pixel;
-    const double w = shutter.scene.direction * depth.at(column, row) + shutter.relief.at(b);
+    const double w = shutter.scene.direction * depth.at(column, row) + shutter.depthOffset.at(b);
     return forPatches.solve(inverse * pixel, b, w, true, guess, place) && isAddressable(place);
 }
 

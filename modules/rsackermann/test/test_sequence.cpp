@@ -70,22 +70,23 @@ std::vector<PointPair> randomPairs(const Simulator& s, double seconds, int count
     return pairs;
 }
 
-std::vector<Sight> sightsOf(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds)
+std::vector<TrackedBearing> bearingsOf(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs,
+                                       double seconds)
 {
-    std::vector<Sight> sights;
-    addSights(camera, pairs, seconds, sights);
-    return sights;
+    std::vector<TrackedBearing> bearings;
+    addBearings(camera, pairs, seconds, bearings);
+    return bearings;
 }
 
-DriveState stateOf(const RollingShutterCamera& camera, const Truth& truth)
+SequenceState stateOf(const RollingShutterCamera& camera, const Truth& truth)
 {
-    DriveState state(camera, AckermannEstimator::Params());
-    state.value[DRIVE_YAW_RATE] = truth.yawRate;
-    state.value[DRIVE_SPEED] = truth.speed;
-    state.value[DRIVE_DIRECTION] = truth.direction;
-    state.value[DRIVE_LEFT] = truth.left > 0 ? 1 / truth.left : 0;
-    state.value[DRIVE_RIGHT] = truth.right > 0 ? 1 / truth.right : 0;
-    state.value[DRIVE_ROAD] = 1 / camera.height;
+    SequenceState state(camera, AckermannEstimator::Params());
+    state.value[SEQUENCE_YAW_RATE] = truth.yawRate;
+    state.value[SEQUENCE_SPEED] = truth.speed;
+    state.value[SEQUENCE_DIRECTION] = truth.direction;
+    state.value[SEQUENCE_LEFT] = truth.left > 0 ? 1 / truth.left : 0;
+    state.value[SEQUENCE_RIGHT] = truth.right > 0 ? 1 / truth.right : 0;
+    state.value[SEQUENCE_ROAD] = 1 / camera.height;
     return state;
 }
 
@@ -111,11 +112,11 @@ TEST_P(Scans, points_move_as_the_simulated_motion_moves_them)
         const double seconds = rng.uniform(-0.1, 0.1);
         const std::vector<PointPair> pairs = randomPairs(simulate(camera, truth), seconds, 20, 0, 0, rng);
         double values[FLOW_VALUES] = {0};
-        const DriveVector value = stateOf(camera, truth).value;
-        std::copy(value.val, value.val + DRIVE_VALUES, values);
-        const std::vector<Sight> sights = sightsOf(camera, pairs, seconds);
-        for (size_t k = 0; k < sights.size(); k++, count++)
-            ASSERT_LT(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)), 1e-6)
+        const SequenceVector value = stateOf(camera, truth).value;
+        std::copy(value.val, value.val + SEQUENCE_VALUES, values);
+        const std::vector<TrackedBearing> bearings = bearingsOf(camera, pairs, seconds);
+        for (size_t k = 0; k < bearings.size(); k++, count++)
+            ASSERT_LT(cv::norm(FlowResidual(camera).evaluate(bearings[k], values, 0)), 1e-6)
                 << "motion " << i << ", point " << k;
     }
     EXPECT_GT(count, 8000);
@@ -135,15 +136,16 @@ TEST_P(Scans, other_frames_may_have_another_yaw_rate)
         Simulator simulator = simulate(camera, truth);
         simulator.drive.yawChange = change * unit * unit;
         double values[FLOW_VALUES] = {0};
-        const DriveVector value = stateOf(camera, truth).value;
-        std::copy(value.val, value.val + DRIVE_VALUES, values);
-        const std::vector<Sight> sights = sightsOf(camera, randomPairs(simulator, seconds, 20, 0, 0, rng), seconds);
-        for (size_t k = 0; k < sights.size(); k++)
+        const SequenceVector value = stateOf(camera, truth).value;
+        std::copy(value.val, value.val + SEQUENCE_VALUES, values);
+        const std::vector<TrackedBearing> bearings =
+            bearingsOf(camera, randomPairs(simulator, seconds, 20, 0, 0, rng), seconds);
+        for (size_t k = 0; k < bearings.size(); k++)
         {
             values[FLOW_YAW_CHANGE] = 0;
-            ignored.push_back(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)));
+            ignored.push_back(cv::norm(FlowResidual(camera).evaluate(bearings[k], values, 0)));
             values[FLOW_YAW_CHANGE] = change;
-            known.push_back(cv::norm(FlowResidual(camera).evaluate(sights[k], values, 0)));
+            known.push_back(cv::norm(FlowResidual(camera).evaluate(bearings[k], values, 0)));
         }
     }
     // What is left is the change of the car's way, which is no part of it and grows with the speed.
@@ -161,21 +163,21 @@ TEST_P(Scans, derivatives_are_those_of_slow_motions)
         Truth truth = randomTruth(rng);
         truth.yawRate *= 0.1;
         truth.speed *= 0.1;
-        const std::vector<Sight> sights =
-            sightsOf(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
+        const std::vector<TrackedBearing> bearings =
+            bearingsOf(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
         double values[FLOW_VALUES] = {0}, jacobian[2][FLOW_VALUES];
-        const DriveVector value = stateOf(camera, truth).value;
-        std::copy(value.val, value.val + DRIVE_VALUES, values);
-        for (size_t k = 0; k < sights.size(); k++)
+        const SequenceVector value = stateOf(camera, truth).value;
+        std::copy(value.val, value.val + SEQUENCE_VALUES, values);
+        for (size_t k = 0; k < bearings.size(); k++)
         {
-            residual.evaluate(sights[k], values, jacobian[0]);
+            residual.evaluate(bearings[k], values, jacobian[0]);
             for (int p = 0; p < FLOW_VALUES; p++)
             {
                 const double h = 1e-5, at = values[p];
                 values[p] = at + h;
-                const Point2d high = residual.evaluate(sights[k], values, 0);
+                const Point2d high = residual.evaluate(bearings[k], values, 0);
                 values[p] = at - h;
-                const Point2d low = residual.evaluate(sights[k], values, 0);
+                const Point2d low = residual.evaluate(bearings[k], values, 0);
                 values[p] = at;
                 const Point2d slope = (high - low) * (0.5 / h), got(jacobian[0][p], jacobian[1][p]);
                 // At an edge between two planes there is no derivative.
@@ -197,23 +199,23 @@ TEST_P(Scans, derivative_by_the_inverse_depth)
     for (int i = 0; i < 200; i++)
     {
         const Truth truth = randomTruth(rng);
-        const std::vector<Sight> sights =
-            sightsOf(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
+        const std::vector<TrackedBearing> bearings =
+            bearingsOf(camera, randomPairs(simulate(camera, truth), 0.04, 10, 0, 0, rng), 0.04);
         double values[FLOW_VALUES] = {0};
-        const DriveVector value = stateOf(camera, truth).value;
-        std::copy(value.val, value.val + DRIVE_VALUES, values);
+        const SequenceVector value = stateOf(camera, truth).value;
+        std::copy(value.val, value.val + SEQUENCE_VALUES, values);
         values[FLOW_PITCH_BEFORE] = rng.uniform(-0.1, 0.1);
         values[FLOW_ROLL_BEFORE] = rng.uniform(-0.1, 0.1);
-        for (size_t k = 0; k < sights.size(); k++, count++)
+        for (size_t k = 0; k < bearings.size(); k++, count++)
         {
             const double h = 1e-6;
-            FlowResidual::View view = residual.look(sights[k], values);
+            FlowResidual::View view = residual.predict(bearings[k], values);
             Point2d got;
-            residual.miss(sights[k], values, view, &got);
+            residual.residualOf(bearings[k], values, view, &got);
             view.inverseDepth += h;
-            const Point2d nearer = residual.miss(sights[k], values, view);
+            const Point2d nearer = residual.residualOf(bearings[k], values, view);
             view.inverseDepth -= 2 * h;
-            const Point2d slope = (nearer - residual.miss(sights[k], values, view)) * (0.5 / h);
+            const Point2d slope = (nearer - residual.residualOf(bearings[k], values, view)) * (0.5 / h);
             ASSERT_LT(cv::norm(slope - got), 1e-6 * cv::norm(slope) + 1e-6) << "motion " << i << ", point " << k;
         }
     }
@@ -229,18 +231,19 @@ TEST_P(Scans, motion_is_found)
     {
         const Truth truth = randomTruth(rng);
         const Simulator simulator = simulate(camera, truth);
-        const std::vector<Sight> sights = sightsOf(camera, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
-        if (sights.size() < 100)
+        const std::vector<TrackedBearing> bearings =
+            bearingsOf(camera, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
+        if (bearings.size() < 100)
             continue;
-        const DriveFit fit = fitDrive(camera, sights, std::vector<UprightSegment>(),
-                                      DriveState(camera, AckermannEstimator::Params()), true);
+        const SequenceFit fit = fitDrive(camera, bearings, std::vector<UprightSegment>(),
+                                         SequenceState(camera, AckermannEstimator::Params()), true);
         EXPECT_TRUE(fit.moves) << i;
         EXPECT_LT(fit.left, 0.5) << i;
         EXPECT_GT(fit.agreeing, 0.7) << i;
-        yaw.push_back(std::abs(fit.state.value[DRIVE_YAW_RATE] - truth.yawRate) / DEGREE);
-        speed.push_back(std::abs(fit.state.value[DRIVE_SPEED] / truth.speed - 1));
+        yaw.push_back(std::abs(fit.state.value[SEQUENCE_YAW_RATE] - truth.yawRate) / DEGREE);
+        speed.push_back(std::abs(fit.state.value[SEQUENCE_SPEED] / truth.speed - 1));
         if (truth.left > 0)
-            left.push_back(std::abs(fit.state.value[DRIVE_LEFT] * truth.left - 1));
+            left.push_back(std::abs(fit.state.value[SEQUENCE_LEFT] * truth.left - 1));
     }
     ASSERT_GT(yaw.size(), 50u);
     EXPECT_LT(median(yaw), 0.2);
@@ -249,9 +252,9 @@ TEST_P(Scans, motion_is_found)
     EXPECT_LT(median(left), 0.2);
 }
 
-INSTANTIATE_TEST_CASE_P(RSAckermann_Drive, Scans, testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
+INSTANTIATE_TEST_CASE_P(RSAckermann_Sequence, Scans, testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
 
-TEST(RSAckermann_Drive, rest_is_rest)
+TEST(RSAckermann_Sequence, rest_is_rest)
 {
     RNG rng(8);
     const RollingShutterCamera camera = driveCamera();
@@ -263,16 +266,16 @@ TEST(RSAckermann_Drive, rest_is_rest)
         std::vector<PointPair> pairs = randomPairs(simulate(camera, moving), 0.05, 200, 0, 0, rng);
         for (size_t k = 0; k < pairs.size(); k++)
             pairs[k].other = pairs[k].now + gaussianPoint(rng, 0.2);
-        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
-                                      DriveState(camera, AckermannEstimator::Params()), true);
+        const SequenceFit fit = fitDrive(camera, bearingsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
+                                         SequenceState(camera, AckermannEstimator::Params()), true);
         EXPECT_FALSE(fit.moves) << i;
-        EXPECT_LT(std::abs(fit.state.value[DRIVE_YAW_RATE]), 0.5 * DEGREE) << i;
+        EXPECT_LT(std::abs(fit.state.value[SEQUENCE_YAW_RATE]), 0.5 * DEGREE) << i;
     }
 }
 
 //! Largest relative error of the road where it hardly has points, and something else has some that all moved by some
 //! pixels: 0 on the car itself, others on a car ahead.
-double roadErrorBeside(int otherPoints, const Point2d& moved, bool isVague)
+double roadErrorBeside(int otherPoints, const Point2d& moved, bool isUninitialised)
 {
     RNG rng(9);
     const RollingShutterCamera camera = driveCamera();
@@ -293,16 +296,17 @@ double roadErrorBeside(int otherPoints, const Point2d& moved, bool isVague)
             other.other = other.now + moved + gaussianPoint(rng, 0.1);
             pairs.push_back(other);
         }
-        const DriveState before = isVague ? DriveState(camera, AckermannEstimator::Params()) : stateOf(camera, truth);
-        const DriveFit fit =
-            fitDrive(camera, sightsOf(camera, pairs, seconds), std::vector<UprightSegment>(), before, isVague);
+        const SequenceState before =
+            isUninitialised ? SequenceState(camera, AckermannEstimator::Params()) : stateOf(camera, truth);
+        const SequenceFit fit = fitDrive(camera, bearingsOf(camera, pairs, seconds), std::vector<UprightSegment>(),
+                                         before, isUninitialised);
         EXPECT_TRUE(fit.moves) << i;
-        largest = std::max(largest, std::abs(fit.state.value[DRIVE_ROAD] * camera.height - 1));
+        largest = std::max(largest, std::abs(fit.state.value[SEQUENCE_ROAD] * camera.height - 1));
     }
     return largest;
 }
 
-TEST(RSAckermann_Drive, own_bonnet_is_no_distant_road)
+TEST(RSAckermann_Sequence, own_bonnet_is_no_distant_road)
 {
     EXPECT_LT(roadErrorBeside(40, Point2d(), false), 0.2);
     EXPECT_LT(roadErrorBeside(150, Point2d(), false), 0.2);
@@ -310,13 +314,13 @@ TEST(RSAckermann_Drive, own_bonnet_is_no_distant_road)
     EXPECT_LT(roadErrorBeside(150, Point2d(), true), 0.2);
 }
 
-TEST(RSAckermann_Drive, car_ahead_is_no_distant_road)
+TEST(RSAckermann_Sequence, car_ahead_is_no_distant_road)
 {
     EXPECT_LT(roadErrorBeside(40, Point2d(1, 3), false), 0.2);
 }
 
 // All points stand still then, but that isn't the car itself; whatever the motion was before.
-TEST(RSAckermann_Drive, sudden_stop_is_rest)
+TEST(RSAckermann_Sequence, sudden_stop_is_rest)
 {
     RNG rng(11);
     const RollingShutterCamera camera = driveCamera();
@@ -325,11 +329,11 @@ TEST(RSAckermann_Drive, sudden_stop_is_rest)
         std::vector<PointPair> pairs = randomPairs(simulate(camera, randomTruth(rng)), 0.05, 200, 0, 0, rng);
         for (size_t k = 0; k < pairs.size(); k++)
             pairs[k].other = pairs[k].now + gaussianPoint(rng, 0.2);
-        const DriveFit fit = fitDrive(camera, sightsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
-                                      stateOf(camera, randomTruth(rng)), false);
+        const SequenceFit fit = fitDrive(camera, bearingsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
+                                         stateOf(camera, randomTruth(rng)), false);
         EXPECT_FALSE(fit.moves) << i;
         EXPECT_GT(fit.agreeing, 0.9) << i;
-        EXPECT_LT(std::abs(fit.state.value[DRIVE_YAW_RATE]), 0.5 * DEGREE) << i;
+        EXPECT_LT(std::abs(fit.state.value[SEQUENCE_YAW_RATE]), 0.5 * DEGREE) << i;
     }
 }
 
@@ -353,36 +357,36 @@ double rollError(bool hasPoints)
         Mat segments;
         simulation::randomSegments(simulator, options, rng).ends.convertTo(segments, CV_64F);
         selectCandidates(segments.reshape(1), believed, AckermannEstimator::Params(), verticals, others);
-        std::vector<Sight> sights;
-        DriveState prediction(believed, AckermannEstimator::Params());
+        std::vector<TrackedBearing> bearings;
+        SequenceState prediction(believed, AckermannEstimator::Params());
         if (hasPoints)
-            sights = sightsOf(believed, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
+            bearings = bearingsOf(believed, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
         else
         {
             prediction = stateOf(believed, truth);
-            for (int k = 0; k < DRIVE_ROLL; k++)
+            for (int k = 0; k < SEQUENCE_ROLL; k++)
                 prediction.covariance(k, k) *= 1e-6;
         }
-        const DriveFit fit = fitDrive(believed, sights, verticals, prediction, hasPoints);
-        errors.push_back(std::abs(fit.state.value[DRIVE_ROLL] - roll) / DEGREE);
+        const SequenceFit fit = fitDrive(believed, bearings, verticals, prediction, hasPoints);
+        errors.push_back(std::abs(fit.state.value[SEQUENCE_ROLL] - roll) / DEGREE);
     }
     return median(errors);
 }
 
-TEST(RSAckermann_Drive, verticals_tell_roll)
+TEST(RSAckermann_Sequence, verticals_tell_roll)
 {
     EXPECT_LT(rollError(true), 0.15);
     EXPECT_LT(rollError(false), 0.15);
 }
 
-TEST(RSAckermann_Drive, state_forgets)
+TEST(RSAckermann_Sequence, state_forgets)
 {
     const RollingShutterCamera camera = driveCamera();
-    const DriveState usual(camera, AckermannEstimator::Params());
-    DriveState once = usual;
-    once.measure(DRIVE_YAW_RATE, 0.3, 0.01);
-    once.measure(DRIVE_LEFT, 0.25, 0.001);
-    DriveState twice = once, late = once;
+    const SequenceState usual(camera, AckermannEstimator::Params());
+    SequenceState once = usual;
+    once.measure(SEQUENCE_YAW_RATE, 0.3, 0.01);
+    once.measure(SEQUENCE_LEFT, 0.25, 0.001);
+    SequenceState twice = once, late = once;
     once.predict(0.5);
     for (int i = 0; i < 5; i++)
         twice.predict(0.1);
@@ -393,24 +397,26 @@ TEST(RSAckermann_Drive, state_forgets)
     EXPECT_LT(cv::norm(late.covariance - usual.covariance), 1e-9);
 }
 
-TEST(RSAckermann_Drive, measurement_is_weighed)
+TEST(RSAckermann_Sequence, measurement_is_weighed)
 {
     const RollingShutterCamera camera = driveCamera();
-    DriveState state(camera, AckermannEstimator::Params());
-    state.covariance(DRIVE_SPEED, DRIVE_ROAD) = state.covariance(DRIVE_ROAD, DRIVE_SPEED) = 0.5;
-    const DriveState before = state;
-    const double variance = before.covariance(DRIVE_SPEED, DRIVE_SPEED), sigma = 3, total = variance + sigma * sigma;
-    state.measure(DRIVE_SPEED, 20, sigma);
-    EXPECT_NEAR((before.value[DRIVE_SPEED] * sigma * sigma + 20 * variance) / total, state.value[DRIVE_SPEED], 1e-9);
-    EXPECT_NEAR(variance * sigma * sigma / total, state.covariance(DRIVE_SPEED, DRIVE_SPEED), 1e-9);
-    EXPECT_NEAR(before.value[DRIVE_ROAD] + 0.5 * (20 - before.value[DRIVE_SPEED]) / total, state.value[DRIVE_ROAD],
+    SequenceState state(camera, AckermannEstimator::Params());
+    state.covariance(SEQUENCE_SPEED, SEQUENCE_ROAD) = state.covariance(SEQUENCE_ROAD, SEQUENCE_SPEED) = 0.5;
+    const SequenceState before = state;
+    const double variance = before.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED), sigma = 3,
+                 total = variance + sigma * sigma;
+    state.measure(SEQUENCE_SPEED, 20, sigma);
+    EXPECT_NEAR((before.value[SEQUENCE_SPEED] * sigma * sigma + 20 * variance) / total, state.value[SEQUENCE_SPEED],
                 1e-9);
-    const DriveState same = state;
-    state.measure(DRIVE_SPEED, 5, 0);
-    EXPECT_EQ(same.value[DRIVE_SPEED], state.value[DRIVE_SPEED]);
+    EXPECT_NEAR(variance * sigma * sigma / total, state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED), 1e-9);
+    EXPECT_NEAR(before.value[SEQUENCE_ROAD] + 0.5 * (20 - before.value[SEQUENCE_SPEED]) / total,
+                state.value[SEQUENCE_ROAD], 1e-9);
+    const SequenceState same = state;
+    state.measure(SEQUENCE_SPEED, 5, 0);
+    EXPECT_EQ(same.value[SEQUENCE_SPEED], state.value[SEQUENCE_SPEED]);
 }
 
-TEST(RSAckermann_Drive, state_is_a_motion)
+TEST(RSAckermann_Sequence, state_is_a_motion)
 {
     RNG rng(9);
     const RollingShutterCamera camera = driveCamera();
@@ -430,21 +436,21 @@ TEST(RSAckermann_Drive, state_is_a_motion)
     }
 }
 
-TEST(RSAckermann_Drive, derivatives_of_the_model)
+TEST(RSAckermann_Sequence, derivatives_of_the_model)
 {
     RNG rng(10);
     const RollingShutterCamera camera = driveCamera();
     const double unit = camera.secondsPerUnitTime(), h = 1e-6;
     for (int i = 0; i < 100; i++)
     {
-        const DriveVector value = stateOf(camera, randomTruth(rng)).value;
-        Matx<double, PARAMETERS, DRIVE_VALUES> J;
+        const SequenceVector value = stateOf(camera, randomTruth(rng)).value;
+        Matx<double, PARAMETERS, SEQUENCE_VALUES> J;
         toModel(value, unit, &J);
-        for (int v = 0; v < DRIVE_VALUES; v++)
+        for (int v = 0; v < SEQUENCE_VALUES; v++)
         {
-            if (value[v] == 0 && (v == DRIVE_LEFT || v == DRIVE_RIGHT))
+            if (value[v] == 0 && (v == SEQUENCE_LEFT || v == SEQUENCE_RIGHT))
                 continue; // a wall that comes into being
-            DriveVector low = value, high = value;
+            SequenceVector low = value, high = value;
             low[v] -= h;
             high[v] += h;
             const Model a = toModel(low, unit, 0), b = toModel(high, unit, 0);
@@ -465,7 +471,7 @@ Mat randomTexture(const Size& size, double blur)
     return texture;
 }
 
-TEST(RSAckermann_Drive, points_are_tracked)
+TEST(RSAckermann_Sequence, points_are_tracked)
 {
     // A texture that is shifted by whole pixels, in an image that is searched in a quarter of its size.
     const Mat texture = randomTexture(Size(1100, 600), 3);
@@ -486,7 +492,7 @@ TEST(RSAckermann_Drive, points_are_tracked)
 }
 
 // What a car comes nearer to isn't shifted as a whole: a displacement belongs to what has the texture of its window.
-TEST(RSAckermann_Drive, points_are_where_their_displacement_is)
+TEST(RSAckermann_Sequence, points_are_where_their_displacement_is)
 {
     const Mat before = randomTexture(Size(640, 400), 1.5);
     const double grown = 1.08;

@@ -7,21 +7,21 @@
 #include "test_simulator.hpp"
 #include "../src/factors/driving_prior.hpp"
 
-// doc/theory.md, "Posterior": what is usual, as numbers.
+// doc/theory.md, "Prior": its numbers.
 
 namespace opencv_test { namespace {
 
 typedef AckermannEstimator::Params Params;
 
-const double USUAL_WALL = 15, WALL_SIGMA = 0.9, USUAL_SPEED = 12, USUAL_REVERSE_SPEED = 1.5;
+const double PRIOR_WALL = 15, WALL_SIGMA = 0.9, PRIOR_SPEED = 12, PRIOR_REVERSE_SPEED = 1.5;
 
-UsualDrive makeDrive(const RollingShutterCamera& camera, const MotionPrior& prior = MotionPrior(),
-                     const Params& params = Params())
+DrivingPrior makeDrive(const RollingShutterCamera& camera, const MotionPrior& prior = MotionPrior(),
+                       const Params& params = Params())
 {
-    return UsualDrive(prior, camera, params, MotionLimits(camera, params));
+    return DrivingPrior(prior, camera, params, MotionLimits(camera, params));
 }
 
-MotionPrior toldSpeed(double speed, double sigma)
+MotionPrior givenSpeed(double speed, double sigma)
 {
     MotionPrior prior;
     prior.speed = speed;
@@ -41,10 +41,10 @@ Model movingModel(double speed, double azimuth)
     return m;
 }
 
-TEST(RSAckermann_UsualDrive, density_of_the_yaw_rate)
+TEST(RSAckermann_DrivingPrior, density_of_the_yaw_rate)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
-    const UsualDrive drive = makeDrive(camera);
+    const DrivingPrior drive = makeDrive(camera);
     const double scale = drive.alphaScale(), step = 0.01 * scale;
     EXPECT_NEAR(5 * degree * camera.secondsPerUnitTime() / 2, scale, 1e-12);
     double sum = 0, within = 0;
@@ -64,22 +64,22 @@ TEST(RSAckermann_UsualDrive, density_of_the_yaw_rate)
     MotionPrior gyro;
     gyro.yawRate = 0.2;
     gyro.yawRateSigma = 0.01;
-    const UsualDrive told = makeDrive(camera, gyro);
-    EXPECT_TRUE(told.yawRateIsTold());
-    EXPECT_NEAR(0.2 * camera.secondsPerUnitTime() / 2, told.toldAlpha(), 1e-12);
-    EXPECT_NEAR(0.01 * camera.secondsPerUnitTime() / 2, told.alphaScale(), 1e-12);
+    const DrivingPrior given = makeDrive(camera, gyro);
+    EXPECT_TRUE(given.yawRateIsGiven());
+    EXPECT_NEAR(0.2 * camera.secondsPerUnitTime() / 2, given.given().alpha, 1e-12);
+    EXPECT_NEAR(0.01 * camera.secondsPerUnitTime() / 2, given.alphaScale(), 1e-12);
     RollingShutterCamera uncertain = camera;
     uncertain.lineDelaySigma = 0.1 * camera.lineDelay;
     EXPECT_NEAR(std::hypot(0.01, 0.1 * 0.2) * camera.secondsPerUnitTime() / 2, makeDrive(uncertain, gyro).alphaScale(),
                 1e-12);
-    EXPECT_NEAR(-std::log(told.alphaScale() * std::sqrt(2 * CV_PI)), told.logYawDensity(0.3), 1e-12);
+    EXPECT_NEAR(-std::log(given.alphaScale() * std::sqrt(2 * CV_PI)), given.logYawDensity(0.3), 1e-12);
 }
 
-TEST(RSAckermann_UsualDrive, residual_of_the_yaw_rate_is_its_density)
+TEST(RSAckermann_DrivingPrior, residual_of_the_yaw_rate_is_its_density)
 {
-    const UsualDrive drive = makeDrive(simulation::paperCamera());
+    const DrivingPrior drive = makeDrive(simulation::paperCamera());
     Model m;
-    Jet r[UsualDrive::MAX_RESIDUALS];
+    Jet r[DrivingPrior::MAX_RESIDUALS];
     for (int i = -20; i <= 20; i++)
     {
         m[P_ALPHA] = 0.3 * i * drive.alphaScale();
@@ -89,17 +89,17 @@ TEST(RSAckermann_UsualDrive, residual_of_the_yaw_rate_is_its_density)
     }
 }
 
-TEST(RSAckermann_UsualDrive, derivatives)
+TEST(RSAckermann_DrivingPrior, derivatives)
 {
-    const UsualDrive drives[] = {makeDrive(simulation::paperCamera()),
-                                 makeDrive(simulation::paperCamera(), toldSpeed(15, 1))};
+    const DrivingPrior drives[] = {makeDrive(simulation::paperCamera()),
+                                   makeDrive(simulation::paperCamera(), givenSpeed(15, 1))};
     const MotionHypothesis structures[] = {MotionHypothesis(MODEL_1LA, 0), MotionHypothesis(MODEL_3LA, 1),
                                            MotionHypothesis(MODEL_4LA, 1), MotionHypothesis(MODEL_4LA, 2)};
     for (int d = 0; d < 2; d++)
         for (int s = 0; s < 4; s++)
         {
             const Model m = movingModel(0.03, 0.1);
-            Jet r[UsualDrive::MAX_RESIDUALS], up[UsualDrive::MAX_RESIDUALS], down[UsualDrive::MAX_RESIDUALS];
+            Jet r[DrivingPrior::MAX_RESIDUALS], up[DrivingPrior::MAX_RESIDUALS], down[DrivingPrior::MAX_RESIDUALS];
             const int n = drives[d].evaluate(m, structures[s], r);
             ASSERT_GT(n, 0);
             for (int p = 0; p < PARAMETERS; p++)
@@ -120,46 +120,48 @@ TEST(RSAckermann_UsualDrive, derivatives)
         }
 }
 
-TEST(RSAckermann_UsualDrive, speed)
+TEST(RSAckermann_DrivingPrior, speed)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime();
-    EXPECT_NEAR(USUAL_SPEED * unit / USUAL_WALL, makeDrive(camera).usualScaledSpeed(1), 1e-12);
-    EXPECT_NEAR(USUAL_REVERSE_SPEED * unit / USUAL_WALL, makeDrive(camera).usualScaledSpeed(-1), 1e-12);
-    EXPECT_EQ(0, makeDrive(camera).toldDirection());
-    // What is told is as usual backward as forward.
-    const UsualDrive back = makeDrive(camera, toldSpeed(-20, 0.5));
-    EXPECT_NEAR(20 * unit / USUAL_WALL, back.usualScaledSpeed(-1), 1e-12);
-    EXPECT_EQ(-1, back.toldDirection());
+    EXPECT_NEAR(PRIOR_SPEED * unit / PRIOR_WALL, makeDrive(camera).expectedScaledSpeed(1), 1e-12);
+    EXPECT_NEAR(PRIOR_REVERSE_SPEED * unit / PRIOR_WALL, makeDrive(camera).expectedScaledSpeed(-1), 1e-12);
+    EXPECT_EQ(0, makeDrive(camera).givenDirection());
+    // A given speed is as probable backward as forward.
+    const DrivingPrior back = makeDrive(camera, givenSpeed(-20, 0.5));
+    EXPECT_NEAR(20 * unit / PRIOR_WALL, back.expectedScaledSpeed(-1), 1e-12);
+    EXPECT_EQ(-1, back.givenDirection());
     Params params;
     params.wallDistance = 5;
-    EXPECT_NEAR(USUAL_SPEED * unit / 5, makeDrive(camera, MotionPrior(), params).usualScaledSpeed(1), 1e-12);
+    EXPECT_NEAR(PRIOR_SPEED * unit / 5, makeDrive(camera, MotionPrior(), params).expectedScaledSpeed(1), 1e-12);
 
-    // The usual speed costs nothing, another one its logarithm over the standard deviation of speed and wall.
-    Jet r[UsualDrive::MAX_RESIDUALS];
-    const UsualDrive drive = makeDrive(camera);
-    ASSERT_EQ(2, drive.evaluate(movingModel(2 * drive.usualScaledSpeed(1), 0), MotionHypothesis(MODEL_4LA, 1), r));
+    // The expected speed costs nothing, another one its logarithm over the standard deviation of speed and wall.
+    Jet r[DrivingPrior::MAX_RESIDUALS];
+    const DrivingPrior drive = makeDrive(camera);
+    ASSERT_EQ(3, drive.evaluate(movingModel(2 * drive.expectedScaledSpeed(1), 0), MotionHypothesis(MODEL_4LA, 1), r));
     EXPECT_NEAR(std::log(2.) / std::hypot(0.8, WALL_SIGMA), r[1].value, 1e-6);
-    // With two walls the distance of both, in the mean of the logarithms, is what is usual.
-    Model m = movingModel(drive.usualScaledSpeed(1) * 4, 0);
+    // With two walls the distance of both, in the mean of the logarithms, is what is expected.
+    Model m = movingModel(drive.expectedScaledSpeed(1) * 4, 0);
     m[P_LAMBDA] = 1. / 16;
-    ASSERT_EQ(2, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
+    ASSERT_EQ(4, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
     EXPECT_NEAR(0, r[1].value, 1e-6);
-    // If speed and wall are told the refinement measures it.
-    EXPECT_EQ(1, makeDrive(camera, toldSpeed(15, 1), params).evaluate(m, MotionHypothesis(MODEL_4LA, 1), r));
+    // If speed and wall are given both are measured.
+    m = movingModel(13 * unit / 5, 0);
+    ASSERT_EQ(3, makeDrive(camera, givenSpeed(15, 1), params).evaluate(m, MotionHypothesis(MODEL_4LA, 1), r));
+    EXPECT_NEAR(-2, r[1].value, 1e-6);
 }
 
-TEST(RSAckermann_UsualDrive, rest)
+TEST(RSAckermann_DrivingPrior, rest)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     EXPECT_NEAR(std::log(0.5), makeDrive(camera).logRest(), 1e-12);
-    EXPECT_NEAR(std::log(0.1 / 0.9) - 0.5 * 3 * 3, makeDrive(camera, toldSpeed(6, 2)).logRest(), 1e-9);
+    EXPECT_NEAR(std::log(0.1 / 0.9) - 0.5 * 3 * 3, makeDrive(camera, givenSpeed(6, 2)).logRest(), 1e-9);
     MotionPrior gyro;
     gyro.yawRateSigma = 0.01;
     EXPECT_NEAR(std::log(0.1 / 0.9), makeDrive(camera, gyro).logRest(), 1e-12);
 }
 
-TEST(RSAckermann_UsualDrive, volume)
+TEST(RSAckermann_DrivingPrior, volume)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double street = std::log(0.4);
@@ -170,8 +172,8 @@ TEST(RSAckermann_UsualDrive, volume)
                 makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 2)), 1e-9);
 }
 
-// Speeds and walls as they are usual, of which only those count that a camera would see pass in this way.
-TEST(RSAckermann_UsualDrive, road_of_walls_that_pass)
+// Speeds and walls of the prior, of which only those count that a camera would see pass in this way.
+TEST(RSAckermann_DrivingPrior, road_of_walls_that_pass)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime(), width = 0.03;
@@ -187,7 +189,7 @@ TEST(RSAckermann_UsualDrive, road_of_walls_that_pass)
             {
                 // A right wall 2.5 times as far away: the mean of the logarithms varies less than that of a single
                 // wall.
-                const double wall = USUAL_WALL *
+                const double wall = PRIOR_WALL *
                                     std::exp(rng.gaussian(walls == 2 ? WALL_SIGMA / std::sqrt(2.) : WALL_SIGMA)) *
                                     (walls == 2 ? std::sqrt(0.4) : 1);
                 const double speed = 12 * std::exp(rng.gaussian(0.8));
@@ -213,7 +215,7 @@ TEST(RSAckermann_UsualDrive, road_of_walls_that_pass)
         }
 }
 
-TEST(RSAckermann_UsualDrive, road)
+TEST(RSAckermann_DrivingPrior, road)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime(), height = camera.height;
@@ -222,11 +224,11 @@ TEST(RSAckermann_UsualDrive, road)
     EXPECT_EQ(0, G);
     EXPECT_EQ(0, variance);
     // Speed and height are the road's slope; the walls add next to nothing.
-    makeDrive(camera, toldSpeed(15, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
+    makeDrive(camera, givenSpeed(15, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_NEAR(15 * unit / height, G, 0.1 * 0.5 * unit / height);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 0.01 * 0.5 * unit / height);
     // At rest, too.
-    makeDrive(camera, toldSpeed(0, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
+    makeDrive(camera, givenSpeed(0, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_EQ(0, G);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 1e-12);
     // With wall and height nothing is left open.
@@ -252,7 +254,7 @@ TEST(RSAckermann_UsualDrive, road)
 }
 
 // Against drives at random: those whose walls stand where segments on the road allow it.
-TEST(RSAckermann_UsualDrive, road_of_walls_that_stand_on_it)
+TEST(RSAckermann_DrivingPrior, road_of_walls_that_stand_on_it)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime(), width = 0.03, B = 0.15, lambda = 0.4;
@@ -263,7 +265,7 @@ TEST(RSAckermann_UsualDrive, road_of_walls_that_stand_on_it)
     for (int k = 0; k < 4; k++)
     {
         RoadContact contact;
-        contact.ratio = (k % 2 ? 1 : 3) * open / B; // far away, or nearer than is usual
+        contact.ratio = (k % 2 ? 1 : 3) * open / B; // far away, or nearer than expected
         contact.logSigma = k < 2 ? 0.06 : 0.4;
         RNG rng(7);
         double sum = 0, squares = 0;
@@ -271,8 +273,8 @@ TEST(RSAckermann_UsualDrive, road_of_walls_that_stand_on_it)
         for (int i = 0; i < 4000000; i++)
         {
             // A right wall 2.5 times as far away.
-            const double left = USUAL_WALL * std::exp(rng.gaussian(WALL_SIGMA / std::sqrt(2.))) * std::sqrt(lambda);
-            const double speed = USUAL_SPEED * std::exp(rng.gaussian(0.8));
+            const double left = PRIOR_WALL * std::exp(rng.gaussian(WALL_SIGMA / std::sqrt(2.))) * std::sqrt(lambda);
+            const double speed = PRIOR_SPEED * std::exp(rng.gaussian(0.8));
             if (std::abs(std::log(speed * unit / left / B)) > width ||
                 left / camera.height > contact.ratio * std::exp(rng.gaussian(contact.logSigma)))
                 continue;

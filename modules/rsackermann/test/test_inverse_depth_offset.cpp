@@ -23,28 +23,28 @@ double basis(int first, int degree, double at)
            (first + degree + 1 - at) / degree * basis(first + 1, degree - 1, at);
 }
 
-//! AckermannMotion::relief as its documentation says.
-double reliefAt(const AckermannMotion& motion, double x, double y)
+//! AckermannMotion::inverseDepthOffset as its documentation says.
+double offsetAt(const AckermannMotion& motion, double x, double y)
 {
-    const Rect2d& area = motion.reliefArea;
-    const int columns = motion.relief.cols, rows = motion.relief.rows;
+    const Rect2d& area = motion.offsetArea;
+    const int columns = motion.inverseDepthOffset.cols, rows = motion.inverseDepthOffset.rows;
     const double inside = 1e-12, // the last knot belongs to no cell
         u = std::min(std::max((x - area.x) / area.width, 0.), 1 - inside) * (columns - 3),
                  v = std::min(std::max((y - area.y) / area.height, 0.), 1 - inside) * (rows - 3);
     double sum = 0;
     for (int i = 0; i < rows; i++)
         for (int j = 0; j < columns; j++)
-            sum += motion.relief.at<double>(i, j) * basis(j - 3, 3, u) * basis(i - 3, 3, v);
+            sum += motion.inverseDepthOffset.at<double>(i, j) * basis(j - 3, 3, u) * basis(i - 3, 3, v);
     return sum;
 }
 
-//! A relief of about a part of the inverse depth of the walls.
-void addRelief(AckermannMotion& motion, double part, RNG& rng)
+//! An offset of about a part of the inverse depth of the walls.
+void addOffset(AckermannMotion& motion, double part, RNG& rng)
 {
     const Size controls(rng.uniform(4, 14), rng.uniform(4, 9));
-    motion.reliefArea = Rect2d(-0.5, -0.3, 1.1, 0.55);
-    motion.relief.create(controls, CV_64F);
-    rng.fill(motion.relief, RNG::NORMAL, 0, part * std::hypot(motion.wallSlope, motion.wallOffset));
+    motion.offsetArea = Rect2d(-0.5, -0.3, 1.1, 0.55);
+    motion.inverseDepthOffset.create(controls, CV_64F);
+    rng.fill(motion.inverseDepthOffset, RNG::NORMAL, 0, part * std::hypot(motion.wallSlope, motion.wallOffset));
 }
 
 Vec3d bearingOf(const RollingShutterCamera& camera, const AckermannMotion& motion, const Point2d& pixel)
@@ -60,14 +60,14 @@ bool pointAt(const Simulator& simulator, const AckermannMotion& motion, const Po
         return false;
     const simulation::Surface plane = simulator.street.first(Vec3d(), b);
     const double planes = plane == simulation::NOTHING ? 0 : 1 / simulator.street.distance(plane, Vec3d(), b),
-                 nearness = planes + motion.direction * b[2] * reliefAt(motion, b[0] / b[2], b[1] / b[2]);
+                 nearness = planes + motion.direction * b[2] * offsetAt(motion, b[0] / b[2], b[1] / b[2]);
     P = b * (1 / nearness);
     return nearness > 1e-6;
 }
 
-typedef testing::TestWithParam<std::tuple<int, int>> Relief; // TestLens, ScanDirection
+typedef testing::TestWithParam<std::tuple<int, int>> OffsetWarp; // TestLens, ScanDirection
 
-RollingShutterCamera randomCamera(const Relief::ParamType& param, RNG& rng)
+RollingShutterCamera randomCamera(const OffsetWarp::ParamType& param, RNG& rng)
 {
     RollingShutterCamera camera = lensCamera(std::get<0>(param));
     mountAtRandom(camera, rng);
@@ -75,7 +75,7 @@ RollingShutterCamera randomCamera(const Relief::ParamType& param, RNG& rng)
     return camera;
 }
 
-TEST_P(Relief, rectify_map_is_that_of_the_simulator)
+TEST_P(OffsetWarp, rectify_map_is_that_of_the_simulator)
 {
     RNG rng(31);
     int compared = 0;
@@ -87,7 +87,7 @@ TEST_P(Relief, rectify_map_is_that_of_the_simulator)
         const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
         Mat columns, rows, planeColumns, planeRows;
         generator->initRectifyMap(motion, planeColumns, planeRows);
-        addRelief(motion, 0.15, rng);
+        addOffset(motion, 0.15, rng);
         generator->initRectifyMap(motion, columns, rows);
         const Simulator simulator = Simulator::fromMotion(camera, motion);
         for (int i = 0; i < 60; i++)
@@ -107,7 +107,7 @@ TEST_P(Relief, rectify_map_is_that_of_the_simulator)
     EXPECT_GE(moved, 0.5);
 }
 
-TEST_P(Relief, points_and_distort_map_are_the_inverse)
+TEST_P(OffsetWarp, points_and_distort_map_are_the_inverse)
 {
     RNG rng(32);
     int seen = 0, inverse = 0;
@@ -115,7 +115,7 @@ TEST_P(Relief, points_and_distort_map_are_the_inverse)
     {
         const RollingShutterCamera camera = randomCamera(GetParam(), rng);
         AckermannMotion motion = randomMotion(camera, rng);
-        addRelief(motion, 0.15, rng);
+        addOffset(motion, 0.15, rng);
         const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
         const Simulator simulator = Simulator::fromMotion(camera, motion);
         std::vector<Point2d> pixels, truths, raw, back, atRaw;
@@ -158,7 +158,7 @@ TEST_P(Relief, points_and_distort_map_are_the_inverse)
     EXPECT_GE(inverse, 0.95 * seen);
 }
 
-INSTANTIATE_TEST_CASE_P(RSAckermann_Warp, Relief,
+INSTANTIATE_TEST_CASE_P(RSAckermann_Warp, OffsetWarp,
                         testing::Combine(testing::Values(ALL_LENSES),
                                          testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_RIGHT_TO_LEFT))));
 
@@ -185,51 +185,51 @@ double largestError(const RollingShutterCamera& camera, const AckermannMotion& m
     return largest;
 }
 
-// Reliefs as drives have them; maps as exact as without one.
-TEST(RSAckermann_Relief, every_pixel_of_a_map_is_exact)
+// Offsets as drives have them; maps as exact as without one.
+TEST(RSAckermann_InverseDepthOffset, every_pixel_of_a_map_is_exact)
 {
     RNG rng(40);
     for (int round = 0; round < 4; round++)
     {
         const RollingShutterCamera camera = lensCamera(round % 2 ? int(BROWN_5) : int(NO_LENS));
         AckermannMotion motion = motionFromMetric(camera, rng.uniform(-0.3, 0.3), rng.uniform(5., 20.), 3, 5, 0);
-        addRelief(motion, 0.03, rng);
-        motion.reliefArea = Rect2d(-0.5, -0.32, 1, 0.64);
+        addOffset(motion, 0.03, rng);
+        motion.offsetArea = Rect2d(-0.5, -0.32, 1, 0.64);
         EXPECT_LT(largestError(camera, motion), 5e-4) << "round " << round;
     }
 }
 
 // What is between the places that are solved isn't overlooked.
-TEST(RSAckermann_Relief, with_fine_cells)
+TEST(RSAckermann_InverseDepthOffset, with_fine_cells)
 {
     const RollingShutterCamera camera = lensCamera(NO_LENS);
     AckermannMotion motion = motionFromMetric(camera, 0.2, 10, 3, 5, 0);
-    motion.relief = Mat::zeros(160, 240, CV_64F);
-    motion.relief.at<double>(50, 77) = 0.05;
-    motion.relief.at<double>(103, 181) = -0.05;
-    motion.reliefArea = Rect2d(-0.5, -0.32, 1, 0.64);
+    motion.inverseDepthOffset = Mat::zeros(160, 240, CV_64F);
+    motion.inverseDepthOffset.at<double>(50, 77) = 0.05;
+    motion.inverseDepthOffset.at<double>(103, 181) = -0.05;
+    motion.offsetArea = Rect2d(-0.5, -0.32, 1, 0.64);
     EXPECT_LT(largestError(camera, motion), 5e-4);
 }
 
-// An image that shows more than the area of the relief.
-TEST(RSAckermann_Relief, beyond_its_area)
+// An image that shows more than the area of the offset.
+TEST(RSAckermann_InverseDepthOffset, beyond_its_area)
 {
     RNG rng(41);
     const RollingShutterCamera camera = lensCamera(NO_LENS);
     AckermannMotion motion = motionFromMetric(camera, 0.2, 10, 3, 5, 0);
-    addRelief(motion, 0.03, rng);
-    motion.reliefArea = Rect2d(-0.1, -0.05, 0.15, 0.12);
+    addOffset(motion, 0.03, rng);
+    motion.offsetArea = Rect2d(-0.1, -0.05, 0.15, 0.12);
     EXPECT_LT(largestError(camera, motion, Matx33d(600, 0, 320, 0, 600, 190, 0, 0, 1)), 2e-3);
 }
 
-TEST(RSAckermann_Relief, of_a_camera_at_rest_does_nothing)
+TEST(RSAckermann_InverseDepthOffset, of_a_camera_at_rest_does_nothing)
 {
     RNG rng(42);
     const RollingShutterCamera camera = lensCamera(BROWN_5);
     AckermannMotion motion;
-    motion.relief.create(5, 6, CV_64F);
-    rng.fill(motion.relief, RNG::NORMAL, 0, 0.1);
-    motion.reliefArea = Rect2d(-0.5, -0.32, 1, 0.64);
+    motion.inverseDepthOffset.create(5, 6, CV_64F);
+    rng.fill(motion.inverseDepthOffset, RNG::NORMAL, 0, 0.1);
+    motion.offsetArea = Rect2d(-0.5, -0.32, 1, 0.64);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     Mat maps[2][4];
     for (int k = 0; k < 2; k++)
@@ -241,7 +241,7 @@ TEST(RSAckermann_Relief, of_a_camera_at_rest_does_nothing)
         EXPECT_LE(cvtest::norm(maps[0][i], maps[1][i], NORM_INF), 2e-3) << i;
 }
 
-TEST(RSAckermann_Relief, of_nothing_is_none)
+TEST(RSAckermann_InverseDepthOffset, of_nothing_is_none)
 {
     RNG rng(33);
     const RollingShutterCamera camera = lensCamera(BROWN_5);
@@ -252,13 +252,13 @@ TEST(RSAckermann_Relief, of_nothing_is_none)
     {
         generator->initRectifyMap(motion, maps[k][0], maps[k][1]);
         generator->initDistortMap(motion, maps[k][2], maps[k][3]);
-        addRelief(motion, 0, rng);
+        addOffset(motion, 0, rng);
     }
     for (int i = 0; i < 4; i++)
         EXPECT_LE(cvtest::norm(maps[0][i], maps[1][i], NORM_INF), 1e-3) << i;
 }
 
-TEST(RSAckermann_Relief, of_any_size_gives_finite_maps)
+TEST(RSAckermann_InverseDepthOffset, of_any_size_gives_finite_maps)
 {
     RNG rng(34);
     const RollingShutterCamera camera = lensCamera(BROWN_5);
@@ -266,7 +266,7 @@ TEST(RSAckermann_Relief, of_any_size_gives_finite_maps)
     for (double part : {1., 1e2, 1e10, 1e28})
     {
         AckermannMotion motion = motionFromMetric(camera, 0.3, 15, 3, 4, 0);
-        addRelief(motion, part, rng);
+        addOffset(motion, part, rng);
         Mat maps[4];
         generator->initRectifyMap(motion, maps[0], maps[1]);
         generator->initDistortMap(motion, maps[2], maps[3]);
@@ -282,13 +282,13 @@ TEST(RSAckermann_Relief, of_any_size_gives_finite_maps)
     }
 }
 
-TEST(RSAckermann_Relief, bad_ones_are_refused)
+TEST(RSAckermann_InverseDepthOffset, bad_ones_are_refused)
 {
     RNG rng(35);
     const RollingShutterCamera camera = lensCamera(NO_LENS);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
     AckermannMotion good = randomMotion(camera, rng);
-    addRelief(good, 0.1, rng);
+    addOffset(good, 0.1, rng);
     Mat map1, map2;
     const auto expectRefused = [&](const AckermannMotion& motion, const std::string& words) {
         try
@@ -303,36 +303,37 @@ TEST(RSAckermann_Relief, bad_ones_are_refused)
         }
     };
     AckermannMotion bad = good;
-    bad.relief = Mat::zeros(3, 9, CV_64F);
-    expectRefused(bad, "motion.relief is a 3 x 9 matrix of type CV_64FC1; from 4 x 4 to 1024 x 1024 values");
-    bad.relief = Mat::zeros(9, 3, CV_64F);
-    expectRefused(bad, "motion.relief is a 9 x 3 matrix");
-    bad.relief = Mat::zeros(4, 1025, CV_64F);
-    expectRefused(bad, "motion.relief is a 4 x 1025 matrix");
-    bad.relief = Mat::zeros(5, 9, CV_32F);
+    bad.inverseDepthOffset = Mat::zeros(3, 9, CV_64F);
+    expectRefused(bad,
+                  "motion.inverseDepthOffset is a 3 x 9 matrix of type CV_64FC1; from 4 x 4 to 1024 x 1024 values");
+    bad.inverseDepthOffset = Mat::zeros(9, 3, CV_64F);
+    expectRefused(bad, "motion.inverseDepthOffset is a 9 x 3 matrix");
+    bad.inverseDepthOffset = Mat::zeros(4, 1025, CV_64F);
+    expectRefused(bad, "motion.inverseDepthOffset is a 4 x 1025 matrix");
+    bad.inverseDepthOffset = Mat::zeros(5, 9, CV_32F);
     expectRefused(bad, "of type CV_32FC1");
-    bad.relief = good.relief.clone();
-    bad.relief.at<double>(1, 2) = std::numeric_limits<double>::quiet_NaN();
-    expectRefused(bad, "motion.relief has values");
+    bad.inverseDepthOffset = good.inverseDepthOffset.clone();
+    bad.inverseDepthOffset.at<double>(1, 2) = std::numeric_limits<double>::quiet_NaN();
+    expectRefused(bad, "motion.inverseDepthOffset has values");
     bad = good;
-    bad.reliefArea.width = 0;
-    expectRefused(bad, "motion.reliefArea.width is 0");
+    bad.offsetArea.width = 0;
+    expectRefused(bad, "motion.offsetArea.width is 0");
     bad = good;
-    bad.reliefArea.height = -1;
-    expectRefused(bad, "motion.reliefArea.height is -1");
+    bad.offsetArea.height = -1;
+    expectRefused(bad, "motion.offsetArea.height is -1");
     bad = good;
-    bad.reliefArea.x = std::numeric_limits<double>::infinity();
-    expectRefused(bad, "motion.reliefArea.x is inf");
+    bad.offsetArea.x = std::numeric_limits<double>::infinity();
+    expectRefused(bad, "motion.offsetArea.x is inf");
     bad = good;
-    bad.reliefArea.y = std::numeric_limits<double>::quiet_NaN();
-    expectRefused(bad, "motion.reliefArea.y is nan");
+    bad.offsetArea.y = std::numeric_limits<double>::quiet_NaN();
+    expectRefused(bad, "motion.offsetArea.y is nan");
 }
 
 //! A drive past things that stand before and behind the planes of its street.
 struct BumpyStreet
 {
     RollingShutterCamera camera;
-    AckermannMotion motion; // with the true relief
+    AckermannMotion motion; // with the true offset
     Simulator simulator;
     double values[FLOW_VALUES];
 
@@ -346,15 +347,15 @@ struct BumpyStreet
         camera.setRollPitch(0.01, 0.04);
         const double yawRate = rng.uniform(-0.3, 0.3), unit = camera.secondsPerUnitTime();
         simulator = Simulator::fromMetric(camera, yawRate, speed, 6, 9, 0.1);
-        DriveState state(camera, AckermannEstimator::Params());
+        SequenceState state(camera, AckermannEstimator::Params());
         const double known[] = {yawRate, speed, 0.1, 1 / 6., 1 / 9., 1 / 1.3, 0, 0};
-        std::copy(known, known + DRIVE_VALUES, state.value.val);
-        std::copy(known, known + DRIVE_VALUES, values);
+        std::copy(known, known + SEQUENCE_VALUES, state.value.val);
+        std::copy(known, known + SEQUENCE_VALUES, values);
         state.toMotion(unit, motion);
         motion.status = MOTION_OK;
-        motion.relief.create(6, 9, CV_64F);
-        motion.reliefArea = Rect2d(-0.7, -0.4, 1.4, 0.75);
-        rng.fill(motion.relief, RNG::NORMAL, 0, deviation * speed * unit);
+        motion.inverseDepthOffset.create(6, 9, CV_64F);
+        motion.offsetArea = Rect2d(-0.7, -0.4, 1.4, 0.75);
+        rng.fill(motion.inverseDepthOffset, RNG::NORMAL, 0, deviation * speed * unit);
     }
 
     //! Metres of the point that a pixel of the global-shutter camera shows.
@@ -362,14 +363,14 @@ struct BumpyStreet
     {
         const Vec3d b = bearingOf(camera, motion, pixel);
         const simulation::Surface plane = simulator.street.first(Vec3d(), b);
-        const double perMetre = values[DRIVE_SPEED] * camera.secondsPerUnitTime(),
+        const double perMetre = values[SEQUENCE_SPEED] * camera.secondsPerUnitTime(),
                      planes = plane == simulation::NOTHING ? 0 : 1 / simulator.street.distance(plane, Vec3d(), b),
-                     nearness = planes + b[2] * reliefAt(motion, b[0] / b[2], b[1] / b[2]) / perMetre;
+                     nearness = planes + b[2] * offsetAt(motion, b[0] / b[2], b[1] / b[2]) / perMetre;
         P = b * (1 / nearness);
         return nearness > 0.005;
     }
 
-    std::vector<Sight> sights(int count, double noise, double outliers, RNG& rng) const
+    std::vector<TrackedBearing> bearings(int count, double noise, double outliers, RNG& rng) const
     {
         const double seconds = 0.05, T = seconds / camera.secondsPerUnitTime();
         std::vector<PointPair> pairs;
@@ -386,8 +387,8 @@ struct BumpyStreet
                 pair.other += uniformPoint(rng, Point2d(-40, -20), Point2d(40, 20));
             pairs.push_back(pair);
         }
-        std::vector<Sight> result;
-        addSights(camera, pairs, seconds, result);
+        std::vector<TrackedBearing> result;
+        addBearings(camera, pairs, seconds, result);
         return result;
     }
 
@@ -418,14 +419,14 @@ private:
     typedef simulation::Street Street;
 };
 
-AckermannMotion withoutRelief(const AckermannMotion& motion)
+AckermannMotion withoutOffset(const AckermannMotion& motion)
 {
     AckermannMotion m = motion;
-    m.relief.release();
+    m.inverseDepthOffset.release();
     return m;
 }
 
-TEST(RSAckermann_Relief, points_show_it)
+TEST(RSAckermann_InverseDepthOffset, points_show_it)
 {
     RNG rng(36);
     double planes = 0, few = 0, many = 0;
@@ -433,13 +434,14 @@ TEST(RSAckermann_Relief, points_show_it)
     for (int i = 0; i < rounds; i++)
     {
         const BumpyStreet street(i % 5 == 0 ? -4 : 12, 0.03, rng);
-        AckermannMotion withFew = withoutRelief(street.motion), withMany = withFew;
-        fitRelief(street.camera, street.sights(250, 0.3, 0.1, rng), street.values, withFew);
-        fitRelief(street.camera, street.sights(1500, 0.3, 0.1, rng), street.values, withMany);
-        ASSERT_FALSE(withFew.relief.empty());
-        ASSERT_LT(withFew.relief.total(), withMany.relief.total());
-        EXPECT_GT((withMany.relief.rows - 3) * (withMany.relief.cols - 3), 200) << "five points a cell";
-        planes += street.error(withoutRelief(street.motion));
+        AckermannMotion withFew = withoutOffset(street.motion), withMany = withFew;
+        fitOffset(street.camera, street.bearings(250, 0.3, 0.1, rng), street.values, withFew);
+        fitOffset(street.camera, street.bearings(1500, 0.3, 0.1, rng), street.values, withMany);
+        ASSERT_FALSE(withFew.inverseDepthOffset.empty());
+        ASSERT_LT(withFew.inverseDepthOffset.total(), withMany.inverseDepthOffset.total());
+        EXPECT_GT((withMany.inverseDepthOffset.rows - 3) * (withMany.inverseDepthOffset.cols - 3), 200)
+            << "five points a cell";
+        planes += street.error(withoutOffset(street.motion));
         few += street.error(withFew);
         many += street.error(withMany);
         EXPECT_LT(street.error(street.motion), 1e-6);
@@ -451,39 +453,39 @@ TEST(RSAckermann_Relief, points_show_it)
     EXPECT_LT(many, 0.3 * planes);
 }
 
-TEST(RSAckermann_Relief, of_planes_is_next_to_nothing)
+TEST(RSAckermann_InverseDepthOffset, of_planes_is_next_to_nothing)
 {
     RNG rng(37);
     for (int i = 0; i < 10; i++)
     {
         const BumpyStreet street(12, 0, rng);
-        AckermannMotion found = withoutRelief(street.motion);
-        fitRelief(street.camera, street.sights(250, 0.3, 0.2, rng), street.values, found);
+        AckermannMotion found = withoutOffset(street.motion);
+        fitOffset(street.camera, street.bearings(250, 0.3, 0.2, rng), street.values, found);
         EXPECT_LT(street.error(found), 0.1);
     }
 }
 
-TEST(RSAckermann_Relief, needs_points_and_a_way)
+TEST(RSAckermann_InverseDepthOffset, needs_points_and_a_way)
 {
     RNG rng(38);
     const BumpyStreet street(12, 0.03, rng);
-    AckermannMotion found = withoutRelief(street.motion);
-    fitRelief(street.camera, street.sights(15, 0.3, 0, rng), street.values, found);
-    EXPECT_TRUE(found.relief.empty());
+    AckermannMotion found = withoutOffset(street.motion);
+    fitOffset(street.camera, street.bearings(15, 0.3, 0, rng), street.values, found);
+    EXPECT_TRUE(found.inverseDepthOffset.empty());
 
-    const std::vector<Sight> sights = street.sights(250, 0.3, 0, rng);
+    const std::vector<TrackedBearing> bearings = street.bearings(250, 0.3, 0, rng);
     double turning[FLOW_VALUES] = {0.3, 0, 0, 0.1, 0.1, 1, 0, 0};
-    fitRelief(street.camera, sights, turning, found);
-    EXPECT_TRUE(found.relief.empty());
+    fitOffset(street.camera, bearings, turning, found);
+    EXPECT_TRUE(found.inverseDepthOffset.empty());
 }
 
-TEST(RSAckermann_Relief, of_the_car_itself_is_none)
+TEST(RSAckermann_InverseDepthOffset, of_the_car_itself_is_none)
 {
     RNG rng(39);
     const BumpyStreet street(12, 0, rng);
-    AckermannMotion found = withoutRelief(street.motion), misled = found;
-    std::vector<Sight> sights = street.sights(250, 0, 0, rng);
-    fitRelief(street.camera, sights, street.values, found);
+    AckermannMotion found = withoutOffset(street.motion), misled = found;
+    std::vector<TrackedBearing> bearings = street.bearings(250, 0, 0, rng);
+    fitOffset(street.camera, bearings, street.values, found);
     // The lowest part stands still.
     std::vector<PointPair> still;
     for (int i = 0; i < 80; i++)
@@ -492,8 +494,8 @@ TEST(RSAckermann_Relief, of_the_car_itself_is_none)
         const PointPair pair = {at, at};
         still.push_back(pair);
     }
-    addSights(street.camera, still, 0.05, sights);
-    fitRelief(street.camera, sights, street.values, misled);
+    addBearings(street.camera, still, 0.05, bearings);
+    fitOffset(street.camera, bearings, street.values, misled);
     EXPECT_LT(street.error(misled), street.error(found) + 0.05);
 }
 

@@ -5,22 +5,22 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/factors/given_prior.hpp"
+#include "../src/factors/driving_prior.hpp"
 
 namespace opencv_test { namespace {
 
 typedef AckermannEstimator::Params Params;
 
-PriorTerms makeTerms(const MotionPrior& prior, const Params& params = Params(), double heading = 0)
+DrivingPrior makeTerms(const MotionPrior& prior, const Params& params = Params(), double heading = 0)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.heading = heading;
-    return PriorTerms(prior, camera, params);
+    return DrivingPrior(prior, camera, params, MotionLimits(camera, params));
 }
 
-double costOf(const PriorTerms& terms, const Model& model, const MotionHypothesis& hypothesis)
+double costOf(const DrivingPrior& terms, const Model& model, const MotionHypothesis& hypothesis)
 {
-    Jet r[PriorTerms::MAX_RESIDUALS];
+    Jet r[DrivingPrior::MAX_RESIDUALS];
     const int n = terms.evaluate(model, hypothesis, r);
     double cost = 0;
     for (int i = 0; i < n; i++)
@@ -39,20 +39,22 @@ Model exampleModel()
     return m;
 }
 
-TEST(RSAckermann_PriorTerms, reverse_has_its_probability)
+TEST(RSAckermann_DrivingPrior, reverse_has_its_probability)
 {
     Params params;
     params.reverseProbability = 0.003;
-    Model forward, back;
+    const DrivingPrior terms = makeTerms(MotionPrior(), params);
+    Model forward, back; // each at the speed that is expected
     forward.direction = 1;
+    forward[P_B] = terms.expectedScaledSpeed(1);
     back.direction = -1;
-    const PriorTerms terms = makeTerms(MotionPrior(), params);
+    back[P_B] = terms.expectedScaledSpeed(-1);
     const MotionHypothesis hypothesis(MODEL_3LA, 1);
     // A cost is minus twice the logarithm of a probability.
     EXPECT_NEAR(-2 * std::log(0.003), costOf(terms, back, hypothesis) - costOf(terms, forward, hypothesis), 1e-9);
 }
 
-TEST(RSAckermann_PriorTerms, line_delay_is_uncertain)
+TEST(RSAckermann_DrivingPrior, line_delay_is_uncertain)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.lineDelaySigma = 0.1 * camera.lineDelay;
@@ -63,14 +65,14 @@ TEST(RSAckermann_PriorTerms, line_delay_is_uncertain)
     prior.yawRateSigma = 0.04;
     prior.speed = -20;
     prior.speedSigma = 1.5;
-    const PriorTerms terms(prior, camera, params);
+    const DrivingPrior terms(prior, camera, params, MotionLimits(camera, params));
     const double unit = camera.secondsPerUnitTime();
     // 3-4-5 triangles
-    EXPECT_NEAR(0.05 * unit / 2, terms.alphaSigma, 1e-12);
-    EXPECT_NEAR(2.5 * unit / 2.5, terms.scaledSpeedSigma, 1e-12);
+    EXPECT_NEAR(0.05 * unit / 2, terms.given().alphaSigma, 1e-12);
+    EXPECT_NEAR(2.5 * unit / 2.5, terms.given().scaledSpeedSigma, 1e-12);
 }
 
-TEST(RSAckermann_PriorTerms, each_piece_in_units_of_its_sigma)
+TEST(RSAckermann_DrivingPrior, each_piece_in_units_of_its_sigma)
 {
     const double unit = simulation::paperCamera().secondsPerUnitTime();
     Params params;
@@ -79,21 +81,25 @@ TEST(RSAckermann_PriorTerms, each_piece_in_units_of_its_sigma)
     const Model m = exampleModel();
     const double azimuth = std::atan2(m[P_D], m[P_B]), speed = std::hypot(m[P_B], m[P_D]) * 2.5 / unit,
                  yawRate = 2 * m[P_ALPHA] / unit;
-    const double none = costOf(makeTerms(MotionPrior(), params), m, hypothesis);
     MotionPrior prior;
-    prior.speed = speed - 1.5;
+    prior.speed = speed;
     prior.speedSigma = 0.5;
-    EXPECT_NEAR(9, costOf(makeTerms(prior, params), m, hypothesis) - none, 1e-6);
-    prior = MotionPrior();
-    prior.yawRate = yawRate + 0.08;
+    prior.yawRate = yawRate;
     prior.yawRateSigma = 0.02;
-    EXPECT_NEAR(16, costOf(makeTerms(prior, params), m, hypothesis) - none, 1e-6);
-    prior = MotionPrior();
-    prior.wallDirection = azimuth + 0.02;
+    prior.wallDirection = azimuth;
     prior.wallDirectionSigma = 0.01;
-    EXPECT_NEAR(4, costOf(makeTerms(prior, params), m, hypothesis) - none, 1e-3);
+    const double agreeing = costOf(makeTerms(prior, params), m, hypothesis);
+    MotionPrior other = prior;
+    other.speed -= 1.5;
+    EXPECT_NEAR(9, costOf(makeTerms(other, params), m, hypothesis) - agreeing, 1e-6);
+    other = prior;
+    other.yawRate += 0.08;
+    EXPECT_NEAR(16, costOf(makeTerms(other, params), m, hypothesis) - agreeing, 1e-6);
+    other = prior;
+    other.wallDirection += 0.02;
+    EXPECT_NEAR(4, costOf(makeTerms(other, params), m, hypothesis) - agreeing, 1e-3);
 
-    // How far walls usually deviate from the car's direction.
+    // How far walls deviate from the car's direction.
     params.wallDeviationSigma = 0;
     const double free = costOf(makeTerms(MotionPrior(), params), m, hypothesis);
     params.wallDeviationSigma = 0.1;
