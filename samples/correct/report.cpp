@@ -109,6 +109,8 @@ std::string reportLine(const FrameReport& frame)
     if (ok && !m.inverseDepthOffset.empty())
         line["relief"] = offsetOf(m);
     line["direction"] = ok ? Json(m.direction) : Json();
+    line["pitch_rate"] = orNull(ok, m.pitchRate);
+    line["roll_rate"] = orNull(ok, m.rollRate);
     line["roll_correction_deg"] = orNull(ok, m.rollCorrection / DEGREE);
     line["pitch_correction_deg"] = orNull(ok, m.pitchCorrection / DEGREE);
     line["wall_distance_m"] = orNull(ok && m.wallDistance > 0, m.wallDistance);
@@ -120,6 +122,12 @@ std::string reportLine(const FrameReport& frame)
     const cv::Matx44d covariance = m.metricCovariance(frame.camera);
     line["yaw_rate_sigma"] = orNull(yawRateKnown && covariance(0, 0) > 0, std::sqrt(covariance(0, 0)) / DEGREE);
     line["speed_sigma"] = orNull(speedKnown && covariance(1, 1) > 0, std::sqrt(covariance(1, 1)) / KMH);
+    const double unit = frame.camera.secondsPerUnitTime();
+    const bool tilts = yawRateKnown && m.pitchRateSigma > 0;
+    line["pitch_rate_deg_s"] = orNull(tilts, m.pitchRate / unit / DEGREE);
+    line["pitch_rate_sigma"] = orNull(tilts, m.pitchRateSigma / unit / DEGREE);
+    line["roll_rate_deg_s"] = orNull(tilts, m.rollRate / unit / DEGREE);
+    line["roll_rate_sigma"] = orNull(tilts, m.rollRateSigma / unit / DEGREE);
     line["segments"] = frame.segments;
     line["candidates"] = m.candidates;
     line["inliers"] = m.inliers;

@@ -75,6 +75,9 @@ AckermannMotion motionOf(const Json& line, const std::string& source)
     motion.wallRatio = numberOf(line, "wall_ratio");
     motion.roadSlope = numberOf(line, "road_slope");
     motion.direction = numberOf(line, "direction") < 0 ? -1 : 1;
+    // Reports of before 0.2 haven't them.
+    motion.pitchRate = line.contains("pitch_rate") ? numberOf(line, "pitch_rate") : 0;
+    motion.rollRate = line.contains("roll_rate") ? numberOf(line, "roll_rate") : 0;
     motion.rollCorrection = numberOf(line, "roll_correction_deg") * DEGREE;
     motion.pitchCorrection = numberOf(line, "pitch_correction_deg") * DEGREE;
     motion.wallDistance = numberOf(line, "wall_distance_m");

@@ -67,6 +67,10 @@ inline AckermannMotion exampleMotion()
     m.wallRatio = 1.2;
     m.roadSlope = 0.6;
     m.direction = -1;
+    m.pitchRate = -0.006;
+    m.rollRate = 0.007;
+    m.pitchRateSigma = 0.0015;
+    m.rollRateSigma = 0.0016;
     m.rollCorrection = 0.001;
     m.pitchCorrection = -0.002;
     m.wallDistance = 2.5;
@@ -91,9 +95,9 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
 {
     typedef AckermannMotion T;
     expectSameFields(a, b,
-                     {&T::alpha, &T::wallSlope, &T::wallOffset, &T::wallRatio, &T::roadSlope, &T::rollCorrection,
-                      &T::pitchCorrection, &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedResidual,
-                      &T::probabilityWorse});
+                     {&T::alpha, &T::wallSlope, &T::wallOffset, &T::wallRatio, &T::roadSlope, &T::pitchRate,
+                      &T::rollRate, &T::pitchRateSigma, &T::rollRateSigma, &T::rollCorrection, &T::pitchCorrection,
+                      &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedResidual, &T::probabilityWorse});
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
     EXPECT_EQ(a.covariance, b.covariance);

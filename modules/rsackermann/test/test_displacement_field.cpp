@@ -34,6 +34,8 @@ AckermannMotion smallMotion(const RollingShutterCamera& camera, int k)
                                                     : 0.05,
                                          2.5, 3, camera.heading + 0.1);
     m.status = MOTION_OK;
+    m.pitchRate = 3e-5 * (k % 3);
+    m.rollRate = 5e-5 * (1 - k % 2);
     return m;
 }
 
@@ -57,6 +59,7 @@ TEST(RSAckermann_DisplacementField, is_that_of_the_simulator)
             const AckermannMotion motion = smallMotion(camera, k);
             DisplacementField::Values values;
             DisplacementField(camera).displacement(modelOf(motion), motion.roadSlope, values);
+            DisplacementField(camera).addTilt(motion.pitchRate, motion.rollRate, values);
             const Simulator simulator = Simulator::fromMotion(camera, motion);
             double largest = 0;
             std::vector<double> errors;

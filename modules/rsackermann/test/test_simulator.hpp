@@ -28,9 +28,14 @@ struct Drive
     double speed;     // length per unit of time, negative in reverse
     double heading;   // radians from the optical axis to the forward direction at time 0
     double yawChange; // of yaw per unit of time
+    double pitch;     // radians per unit of time, downward
+    double roll;      // the same, clockwise seen from behind
 
-    Drive() : yaw(0), speed(0), heading(0), yawChange(0) {}
-    Drive(double yaw_, double speed_, double heading_) : yaw(yaw_), speed(speed_), heading(heading_), yawChange(0) {}
+    Drive() : yaw(0), speed(0), heading(0), yawChange(0), pitch(0), roll(0) {}
+    Drive(double yaw_, double speed_, double heading_)
+        : yaw(yaw_), speed(speed_), heading(heading_), yawChange(0), pitch(0), roll(0)
+    {
+    }
 
     //! Radians to the right from time 0.
     double turned(double t) const { return t * (yaw + 0.5 * yawChange * t); }
@@ -51,10 +56,25 @@ struct Drive
     }
 
     //! A direction in the camera at time t as one in the camera at time 0.
-    Vec3d turn(const Vec3d& d, double t) const { return rotated(d, turned(t)); }
+    Vec3d turn(const Vec3d& d, double t) const
+    {
+        // A camera that has pitched down sees what is ahead further up, one that has rolled clockwise sees it turned
+        // the other way round.
+        const Vec3d level(d[0], std::cos(pitch * t) * d[1] + std::sin(pitch * t) * d[2],
+                          std::cos(pitch * t) * d[2] - std::sin(pitch * t) * d[1]);
+        const double c = std::cos(roll * t), s = std::sin(roll * t);
+        return rotated(Vec3d(c * level[0] - s * level[1], s * level[0] + c * level[1], level[2]), turned(t));
+    }
 
     //! A point at rest as the camera at time t has it.
-    Vec3d toCamera(const Vec3d& P, double t) const { return rotated(P - position(t), -turned(t)); }
+    Vec3d toCamera(const Vec3d& P, double t) const
+    {
+        const Vec3d ahead = rotated(P - position(t), -turned(t));
+        const double c = std::cos(roll * t), s = std::sin(roll * t);
+        const Vec3d q(c * ahead[0] + s * ahead[1], c * ahead[1] - s * ahead[0], ahead[2]);
+        return Vec3d(q[0], std::cos(pitch * t) * q[1] - std::sin(pitch * t) * q[2],
+                     std::cos(pitch * t) * q[2] + std::sin(pitch * t) * q[1]);
+    }
 
 private:
     static Vec3d rotated(const Vec3d& d, double angle)
@@ -140,7 +160,10 @@ public:
         street.normal[LEFT] = Vec3d(-m.wallSlope, 0, m.wallOffset) * double(m.direction);
         street.normal[RIGHT] = Vec3d(m.wallSlope, 0, -m.wallOffset) * (m.wallRatio * m.direction);
         street.normal[ROAD] = Vec3d(0, m.roadSlope, 0) * double(m.direction);
-        return Simulator(camera, Drive(2 * m.alpha, m.direction, camera.heading), street);
+        Drive drive(2 * m.alpha, m.direction, camera.heading);
+        drive.pitch = m.pitchRate;
+        drive.roll = m.rollRate;
+        return Simulator(camera, drive, street);
     }
 
     double rowTime(double line) const

@@ -56,13 +56,21 @@ inline cv::rsackermann::AckermannMotion motionSideways(cv::rsackermann::RollingS
     return motionFromMetric(camera, 0, speed, toTheRight ? far : near, toTheRight ? near : far, 0);
 }
 
-//! A motion within the paper's limits, 10-140 km/h and up to 70 deg/s to either side, in a street of random width.
+//! A motion within the paper's limits, 10-140 km/h and up to 70 deg/s to either side, in a street of random width;
+//! every second one rolls and pitches, too.
 inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::RollingShutterCamera& camera, RNG& rng)
 {
     const double sign = rng.uniform(0, 8) == 0 ? -1 : 1, wallDirection = camera.heading + rng.uniform(-0.05, 0.05),
                  right = rng.uniform(2., 4.), left = rng.uniform(2., 4.), speed = sign * rng.uniform(10., 140.) / 3.6,
                  yawRate = rng.uniform(-70., 70.) * CV_PI / 180;
-    return motionFromMetric(camera, yawRate, speed, left, right, wallDirection);
+    cv::rsackermann::AckermannMotion motion = motionFromMetric(camera, yawRate, speed, left, right, wallDirection);
+    if (rng.uniform(0, 2))
+    {
+        const double most = 30 * CV_PI / 180 * camera.secondsPerUnitTime();
+        motion.pitchRate = rng.uniform(-most, most);
+        motion.rollRate = rng.uniform(-most, most);
+    }
+    return motion;
 }
 
 //! Mounts the camera at random: any heading, or exactly forward, sideways or backward, and a tilt of a few degrees.

@@ -60,6 +60,7 @@ TEST_P(WarpOpenCL, equals_CPU)
         mountAtRandom(camera, rng);
         camera.scanDirection = std::get<1>(GetParam());
         AckermannMotion motion = randomMotion(camera, rng);
+        motion.pitchRate = motion.rollRate = 0;
         if (round == 0)
             motion.status = MOTION_NOT_SIGNIFICANT;
         if (round > 1)
@@ -91,6 +92,24 @@ TEST_P(WarpOpenCL, equals_CPU)
         // in single precision there are differences, or the device hasn't been used
         EXPECT_GT(maxDifference(map1, expected1, seen) + maxDifference(map2, expected2, seen), 0) << "round " << round;
     }
+}
+
+// The device's kernel doesn't know them.
+TEST_P(WarpOpenCL, rows_that_pitch_and_roll_are_left_to_the_processor)
+{
+    skipWithoutDevice();
+    const bool distort = std::get<2>(GetParam());
+    const RollingShutterCamera camera = scannedCamera(GetParam());
+    AckermannMotion motion = motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
+    (distort ? motion.pitchRate : motion.rollRate) = 0.02;
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    UMat map1, map2, mask;
+    Mat expected1, expected2, expectedMask;
+    initMap(generator, distort, motion, map1, map2, CV_32FC1, mask);
+    initMap(generator, distort, motion, expected1, expected2, CV_32FC1, expectedMask);
+    EXPECT_EQ(0, maxDifference(map1, expected1));
+    EXPECT_EQ(0, maxDifference(map2, expected2));
+    EXPECT_EQ(0, maxDifference(mask, expectedMask));
 }
 
 TEST_P(WarpOpenCL, map_types)

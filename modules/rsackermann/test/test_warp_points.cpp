@@ -370,7 +370,9 @@ TEST(RSAckermann_WarpPoints, poses_of_rows)
         RollingShutterCamera camera = lensCamera(BROWN_5);
         mountAtRandom(camera, rng);
         const double speed = rng.uniform(-30., 30.), metresPerUnit = std::abs(speed) * camera.secondsPerUnitTime();
-        const AckermannMotion motion = motionFromMetric(camera, rng.uniform(-1., 1.), speed, 2.5, 3, camera.heading);
+        AckermannMotion motion = motionFromMetric(camera, rng.uniform(-1., 1.), speed, 2.5, 3, camera.heading);
+        motion.pitchRate = rng.uniform(-0.02, 0.02);
+        motion.rollRate = rng.uniform(-0.02, 0.02);
         const Mat pixels = randomPixels(camera.imageSize, 20, rng);
         Mat depths(20, 1, CV_64F), raw, mask;
         rng.fill(depths, RNG::UNIFORM, 2, 30);

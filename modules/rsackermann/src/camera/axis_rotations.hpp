@@ -24,6 +24,12 @@ inline Matx33d pitchRotation(double pitch)
     return Matx33d(1, 0, 0, 0, c, s, 0, -s, c);
 }
 
+//! Camera frame to upright frame of a camera with that roll and pitch.
+inline Matx33d tiltRotation(double roll, double pitch)
+{
+    return rollRotation(roll) * pitchRotation(pitch);
+}
+
 //! Frame of a camera that has turned right by that yaw to the frame before.
 inline Matx33d yawRotation(double yaw)
 {

@@ -14,9 +14,9 @@ namespace cv { namespace rsackermann {
 
 AckermannMotion::AckermannMotion()
     : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), wallSlope(0), wallOffset(0), wallRatio(0),
-      roadSlope(0), direction(1), rollCorrection(0), pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN),
-      covariance(Matx44d::zeros()), rollYawAmbiguous(false), candidates(0), inliers(0), rms(0), expectedRaw(0),
-      expectedResidual(0), probabilityWorse(0)
+      roadSlope(0), direction(1), pitchRate(0), rollRate(0), pitchRateSigma(0), rollRateSigma(0), rollCorrection(0),
+      pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), covariance(Matx44d::zeros()), rollYawAmbiguous(false),
+      candidates(0), inliers(0), rms(0), expectedRaw(0), expectedResidual(0), probabilityWorse(0)
 {
 }
 
@@ -110,7 +110,7 @@ Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) co
 
 Matx33d AckermannMotion::uprightRotation(const RollingShutterCamera& camera) const
 {
-    return rollRotation(rollCorrection) * pitchRotation(pitchCorrection) * camera.uprightRotation;
+    return tiltRotation(rollCorrection, pitchCorrection) * camera.uprightRotation;
 }
 
 void AckermannMotion::pose(const RollingShutterCamera& camera, double time, Matx33d& R, Vec3d& T) const
@@ -119,7 +119,7 @@ void AckermannMotion::pose(const RollingShutterCamera& camera, double time, Matx
     // doc/theory.md, "Motion"
     const RowMotion row(alpha, camera.heading, time);
     const Matx33d upright = uprightRotation(camera);
-    R = upright.t() * yawRotation(2 * alpha * time) * upright;
+    R = upright.t() * yawRotation(2 * alpha * time) * tiltRotation(rollRate * time, pitchRate * time) * upright;
     const bool translates = wallSlope != 0 || wallOffset != 0 || roadSlope != 0 || !inverseDepthOffset.empty();
     T = translates ? upright.t() * Vec3d(row.s2, 0, row.c2) * (direction * row.tau) : Vec3d();
 }
@@ -129,6 +129,8 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "status" << status << "model" << model;
     fs << "alpha" << alpha << "wall_slope" << wallSlope << "wall_offset" << wallOffset << "wall_ratio" << wallRatio;
     fs << "road_slope" << roadSlope << "direction" << direction;
+    fs << "pitch_rate" << pitchRate << "roll_rate" << rollRate << "pitch_rate_sigma" << pitchRateSigma
+       << "roll_rate_sigma" << rollRateSigma;
     fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance"
        << wallDistance;
     fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_residual" << expectedResidual;
@@ -171,6 +173,10 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["wall_ratio"], wallRatio, wallRatio);
     cv::read(fn["road_slope"], roadSlope, roadSlope);
     cv::read(fn["direction"], direction, direction);
+    cv::read(fn["pitch_rate"], pitchRate, pitchRate);
+    cv::read(fn["roll_rate"], rollRate, rollRate);
+    cv::read(fn["pitch_rate_sigma"], pitchRateSigma, pitchRateSigma);
+    cv::read(fn["roll_rate_sigma"], rollRateSigma, rollRateSigma);
     cv::read(fn["roll_correction"], rollCorrection, rollCorrection);
     cv::read(fn["pitch_correction"], pitchCorrection, pitchCorrection);
     cv::read(fn["wall_distance"], wallDistance, wallDistance);

@@ -46,6 +46,7 @@ void SequenceEstimator::reset()
 void SequenceEstimator::resetState()
 {
     filter.reset(camera, params);
+    rates = RowRates();
     seen = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -85,6 +86,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         return false;
     }
     seen = filter.time;
+    updateRates(follows ? passed : 0, next.gray.empty() ? 0 : next.seconds - frame.seconds);
     const std::vector<UprightSegment>& verticals = features.verticals;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
     for (size_t i = 0; i < verticals.size(); i++)
@@ -94,6 +96,18 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     if (motion.status == MOTION_OK)
         fitOffset(camera, fine.size() < LEAST_POINTS ? features.bearings : fine, last.values, motion);
     return true;
+}
+
+// From the turns to the neighbours in which points are seen, if one of them is the frame before.
+void SequenceEstimator::updateRates(double before, double after)
+{
+    bool isSeen[2] = {false, false}; // in the earlier and in the later neighbour
+    for (size_t i = 0; i < features.bearings.size(); i++)
+        isSeen[features.bearings[i].pitch == FLOW_PITCH_BEFORE ? 0 : 1] = true;
+    if (before != 0 && isSeen[before > 0 ? 0 : 1])
+        rates.update(last, before, isSeen[before > 0 ? 1 : 0] ? after : 0);
+    else
+        rates.interrupt();
 }
 
 // Points aren't spread as pixels are: they show the share of the displacement that is left.
@@ -111,8 +125,10 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
     field.displacement(model, G, displacement);
+    field.addTilt(motion.pitchRate, motion.rollRate, displacement);
     field.variance(model, G, (roadByValues * fit.state.covariance * roadByValues.t())(0),
                    byValues * fit.state.covariance * byValues.t(), variances);
+    field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
     motion.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
     const double unknown = DisplacementField::meanDistance(displacement, displacement, variances);
     motion.expectedResidual = std::hypot(unknown, motion.expectedRaw * fit.left);
@@ -123,14 +139,17 @@ void SequenceEstimator::report(const SequenceFit& fit, const std::vector<Upright
                                const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
 {
     motion.candidates = int(verticals.size());
-    const Model model = predictDisplacement(fit, motion);
-    if (!fit.moves || !(motion.expectedResidual < motion.expectedRaw))
+    AckermannMotion found = motion;
+    fit.state.toMotion(camera.secondsPerUnitTime(), found);
+    rates.toMotion(camera.secondsPerUnitTime(), found);
+    const Model model = predictDisplacement(fit, found);
+    if (!fit.moves || !(found.expectedResidual < found.expectedRaw))
     {
-        motion.expectedResidual = motion.expectedRaw;
+        motion.expectedRaw = motion.expectedResidual = found.expectedRaw;
         return;
     }
+    motion = found;
     motion.status = MOTION_OK;
-    fit.state.toMotion(camera.secondsPerUnitTime(), motion);
     // A longer lens sees less of a turn.
     const double change = motion.alpha * camera.focalSigma / camera.cameraMatrix(0, 0);
     motion.covariance(0, 0) += change * change;
@@ -148,10 +167,11 @@ void SequenceEstimator::report(const SequenceFit& fit, const std::vector<Upright
 
 // The motion that the frames of the last second let expect of the present one; changed only if one is expected and
 // helps.
-void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
+void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
 {
     if (!(std::abs(filter.time - seen) < LONGEST_INTERVAL))
         return;
+    rates.interrupt();
     SequenceFit expected = last;
     expected.state = filter.state;
     AckermannMotion result;

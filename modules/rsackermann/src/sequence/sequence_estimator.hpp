@@ -6,6 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_SEQUENCE_SEQUENCE_ESTIMATOR_HPP
 
 #include "sequence_filter.hpp"
+#include "row_rates.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -38,8 +39,9 @@ private:
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     AckermannMotion estimateAlone(const Mat& segments, MotionPrior prior, Mat& labels);
-    void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const;
+    void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
+    void updateRates(double before, double after);
     Model predictDisplacement(const SequenceFit& fit, AckermannMotion& motion) const;
     void report(const SequenceFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
                 AckermannMotion& motion, Mat& labels) const;
@@ -49,6 +51,7 @@ private:
     Ptr<AckermannEstimator> single;
     FrameFeatures features;
     SequenceFilter filter;
+    RowRates rates;
     SequenceFit last; // whose points showed the motion
     double seen;      // time of that; not finite if there is none
 };

@@ -98,6 +98,25 @@ void DisplacementField::variance(const Model& m, double G, double varianceG,
     }
 }
 
+void DisplacementField::addTilt(double pitchRate, double rollRate, Values& values) const
+{
+    for (int k = 0; k < POINTS; k++)
+    {
+        const double x = points[k].x, y = points[k].y, t = points[k].t;
+        values[2 * k] += fx * t * (x * y * pitchRate - y * rollRate);
+        values[2 * k + 1] += fy * t * ((1 + y * y) * pitchRate + x * rollRate);
+    }
+}
+
+void DisplacementField::addTiltVariance(double pitchRateSigma, double rollRateSigma, Variances& values) const
+{
+    Values byPitch = Values(), byRoll = Values();
+    addTilt(pitchRateSigma, 0, byPitch);
+    addTilt(0, rollRateSigma, byRoll);
+    for (int k = 0; k < 2 * POINTS; k++)
+        values[k / 2] += byPitch[k] * byPitch[k] + byRoll[k] * byRoll[k];
+}
+
 double DisplacementField::meanDistance(const Values& a, const Values& b, const Variances& variance)
 {
     const double ofMean = 2 / CV_PI; // the mean of a normal deviate's magnitude, squared, over its variance

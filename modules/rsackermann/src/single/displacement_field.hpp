@@ -27,6 +27,10 @@ public:
     //! @param G slope of the road's scaled inverse depth.
     void displacement(const Model& model, double G, Values& values) const;
 
+    //! Adds what rows that pitch and roll by so much per unit of row time contribute.
+    void addTilt(double pitchRate, double rollRate, Values& values) const;
+    void addTiltVariance(double pitchRateSigma, double rollRateSigma, Variances& values) const;
+
     //! Mean length over the points of the difference of two displacements, if one of them has the given variance.
     static double meanDistance(const Values& a, const Values& b, const Variances& variance);
 

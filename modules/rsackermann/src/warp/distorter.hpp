@@ -9,8 +9,8 @@
 
 namespace cv { namespace rsackermann {
 
-/** Finds the ray of the global-shutter camera to the point that a raw pixel sees, in closed form unless there is a
-offset (doc/theory.md, "Warp").
+/** Finds the ray of the global-shutter camera to the point that a raw pixel sees, in closed form unless there is an
+inverse-depth offset (doc/theory.md, "Warp").
 
 Of the planes the nearest along the ray is seen; a ray that meets none sees a point at infinity (w = 0, and the offset).
 The planes
@@ -39,8 +39,9 @@ public:
         v.x = v.z = 0;
         if (!shutter.moving)
             return true;
-        const RowMotion m = shutter.motionAt(shutter.rowTime(raw));
-        v.direction = ShutterGeometry::rotateBack(v.direction, m);
+        const double t = shutter.rowTime(raw);
+        const RowMotion m = shutter.motionAt(t);
+        v.direction = ShutterGeometry::rotateBack(shutter.tiltBack(v.direction, t), m);
         v.x = m.tau * m.s2;
         v.z = m.tau * m.c2;
         return shutter.scene.isInside(v.x, v.z);
@@ -75,8 +76,9 @@ public:
         if (!shutter.moving)
             return true;
         // The depth of the bearing a + w tau (s2, 0, c2) is w / inverseDepth, which is linear in w.
-        const RowMotion m = shutter.motionAt(shutter.rowTime(raw));
-        const Vec3d a = ShutterGeometry::rotateBack(shutter.up * ray, m);
+        const double t = shutter.rowTime(raw);
+        const RowMotion m = shutter.motionAt(t);
+        const Vec3d a = ShutterGeometry::rotateBack(shutter.tiltBack(shutter.up * ray, t), m);
         const double approach = 1 - m.tau * (shutter.down * Vec3d(m.s2, 0, m.c2))[2] * inverseDepth;
         if (!(approach > 0))
             return false;

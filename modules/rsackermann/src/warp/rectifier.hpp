@@ -65,7 +65,7 @@ private:
         for (int i = 0; i < maxIterations; i++)
         {
             const RowMotion m = shutter.motionAt(time);
-            if (!shutter.project(shutter.down * shutter.toRolling(b, w, m), raw))
+            if (!shutter.project(shutter.down * shutter.tilt(shutter.toRolling(b, w, m), time), raw))
                 return false;
             const double value = shutter.rowTime(raw);
             if (i > 0)

@@ -5,6 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_SHUTTER_GEOMETRY_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_SHUTTER_GEOMETRY_HPP
 
+#include "../camera/axis_rotations.hpp"
 #include "../camera/lens.hpp"
 #include "../motion/compensation.hpp"
 #include "../scene/inverse_depth_offset.hpp"
@@ -16,16 +17,17 @@ namespace cv { namespace rsackermann {
 
 *Rays* are directions (x, y, z) of any scale in the camera frame, *bearings* the same turned into the upright frame of
 the motion. A bearing b of the global-shutter camera and the bearing q of the camera at a row time are tied by q =
-R(-theta) (b - tau w (s2, 0, c2)), where w belongs to the scale of b as in Scene::inverseDepth.
+tilt(t)^T R(-theta) (b - tau w (s2, 0, c2)), where w belongs to the scale of b as in Scene::inverseDepth and tilt(t) is
+the roll and the pitch of the row.
 */
 class ShutterGeometry
 {
 public:
     ShutterGeometry(const RollingShutterCamera& camera, const AckermannMotion& motion)
         : moving(motion.status == MOTION_OK), scene(motion), depthOffset(motion), lens(camera),
-          up(motion.uprightRotation(camera)), down(up.t()), alpha(motion.alpha), heading(camera.heading),
-          byRows(camera.isRowShutter()), time0(camera.rowTime(Point2d(0, 0))),
-          timeStep(camera.rowTime(Point2d(1, 1)) - time0)
+          up(motion.uprightRotation(camera)), down(up.t()), alpha(motion.alpha), rollRate(motion.rollRate),
+          pitchRate(motion.pitchRate), heading(camera.heading), byRows(camera.isRowShutter()),
+          time0(camera.rowTime(Point2d(0, 0))), timeStep(camera.rowTime(Point2d(1, 1)) - time0)
     {
     }
 
@@ -50,7 +52,22 @@ public:
         return Vec3d(m.c * x - m.s * z, b[1], m.s * x + m.c * z);
     }
 
-    //! Bearing of the moved camera in the orientation of the global-shutter camera.
+    //! Whether rows roll or pitch.
+    bool tilts() const { return rollRate != 0 || pitchRate != 0; }
+
+    //! A bearing that is only turned and moved as the row at a time sees it, which rolls and pitches as well.
+    Vec3d tilt(const Vec3d& q, double t) const
+    {
+        return tilts() ? tiltRotation(rollRate * t, pitchRate * t).t() * q : q;
+    }
+
+    //! Inverse of tilt().
+    Vec3d tiltBack(const Vec3d& q, double t) const
+    {
+        return tilts() ? tiltRotation(rollRate * t, pitchRate * t) * q : q;
+    }
+
+    //! Bearing of the moved camera, without its tilt, in the orientation of the global-shutter camera.
     static Vec3d rotateBack(const Vec3d& q, const RowMotion& m)
     {
         Vec3d rotated(0, q[1], 0);
@@ -79,7 +96,7 @@ public:
     Matx33d down; //!< upright frame to camera frame
 
 private:
-    double alpha;
+    double alpha, rollRate, pitchRate;
     Heading heading;
     bool byRows;
     double time0, timeStep;

@@ -67,29 +67,78 @@ Vec2d fit(double low, double high, int pixels)
 
 } // namespace
 
-// Range of one normalised coordinate along a border of the raw image.
-static Interval borderRange(const RollingShutterCamera& camera, const AckermannMotion& motion, bool horizontal,
-                            bool far)
+namespace {
+
+// A border of the raw image: one normalised coordinate of what it shows, along it.
+class Border
 {
-    const int length = horizontal ? camera.imageSize.width : camera.imageSize.height;
-    const int place = far ? (horizontal ? camera.imageSize.height : camera.imageSize.width) - 1 : 0;
-    std::vector<Point2d> raw(length);
-    for (int i = 0; i < length; i++)
-        raw[i] = horizontal ? Point2d(i, place) : Point2d(place, i);
-    std::vector<Place> places;
-    correctPoints(camera, Matx33d::eye(), motion, raw, std::vector<double>(), places);
-    Interval range;
-    for (size_t i = 0; i < places.size(); i++)
-        if (places[i].exists)
-            range.add(horizontal ? places[i].point.y : places[i].point.x);
-    return range;
-}
+public:
+    Border(const RollingShutterCamera& camera_, const AckermannMotion& motion_, bool horizontal_, bool far)
+        : camera(camera_), motion(motion_), horizontal(horizontal_),
+          length(horizontal_ ? camera_.imageSize.width : camera_.imageSize.height),
+          place(far ? (horizontal_ ? camera_.imageSize.height : camera_.imageSize.width) - 1 : 0)
+    {
+    }
+
+    Interval range() const
+    {
+        Interval result;
+        double lowest = 0, highest = 0; // where
+        add(0, length - 1, length, result, lowest, highest);
+        // An extreme may be between two pixels: where one plane hides another one it is a peak.
+        for (double step = 1; step > 1e-3; step /= FINER)
+        {
+            const double low = lowest, high = highest;
+            add(low - step, low + step, 2 * FINER + 1, result, lowest, highest);
+            add(high - step, high + step, 2 * FINER + 1, result, lowest, highest);
+        }
+        return result;
+    }
+
+private:
+    enum { FINER = 4 };
+
+    // Adds the coordinates of so many points from the first to the last place.
+    void add(double first, double last, int count, Interval& result, double& lowest, double& highest) const
+    {
+        std::vector<Point2d> raw(count);
+        std::vector<double> along(count);
+        for (int i = 0; i < count; i++)
+        {
+            along[i] = std::min(std::max(first + (last - first) * i / std::max(count - 1, 1), 0.), length - 1.);
+            raw[i] = horizontal ? Point2d(along[i], place) : Point2d(place, along[i]);
+        }
+        std::vector<Place> places;
+        correctPoints(camera, Matx33d::eye(), motion, raw, std::vector<double>(), places);
+        for (int i = 0; i < count; i++)
+        {
+            const double value = horizontal ? places[i].point.y : places[i].point.x;
+            if (!places[i].exists)
+                continue;
+            if (value < result.low)
+                lowest = along[i];
+            if (value > result.high)
+                highest = along[i];
+            result.add(value);
+        }
+    }
+
+    const RollingShutterCamera& camera;
+    const AckermannMotion& motion;
+    const bool horizontal;
+    const int length;
+    const double place;
+};
+
+} // namespace
 
 Matx33d optimalMatrix(const RollingShutterCamera& camera, const AckermannMotion& motion, double alpha,
                       const Size& newSize, const Matx33d& fallback)
 {
-    const Interval top = borderRange(camera, motion, true, false), bottom = borderRange(camera, motion, true, true);
-    const Interval left = borderRange(camera, motion, false, false), right = borderRange(camera, motion, false, true);
+    const Interval top = Border(camera, motion, true, false).range(),
+                   bottom = Border(camera, motion, true, true).range(),
+                   left = Border(camera, motion, false, false).range(),
+                   right = Border(camera, motion, false, true).range();
     if (top.empty() || bottom.empty() || left.empty() || right.empty() || !(left.high < right.low) ||
         !(top.high < bottom.low))
         return fallback;

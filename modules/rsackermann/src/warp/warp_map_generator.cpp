@@ -103,10 +103,11 @@ static void checkOffset(const AckermannMotion& motion)
 static void checkMotion(const AckermannMotion& motion)
 {
     checkOffset(motion);
-    const double values[] = {motion.alpha,     motion.wallSlope,      motion.wallOffset,      motion.wallRatio,
-                             motion.roadSlope, motion.rollCorrection, motion.pitchCorrection, motion.wallDistance};
-    const char* const names[] = {"alpha",     "wallSlope",      "wallOffset",      "wallRatio",
-                                 "roadSlope", "rollCorrection", "pitchCorrection", "wallDistance"};
+    const double values[] = {motion.alpha,           motion.wallSlope,   motion.wallOffset, motion.wallRatio,
+                             motion.roadSlope,       motion.pitchRate,   motion.rollRate,   motion.rollCorrection,
+                             motion.pitchCorrection, motion.wallDistance};
+    const char* const names[] = {"alpha",     "wallSlope", "wallOffset",     "wallRatio",       "roadSlope",
+                                 "pitchRate", "rollRate",  "rollCorrection", "pitchCorrection", "wallDistance"};
     const double largest = 1e150; // the walls' inverse depths, products of two of them, are finite
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
         if (!(std::abs(values[i]) <= largest))

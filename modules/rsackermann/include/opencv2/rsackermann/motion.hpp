@@ -102,6 +102,8 @@ public:
     CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
 
     /** @brief Pose of the camera at a row time, relative to the pose at the reference row.
+
+    It turns by yaw, then roll, then pitch, each proportional to the row time, in the frame of #uprightRotation.
     @param camera the camera.
     @param time row time, see RollingShutterCamera::rowTime.
     @param R rotation from the camera frame at that time to the camera frame at the reference row.
@@ -156,6 +158,14 @@ public:
     CV_PROP_RW Mat inverseDepthOffset;
     CV_PROP_RW Rect2d offsetArea; //!< the rectangle of (x, y) in the upright frame that the offset covers
     CV_PROP_RW int direction;     //!< 1 forward, -1 reverse: the sign of all scaled inverse depths
+
+    /** Radians per unit of row time by which the camera's pitch grows during the image (it looks further down), beside
+    the yaw: a suspension that swings, a mount that shakes. Estimated for frames of a sequence, see
+    RollingShutterCorrector::Params::sequence; 0 (default) otherwise */
+    CV_PROP_RW double pitchRate;
+    CV_PROP_RW double rollRate;       //!< the same of the roll, clockwise seen from behind
+    CV_PROP_RW double pitchRateSigma; //!< standard deviation of pitchRate; 0: not estimated
+    CV_PROP_RW double rollRateSigma;  //!< standard deviation of rollRate; 0: not estimated
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch

@@ -109,6 +109,9 @@ static String buildOptions(WarpDirection warp, const Lens<float>& lens, const Ac
 bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
                 const AckermannMotion& motion, int m1type, OutputArray map1_, OutputArray map2_, OutputArray mask_)
 {
+    // The kernel knows rows that turn to the right or left alone.
+    if (motion.status == MOTION_OK && (motion.pitchRate != 0 || motion.rollRate != 0))
+        return false;
     ocl::Kernel kernel("warpMap", ocl::rsackermann::warp_map_oclsrc,
                        buildOptions(warp, Lens<float>(camera), motion, m1type, mask_.needed()));
     if (kernel.empty())

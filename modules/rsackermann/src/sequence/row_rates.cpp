@@ -1,0 +1,105 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "row_rates.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const double RATE_MEMORY = 10; // seconds in which a camera shakes alike
+static const double RATE_FRAMES = 4;  // for which coefficients of 0 count
+
+RateProcess::RateProcess() : products(Matx22d::zeros()), count(0), changes(0), errors(0), known(0) {}
+
+// The next mean.
+double RateProcess::predict() const
+{
+    if (!(products(0, 0) > 0))
+        return 0;
+    // Coefficients of 0 weigh as much as some frames do.
+    const double prior = RATE_FRAMES * products(0, 0) / count;
+    Matx22d information = products;
+    information(0, 0) += prior;
+    information(1, 1) += prior;
+    return (information.inv() * response).dot(past);
+}
+
+void RateProcess::add(double rate, double interval)
+{
+    if (known > 1)
+    {
+        const double kept = std::exp(-std::abs(interval) / RATE_MEMORY), error = rate - predict(),
+                     change = rate - past[0];
+        products = kept * products + past * past.t();
+        response = kept * response + rate * past;
+        count = kept * count + 1;
+        errors = kept * errors + error * error;
+        changes = kept * changes + change * change;
+    }
+    past = Vec2d(rate, known > 0 ? past[0] : 0);
+    known = std::min(known + 1, 2);
+}
+
+// Of a rate that wanders, the mean of the means on both sides misses the instant by half of their difference.
+InstantRate RateProcess::now() const
+{
+    InstantRate result;
+    if (count > 0 && known > 0)
+    {
+        result.value = (past[0] + predict()) / 2;
+        result.sigma = std::sqrt((changes + errors) / count) / 2;
+    }
+    return result;
+}
+
+InstantRate RateProcess::now(double next, double share) const
+{
+    InstantRate result;
+    if (known > 0)
+    {
+        const double change = next - past[0];
+        result.value = past[0] + share * change;
+        result.sigma = std::sqrt((changes + change * change) / (count + 1)) / 2;
+    }
+    return result;
+}
+
+void RowRates::update(const SequenceFit& fit, double before, double after)
+{
+    // Turns are counted from a frame to one that was taken later.
+    const bool backward = before < 0;
+    const double earlier = std::abs(before), later = std::abs(after), share = earlier / (earlier + later);
+    const auto follow = [&](RateProcess& process, double ofBefore, double ofAfter) {
+        const double next = -ofAfter / (backward ? earlier : later), previous = ofBefore / (backward ? later : earlier);
+        process.add(backward ? next : previous, before);
+        return after != 0 ? process.now(backward ? previous : next, share) : process.now();
+    };
+    pitchNow = follow(pitch, fit.values[FLOW_PITCH_BEFORE], fit.values[FLOW_PITCH_AFTER]);
+    rollNow = follow(roll, fit.values[FLOW_ROLL_BEFORE], fit.values[FLOW_ROLL_AFTER]);
+
+    yaw.add(fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2, before);
+    // The fit has met the next frame, too: of the mean of both sides it is half the variance.
+    yawSigma = yaw.wandering() * (after != 0 ? std::sqrt(0.5) : 1);
+}
+
+void RowRates::interrupt()
+{
+    pitch.interrupt();
+    roll.interrupt();
+    yaw.interrupt();
+    pitchNow = rollNow = InstantRate();
+    yawSigma = 0;
+}
+
+void RowRates::toMotion(double unit, AckermannMotion& motion) const
+{
+    motion.pitchRate = pitchNow.value * unit;
+    motion.rollRate = rollNow.value * unit;
+    motion.pitchRateSigma = pitchNow.sigma * unit;
+    motion.rollRateSigma = rollNow.sigma * unit;
+    const double sigma = yawSigma * unit / 2;
+    motion.covariance(0, 0) += sigma * sigma;
+}
+
+}} // namespace cv::rsackermann

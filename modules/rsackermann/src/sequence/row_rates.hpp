@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_ROW_RATES_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_ROW_RATES_HPP
+
+#include "frame_fit.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! A rate at one instant with its standard deviation, per second; 0: not known.
+struct InstantRate
+{
+    double value, sigma;
+
+    InstantRate() : value(0), sigma(0) {}
+};
+
+/** The mean rates of a turn over the intervals between frames, as a damped oscillator that noise drives
+(doc/theory.md, "Rates of rows"): a suspension that swings, an arm or a mount that shakes.
+
+Each mean depends on the two before, an autoregression of second order. Its coefficients are those of the sequence, by
+least squares with a fading memory.
+*/
+class RateProcess
+{
+public:
+    RateProcess();
+
+    //! Adds the mean rate over the interval that ends at the present frame. @param interval seconds, of any sign.
+    void add(double rate, double interval);
+
+    //! The next mean doesn't follow the last one.
+    void interrupt() { known = 0; }
+
+    //! The rate at the present frame, between the last mean and the next one.
+    InstantRate now() const;
+
+    //! The same if the next mean is measured, too. @param share of its difference to the last one that has passed.
+    InstantRate now(double next, double share) const;
+
+    //! Standard deviation of the rate at the present frame about the last mean.
+    double wandering() const { return count > 0 ? std::sqrt(changes / count / 2) : 0; }
+
+private:
+    double predict() const;
+
+    Matx22d products;       // of the two means before
+    Vec2d response;         // their products with the mean that follows
+    double count;           // of the means; those that are forgotten count less
+    double changes, errors; // squares of the differences of neighbouring means, and of the errors of predictions
+    Vec2d past;             // the last mean and the one before
+    int known;              // of these
+};
+
+//! How fast a camera turns while an image is read, from the turns between the frames of a sequence.
+class RowRates
+{
+public:
+    RowRates() : yawSigma(0) {}
+
+    /** Goes on to a frame.
+    @param before seconds from the frame before; negative if that was taken later.
+    @param after seconds to the frame after; 0: no points are seen in it. */
+    void update(const SequenceFit& fit, double before, double after);
+
+    //! A frame without turns.
+    void interrupt();
+
+    /** Sets the rates of roll and pitch of a motion, and adds to the variance of its yaw rate by how much that of the
+    instant differs from the mean.
+    @param unit seconds per unit of row time. */
+    void toMotion(double unit, AckermannMotion& motion) const;
+
+private:
+    RateProcess pitch, roll, yaw;
+    InstantRate pitchNow, rollNow;
+    double yawSigma;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_ROW_RATES_HPP

@@ -1,0 +1,234 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_drive_simulator.hpp"
+#include "../src/sequence/row_rates.hpp"
+#include "opencv2/imgproc.hpp"
+
+// How fast a camera pitches and rolls at the instant of a frame, from its mean rates between frames (doc/theory.md,
+// "Rates of rows").
+
+namespace opencv_test { namespace {
+
+const double INTERVAL = 1. / 30;
+
+//! A tilt that swings, with the rates that a gyro would measure.
+struct Swing
+{
+    simulation::Sway tilt;
+
+    double mean(int frame) const { return (tilt(frame * INTERVAL) - tilt((frame - 1) * INTERVAL)) / INTERVAL; }
+    double at(int frame) const
+    {
+        const double h = 1e-5;
+        return (tilt(frame * INTERVAL + h) - tilt(frame * INTERVAL - h)) / (2 * h);
+    }
+};
+
+struct Errors
+{
+    double raw, ofMean, predicted, between; // root mean squares
+    int within, count;                      // of the sigmas of both
+};
+
+Errors errorsOf(const Swing& swing, int frames)
+{
+    Errors e = {0, 0, 0, 0, 0, 0};
+    RateProcess process;
+    for (int i = 1; i <= frames; i++)
+    {
+        process.add(swing.mean(i), INTERVAL);
+        if (i < frames / 4)
+            continue;
+        const double truth = swing.at(i);
+        const InstantRate now = process.now(), both = process.now(swing.mean(i + 1), 0.5);
+        e.raw += truth * truth;
+        e.ofMean += std::pow(swing.mean(i) - truth, 2);
+        e.predicted += std::pow(now.value - truth, 2);
+        e.between += std::pow(both.value - truth, 2);
+        e.within += (std::abs(now.value - truth) < 2 * now.sigma) + (std::abs(both.value - truth) < 2 * both.sigma);
+        e.count++;
+    }
+    for (double* sum : {&e.raw, &e.ofMean, &e.predicted, &e.between})
+        *sum = std::sqrt(*sum / e.count);
+    return e;
+}
+
+// A suspension, and an arm of 5 Hz: with the next frame better than without, without better than the last mean.
+TEST(RSAckermann_RowRates, of_oscillations)
+{
+    RNG rng(5);
+    for (int k = 0; k < 6; k++)
+    {
+        SCOPED_TRACE(k);
+        const simulation::Oscillation fast(0.002, 0.15, 0.25, rng);
+        const Swing swing = {k % 2 ? simulation::Sway([fast](double seconds) { return fast.at(seconds); })
+                                   : simulation::onSprings(0.004, rng)};
+        const Errors e = errorsOf(swing, 200);
+        EXPECT_LT(e.predicted, 0.8 * e.ofMean);
+        EXPECT_LT(e.between, e.predicted);
+        EXPECT_LT(e.between, 0.25 * e.raw);
+        EXPECT_GE(e.within, 0.9 * 2 * e.count);
+    }
+}
+
+// What can't be predicted isn't applied in full: half of the last mean is on average as good as can be.
+TEST(RSAckermann_RowRates, of_noise)
+{
+    RNG rng(8);
+    RateProcess process;
+    double applied = 0, last = 0;
+    for (int i = 0; i < 400; i++)
+    {
+        const double rate = rng.gaussian(1);
+        process.add(rate, INTERVAL);
+        if (i < 100)
+            continue;
+        applied += std::pow(process.now().value, 2);
+        last += rate * rate;
+    }
+    EXPECT_NEAR(0.25, applied / last, 0.05);
+}
+
+TEST(RSAckermann_RowRates, nothing_is_known_at_first)
+{
+    RateProcess process;
+    EXPECT_EQ(0, process.now().value);
+    EXPECT_EQ(0, process.now().sigma);
+    EXPECT_EQ(0, process.now(1, 0.5).value);
+    process.add(0.3, INTERVAL);
+    EXPECT_EQ(0, process.now().value); // how much it changes isn't known
+    EXPECT_NEAR(0.4, process.now(0.5, 0.5).value, 1e-15);
+    EXPECT_NEAR(0.35, process.now(0.5, 0.25).value, 1e-15);
+    EXPECT_GT(process.now(0.5, 0.5).sigma, 0);
+    // At rest, and after it
+    for (int i = 0; i < 5; i++)
+        process.add(0, INTERVAL);
+    EXPECT_EQ(0, process.now().value);
+    EXPECT_TRUE(std::isfinite(process.now().sigma));
+    process.interrupt();
+    EXPECT_EQ(0, process.now().value);
+}
+
+// A recording that is played backward has the same rates.
+TEST(RSAckermann_RowRates, forward_and_backward)
+{
+    SequenceFit fit{SequenceState(simulation::paperCamera(), AckermannEstimator::Params())};
+    fit.values[FLOW_PITCH_BEFORE] = 0.01;
+    fit.values[FLOW_PITCH_AFTER] = -0.03; // counted from the later frame
+    fit.values[FLOW_ROLL_BEFORE] = -0.02;
+    fit.values[FLOW_ROLL_AFTER] = 0.04;
+    RowRates forward, backward;
+    forward.update(fit, 0.1, 0.2);
+    backward.update(fit, -0.2, -0.1);
+    AckermannMotion a, b;
+    forward.toMotion(0.03, a);
+    backward.toMotion(0.03, b);
+    // Means of 0.1 and 0.15; the instant is a third of the way from one middle to the other.
+    EXPECT_NEAR((0.1 + 0.05 / 3) * 0.03, a.pitchRate, 1e-12);
+    EXPECT_NEAR(-0.2 * 0.03, a.rollRate, 1e-12);
+    EXPECT_NEAR(a.pitchRate, b.pitchRate, 1e-12);
+    EXPECT_NEAR(a.rollRate, b.rollRate, 1e-12);
+    EXPECT_GT(a.pitchRateSigma, 0);
+    forward.interrupt();
+    forward.toMotion(0.03, a);
+    EXPECT_EQ(0, a.pitchRate);
+    EXPECT_EQ(0, a.rollRateSigma);
+}
+
+//! Images of something far away by a camera that turns to the right while its mount shakes.
+class ShakingCamera
+{
+public:
+    RollingShutterCamera camera = simulation::paperCamera();
+
+    ShakingCamera() : margin(150)
+    {
+        RNG rng(4);
+        Mat noise(camera.imageSize.height + 2 * margin, camera.imageSize.width + 6 * margin, CV_8U);
+        rng.fill(noise, RNG::UNIFORM, 0, 256);
+        GaussianBlur(noise, scene, Size(), 2);
+        normalize(scene, scene, 0, 255, NORM_MINMAX);
+        camera.lineDelay = 0.9 * INTERVAL / camera.imageSize.height;
+    }
+
+    static double yawAt(double seconds) { return 0.2 * seconds; }
+    static double pitchAt(double seconds) { return 0.01 * std::sin(2 * CV_PI * 4 * seconds); }
+    static double rollAt(double seconds) { return 0.006 * std::sin(2 * CV_PI * 3 * seconds + 1); }
+
+    Mat frame(int i) const
+    {
+        const Matx33d& K = camera.cameraMatrix;
+        Mat map(camera.imageSize, CV_32FC2), image;
+        for (int y = 0; y < map.rows; y++)
+        {
+            const double seconds = i * INTERVAL + (y - camera.referenceRow) * camera.lineDelay;
+            const Matx33d H = K * rotation(yawAt(seconds), rollAt(seconds), pitchAt(seconds)) * K.inv();
+            for (int x = 0; x < map.cols; x++)
+            {
+                const Vec3d p = H * Vec3d(x, y, 1);
+                map.at<Point2f>(y, x) = Point2f(float(p[0] / p[2] + margin), float(p[1] / p[2] + margin));
+            }
+        }
+        remap(scene, image, map, noArray(), INTER_CUBIC, BORDER_REFLECT);
+        return image;
+    }
+
+private:
+    // From the camera to the scene, by the signs of a camera whose z axis points ahead and whose y axis points down.
+    static Matx33d rotation(double yaw, double roll, double pitch)
+    {
+        const Matx33d turned(std::cos(yaw), 0, std::sin(yaw), 0, 1, 0, -std::sin(yaw), 0, std::cos(yaw)),
+            rolled(std::cos(roll), -std::sin(roll), 0, std::sin(roll), std::cos(roll), 0, 0, 0, 1),
+            pitched(1, 0, 0, 0, std::cos(pitch), std::sin(pitch), 0, -std::sin(pitch), std::cos(pitch));
+        return turned * rolled * pitched;
+    }
+
+    int margin;
+    Mat scene;
+};
+
+// Predicted or between both neighbours: what the camera does is found and applied, and its sigma is true.
+TEST(RSAckermann_RowRates, of_a_camera_that_shakes)
+{
+    const ShakingCamera shaking;
+    const double unit = shaking.camera.secondsPerUnitTime(), h = 1e-4;
+    for (int mode = 0; mode < 2; mode++)
+    {
+        RollingShutterCorrector::Params params;
+        params.sequence = true;
+        params.frameInterval = INTERVAL;
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(shaking.camera, params);
+        double squares[2] = {0, 0}, errors[2] = {0, 0};
+        int within = 0, count = 0;
+        for (int i = 0; i < 30; i++)
+        {
+            Mat corrected;
+            if (mode == 1)
+                corrector->setNextFrame(shaking.frame(i + 1), std::numeric_limits<double>::quiet_NaN());
+            const AckermannMotion motion = corrector->correctWithSegments(shaking.frame(i), Mat(), corrected);
+            if (i < 10)
+                continue;
+            ASSERT_EQ(MOTION_OK, motion.status) << i;
+            const double t = i * INTERVAL,
+                         truth[2] = {(ShakingCamera::pitchAt(t + h) - ShakingCamera::pitchAt(t - h)) / (2 * h),
+                                     (ShakingCamera::rollAt(t + h) - ShakingCamera::rollAt(t - h)) / (2 * h)},
+                         got[2] = {motion.pitchRate / unit, motion.rollRate / unit},
+                         sigma[2] = {motion.pitchRateSigma / unit, motion.rollRateSigma / unit};
+            for (int k = 0; k < 2; k++, count++)
+            {
+                squares[k] += truth[k] * truth[k];
+                errors[k] += std::pow(got[k] - truth[k], 2);
+                within += std::abs(got[k] - truth[k]) < 2 * sigma[k];
+            }
+        }
+        for (int k = 0; k < 2; k++)
+            EXPECT_LT(std::sqrt(errors[k] / squares[k]), mode == 0 ? 0.4 : 0.25) << mode << " " << k;
+        EXPECT_GE(within, 0.9 * count) << mode;
+    }
+}
+
+}} // namespace
