@@ -5,6 +5,7 @@
 // Mount and line delay from simulated or rendered drives, with and without a log: doc/results.md, "Self-calibration".
 
 #include "opencv2/core.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
 
 namespace opencv_test {
 using namespace cv; // as opencv_ts has it

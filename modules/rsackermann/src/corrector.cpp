@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "opencv2/rsackermann/corrector.hpp"
 #include "opencv2/core/ocl.hpp"
 #include "opencv2/imgproc.hpp"
 #include "checks.hpp"

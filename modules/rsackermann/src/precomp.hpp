@@ -5,7 +5,11 @@
 #ifndef OPENCV_RSACKERMANN_PRECOMP_HPP
 #define OPENCV_RSACKERMANN_PRECOMP_HPP
 
-#include "opencv2/rsackermann.hpp"
+// Those of the core: only what needs others includes them.
+#include "opencv2/rsackermann/draw.hpp"
+#include "opencv2/rsackermann/estimator.hpp"
+#include "opencv2/rsackermann/solvers.hpp"
+#include "opencv2/rsackermann/warp.hpp"
 #include "opencv2/core/utils/logger.hpp"
 #include "opencv_versions.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "test_common.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
 #include "test_drive_simulator.hpp"
 
 namespace opencv_test { namespace {

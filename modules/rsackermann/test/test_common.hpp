@@ -210,28 +210,6 @@ inline void expectSame(const WarpMapGenerator::Params& a, const WarpMapGenerator
     EXPECT_EQ(a.tolerance, b.tolerance);
 }
 
-inline RollingShutterCorrector::Params exampleCorrectorParams()
-{
-    RollingShutterCorrector::Params p;
-    p.estimator = exampleEstimatorParams();
-    p.warp = exampleWarpParams();
-    p.interpolation = INTER_CUBIC;
-    p.sequence = true;
-    p.trackPoints = false;
-    p.frameInterval = 0.04;
-    return p;
-}
-
-inline void expectSame(const RollingShutterCorrector::Params& a, const RollingShutterCorrector::Params& b)
-{
-    expectSame(a.estimator, b.estimator);
-    expectSame(a.warp, b.warp);
-    EXPECT_EQ(a.interpolation, b.interpolation);
-    EXPECT_EQ(a.sequence, b.sequence);
-    EXPECT_EQ(a.trackPoints, b.trackPoints);
-    EXPECT_EQ(a.frameInterval, b.frameInterval);
-}
-
 } // namespace opencv_test
 
 #endif // OPENCV_RSACKERMANN_TEST_COMMON_HPP

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "test_common.hpp"
+#include "test_corrector_common.hpp"
 #include "opencv2/core/ocl.hpp"
 #include "opencv2/imgproc.hpp"
 #include "test_simulator.hpp"

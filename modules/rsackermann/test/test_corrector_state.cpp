@@ -6,6 +6,7 @@
 
 #include "test_precomp.hpp"
 #include "test_common.hpp"
+#include "opencv2/rsackermann/corrector.hpp"
 #include "opencv2/imgproc.hpp"
 #include "test_simulator.hpp"
 #include <functional>

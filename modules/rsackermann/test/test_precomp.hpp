@@ -6,7 +6,10 @@
 #define OPENCV_RSACKERMANN_TEST_PRECOMP_HPP
 
 #include "opencv2/ts.hpp"
-#include "opencv2/rsackermann.hpp"
+#include "opencv2/rsackermann/draw.hpp"
+#include "opencv2/rsackermann/estimator.hpp"
+#include "opencv2/rsackermann/solvers.hpp"
+#include "opencv2/rsackermann/warp.hpp"
 #include "test_lens_models.hpp"
 #include "test_random.hpp"
 

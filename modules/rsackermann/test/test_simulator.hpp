@@ -9,7 +9,7 @@
 #include "test_metric_motion.hpp"
 #include "test_lens_models.hpp"
 #include "test_random.hpp"
-#include "opencv2/rsackermann.hpp"
+#include "opencv2/rsackermann/solvers.hpp"
 
 namespace opencv_test {
 

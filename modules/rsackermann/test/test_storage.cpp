@@ -3,47 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "test_common.hpp"
+#include "test_storage.hpp"
 
 namespace opencv_test { namespace {
-
-template <class Struct>
-std::string written(const Struct& value, const char* format)
-{
-    FileStorage out(format, FileStorage::WRITE | FileStorage::MEMORY);
-    out << "value"
-        << "{";
-    value.write(out);
-    out << "}";
-    return out.releaseAndGetString();
-}
-
-template <class Struct>
-void readFrom(const std::string& text, Struct& value)
-{
-    value.read(FileStorage(text, FileStorage::READ | FileStorage::MEMORY)["value"]);
-}
-
-//! @param example value all of whose fields differ from those of the default.
-//! @param key key of one field, whose value in the file is 0.
-template <class Struct, class Field>
-void checkStorage(const Struct& example, const char* key, Field Struct::*field)
-{
-    const char* const formats[] = {".yml", ".xml", ".json"};
-    for (int i = 0; i < 3; i++)
-    {
-        Struct restored;
-        readFrom(written(example, formats[i]), restored);
-        expectSame(example, restored);
-    }
-
-    Struct partly = example, expected = example;
-    readFrom(format("%%YAML:1.0\n---\nvalue:\n   %s: 0\n", key), partly);
-    expected.*field = 0;
-    expectSame(expected, partly);
-    partly.read(FileNode());
-    expectSame(expected, partly);
-}
 
 TEST(RSAckermann_Storage, camera)
 {
@@ -101,54 +63,10 @@ TEST(RSAckermann_Storage, warp_params)
     checkStorage(exampleWarpParams(), "tolerance", &WarpMapGenerator::Params::tolerance);
 }
 
-TEST(RSAckermann_Storage, corrector_params)
-{
-    checkStorage(exampleCorrectorParams(), "frame_interval", &RollingShutterCorrector::Params::frameInterval);
-}
-
-TEST(RSAckermann_Storage, fields_of_fields)
-{
-    RollingShutterCorrector::Params params;
-    params.setEstimatorParams(exampleEstimatorParams());
-    params.setWarpParams(exampleWarpParams());
-    expectSame(exampleEstimatorParams(), params.estimator);
-    expectSame(exampleEstimatorParams(), params.getEstimatorParams());
-    expectSame(exampleWarpParams(), params.warp);
-    expectSame(exampleWarpParams(), params.getWarpParams());
-}
-
-template <class Algorithm>
-void checkSaveAndLoad(const typename Algorithm::Params& example, const char* name)
-{
-    const Ptr<Algorithm> saved = Algorithm::create(exampleCamera(), example);
-    EXPECT_EQ(name, saved->getDefaultName());
-    const std::string file = cv::tempfile(".yml");
-    saved->save(file);
-    for (int byName = 0; byName < 2; byName++)
-    {
-        const Ptr<Algorithm> loaded = Algorithm::load(file, byName ? name : "");
-        expectSame(exampleCamera(), loaded->getCamera());
-        expectSame(example, loaded->getParams());
-    }
-    EXPECT_THROW(Algorithm::load(file, "another_name"), cv::Exception);
-    remove(file.c_str());
-    EXPECT_THROW(Algorithm::load(file), cv::Exception);
-
-    // Into an algorithm that is there.
-    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    saved->write(out);
-    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-    const Ptr<Algorithm> other = Algorithm::create(RollingShutterCamera::fromFocal(Size(64, 48)));
-    other->read(in.root());
-    expectSame(exampleCamera(), other->getCamera());
-    expectSame(example, other->getParams());
-}
-
 TEST(RSAckermann_Storage, save_and_load)
 {
     checkSaveAndLoad<AckermannEstimator>(exampleEstimatorParams(), "rsackermann_AckermannEstimator");
     checkSaveAndLoad<WarpMapGenerator>(exampleWarpParams(), "rsackermann_WarpMapGenerator");
-    checkSaveAndLoad<RollingShutterCorrector>(exampleCorrectorParams(), "rsackermann_RollingShutterCorrector");
 }
 
 //! Reads a matrix of another size, none of which memory is taken for.
@@ -182,17 +100,6 @@ TEST(RSAckermann_Storage, size_of_matrices)
     checkSizeOfMatrix<AckermannMotion>("inverse_depth_offset");
 }
 
-//! @param text file with something that is out of range, and with other values that aren't.
-template <class Algorithm>
-void checkAllOrNothing(const typename Algorithm::Params& example, const char* text)
-{
-    const Ptr<Algorithm> algorithm = Algorithm::create(exampleCamera(), example);
-    const FileStorage in(std::string("%YAML:1.0\n---\n") + text, FileStorage::READ | FileStorage::MEMORY);
-    EXPECT_THROW(algorithm->read(in.root()), cv::Exception);
-    expectSame(exampleCamera(), algorithm->getCamera());
-    expectSame(example, algorithm->getParams());
-}
-
 TEST(RSAckermann_Storage, reading_is_all_or_nothing)
 {
     checkAllOrNothing<AckermannEstimator>(exampleEstimatorParams(), "threshold: -1\nseed: 9\ncamera:\n   height: 2\n");
@@ -200,8 +107,6 @@ TEST(RSAckermann_Storage, reading_is_all_or_nothing)
                                           "seed: 9\ncamera:\n   height: -2\n   heading: 0.1\n");
     checkAllOrNothing<WarpMapGenerator>(exampleWarpParams(),
                                         "tolerance: -1\nmax_iterations: 9\ncamera:\n   height: 2\n");
-    checkAllOrNothing<RollingShutterCorrector>(exampleCorrectorParams(),
-                                               "warp:\n   tolerance: -1\nestimator:\n   seed: 9\n");
 }
 
 }} // namespace

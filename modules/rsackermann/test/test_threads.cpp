@@ -4,55 +4,11 @@
 
 #include "test_precomp.hpp"
 #include "test_common.hpp"
-#include "test_simulator.hpp"
-#include <thread>
+#include "test_threads.hpp"
 
 // What the headers promise of threads that the caller starts. The tests are meant for a thread sanitizer, too.
 
 namespace opencv_test { namespace {
-
-using simulation::Simulator;
-
-const int THREADS = 4;
-
-//! Runs a function for 0, 1, ... in a thread each.
-template <class Function>
-void inThreads(const Function& function)
-{
-    std::vector<std::thread> threads;
-    for (int i = 0; i < THREADS; i++)
-        threads.push_back(std::thread([&function, i]() { function(i); }));
-    for (size_t i = 0; i < threads.size(); i++)
-        threads[i].join();
-}
-
-Simulator street(int i)
-{
-    return Simulator::fromMetric(simulation::paperCamera(), 0.1 * (i + 1), 12 + 3 * i, 2.5, 3, 0);
-}
-
-Mat streetSegments(int i)
-{
-    RNG rng(i + 1);
-    simulation::SegmentOptions options;
-    options.count = 40;
-    options.noise = 0.2;
-    return simulation::randomSegments(street(i), options, rng).ends;
-}
-
-//! White lines, as many as there are segments.
-Mat streetImage(int i)
-{
-    const Mat segments = streetSegments(i);
-    Mat image(simulation::paperCamera().imageSize, CV_8UC1, Scalar(60));
-    for (int k = 0; k < segments.rows; k++)
-    {
-        const double* s = segments.ptr<double>(k);
-        line(image, Point(cvRound(16 * s[0]), cvRound(16 * s[1])), Point(cvRound(16 * s[2]), cvRound(16 * s[3])),
-             Scalar(230), 3, LINE_AA, 4);
-    }
-    return image;
-}
 
 TEST(RSAckermann_Threads, one_estimator)
 {
@@ -106,21 +62,6 @@ TEST(RSAckermann_Threads, one_generator)
         EXPECT_LT(cv::norm(back[i][0] - points[0]), 0.01);
         EXPECT_EQ(generator->validRoi(motionOf(i)), roi[i]);
     }
-}
-
-TEST(RSAckermann_Threads, one_corrector_each)
-{
-    const RollingShutterCamera camera = simulation::paperCamera();
-    Mat expected[THREADS], corrected[THREADS];
-    for (int i = 0; i < THREADS; i++)
-        RollingShutterCorrector::create(camera)->correct(streetImage(i), expected[i]);
-    inThreads([&](int i) {
-        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
-        for (int frame = 0; frame < 3; frame++)
-            corrector->correct(streetImage(i), corrected[i]);
-    });
-    for (int i = 0; i < THREADS; i++)
-        EXPECT_EQ(0, cvtest::norm(expected[i], corrected[i], NORM_INF));
 }
 
 TEST(RSAckermann_Threads, one_value)

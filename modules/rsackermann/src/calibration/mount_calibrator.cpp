@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "opencv2/rsackermann/calibration.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
 #include "../camera/axis_rotations.hpp"
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"

@@ -1,0 +1,57 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_image_arguments.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
+#include "opencv2/rsackermann/corrector.hpp"
+
+namespace opencv_test { namespace {
+
+std::vector<Entry> entries(const RollingShutterCamera& camera)
+{
+    const Mat segments = (Mat_<float>(1, 4) << 20, 5, 21, 40);
+    std::vector<Entry> list;
+    list.push_back({"addFrame", true, [camera](InputArray image) {
+                        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+                        for (int i = 0; i < 3; i++)
+                            calibrator->addFrame(image, 0.1 * i);
+                    }});
+    for (int mode = 0; mode < 3; mode++) // each image alone, a sequence, a sequence whose points aren't tracked
+    {
+        RollingShutterCorrector::Params params;
+        params.sequence = mode > 0;
+        params.trackPoints = mode < 2;
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+        list.push_back({"correct", true, [corrector](InputArray image) {
+                            Mat dst;
+                            corrector->correct(image, dst);
+                        }});
+        list.push_back({"setNextFrame", true, [corrector](InputArray image) { corrector->setNextFrame(image, NaN); }});
+        list.push_back({"correctWithSegments", mode == 1, [corrector, segments](InputArray image) {
+                            Mat dst;
+                            for (int i = 0; i < 3; i++)
+                                corrector->correctWithSegments(image, segments, dst);
+                        }});
+        list.push_back({"correctWithMotion", false, [corrector](InputArray image) {
+                            Mat dst;
+                            corrector->correctWithMotion(image, exampleMotion(), dst);
+                        }});
+    }
+    return list;
+}
+
+TEST(RSAckermann_CorrectorImageArguments, every_type_at_every_entry)
+{
+    const RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(61, 47));
+    checkEveryType(camera, entries(camera));
+}
+
+TEST(RSAckermann_CorrectorImageArguments, every_form_at_every_entry)
+{
+    const RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(61, 47));
+    checkEveryForm(camera, entries(camera));
+}
+
+}} // namespace opencv_test::
