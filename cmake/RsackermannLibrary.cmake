@@ -5,6 +5,7 @@ include(cmake/RsackermannOpenCL.cmake)
 
 set(RSACKERMANN_MODULE_DIR "${PROJECT_SOURCE_DIR}/modules/rsackermann")
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/src/*.cpp")
+rsackermann_keep_core(library_sources)
 
 add_library(opencv_rsackermann ${library_sources})
 add_library(rsackermann::rsackermann ALIAS opencv_rsackermann)
@@ -17,6 +18,11 @@ set_target_properties(opencv_rsackermann PROPERTIES
   EXPORT_NAME rsackermann)
 target_compile_features(opencv_rsackermann PUBLIC cxx_std_${CMAKE_CXX_STANDARD})
 target_compile_definitions(opencv_rsackermann PRIVATE CVAPI_EXPORTS)
+if(RSACKERMANN_CORE_ONLY)
+  # For opencv2/rsackermann.hpp. Not for the tests, which don't include it: ccache has their objects from a build of the
+  # whole.
+  target_compile_definitions(opencv_rsackermann INTERFACE $<INSTALL_INTERFACE:RSACKERMANN_CORE_ONLY>)
+endif()
 # The library runs in threads of the caller, whose stacks may be small.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(opencv_rsackermann PRIVATE -Wframe-larger-than=16384)
@@ -31,7 +37,8 @@ target_link_libraries(opencv_rsackermann
 # What most sources include. By names that are found on the way of includes: with paths ccache would find nothing again
 # from another checkout.
 target_precompile_headers(opencv_rsackermann PRIVATE
-  <opencv2/rsackermann.hpp> <opencv2/imgproc.hpp> <opencv2/core/utils/logger.hpp> <Eigen/Cholesky>)
+  <opencv2/rsackermann/estimator.hpp> <opencv2/rsackermann/warp.hpp>
+  <opencv2/imgproc.hpp> <opencv2/core/utils/logger.hpp> <Eigen/Cholesky>)
 # opencv2/opencv_modules.hpp defines HAVE_OPENCV_XIMGPROC if OpenCV has this module.
 if(TARGET opencv_ximgproc)
   target_link_libraries(opencv_rsackermann PRIVATE opencv_ximgproc)

@@ -32,6 +32,7 @@ foreach(name IN ITEMS async base bindings_utils check mat ocl optim persistence 
 endforeach()
 list(APPEND headers "${opencv_modules}/core/misc/python/shadow_umat.hpp")
 file(GLOB_RECURSE module_headers CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/include/*.hpp")
+rsackermann_keep_core(module_headers)
 list(APPEND headers ${module_headers})
 string(REPLACE ";" "\n" content "${headers}")
 file(WRITE "${generated}/headers.txt" "${content}\n")
@@ -52,7 +53,8 @@ Python3_add_library(rsackermann_python MODULE WITH_SOABI ${sources})
 set_target_properties(rsackermann_python PROPERTIES OUTPUT_NAME bindings LIBRARY_OUTPUT_DIRECTORY "${package}"
   INSTALL_RPATH "$ORIGIN/../../../../${CMAKE_INSTALL_LIBDIR}")
 target_compile_features(rsackermann_python PRIVATE cxx_std_14)
-target_compile_definitions(rsackermann_python PRIVATE PyInit_cv2=PyInit_bindings)
+target_compile_definitions(rsackermann_python PRIVATE PyInit_cv2=PyInit_bindings
+  $<$<BOOL:${RSACKERMANN_CORE_ONLY}>:RSACKERMANN_CORE_ONLY>)
 target_compile_options(rsackermann_python PRIVATE -w)
 target_include_directories(rsackermann_python
   PRIVATE "${generated}" "${generated}/src2" "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")

@@ -46,10 +46,12 @@ rsackermann_compile_quickly(opencv_ts)
 # Adds the program NAME from the sources in the module's folder.
 function(rsackermann_add_ts_program name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${RSACKERMANN_MODULE_DIR}/${folder}/*.cpp")
+  rsackermann_keep_core(sources)
   add_executable(${name} ${sources})
   target_include_directories(${name} PRIVATE "${RSACKERMANN_MODULE_DIR}/${folder}")
   target_link_libraries(${name} PRIVATE opencv_rsackermann opencv_ts Eigen3::Eigen ${RSACKERMANN_LENS_MODELS})
-  target_precompile_headers(${name} PRIVATE <opencv2/ts.hpp> <opencv2/rsackermann.hpp>)
+  target_precompile_headers(${name} PRIVATE
+    <opencv2/ts.hpp> <opencv2/rsackermann/estimator.hpp> <opencv2/rsackermann/warp.hpp>)
 endfunction()
 
 if(BUILD_TESTING)

@@ -5,16 +5,32 @@
 // Corrects a grey image with the installed library: there is nothing to see, so it must come back as it is.
 
 #include "opencv2/rsackermann.hpp"
+#include "opencv2/imgproc.hpp"
 #include <iostream>
+
+namespace {
+
+cv::rsackermann::AckermannMotion correct(const cv::Mat& image, cv::Mat& corrected)
+{
+    const auto camera = cv::rsackermann::RollingShutterCamera::fromFocal(image.size());
+#ifdef RSACKERMANN_CORE_ONLY
+    const auto motion = cv::rsackermann::AckermannEstimator::create(camera)->estimateFromImage(image);
+    cv::Mat map1, map2;
+    cv::rsackermann::WarpMapGenerator::create(camera)->initRectifyMap(motion, map1, map2);
+    cv::remap(image, corrected, map1, map2, cv::INTER_LINEAR);
+    return motion;
+#else
+    return cv::rsackermann::RollingShutterCorrector::create(camera)->correct(image, corrected);
+#endif
+}
+
+} // namespace
 
 int main()
 {
     const cv::Mat image(120, 160, CV_8UC1, cv::Scalar(90));
-    const auto corrector = cv::rsackermann::RollingShutterCorrector::create(
-        cv::rsackermann::RollingShutterCamera::fromFocal(image.size()));
-
     cv::Mat corrected;
-    const cv::rsackermann::AckermannMotion motion = corrector->correct(image, corrected);
+    const cv::rsackermann::AckermannMotion motion = correct(image, corrected);
 
     if (motion.status != cv::rsackermann::MOTION_TOO_FEW_SEGMENTS)
     {

@@ -10,9 +10,11 @@
 #include "opencv2/rsackermann/solvers.hpp"
 #include "opencv2/rsackermann/estimator.hpp"
 #include "opencv2/rsackermann/warp.hpp"
+#include "opencv2/rsackermann/draw.hpp"
+#ifndef RSACKERMANN_CORE_ONLY
 #include "opencv2/rsackermann/corrector.hpp"
 #include "opencv2/rsackermann/calibration.hpp"
-#include "opencv2/rsackermann/draw.hpp"
+#endif
 
 /** @defgroup rsackermann Rolling shutter compensation for cars from a single image
 

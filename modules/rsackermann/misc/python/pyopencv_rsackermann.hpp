@@ -4,7 +4,9 @@
 
 #ifdef HAVE_OPENCV_RSACKERMANN
 typedef cv::rsackermann::AckermannEstimator::Params AckermannEstimator_Params;
-typedef cv::rsackermann::MountCalibrator::Params MountCalibrator_Params;
 typedef cv::rsackermann::WarpMapGenerator::Params WarpMapGenerator_Params;
+#ifndef RSACKERMANN_CORE_ONLY
+typedef cv::rsackermann::MountCalibrator::Params MountCalibrator_Params;
 typedef cv::rsackermann::RollingShutterCorrector::Params RollingShutterCorrector_Params;
+#endif
 #endif

@@ -13,11 +13,12 @@ _VALUE_TYPES = {
     'RollingShutterCamera': cv.rsackermann.RollingShutterCamera,
     'AckermannMotion': cv.rsackermann.AckermannMotion,
     'MotionPrior': cv.rsackermann.MotionPrior,
-    'MountCalibrator.Params': cv.rsackermann.MountCalibrator.Params,
     'AckermannEstimator.Params': cv.rsackermann.AckermannEstimator.Params,
     'WarpMapGenerator.Params': cv.rsackermann.WarpMapGenerator.Params,
-    'RollingShutterCorrector.Params': cv.rsackermann.RollingShutterCorrector.Params,
 }
+if hasattr(cv.rsackermann, 'RollingShutterCorrector'):  # not in a build with RSACKERMANN_CORE_ONLY
+    _VALUE_TYPES['MountCalibrator.Params'] = cv.rsackermann.MountCalibrator.Params
+    _VALUE_TYPES['RollingShutterCorrector.Params'] = cv.rsackermann.RollingShutterCorrector.Params
 
 
 def _restore(name, text):
