@@ -256,4 +256,14 @@ TEST(RSAckermann_Compensation, residual_at_infinity)
     EXPECT_GT(seen, 100);
 }
 
+// Which decides whether it may see two walls: nearer to the car's course than 60 degrees.
+TEST(RSAckermann_Compensation, camera_looks_along_the_course_or_across_it)
+{
+    for (int degrees = -179; degrees <= 180; degrees += 2)
+    {
+        const double fromCourse = std::min(std::abs(degrees), 180 - std::abs(degrees));
+        EXPECT_EQ(fromCourse < 60, Heading(degrees * CV_PI / 180).looksAlong()) << degrees;
+    }
+}
+
 }} // namespace
