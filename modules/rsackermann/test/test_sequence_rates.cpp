@@ -7,6 +7,7 @@
 #include "test_drive_simulator.hpp"
 #include "../src/sequence/row_rates.hpp"
 #include "opencv2/imgproc.hpp"
+#include "opencv2/rsackermann/corrector.hpp"
 
 // How fast a camera pitches and rolls at the instant of a frame, from its mean rates between frames (doc/theory.md,
 // "Rates of rows").
