@@ -10,7 +10,8 @@
 
 namespace rsackermann_samples {
 
-//! A video that appears complete or not at all, in the format of its name's extension.
+/** A video that appears complete or not at all, in the format of its name's extension, with all columns and rows: sizes
+that the format can't keep are refused. */
 class VideoFile
 {
 public:
@@ -25,6 +26,8 @@ public:
 private:
     std::string path_;
     cv::Size size_;
+    double framesPerSecond_;
+    bool isOdd_; // the size
     int frames_;
     AtomicFile file_;
     cv::VideoWriter writer_; // closed before the file is removed

@@ -49,13 +49,14 @@ cv::Mat frameOf(int i)
 }
 
 // A video of JPEG images with times of its frames that OpenCV can't write: of its own choice.
-void writeMatroska(const std::string& path, const std::vector<int>& milliseconds, double wholeDuration)
+void writeMatroska(const std::string& path, const std::vector<int>& milliseconds, double wholeDuration,
+                   const cv::Size& size = streetImage().size())
 {
     std::string blocks = number("\xE7", 0);
     for (size_t i = 0; i < milliseconds.size(); i++)
     {
         std::vector<uchar> jpeg;
-        cv::imencode(".jpg", frameOf(int(i)), jpeg);
+        cv::imencode(".jpg", frameOf(int(i))(cv::Rect(cv::Point(), size)), jpeg);
         const char head[] = {'\x81', char(milliseconds[i] >> 8), char(milliseconds[i]), '\x80'};
         blocks += element("\xA3", std::string(head, 4) + std::string(jpeg.begin(), jpeg.end()));
     }
@@ -63,7 +64,6 @@ void writeMatroska(const std::string& path, const std::vector<int>& milliseconds
                                number("\x42\xF3", 8) + element("\x42\x82", "matroska") + number("\x42\x87", 2) +
                                number("\x42\x85", 2);
     const std::string info = number("\x2A\xD7\xB1", 1000000) + duration(wholeDuration);
-    const cv::Size size = streetImage().size();
     const std::string track =
         number("\xD7", 1) + number("\x73\xC5", 1) + number("\x83", 1) + element("\x86", "V_MJPEG") +
         element("\xE0", number("\xB0", unsigned(size.width)) + number("\xBA", unsigned(size.height)));
@@ -152,6 +152,41 @@ TEST_F(VideoTimes, container_longer_than_its_pictures)
     EXPECT_EQ(4u, report().size());
     EXPECT_EQ(4, countFrames(out_ / "out.mkv"));
     EXPECT_NEAR(25, cv::VideoCapture(out_ / "out.mkv").get(cv::CAP_PROP_FPS), 0.3);
+}
+
+// No column and no row gets lost silently.
+TEST_F(VideoTimes, odd_sizes)
+{
+    for (const cv::Size& size : {cv::Size(161, 121), cv::Size(161, 120), cv::Size(160, 121)})
+    {
+        writeMatroska(in_ / "drive.mkv", {0, 150, 300, 450}, 600, size);
+        // The camera file has another size.
+        const Outcome made = correct({in_ / "drive.mkv", "--output=" + (out_ / "out.avi"),
+                                      "--overlay=" + (out_ / "overlay.avi"), "--overwrite"});
+        ASSERT_EQ(0, made.exitCode) << made.messages;
+        for (const char* name : {"out.avi", "overlay.avi"})
+        {
+            cv::VideoCapture video(out_ / name);
+            cv::Mat frame;
+            ASSERT_TRUE(video.read(frame)) << name;
+            EXPECT_EQ(size, frame.size()) << name;
+            EXPECT_NEAR(1 / 0.15, video.get(cv::CAP_PROP_FPS), 1e-4) << name;
+            EXPECT_EQ(4, countFrames(out_ / name));
+        }
+        const TemporaryFolder none;
+        for (const char* target : {"--output=", "--overlay="})
+            EXPECT_EQ(1, correct({in_ / "drive.mkv", target + (none / "out.mp4")}).exitCode);
+        EXPECT_TRUE(namesIn(none.path()).empty());
+    }
+    const TemporaryFolder none;
+    for (const char* extension : {".mkv", ".mjpeg", ".mp4", ".m4v", ".mov", ".webm", ".wmv", ".mpg", ".mpeg"})
+    {
+        const Outcome outcome = correct({in_ / "drive.mkv", "--output=" + (none / "out") + extension});
+        EXPECT_EQ(1, outcome.exitCode) << extension;
+        for (const char* part : {"160 x 121", extension, "MJPG in .avi"})
+            EXPECT_NE(std::string::npos, outcome.messages.find(part)) << outcome.messages;
+        EXPECT_TRUE(namesIn(none.path()).empty()) << extension;
+    }
 }
 
 TEST_F(VideoTimes, cut_short)
