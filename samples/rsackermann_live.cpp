@@ -44,7 +44,7 @@ public:
             capture_ = namingFile(name, openVideo);
         else if (!capture_.open(parseInteger(name, "number of the camera", 0, 99)))
             throw InputError("there is no camera " + name);
-        clock_.reset(new FrameClock(capture_));
+        clock_.reset(new FrameClock(capture_, isCamera_ ? FrameIndex() : readFrameIndex(name)));
     }
 
     bool read(cv::Mat& image, double& seconds)

@@ -50,7 +50,7 @@ public:
     {
         const std::string& input = inputs_[index].name;
         cv::VideoCapture capture = openVideo(input);
-        FrameClock clock(capture);
+        FrameClock clock(capture, readFrameIndex(input));
         const double announced = capture.get(cv::CAP_PROP_FRAME_COUNT);
         offset_ = last_ + BETWEEN_DRIVES;
         int number = 0;

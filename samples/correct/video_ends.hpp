@@ -16,9 +16,6 @@ The number of frames that OpenCV announces doesn't tell: if the container has no
 and wrong if the rate varies or the sound is longer than the pictures. */
 bool isVideoCutShort(const std::string& path);
 
-//! Whether the container says how many frames there are.
-bool countsFrames(const std::string& path);
-
 } // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_VIDEO_ENDS_HPP

@@ -20,8 +20,8 @@ namespace {
 class FrameReader
 {
 public:
-    FrameReader(cv::VideoCapture& capture, const DriveLog& log, const std::string& input)
-        : capture_(capture), clock_(capture), log_(log), input_(input), number_(-1), isAhead_(false)
+    FrameReader(cv::VideoCapture& capture, const FrameIndex& index, const DriveLog& log, const std::string& input)
+        : capture_(capture), clock_(capture, index), log_(log), input_(input), number_(-1), isAhead_(false)
     {
     }
 
@@ -100,8 +100,10 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
 {
     cv::VideoCapture capture = openVideo(input);
     const bool isWritten = !targets.output.empty() || !targets.overlay.empty();
-    const double announced = capture.get(cv::CAP_PROP_FRAME_COUNT), framesPerSecond = isWritten ? meanRate(input) : 0;
-    FrameReader reader(capture, job.log, input);
+    const FrameIndex index = readFrameIndex(input);
+    const double announced = index.shown ? double(index.shown) : capture.get(cv::CAP_PROP_FRAME_COUNT),
+                 framesPerSecond = isWritten ? meanRate(input) : 0;
+    FrameReader reader(capture, index, job.log, input);
 
     std::unique_ptr<VideoFile> output, overlay;
     std::vector<FrameReport> frames;
@@ -133,8 +135,9 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     for (FrameReport& report : frames)
         report.frames = int(frames.size());
     reports.swap(frames);
-    // If an edit list or a damaged frame makes a difference it is one frame.
-    if (isVideoCutShort(input) || (countsFrames(input) && announced > double(reports.size()) + 1))
+    // One frame may be lost where an edit list begins. Without an index only AVI counts.
+    const bool isCounted = index.shown > 0 || extension(input) == ".avi";
+    if (isVideoCutShort(input) || (isCounted && announced > double(reports.size()) + 1))
         throw InputError(
             cv::format("the video is cut short: %d of %.0f frames could be read", int(reports.size()), announced));
 }

@@ -10,26 +10,41 @@
 
 namespace rsackermann_samples {
 
-FrameClock::FrameClock(const cv::VideoCapture& capture)
+static const double ROUNDING = 1.001e-3; // some containers round to milliseconds
+
+FrameClock::FrameClock(const cv::VideoCapture& capture, const FrameIndex& index) : index_(index.times), next_(0)
 {
     const double rate = capture.get(cv::CAP_PROP_FPS);
     interval_ = 1 / (rate > 0 && rate <= 1000 ? rate : 30); // not every format says so
     time_ = -interval_;
 }
 
+// The time of the next frame in the index; 0, as OpenCV does it, if it is unknown.
+double FrameClock::indexedTime(double told)
+{
+    if (next_ == 0 && !index_.empty()) // OpenCV takes the time of decoding for that of the first frame
+        return index_[next_++];
+    // Frames after the last packet are told no time, and damaged ones don't appear.
+    while (told > 0 && next_ < index_.size() && index_[next_] < told - ROUNDING)
+        next_++;
+    if (next_ >= index_.size() || (told > 0 && std::abs(index_[next_] - told) > ROUNDING))
+        index_.clear();
+    return index_.empty() ? told : index_[next_++];
+}
+
 double FrameClock::timeOfFrame(const cv::VideoCapture& capture)
 {
-    const double told = capture.get(cv::CAP_PROP_POS_MSEC) / 1000;
-    // Some containers round to milliseconds; then the announced rate is the better clock.
-    const double next = time_ + interval_, rounding = 1.001e-3;
-    time_ = std::isfinite(told) && told > time_ && std::abs(told - next) > rounding ? told : next;
+    const double told = indexedTime(capture.get(cv::CAP_PROP_POS_MSEC) / 1000);
+    // The announced rate is a better clock than milliseconds.
+    const double next = time_ + interval_;
+    time_ = std::isfinite(told) && told > time_ && std::abs(told - next) > ROUNDING ? told : next;
     return time_;
 }
 
 double meanRate(const std::string& path)
 {
     cv::VideoCapture capture = openVideo(path);
-    FrameClock clock(capture);
+    FrameClock clock(capture, readFrameIndex(path));
     double first = 0, last = 0;
     int count = 0;
     for (; capture.grab(); count++)

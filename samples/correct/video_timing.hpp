@@ -5,15 +5,17 @@
 #ifndef RSACKERMANN_SAMPLES_VIDEO_TIMING_HPP
 #define RSACKERMANN_SAMPLES_VIDEO_TIMING_HPP
 
+#include "frame_index.hpp"
 #include "opencv2/videoio.hpp"
 
 namespace rsackermann_samples {
 
-//! Times of a video's frames from its container; if it doesn't tell them they have equal distances.
+/** Times of a video's frames from its container's index, else as OpenCV tells them; if it doesn't tell them they have
+equal distances. */
 class FrameClock
 {
 public:
-    explicit FrameClock(const cv::VideoCapture& capture);
+    explicit FrameClock(const cv::VideoCapture& capture, const FrameIndex& index = FrameIndex());
 
     //! Seconds of the frame that was grabbed last.
     double timeOfFrame(const cv::VideoCapture& capture);
@@ -21,7 +23,11 @@ public:
     double announcedRate() const { return 1 / interval_; }
 
 private:
+    double indexedTime(double told);
+
     double interval_, time_;
+    std::vector<double> index_; // empty if it contradicts OpenCV
+    size_t next_;               // in the index
 };
 
 /** The number of frames per second with which all frames of a video take as long as in the video: the mean, if the rate
