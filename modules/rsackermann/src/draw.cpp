@@ -99,7 +99,8 @@ static void drawBorder(Mat& image, const std::vector<Point2d>& pixels, const Rol
                        const AckermannMotion& motion, int thickness)
 {
     std::vector<Place> places;
-    distortPoints(camera, camera.cameraMatrix, motion, pixels, std::vector<double>(), places);
+    distortPoints(camera, WarpMapGenerator::Params(), camera.cameraMatrix, motion, pixels, std::vector<double>(),
+                  places);
     for (size_t i = 1; i < places.size(); i++)
         if (places[i - 1].exists && places[i].exists)
             drawLine(image, places[i - 1].point, places[i].point, Scalar(0, 255, 0), thickness);

@@ -62,6 +62,59 @@ TEST_P(WarpPoints, round_trips)
     }
 }
 
+// Points of a grid and the pixels of the maps there, for cameras that look down or up and motions up to the fastest.
+TEST(RSAckermann_WarpPoints, have_places_where_pixels_of_maps_have)
+{
+    const int step = 5;
+    const double pitches[] = {-40, -20, 0, 20, 30, 40}, rolls[] = {0, 30},
+                 motions[][4] = {{20, 15, 2.5, 3}, {40, 0, 2.5, 0}, {-20, -30, 2.5, 3}, {60, 60, 1, 2}};
+    for (double pitch : pitches)
+        for (double roll : rolls)
+            for (const double* m : motions)
+            {
+                RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 380), 816);
+                camera.lineDelay = 0.03 / 380;
+                camera.height = 1.2;
+                camera.setRollPitch(roll * CV_PI / 180, pitch * CV_PI / 180);
+                MetricMotion metric;
+                metric.speed = m[0];
+                metric.yawRate = m[1] * CV_PI / 180;
+                metric.leftDistance = m[2];
+                metric.rightDistance = m[3];
+                const AckermannMotion motion = AckermannMotion::fromMetric(camera, metric);
+                const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+                std::vector<Point2d> pixels;
+                for (int y = 0; y < camera.imageSize.height; y += step)
+                    for (int x = 0; x < camera.imageSize.width; x += step)
+                        pixels.push_back(Point2d(x, y));
+                for (int direction = 0; direction < 2; direction++)
+                {
+                    Mat map1, map2, places, mask;
+                    if (direction == 0)
+                    {
+                        generator->initRectifyMap(motion, map1, map2, CV_32FC1);
+                        generator->distortPoints(motion, pixels, places, noArray(), mask);
+                    }
+                    else
+                    {
+                        generator->initDistortMap(motion, map1, map2, CV_32FC1);
+                        generator->correctPoints(motion, pixels, places, noArray(), mask);
+                    }
+                    int onlyPoints = 0, onlyPixels = 0;
+                    for (size_t i = 0; i < pixels.size(); i++)
+                    {
+                        const bool hasPixel = map1.at<float>(Point(pixels[i])) != -16384,
+                                   hasPoint = mask.at<uchar>(int(i)) != 0;
+                        onlyPoints += hasPoint && !hasPixel;
+                        onlyPixels += hasPixel && !hasPoint;
+                    }
+                    const std::string name = cv::format("pitch %g, roll %g, speed %g", pitch, roll, m[0]);
+                    EXPECT_EQ(0, onlyPoints) << name << ", direction " << direction;
+                    EXPECT_EQ(0, onlyPixels) << name << ", direction " << direction;
+                }
+            }
+}
+
 TEST_P(WarpPoints, agree_with_the_simulator)
 {
     RNG rng(22);

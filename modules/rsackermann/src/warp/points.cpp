@@ -52,8 +52,9 @@ static void setPlace(const Point2d& point, Place& place)
         place.point = point;
 }
 
-void correctPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
-                   const std::vector<Point2d>& raw, const std::vector<double>& depths, std::vector<Place>& places)
+void correctPoints(const RollingShutterCamera& camera, const WarpMapGenerator::Params&, const Matx33d& matrix,
+                   const AckermannMotion& motion, const std::vector<Point2d>& raw, const std::vector<double>& depths,
+                   std::vector<Place>& places)
 {
     const ShutterGeometry shutter(camera, motion);
     const Distorter distorter(shutter);
@@ -67,15 +68,18 @@ void correctPoints(const RollingShutterCamera& camera, const Matx33d& matrix, co
     }
 }
 
-void distortPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
-                   const std::vector<Point2d>& pixels, const std::vector<double>& depths, std::vector<Place>& places)
+void distortPoints(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const Matx33d& matrix,
+                   const AckermannMotion& motion, const std::vector<Point2d>& pixels, const std::vector<double>& depths,
+                   std::vector<Place>& places)
 {
     // Points are few, and their users expect the inverse of correctPoints().
-    const int maxIterations = 50;
-    const double tolerance = 1e-9;
+    const int manyIterations = 50;
+    const double fineTolerance = 1e-9;
 
     const ShutterGeometry shutter(camera, motion);
-    const Rectifier rectifier(shutter, maxIterations, tolerance);
+    // A point has a place if a pixel has: where a row time is hardly found more iterations would make a difference.
+    const Rectifier asInMaps(shutter, params.maxIterations, params.tolerance),
+        rectifier(shutter, manyIterations, std::min(fineTolerance, params.tolerance));
     const InverseDepths inverseDepths(camera, motion, depths);
     const Matx33d inverse = matrix.inv();
     places.assign(pixels.size(), Place());
@@ -86,7 +90,8 @@ void distortPoints(const RollingShutterCamera& camera, const Matx33d& matrix, co
         const bool onPlane = !inverseDepths.known(i);
         Rectifier::Guess guess;
         Point2d raw;
-        if (rectifier.solve(ray, b, onPlane ? shutter.inverseDepth(b) : inverseDepths[i], onPlane, guess, raw))
+        const double w = onPlane ? shutter.inverseDepth(b) : inverseDepths[i];
+        if (asInMaps.solve(ray, b, w, onPlane, guess, raw) && rectifier.solve(ray, b, w, onPlane, guess, raw))
             setPlace(raw, places[i]);
     }
 }

@@ -18,17 +18,20 @@ struct Place
 };
 
 /** Raw pixels to pixels of the global-shutter camera.
+@param params of the maps, with whose pixels the points that have a place agree.
 @param matrix camera matrix of the global-shutter camera.
 @param raw the pixels.
 @param depths in metres along the optical axis, or empty; if not positive the planes are used.
 @param places receives as many places as there are pixels.
 */
-void correctPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
-                   const std::vector<Point2d>& raw, const std::vector<double>& depths, std::vector<Place>& places);
+void correctPoints(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const Matx33d& matrix,
+                   const AckermannMotion& motion, const std::vector<Point2d>& raw, const std::vector<double>& depths,
+                   std::vector<Place>& places);
 
 //! The inverse of correctPoints().
-void distortPoints(const RollingShutterCamera& camera, const Matx33d& matrix, const AckermannMotion& motion,
-                   const std::vector<Point2d>& pixels, const std::vector<double>& depths, std::vector<Place>& places);
+void distortPoints(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params, const Matx33d& matrix,
+                   const AckermannMotion& motion, const std::vector<Point2d>& pixels, const std::vector<double>& depths,
+                   std::vector<Place>& places);
 
 }} // namespace cv::rsackermann
 

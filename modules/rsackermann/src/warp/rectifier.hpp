@@ -46,7 +46,9 @@ public:
     {
         if (!shutter.moving)
             return shutter.project(ray, raw);
-        if (guess.valid && iterate(b, w, onPlane, guess, raw))
+        // Where the function is hardly a contraction a neighbour's guess may lead to a place to which the first guess
+        // doesn't: whether a pixel has a place would depend on the pixels before it.
+        if (guess.valid && iterate(b, w, onPlane, guess, raw) && std::abs(guess.slope) < MAX_SLOPE)
             return true;
         guess = Guess();
         guess.time = shutter.project(ray, raw) ? shutter.rowTime(raw) : 0;
@@ -55,11 +57,11 @@ public:
     }
 
 private:
+    // Steeper functions are no contractions; there the step is cut.
+    static constexpr double MAX_SLOPE = 0.9;
+
     bool iterate(const Vec3d& b, double w, bool onPlane, Guess& guess, Point2d& raw) const
     {
-        // Steeper functions are no contractions; there the step is cut.
-        const double maxSlope = 0.9;
-
         double time = guess.time, slope = guess.slope, lastTime = 0, lastValue = 0;
         Point2d rate = guess.rate, lastRaw;
         for (int i = 0; i < maxIterations; i++)
@@ -70,7 +72,7 @@ private:
             const double value = shutter.rowTime(raw);
             if (i > 0)
             {
-                slope = std::min((value - lastValue) / (time - lastTime), maxSlope);
+                slope = std::min((value - lastValue) / (time - lastTime), double(MAX_SLOPE));
                 rate = (raw - lastRaw) * (1 / (time - lastTime));
             }
             const double step = (value - time) / (1 - slope);

@@ -65,10 +65,6 @@ Vec2d fit(double low, double high, int pixels)
     return Vec2d(focal, -focal * low);
 }
 
-} // namespace
-
-namespace {
-
 // A border of the raw image: one normalised coordinate of what it shows, along it.
 class Border
 {
@@ -109,7 +105,7 @@ private:
             raw[i] = horizontal ? Point2d(along[i], place) : Point2d(place, along[i]);
         }
         std::vector<Place> places;
-        correctPoints(camera, Matx33d::eye(), motion, raw, std::vector<double>(), places);
+        correctPoints(camera, WarpMapGenerator::Params(), Matx33d::eye(), motion, raw, std::vector<double>(), places);
         for (int i = 0; i < count; i++)
         {
             const double value = horizontal ? places[i].point.y : places[i].point.x;

@@ -262,7 +262,7 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_WarpMapGenerator"; }
 
 private:
-    typedef void (*PointFunction)(const RollingShutterCamera&, const Matx33d&, const AckermannMotion&,
+    typedef void (*PointFunction)(const RollingShutterCamera&, const Params&, const Matx33d&, const AckermannMotion&,
                                   const std::vector<Point2d>&, const std::vector<double>&, std::vector<Place>&);
 
     void initMap(WarpDirection warp, const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type,
@@ -286,8 +286,8 @@ private:
         const Mat src = src_.getMat();
         const std::vector<Point2d> points = toPoints(src);
         std::vector<Place> places;
-        function(camera, GlobalCamera(camera, params).matrix, motion, points, toDepths(depths.getMat(), points.size()),
-                 places);
+        function(camera, params, GlobalCamera(camera, params).matrix, motion, points,
+                 toDepths(depths.getMat(), points.size()), places);
         returnPlaces(places, src, dst, mask);
     }
 
