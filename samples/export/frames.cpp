@@ -12,7 +12,9 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace rsackermann_samples {
 
@@ -34,9 +36,30 @@ RollingShutterCamera MotionFrame::cameraOf(const RollingShutterCamera& camera) c
     return own;
 }
 
+static std::string withNumber(const std::string& input, int frame)
+{
+    return frame < 0 ? input : input + cv::format(".%06d", frame);
+}
+
 std::string MotionFrame::name() const
 {
-    return frame < 0 ? fileName(input) : fileName(input) + cv::format(".%06d", frame);
+    return withNumber(fileName(input), frame);
+}
+
+std::string MotionFrame::path() const
+{
+    return withNumber(input, frame);
+}
+
+std::vector<std::string> namesInTables(const std::vector<MotionFrame>& frames)
+{
+    std::map<std::string, std::set<std::string>> paths;
+    for (const MotionFrame& frame : frames)
+        paths[frame.name()].insert(frame.path());
+    std::vector<std::string> names;
+    for (const MotionFrame& frame : frames)
+        names.push_back(paths[frame.name()].size() > 1 ? frame.path() : frame.name());
+    return names;
 }
 
 namespace {

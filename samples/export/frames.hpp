@@ -27,7 +27,12 @@ struct MotionFrame
 
     //! A name for files of this frame: that of the image, or that of the video with the frame's number.
     std::string name() const;
+    //! The same with the folders, as the report names the input: another frame has another one.
+    std::string path() const;
 };
+
+//! What tables call the frames: their names, and of different inputs that share a name the paths.
+std::vector<std::string> namesInTables(const std::vector<MotionFrame>& frames);
 
 //! The frames of a report of rsackermann_correct, failed ones left out; throws InputError.
 std::vector<MotionFrame> readReport(const std::string& path);

@@ -70,13 +70,15 @@ std::string rowPosesText(const RollingShutterCamera& camera, const std::vector<M
     json["end_line"] = last;
     json["reference_line"] = camera.referenceRow;
     json["frames"] = Json::array();
-    for (const MotionFrame& f : frames)
+    const std::vector<std::string> names = namesInTables(frames);
+    for (size_t i = 0; i < frames.size(); i++)
     {
+        const MotionFrame& f = frames[i];
         const AckermannMotion motion = f.motion.status == MOTION_OK ? f.motion : AckermannMotion();
         const RollingShutterCamera own = f.cameraOf(camera);
         const LengthUnit unit = lengthUnit(own, motion);
         Json frame;
-        frame["file"] = f.name();
+        frame["file"] = names[i];
         frame["moves"] = f.motion.status == MOTION_OK;
         frame["unit"] = unit.name;
         frame["viewmat_start"] = viewMatrix(own, motion, startTime, unit.perUnit);

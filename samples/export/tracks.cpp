@@ -59,25 +59,52 @@ struct Columns
     }
 };
 
+// The indices of frames by their paths and names; a name that different inputs share has none.
+class FrameNames
+{
+public:
+    explicit FrameNames(const std::vector<MotionFrame>& frames)
+    {
+        // Of a frame that a report has twice the last line counts.
+        for (size_t i = 0; i < frames.size(); i++)
+            byPath_[frames[i].path()] = i;
+        for (const std::pair<const std::string, size_t>& entry : byPath_)
+            byName_[frames[entry.second].name()].push_back(entry.first);
+    }
+
+    size_t of(const std::string& name, const std::string& source) const
+    {
+        const auto path = byPath_.find(name);
+        if (path != byPath_.end())
+            return path->second;
+        const auto found = byName_.find(name);
+        if (found == byName_.end())
+            throw UsageError(source + ": there is no motion of the file " + name);
+        const std::vector<std::string>& paths = found->second;
+        if (paths.size() > 1)
+            throw UsageError(source + ": the file " + name + " may be " + paths[0] + " or " + paths[1] +
+                             "; name it with its folders");
+        return byPath_.at(paths[0]);
+    }
+
+private:
+    std::map<std::string, size_t> byPath_;
+    std::map<std::string, std::vector<std::string>> byName_; // the paths
+};
+
 std::vector<FramePoints> pointsOf(const CsvTable& table, const std::string& path, const Columns& columns,
                                   const std::vector<MotionFrame>& frames)
 {
     const size_t none = table.header.size();
     if (columns.x == none || columns.y == none || (columns.file == none && frames.size() != 1))
         throw UsageError(path + ": a header with x, y" + (frames.size() == 1 ? "" : " and file") + " is needed");
-    std::map<std::string, size_t> indices;
-    for (size_t i = 0; i < frames.size(); i++)
-        indices[frames[i].name()] = i;
+    const FrameNames names(frames);
     std::vector<FramePoints> points(frames.size());
     for (size_t i = 0; i < table.rows.size(); i++)
     {
         const Cells& row = table.rows[i];
         const std::string source = path + cv::format(", line %d", table.lines[i]);
-        const std::map<std::string, size_t>::const_iterator found =
-            columns.file == none ? indices.begin() : indices.find(row[columns.file]);
-        if (found == indices.end())
-            throw UsageError(source + ": there is no motion of the file " + row[columns.file]);
-        FramePoints& frame = points[found->second];
+        FramePoints& frame = points[columns.file == none ? 0 : names.of(row[columns.file], source)];
         frame.points.push_back(cv::Point2d(parseNumber(row[columns.x], source), parseNumber(row[columns.y], source)));
         frame.depths.push_back(
             columns.depth == none || row[columns.depth].empty() ? 0 : parseNumber(row[columns.depth], source));

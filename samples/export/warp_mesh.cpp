@@ -87,14 +87,16 @@ std::string warpMeshText(const RollingShutterCamera& camera, const std::vector<M
     json["columns"] = columns;
     json["rows"] = rows;
     json["frames"] = Json::array();
-    for (const MotionFrame& f : frames)
+    const std::vector<std::string> names = namesInTables(frames);
+    for (size_t i = 0; i < frames.size(); i++)
     {
+        const MotionFrame& f = frames[i];
         const WarpMesh mesh = makeWarpMesh(f.cameraOf(camera), f.motion, columns, rows);
         Json frame, nodes = Json::array();
-        for (size_t i = 0; i < mesh.nodes.size(); i++)
-            nodes.push_back(mesh.found[i] ? Json({mesh.nodes[i].x, mesh.nodes[i].y, mesh.places[i].x, mesh.places[i].y})
-                                          : Json({mesh.nodes[i].x, mesh.nodes[i].y, nullptr, nullptr}));
-        frame["file"] = f.name();
+        for (size_t k = 0; k < mesh.nodes.size(); k++)
+            nodes.push_back(mesh.found[k] ? Json({mesh.nodes[k].x, mesh.nodes[k].y, mesh.places[k].x, mesh.places[k].y})
+                                          : Json({mesh.nodes[k].x, mesh.nodes[k].y, nullptr, nullptr}));
+        frame["file"] = names[i];
         frame["max_error_px"] = mesh.maxError;
         frame["rms_error_px"] = mesh.rmsError;
         frame["nodes"] = nodes;

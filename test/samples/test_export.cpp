@@ -603,4 +603,50 @@ TEST_F(Export, no_result_replaces_an_input_or_another_result)
     EXPECT_EQ(0, twice.exitCode) << twice.messages;
 }
 
+// Two inputs of one name, one of which moves.
+TEST_F(Export, inputs_that_share_a_name_are_told_apart_by_their_folders)
+{
+    const std::string report = folder / "r.jsonl", tracks = folder / "t.csv", out = folder / "out.csv";
+    const Arguments common = {"--report=" + report, "--camera=" + streetFolder() + "/camera.yml"};
+    const std::string still = "{\"input\": \"b/1.jpg\", \"status\": \"not_significant\"}\n";
+    Arguments street = {streetFolder() + "/rolling.png", common[1], "--report=" + report, "--wall=2.5"};
+    ASSERT_EQ(0, correct(street).exitCode);
+    json moving = json::parse(contentOf(report));
+    ASSERT_EQ("ok", moving["status"]);
+    moving["input"] = "a/1.jpg";
+    writeContent(report, moving.dump() + "\n" + still);
+    const auto run = [&](const Arguments& more) {
+        Arguments all = common;
+        all.insert(all.end(), more.begin(), more.end());
+        return exportMotion(all);
+    };
+    const Arguments options = {"--tracks=" + tracks, "--tracks_output=" + out};
+
+    writeContent(tracks, "file,x,y\n1.jpg,100,80\n");
+    const Outcome ambiguous = run(options);
+    EXPECT_EQ(2, ambiguous.exitCode);
+    for (const char* part : {"line 2", "a/1.jpg", "b/1.jpg"})
+        EXPECT_NE(std::string::npos, ambiguous.messages.find(part)) << ambiguous.messages;
+    EXPECT_FALSE(cv::utils::fs::exists(out));
+
+    writeContent(tracks, "file,x,y\na/1.jpg,100,80\nb/1.jpg,100,80\n");
+    const Outcome byPath = run(options);
+    ASSERT_EQ(0, byPath.exitCode) << byPath.messages;
+    const std::vector<std::string> lines = linesOf(out);
+    ASSERT_EQ(3u, lines.size());
+    double x = 0, y = 0;
+    ASSERT_EQ(2, std::sscanf(lines[1].c_str(), "a/1.jpg,%lf,%lf", &x, &y)) << lines[1];
+    EXPECT_GT(std::abs(x - 100) + std::abs(y - 80), 0.5);
+    EXPECT_EQ("b/1.jpg,100.000000,80.000000", lines[2]);
+
+    for (const char* option : {"--mesh=", "--row_poses="})
+    {
+        ASSERT_EQ(0, run({option + (folder / "table.json")}).exitCode);
+        const json frames = json::parse(contentOf(folder / "table.json"))["frames"];
+        ASSERT_EQ(2u, frames.size());
+        EXPECT_EQ("a/1.jpg", frames[0]["file"]) << option;
+        EXPECT_EQ("b/1.jpg", frames[1]["file"]) << option;
+    }
+}
+
 }} // namespace
