@@ -232,4 +232,19 @@ const BadField badFields[] = {
 };
 INSTANTIATE_TEST_CASE_P(/*nothing*/, RSAckermann_CameraCheck, testing::ValuesIn(badFields));
 
+// As calibrateCamera() and fisheye::calibrate() return them.
+TEST(RSAckermann_Camera, coefficients_in_a_matrix)
+{
+    const std::vector<double> expected = {0.25, -0.5, 0.125, 0};
+    for (const Size& size : {Size(4, 1), Size(1, 4)})
+        for (int depth : {CV_32F, CV_64F})
+        {
+            Mat dist;
+            Mat(expected).reshape(1, size.height).convertTo(dist, depth);
+            EXPECT_EQ(expected, RollingShutterCamera(Size(640, 380), Matx33d::eye(), dist).distCoeffs) << size;
+        }
+    for (Mat dist : {Mat(2, 2, CV_64F, Scalar(0)), Mat(1, 4, CV_8U, Scalar(0)), Mat(1, 2, CV_64FC2, Scalar(0))})
+        EXPECT_THROW(RollingShutterCamera(Size(640, 380), Matx33d::eye(), dist).check(), cv::Exception) << dist;
+}
+
 }} // namespace

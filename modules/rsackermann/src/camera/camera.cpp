@@ -22,6 +22,25 @@ RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, c
 {
 }
 
+// A wrapped constructor can't throw: what is no list of numbers becomes one that check() refuses.
+static std::vector<double> toCoefficients(const Mat& dist)
+{
+    const bool isList = dist.dims <= 2 && dist.channels() == 1 && (dist.rows <= 1 || dist.cols <= 1) &&
+                        (dist.depth() == CV_32F || dist.depth() == CV_64F);
+    if (dist.empty())
+        return std::vector<double>();
+    if (!isList)
+        return std::vector<double>(dist.total() * size_t(dist.channels()), std::numeric_limits<double>::quiet_NaN());
+    Mat values;
+    dist.convertTo(values, CV_64F);
+    return std::vector<double>(values.begin<double>(), values.end<double>());
+}
+
+RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, Mat& dist, int lens)
+    : RollingShutterCamera(size, K, toCoefficients(dist), lens)
+{
+}
+
 RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double focal)
 {
     if (!(focal >= 0) || cvIsInf(focal))

@@ -49,6 +49,15 @@ public:
     CV_WRAP RollingShutterCamera(const Size& size, const Matx33d& K,
                                  const std::vector<double>& dist = std::vector<double>(), int lens = LENS_PINHOLE);
 
+    /** @brief The same with the lens coefficients as calibrateCamera() and fisheye::calibrate() return them.
+    @param size size of the image in pixels; referenceRow becomes its middle row.
+    @param K 3x3 camera matrix.
+    @param dist lens coefficients, one row or column CV_32F or CV_64F; check() refuses what comes of others. It isn't
+    changed: as a constant it would take braces away from the other constructor.
+    @param lens one of #LensModel.
+     */
+    CV_WRAP RollingShutterCamera(const Size& size, const Matx33d& K, Mat& dist, int lens = LENS_PINHOLE);
+
     /** @brief An uncalibrated camera: principal point at the image centre, square pixels, no distortion.
     @param size size of the image in pixels.
     @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal , ± 20 %

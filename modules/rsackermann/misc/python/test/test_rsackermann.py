@@ -94,6 +94,33 @@ class rsackermann_test(NewOpenCVTests):
         with self.assertRaisesRegex(cv.error, 'lineDelay'):
             camera.check()
 
+    def test_camera_from_calibrations(self):
+        """Coefficients in the shapes that cv2.calibrateCamera and cv2.fisheye.calibrate return, found with them."""
+        K = np.array([[816, 0, 320], [0, 810, 190], [0, 0, 1]], np.float64)
+        board = np.array([[x, y, 0] for y in range(6) for x in range(9)], np.float32)
+        truth = np.array([0.1, -0.05, 0.001, 0, 0])
+        views = [cv.projectPoints(board - (4, 2.5, 0), np.array(r, np.float64), np.array([0., 0., 14.]), K, truth)[0]
+                 for r in [(0.4, 0, 0), (0, 0.5, 0), (-0.3, 0.3, 0.1), (0.2, -0.4, 0)]]
+        found = cv.calibrateCamera([board] * len(views), [v.astype(np.float32) for v in views], SIZE, None, None)[1:3]
+        camera = cv.rsackermann.RollingShutterCamera(SIZE, *found)
+        camera.check()
+        np.testing.assert_array_equal(camera.cameraMatrix, found[0])
+        self.assertEqual(list(camera.distCoeffs), list(found[1].ravel()))
+
+        fisheye = cv.rsackermann.LENS_FISHEYE
+        for dist, lens in [(truth, 0), (truth[:4], fisheye)]:
+            for shape in [(-1,), (1, -1), (-1, 1)]:
+                for kind in [np.float32, np.float64]:
+                    values = dist.astype(kind).reshape(shape)
+                    camera = cv.rsackermann.RollingShutterCamera(SIZE, K, values, lens)
+                    camera.check()
+                    self.assertEqual(list(camera.distCoeffs), list(dist.astype(kind)))
+                    self.assertEqual(camera.lensModel, lens)
+        self.assertEqual(len(cv.rsackermann.RollingShutterCamera(SIZE, K, np.zeros((0, 1))).distCoeffs), 0)
+        for values in [np.zeros((2, 4)), np.zeros((2, 2, 2)), np.zeros((5, 1), np.uint8), np.zeros((1, 3))]:
+            with self.assertRaises(cv.error):
+                cv.rsackermann.RollingShutterCamera(SIZE, K, values).check()
+
     def test_no_argument_harms_the_interpreter(self):
         """Every wrapped function with bad values of each type: another end than an exception of cv2 or Python's for
         arguments is a fault."""
