@@ -39,13 +39,14 @@ void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& m
 
 /** Storage of the algorithms, each made from a camera and parameters: the keys of the parameters and a map with the
 camera.
-@tparam Algorithm AckermannEstimator, WarpMapGenerator or RollingShutterCorrector.
+@tparam Algorithm AckermannEstimator, WarpMapGenerator, RollingShutterCorrector or MountCalibrator.
 */
 template <class Algorithm>
 struct AlgorithmStorage
 {
     static void write(const Algorithm& algorithm, FileStorage& fs)
     {
+        fs << "algorithm" << algorithm.getDefaultName();
         fs.startWriteStruct("camera", FileNode::MAP);
         algorithm.getCamera().write(fs);
         fs.endWriteStruct();
@@ -55,6 +56,7 @@ struct AlgorithmStorage
     //! Sets both or, if one of them is bad, neither. Missing fields keep their values.
     static void read(const FileNode& fn, Algorithm& algorithm)
     {
+        checkName(fn, algorithm);
         RollingShutterCamera camera = algorithm.getCamera();
         camera.read(fn["camera"]);
         camera.check();
@@ -80,9 +82,24 @@ struct AlgorithmStorage
                        objname.c_str(), filename.c_str()));
         RollingShutterCamera camera;
         camera.read(fn["camera"]);
+        const Ptr<Algorithm> algorithm = Algorithm::create(camera);
+        checkName(fn, *algorithm);
         typename Algorithm::Params params;
         params.read(fn);
-        return Algorithm::create(camera, params);
+        algorithm->setParams(params);
+        return algorithm;
+    }
+
+private:
+    // Missing fields keep their values: what another algorithm has stored would be one with the default parameters.
+    static void checkName(const FileNode& fn, const Algorithm& algorithm)
+    {
+        const FileNode stated = fn["algorithm"];
+        const String expected = algorithm.getDefaultName(), stored = stated.isString() ? String(stated) : fn.name();
+        const bool isOfModule = stored.compare(0, 12, "rsackermann_") == 0; // others are names of the user's choice
+        if (isOfModule && stored != expected)
+            CV_Error(Error::StsBadArg,
+                     format("the file holds a %s; a %s is expected", stored.c_str(), expected.c_str()));
     }
 };
 
