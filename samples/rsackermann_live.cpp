@@ -17,6 +17,10 @@
 #include "opencv2/imgproc.hpp"
 #include "opencv2/rsackermann.hpp"
 
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+
 namespace {
 
 using namespace rsackermann_samples;
@@ -68,7 +72,7 @@ public:
     explicit Screen(const std::string& path) : path_(path)
     {
         if (path_.empty())
-            cv::namedWindow(NAME, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO);
+            openWindow();
     }
 
     // false: it was closed.
@@ -91,12 +95,32 @@ public:
     }
 
 private:
+    // Without a display Qt calls abort(), others throw.
+    static void openWindow()
+    {
+        void (*const before)(int) = std::signal(SIGABRT, [](int) {
+            std::fprintf(stderr, "rsackermann_live: %s\n", NO_WINDOW);
+            std::_Exit(1);
+        });
+        try
+        {
+            cv::namedWindow(NAME, cv::WINDOW_NORMAL | cv::WINDOW_KEEPRATIO);
+        }
+        catch (const cv::Exception&)
+        {
+            throw InputError(NO_WINDOW);
+        }
+        std::signal(SIGABRT, before);
+    }
+
     static const char* const NAME;
+    static const char* const NO_WINDOW;
     std::string path_;
     cv::Mat last_;
 };
 
 const char* const Screen::NAME = "rsackermann: raw, corrected (a key ends)";
+const char* const Screen::NO_WINDOW = "no window can be opened (is there a display?); --picture=FILE needs none";
 
 void write(cv::Mat& picture, int line, const std::string& text)
 {

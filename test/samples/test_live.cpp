@@ -66,6 +66,18 @@ TEST_F(Live, goes_on_to_the_end)
     EXPECT_LT(differenceInside(last, cv::imread(picture_).colRange(SIZE.width, 2 * SIZE.width)), 1);
 }
 
+TEST_F(Live, no_display)
+{
+    for (const char* display : {"", "DISPLAY=:987"})
+    {
+        const Outcome outcome = runCommand(std::string("env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM ") +
+                                           display + " '" LIVE_PROGRAM "' '" + video_ + "'");
+        EXPECT_EQ(1, outcome.exitCode) << display;
+        EXPECT_NE(std::string::npos, outcome.messages.find("no window can be opened")) << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.messages.find("--picture")) << outcome.messages;
+    }
+}
+
 TEST_F(Live, usage)
 {
     const Outcome help = live({"--help"});
