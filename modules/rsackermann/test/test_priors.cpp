@@ -174,4 +174,37 @@ TEST_P(RSAckermann_PriorCheck, names_the_field)
     EXPECT_THROW(estimator->estimate(Mat(), noArray(), prior), cv::Exception);
 }
 
+// Without the distance of a wall, too, a speed is reported with the sign that was given, or not at all.
+TEST(RSAckermann_Prior, sign_of_a_given_speed)
+{
+    for (double height : {0., 1.2})
+        for (int given = -1; given <= 1; given += 2)
+            for (int driven = -1; driven <= 1; driven += 2)
+            {
+                RollingShutterCamera camera = simulation::paperCamera();
+                camera.height = height;
+                const Simulator truth = Simulator::fromMetric(camera, 0, driven * trueSpeed, 2.5, 3, 0);
+                simulation::SegmentOptions options;
+                options.noise = 0.15;
+                RNG rng(7);
+                const Mat segments = simulation::randomSegments(truth, options, rng).ends;
+                MotionPrior prior;
+                prior.speed = given * trueSpeed;
+                prior.speedSigma = 0.5;
+                const AckermannMotion m = AckermannEstimator::create(camera)->estimate(segments, noArray(), prior);
+                const std::string name = cv::format("given %d, driven %d, height %g", given, driven, height);
+                double speed = 0;
+                if (m.speed(camera, speed))
+                {
+                    EXPECT_NEAR(given * trueSpeed, speed, 1e-9) << name;
+                }
+                EXPECT_GE(m.roadSlope * m.direction, 0) << name;
+                if (given == driven)
+                {
+                    EXPECT_EQ(driven, m.direction) << name;
+                    EXPECT_EQ(SCALE_SPEED, m.scale) << name;
+                }
+            }
+}
+
 }} // namespace

@@ -100,6 +100,19 @@ Jet DrivingPrior::speedResidual(const Model& model, const MotionHypothesis& hypo
     return (1 / sigma) * (logarithm - std::log(expectedScaledSpeed(model.direction)));
 }
 
+// What a direction costs. A given speed has a sign, which is among the residuals if the wall's distance is known;
+// without it the size of the speed is, and here the sign.
+double DrivingPrior::directionPenalty(int direction, const MotionHypothesis& hypothesis) const
+{
+    if (!speedIsGiven() || !hypothesis.translates())
+        return direction < 0 ? reversePenalty : 0;
+    if (scaledSpeedIsGiven())
+        return 0;
+    const double farthest = 30; // sigmas, beyond which the probability is 0 to a double
+    const double z = std::max(direction * given_.speed / given_.speedSigma, -farthest);
+    return -2 * std::log(0.5 * std::erfc(-z / std::sqrt(2.)));
+}
+
 int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesis, Jet residuals[MAX_RESIDUALS]) const
 {
     int n = 0;
@@ -133,8 +146,9 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
         if (headingSigma > 0)
             residuals[n++] = (1 / headingSigma) * street.apply(std::sin(angle), std::cos(angle));
     }
-    if (model.direction < 0)
-        residuals[n++] = Jet(std::sqrt(reversePenalty));
+    const double penalty = directionPenalty(model.direction, hypothesis);
+    if (penalty > 0)
+        residuals[n++] = Jet(std::sqrt(penalty));
     return n;
 }
 
@@ -204,7 +218,8 @@ void DrivingPrior::road(const Model& model, const RoadContact& contact, double& 
     G = (model.direction < 0 ? -1 : 1) * std::exp(logG);
     variance *= G * G;
     const double speedSigma = given_.speedSigma / height;
-    if (speedIsGiven() && height > 0 && speedSigma * speedSigma < variance)
+    const bool hasItsSign = given_.speed * model.direction >= 0;
+    if (speedIsGiven() && hasItsSign && height > 0 && speedSigma * speedSigma < variance)
     {
         G = given_.speed / height;
         variance = speedSigma * speedSigma;

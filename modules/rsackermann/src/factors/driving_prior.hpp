@@ -78,6 +78,7 @@ public:
 
 private:
     bool scaledSpeedIsGiven() const { return given_.scaledSpeedSigma > 0; }
+    double directionPenalty(int direction, const MotionHypothesis& hypothesis) const;
     Jet yawResidual(double alpha) const;
     Jet speedResidual(const Model& model, const MotionHypothesis& hypothesis) const;
 

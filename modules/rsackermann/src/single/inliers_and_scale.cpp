@@ -50,7 +50,8 @@ bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator:
         motion.scale = SCALE_WALL;
         motion.wallDistance = params.wallDistance;
     }
-    else if (unit > 0 && prior.speedSigma > 0 && speed > 0)
+    else if (unit > 0 && prior.speedSigma > 0 && speed > 0 &&
+             prior.speed * motion.direction >= 0) // not with another sign
     {
         motion.scale = SCALE_SPEED;
         motion.wallDistance = std::abs(prior.speed) * unit / speed;
