@@ -79,8 +79,10 @@ void Batch::correct(size_t index, const Task& task)
     const std::string& input = inputs_[index].name;
     std::string error;
     std::vector<std::string> lines;
-    for (const FrameReport& frame : correctFile(index, task.targets, error))
+    const std::vector<FrameReport> frames = correctFile(index, task.targets, error);
+    for (const FrameReport& frame : frames)
         lines.push_back(reportLine(frame));
+    warnOfContradictions(input, frames);
     if (task.isReported)
         lines.clear();
     report(lines);
@@ -150,6 +152,22 @@ std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets
     if (isVideo(input)) // whether it has come to its end or not
         corrector_.reset();
     return frames;
+}
+
+// Once for each input: a sensor that is wrong is so in many frames.
+void Batch::warnOfContradictions(const std::string& input, const std::vector<FrameReport>& frames)
+{
+    const FrameReport* first = nullptr;
+    size_t count = 0;
+    for (const FrameReport& frame : frames)
+        if (frame.motion.contradictsPrior && count++ == 0)
+            first = &frame;
+    if (!first)
+        return;
+    progress_.clear();
+    std::cerr << "rsackermann_correct: " << input << ": "
+              << (first->frame >= 0 ? cv::format("frame %d of %zu such: ", first->frame, count) : "")
+              << contradiction(*first) << std::endl;
 }
 
 void Batch::fail(const std::string& input, const std::string& message)

@@ -42,6 +42,7 @@ private:
     FrameFacts factsOf(size_t index) const;
     NextFrame nextOf(size_t index) const;
     std::vector<FrameReport> correctFile(size_t index, const Targets& targets, std::string& error);
+    void warnOfContradictions(const std::string& input, const std::vector<FrameReport>& frames);
     void fail(const std::string& input, const std::string& message);
     void report(const std::vector<std::string>& lines);
 

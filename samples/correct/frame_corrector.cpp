@@ -118,6 +118,7 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     corrector_->getSegments(segments, labels);
     corrector_->getMaps(map1, map2);
     report.time = facts_.time;
+    report.prior = corrector_->getPrior();
     report.segments = segments.rows;
     // Without a motion the maps undo the lens only.
     report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;

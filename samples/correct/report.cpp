@@ -128,6 +128,11 @@ std::string reportLine(const FrameReport& frame)
     line["pitch_rate_sigma"] = orNull(tilts, m.pitchRateSigma / unit / DEGREE);
     line["roll_rate_deg_s"] = orNull(tilts, m.rollRate / unit / DEGREE);
     line["roll_rate_sigma"] = orNull(tilts, m.rollRateSigma / unit / DEGREE);
+    line["contradicts_prior"] = m.contradictsPrior;
+    line["seen_yaw_rate_deg_s"] = orNull(m.seenYawRateSigma > 0, m.seenYawRate / DEGREE);
+    line["seen_yaw_rate_sigma"] = orNull(m.seenYawRateSigma > 0, m.seenYawRateSigma / DEGREE);
+    line["seen_speed_km_h"] = orNull(m.seenSpeedSigma > 0, m.seenSpeed / KMH);
+    line["seen_speed_sigma"] = orNull(m.seenSpeedSigma > 0, m.seenSpeedSigma / KMH);
     line["segments"] = frame.segments;
     line["candidates"] = m.candidates;
     line["inliers"] = m.inliers;
@@ -142,6 +147,33 @@ std::string reportLine(const FrameReport& frame)
     line["ms_map"] = frame.timings[2];
     line["ms_remap"] = frame.timings[3];
     return line.dump();
+}
+
+// Words on a given value and what is seen instead.
+static std::string comparison(const char* name, const char* unit, double given, double givenSigma, double seen,
+                              double seenSigma)
+{
+    return cv::format("given is a %s of %.1f %s (sigma %.1f), but the image shows %.1f (sigma %.1f)", name, given, unit,
+                      givenSigma, seen, seenSigma);
+}
+
+std::string contradiction(const FrameReport& frame)
+{
+    const AckermannMotion& m = frame.motion;
+    const MotionPrior& p = frame.prior;
+    const double sigmas = 3;
+    std::string words;
+    if (m.seenYawRateSigma > 0 &&
+        std::abs(m.seenYawRate - p.yawRate) > sigmas * std::hypot(m.seenYawRateSigma, p.yawRateSigma))
+        words = comparison("yaw rate", "deg/s", p.yawRate / DEGREE, p.yawRateSigma / DEGREE, m.seenYawRate / DEGREE,
+                           m.seenYawRateSigma / DEGREE);
+    if (m.seenSpeedSigma > 0 && std::abs(m.seenSpeed - p.speed) > sigmas * std::hypot(m.seenSpeedSigma, p.speedSigma))
+        words += (words.empty() ? "" : "; ") + comparison("speed", "km/h", p.speed / KMH, p.speedSigma / KMH,
+                                                          m.seenSpeed / KMH, m.seenSpeedSigma / KMH);
+    if (words.empty() && m.contradictsPrior)
+        words = cv::format("given is a speed of %.1f km/h (sigma %.1f), but the image shows the other direction",
+                           p.speed / KMH, p.speedSigma / KMH);
+    return words;
 }
 
 std::string failureLine(const std::string& input, const std::string& error)

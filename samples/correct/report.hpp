@@ -21,6 +21,7 @@ struct FrameReport
     cv::rsackermann::RollingShutterCamera camera;
     double roll, pitch; //!< degrees, with which the camera was mounted: of the log or of the camera
     cv::rsackermann::AckermannMotion motion;
+    cv::rsackermann::MotionPrior prior; //!< the given values
     int segments;
     double meanShift;  //!< pixels, mean distance between the maps and those that only undo the lens
     cv::Vec4d timings; //!< milliseconds of detection, estimation, maps and remapping
@@ -28,6 +29,9 @@ struct FrameReport
 
 //! A line of JSON; unknown values are null.
 std::string reportLine(const FrameReport& frame);
+
+//! Words on the given values that the image contradicts; none if there are none.
+std::string contradiction(const FrameReport& frame);
 
 //! A line of JSON for an input that isn't corrected, or not to its end.
 std::string failureLine(const std::string& input, const std::string& error);

@@ -112,6 +112,11 @@ TEST(Correct, report_keys)
                                 "pitch_rate_sigma",
                                 "roll_rate_deg_s",
                                 "roll_rate_sigma",
+                                "contradicts_prior",
+                                "seen_yaw_rate_deg_s",
+                                "seen_yaw_rate_sigma",
+                                "seen_speed_km_h",
+                                "seen_speed_sigma",
                                 "segments",
                                 "candidates",
                                 "inliers",
@@ -468,6 +473,44 @@ TEST(Evaluate, compares_with_the_truth)
     EXPECT_EQ(1, evaluate({"--truth=" + streetFolder() + "/truth.json", "--report=" + (folder / "maps.yml"),
                            "--maps=" + (folder / "maps.yml")})
                      .exitCode);
+}
+
+TEST(Correct, given_values_that_the_image_contradicts)
+{
+    const TemporaryFolder folder;
+    const std::string report = folder / "report.jsonl";
+    const auto run = [&](const Arguments& options) {
+        Arguments all = {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",
+                         "--report=" + report, "--overwrite"};
+        all.insert(all.end(), options.begin(), options.end());
+        const Outcome outcome = correct(all);
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        return outcome.messages;
+    };
+    ASSERT_EQ("", run({"--wall=2.5"}));
+    const double speed = reportOf(report)["speed_km_h"];
+    EXPECT_TRUE(reportOf(report)["seen_speed_km_h"].is_null());
+    ASSERT_GT(speed, 20);
+
+    EXPECT_EQ("", run({"--wall=2.5", cv::format("--speed=%.3f", speed)}));
+    EXPECT_EQ(false, reportOf(report)["contradicts_prior"]);
+    EXPECT_NEAR(speed, reportOf(report)["seen_speed_km_h"].get<double>(), 3);
+
+    const std::string reverse = cv::format("--speed=%.3f", -speed);
+    const std::string withWall = run({"--wall=2.5", reverse});
+    EXPECT_EQ(true, reportOf(report)["contradicts_prior"]);
+    for (const std::string& part :
+         {std::string("rolling.png"), cv::format("%.1f km/h (sigma 2.0)", -speed),
+          cv::format("the image shows %.1f (sigma", reportOf(report)["seen_speed_km_h"].get<double>())})
+        EXPECT_NE(std::string::npos, withWall.find(part)) << withWall;
+
+    const std::string withoutWall = run({reverse});
+    EXPECT_EQ(true, reportOf(report)["contradicts_prior"]);
+    EXPECT_NE(std::string::npos, withoutWall.find("the other direction")) << withoutWall;
+
+    const std::string yawRate = run({"--yaw_rate=90", "--gravity_sigma=0"});
+    EXPECT_EQ(true, reportOf(report)["contradicts_prior"]);
+    EXPECT_NE(std::string::npos, yawRate.find("yaw rate of 90.0 deg/s (sigma 1.0)")) << yawRate;
 }
 
 }} // namespace

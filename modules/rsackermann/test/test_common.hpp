@@ -79,6 +79,11 @@ inline AckermannMotion exampleMotion()
     m.rms = 0.25;
     m.scale = SCALE_SPEED;
     m.rollYawAmbiguous = true;
+    m.contradictsPrior = true;
+    m.seenYawRate = -0.125;
+    m.seenYawRateSigma = 0.0625;
+    m.seenSpeed = 17.5;
+    m.seenSpeedSigma = 0.75;
     m.expectedRaw = 3.5;
     m.expectedResidual = 1.25;
     m.probabilityWorse = 0.0625;
@@ -97,7 +102,9 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     expectSameFields(a, b,
                      {&T::alpha, &T::wallSlope, &T::wallOffset, &T::wallRatio, &T::roadSlope, &T::pitchRate,
                       &T::rollRate, &T::pitchRateSigma, &T::rollRateSigma, &T::rollCorrection, &T::pitchCorrection,
-                      &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedResidual, &T::probabilityWorse});
+                      &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedResidual, &T::probabilityWorse,
+                      &T::seenYawRate, &T::seenYawRateSigma, &T::seenSpeed, &T::seenSpeedSigma});
+    EXPECT_EQ(a.contradictsPrior, b.contradictsPrior);
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
     EXPECT_EQ(a.covariance, b.covariance);

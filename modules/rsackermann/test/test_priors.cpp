@@ -207,4 +207,54 @@ TEST(RSAckermann_Prior, sign_of_a_given_speed)
             }
 }
 
+TEST(RSAckermann_Prior, contradictions)
+{
+    struct
+    {
+        double speed, yawRate; // given less true; 0: not given
+        bool wallIsKnown, contradicts;
+    } const cases[] = {{0, 0, true, false},
+                       {0.3, 0, true, false},
+                       {-2 * trueSpeed, 0, true, true},
+                       {20, 0, true, true},
+                       {0.3, 0, false, false},
+                       {-2 * trueSpeed, 0, false, true},
+                       {0, 0.3 * degree, true, false},
+                       {0, -80 * degree, true, true},
+                       {0.3, -80 * degree, true, true}};
+    for (const auto& c : cases)
+        for (int seed = 0; seed < 5; seed++)
+        {
+            const Simulator truth = street();
+            AckermannEstimator::Params params;
+            params.wallDistance = c.wallIsKnown ? 2.5 : 0;
+            params.gravitySigma = 0; // or the roll explains the yaw rate as well
+            simulation::SegmentOptions options;
+            options.inlierRatio = 0.8;
+            options.noise = 0.15;
+            RNG rng(seed + 1);
+            MotionPrior prior;
+            prior.speed = trueSpeed + c.speed;
+            prior.speedSigma = c.speed == 0 ? 0 : 0.5;
+            prior.yawRate = trueYawRate + c.yawRate;
+            prior.yawRateSigma = c.yawRate == 0 ? 0 : degree;
+            const AckermannMotion m =
+                AckermannEstimator::create(truth.camera, params)
+                    ->estimate(simulation::randomSegments(truth, options, rng).ends, noArray(), prior);
+            const std::string name =
+                cv::format("speed %+g, yaw rate %+g, wall %d, seed %d", c.speed, c.yawRate, int(c.wallIsKnown), seed);
+            EXPECT_EQ(c.contradicts, m.contradictsPrior) << name;
+            EXPECT_EQ(c.speed != 0 && c.wallIsKnown, m.seenSpeedSigma > 0) << name;
+            EXPECT_EQ(c.yawRate != 0, m.seenYawRateSigma > 0) << name;
+            if (m.seenSpeedSigma > 0)
+            {
+                EXPECT_LT(std::abs(m.seenSpeed - trueSpeed), 4 * m.seenSpeedSigma) << name;
+            }
+            if (m.seenYawRateSigma > 0)
+            {
+                EXPECT_LT(std::abs(m.seenYawRate - trueYawRate), 4 * m.seenYawRateSigma) << name;
+            }
+        }
+}
+
 }} // namespace

@@ -16,7 +16,8 @@ AckermannMotion::AckermannMotion()
     : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), wallSlope(0), wallOffset(0), wallRatio(0),
       roadSlope(0), direction(1), pitchRate(0), rollRate(0), pitchRateSigma(0), rollRateSigma(0), rollCorrection(0),
       pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), covariance(Matx44d::zeros()), rollYawAmbiguous(false),
-      candidates(0), inliers(0), rms(0), expectedRaw(0), expectedResidual(0), probabilityWorse(0)
+      contradictsPrior(false), seenYawRate(0), seenYawRateSigma(0), seenSpeed(0), seenSpeedSigma(0), candidates(0),
+      inliers(0), rms(0), expectedRaw(0), expectedResidual(0), probabilityWorse(0)
 {
 }
 
@@ -139,6 +140,8 @@ void AckermannMotion::write(FileStorage& fs) const
     if (!inverseDepthOffset.empty())
         fs << "inverse_depth_offset" << inverseDepthOffset;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
+    fs << "contradicts_prior" << contradictsPrior << "seen_yaw_rate" << seenYawRate << "seen_yaw_rate_sigma"
+       << seenYawRateSigma << "seen_speed" << seenSpeed << "seen_speed_sigma" << seenSpeedSigma;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
 }
 
@@ -187,6 +190,11 @@ void AckermannMotion::read(const FileNode& fn)
     readMatrix(fn, "covariance", covariance);
     readOffset(fn, inverseDepthOffset, offsetArea);
     cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);
+    cv::read(fn["contradicts_prior"], contradictsPrior, contradictsPrior);
+    cv::read(fn["seen_yaw_rate"], seenYawRate, seenYawRate);
+    cv::read(fn["seen_yaw_rate_sigma"], seenYawRateSigma, seenYawRateSigma);
+    cv::read(fn["seen_speed"], seenSpeed, seenSpeed);
+    cv::read(fn["seen_speed_sigma"], seenSpeedSigma, seenSpeedSigma);
     cv::read(fn["candidates"], candidates, candidates);
     cv::read(fn["inliers"], inliers, inliers);
     cv::read(fn["rms"], rms, rms);

@@ -48,7 +48,7 @@ public:
     AckermannMotion estimate(InputArray segments, OutputArray labels, const MotionPrior& prior) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        return run(segmentRows(segments), labels, prior);
+        return runAndCompare(segmentRows(segments), labels, prior);
     }
 
     AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels,
@@ -60,7 +60,7 @@ public:
         detectSegments(image, found, params.detector, params.minLength);
         if (segments.needed())
             returnSegments(found, segments);
-        return run(segmentRows(found), labels, prior);
+        return runAndCompare(segmentRows(found), labels, prior);
     }
 
     void write(FileStorage& fs) const CV_OVERRIDE
@@ -74,6 +74,9 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_AckermannEstimator"; }
 
 private:
+    AckermannMotion runAndCompare(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
+    void compareYawRate(const AckermannMotion& seen, const MotionPrior& prior, AckermannMotion& motion) const;
+    void compareSpeed(const AckermannMotion& seen, const MotionPrior& prior, AckermannMotion& motion) const;
     AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
     RefinementProblem makeProblem(const MotionLimits& limits) const;
     int findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion, Mat& labels) const;
@@ -95,6 +98,70 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits
     problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
     problem.vehiclePitchSigma = isExact ? EXACT_GRAVITY : params.vehiclePitchSigma;
     return problem;
+}
+
+static const double CONTRADICTION = 3; // standard deviations
+
+static bool contradicts(double seen, double seenSigma, double given, double givenSigma)
+{
+    return std::abs(seen - given) > CONTRADICTION * std::hypot(seenSigma, givenSigma);
+}
+
+// The estimate is near a given value whatever the image shows: a contradiction shows without the values alone, since
+// one that is wrong would make the other one look so.
+AckermannMotion AckermannEstimatorImpl::runAndCompare(const Mat& segments, OutputArray labels,
+                                                      const MotionPrior& prior) const
+{
+    AckermannMotion motion = run(segments, labels, prior);
+    const bool isGiven = prior.yawRateSigma > 0 || prior.speedSigma > 0;
+    if (!isGiven || !(camera.lineDelay > 0) || (motion.status != MOTION_OK && motion.status != MOTION_NOT_SIGNIFICANT))
+        return motion;
+    // What is seen decides, not how seldom cars reverse, or drive or turn as fast as is given.
+    AckermannEstimatorImpl neutral(*this);
+    MotionPrior others = prior;
+    others.yawRateSigma = others.speedSigma = 0;
+    if (prior.yawRateSigma > 0)
+        neutral.params.priorYawRate = std::max(params.priorYawRate, std::abs(prior.yawRate));
+    if (prior.speedSigma > 0)
+    {
+        neutral.params.reverseProbability = 1;
+        neutral.params.priorSpeed = std::max(std::abs(prior.speed), prior.speedSigma);
+    }
+    const AckermannMotion seen = neutral.run(segments, noArray(), others);
+    if (seen.status != MOTION_OK)
+        return motion;
+    if (prior.yawRateSigma > 0)
+        compareYawRate(seen, prior, motion);
+    if (prior.speedSigma > 0)
+        compareSpeed(seen, prior, motion);
+    return motion;
+}
+
+void AckermannEstimatorImpl::compareYawRate(const AckermannMotion& seen, const MotionPrior& prior,
+                                            AckermannMotion& motion) const
+{
+    const double sigma = std::sqrt(seen.metricCovariance(camera)(0, 0));
+    if (!(sigma > 0) || !seen.yawRate(camera, motion.seenYawRate))
+        return;
+    motion.seenYawRateSigma = sigma;
+    motion.contradictsPrior |= contradicts(motion.seenYawRate, sigma, prior.yawRate, prior.yawRateSigma);
+}
+
+void AckermannEstimatorImpl::compareSpeed(const AckermannMotion& seen, const MotionPrior& prior,
+                                          AckermannMotion& motion) const
+{
+    // Without a wall's distance the sign is known, if the speed is.
+    const double B = seen.wallSlope, D = seen.wallOffset, scaled = std::hypot(B, D);
+    const Matx44d& C = seen.covariance;
+    const double sigma =
+        std::sqrt(std::max(B * B * C(1, 1) + 2 * B * D * C(1, 2) + D * D * C(2, 2), 0.)) / std::max(scaled, DBL_MIN);
+    motion.contradictsPrior |=
+        seen.direction * prior.speed < -CONTRADICTION * prior.speedSigma && sigma > 0 && scaled > CONTRADICTION * sigma;
+    const double speedSigma = std::sqrt(seen.metricCovariance(camera)(1, 1));
+    if (!(speedSigma > 0) || !seen.speed(camera, motion.seenSpeed))
+        return;
+    motion.seenSpeedSigma = speedSigma;
+    motion.contradictsPrior |= contradicts(motion.seenSpeed, speedSigma, prior.speed, prior.speedSigma);
 }
 
 AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const

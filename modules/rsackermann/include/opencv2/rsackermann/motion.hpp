@@ -178,6 +178,17 @@ public:
     //! Whether roll and yaw rate can't be distinguished: the uncertainty of the roll decides that of the yaw rate
     CV_PROP_RW bool rollYawAmbiguous;
 
+    /** Whether the image contradicts a given value: with a given yaw rate or speed (MotionPrior) the estimate goes
+    where the value is, and this tells that the image without the value is more than three standard deviations of both
+    away from it, or shows the other direction. Of frames that a sequence tracks it is false. */
+    CV_PROP_RW bool contradictsPrior;
+    //! Yaw rate in radians per second that the image shows without the given one
+    CV_PROP_RW double seenYawRate;
+    CV_PROP_RW double seenYawRateSigma; //!< standard deviation of seenYawRate; 0: none is given, or it isn't known
+    //! Speed in metres per second that the image shows without the given one; needs the distance of the wall
+    CV_PROP_RW double seenSpeed;
+    CV_PROP_RW double seenSpeedSigma; //!< standard deviation of seenSpeed; 0: none is given, or it isn't known
+
     CV_PROP_RW int candidates; //!< segments that passed the gates
     CV_PROP_RW int inliers;    //!< candidates that agree with the motion
     CV_PROP_RW double rms;     //!< root mean square residual of the inliers in pixels
