@@ -65,7 +65,7 @@ measure()
     esac
     echo "street $(street --gravity_sigma=0) $(street)"
     echo "random $("$programs/rsackermann_experiment_harm" --quiet --frames=40 |
-        awk '/corrected: raw/ { print $8 } /^made worse/ { print $11 }' | xargs)"
+        awk '/corrected: raw/ { print $9 } /^made worse/ { print $11 }' | xargs)"
     if [ ${#drives[@]} -gt 0 ]; then
         echo "nothing $(on_drives --every=6 ${controls:+"$controls"})"
         echo "yaw_rate $(on_drives --every=6 --told=yaw_rate)"

@@ -99,11 +99,11 @@ inline AckermannMotion exampleMotion()
 inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
 {
     typedef AckermannMotion T;
-    expectSameFields(a, b,
-                     {&T::alpha, &T::wallSlope, &T::wallOffset, &T::wallRatio, &T::roadSlope, &T::pitchRate,
-                      &T::rollRate, &T::pitchRateSigma, &T::rollRateSigma, &T::rollCorrection, &T::pitchCorrection,
-                      &T::wallDistance, &T::rms, &T::expectedRaw, &T::expectedResidual, &T::probabilityWorse,
-                      &T::seenYawRate, &T::seenYawRateSigma, &T::seenSpeed, &T::seenSpeedSigma});
+    expectSameFields(a, b, {&T::alpha,         &T::wallSlope,        &T::wallOffset,       &T::wallRatio,
+                            &T::roadSlope,     &T::pitchRate,        &T::rollRate,         &T::pitchRateSigma,
+                            &T::rollRateSigma, &T::rollCorrection,   &T::pitchCorrection,  &T::wallDistance,
+                            &T::rms,           &T::expectedRaw,      &T::expectedResidual, &T::probabilityWorse,
+                            &T::seenYawRate,   &T::seenYawRateSigma, &T::seenSpeed,        &T::seenSpeedSigma});
     EXPECT_EQ(a.contradictsPrior, b.contradictsPrior);
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);

@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_corrector_common.hpp"
 #include "test_storage.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
 
 namespace opencv_test { namespace {
 
@@ -33,6 +34,62 @@ TEST(RSAckermann_Storage, reading_corrector_is_all_or_nothing)
 {
     checkAllOrNothing<RollingShutterCorrector>(exampleCorrectorParams(),
                                                "warp:\n   tolerance: -1\nestimator:\n   seed: 9\n");
+}
+
+template <class Algorithm>
+void expectRefusal(const std::string& file, const std::string& objname, const std::string& stored)
+{
+    const std::string own = Algorithm::create(exampleCamera())->getDefaultName();
+    if (own == stored)
+    {
+        EXPECT_NO_THROW(Algorithm::load(file, objname)) << own;
+        return;
+    }
+    try
+    {
+        Algorithm::load(file, objname);
+        ADD_FAILURE() << own << " was loaded from a file of " << stored;
+    }
+    catch (const cv::Exception& e)
+    {
+        EXPECT_NE(std::string::npos, e.err.find(stored)) << e.err;
+        EXPECT_NE(std::string::npos, e.err.find(own)) << e.err;
+    }
+    const FileStorage in(file, FileStorage::READ);
+    EXPECT_THROW(Algorithm::create(exampleCamera())->read(in.getFirstTopLevelNode()), cv::Exception) << own;
+}
+
+template <class Algorithm>
+void checkOthersRefuse()
+{
+    const Ptr<Algorithm> saved = Algorithm::create(exampleCamera());
+    const std::string file = cv::tempfile(".yml");
+    for (const std::string& objname : {std::string(), std::string("of_the_user")})
+    {
+        if (objname.empty())
+            saved->save(file);
+        else
+        {
+            FileStorage out(file, FileStorage::WRITE);
+            out.startWriteStruct(objname, FileNode::MAP);
+            saved->write(out);
+            out.endWriteStruct();
+        }
+        expectRefusal<AckermannEstimator>(file, objname, saved->getDefaultName());
+        expectRefusal<WarpMapGenerator>(file, objname, saved->getDefaultName());
+        expectRefusal<RollingShutterCorrector>(file, objname, saved->getDefaultName());
+        expectRefusal<MountCalibrator>(file, objname, saved->getDefaultName());
+    }
+    remove(file.c_str());
+}
+
+// Parameters that are missing keep their values: the file of another algorithm would be one without any.
+TEST(RSAckermann_Storage, files_of_other_algorithms)
+{
+    checkOthersRefuse<AckermannEstimator>();
+    checkOthersRefuse<WarpMapGenerator>();
+    checkOthersRefuse<RollingShutterCorrector>();
+    checkOthersRefuse<MountCalibrator>();
 }
 
 }} // namespace
