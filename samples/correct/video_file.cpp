@@ -6,6 +6,7 @@
 #include "files.hpp"
 #include "options.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <map>
@@ -43,9 +44,9 @@ void setRateOfAvi(const std::string& path, double framesPerSecond)
     file.read(name, 4);
     if (std::string(name, 4) != "strh")
         throw InputError(path + " has no header as expected of an AVI");
-    putNumber(file, INTERVAL, uint32_t(1e6 / framesPerSecond + 0.5));
+    putNumber(file, INTERVAL, uint32_t(std::lround(1e6 / framesPerSecond)));
     putNumber(file, SCALE, scale);
-    putNumber(file, RATE, uint32_t(framesPerSecond * scale + 0.5));
+    putNumber(file, RATE, uint32_t(std::lround(framesPerSecond * scale)));
 }
 
 } // namespace

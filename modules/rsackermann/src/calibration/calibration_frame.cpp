@@ -49,14 +49,9 @@ FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector
 {
 }
 
-static Matx33d tilt(double roll, double pitch)
-{
-    return rollRotation(roll) * pitchRotation(pitch);
-}
-
 static Matx33d tilt(const FrameVector& value)
 {
-    return tilt(value[SEQUENCE_ROLL], value[SEQUENCE_PITCH]);
+    return tiltRotation(value[SEQUENCE_ROLL], value[SEQUENCE_PITCH]);
 }
 
 // The motion during the image, in which each effect has the line delay of its own.
@@ -178,7 +173,8 @@ void FrameProblem::addSlants(const CalibrationFrame& frame, std::vector<DepthRes
 void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const
 {
     const double *u = value.data(), roll = u[SEQUENCE_ROLL], pitch = u[SEQUENCE_PITCH];
-    const Matx33d R = tilt(roll, pitch), rolled = tilt(roll + STEP, pitch), pitched = tilt(roll, pitch + STEP);
+    const Matx33d R = tiltRotation(roll, pitch), rolled = tiltRotation(roll + STEP, pitch),
+                  pitched = tiltRotation(roll, pitch + STEP);
     const double shift = timeShift(frame.interval, givenUnit, unit),
                  perturbedShift = timeShift(frame.interval, givenUnit, unit * (1 + STEP));
     const auto evaluatePoint = [&](const TrackedBearing& s, Eigen::Matrix<double, COLUMNS, 2>& J) {

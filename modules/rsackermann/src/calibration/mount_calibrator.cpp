@@ -305,8 +305,7 @@ private:
         c.lineDelayObserved =
             isObserved(sigma, before, MOUNT_DELAY) && fit.turningSigma < OBSERVED * before[MOUNT_DELAY];
         // The azimuths are those of the upright frame, in which the optical axis may have moved.
-        const Matx33d upright =
-            rollRotation(fit.value[MOUNT_ROLL]) * pitchRotation(fit.value[MOUNT_PITCH]) * given.uprightRotation;
+        const Matx33d upright = tiltRotation(fit.value[MOUNT_ROLL], fit.value[MOUNT_PITCH]) * given.uprightRotation;
         c.camera.setGravity(Vec3d(upright(1, 0), upright(1, 1), upright(1, 2)));
         c.camera.heading = c.heading =
             given.heading + fit.value[MOUNT_HEADING] - std::atan2(upright(0, 2), upright(2, 2));

@@ -15,7 +15,7 @@ inline double relativeLineDelaySigma(const RollingShutterCamera& camera)
     return camera.lineDelay > 0 ? camera.lineDelaySigma / camera.lineDelay : 0;
 }
 
-//! Standard deviation in row time of a rate that is told per second, for each second of it.
+//! Standard deviation in row time of a rate that is given per second, for each second of it.
 inline double rateSigma(const RollingShutterCamera& camera, double rate, double sigma)
 {
     return std::hypot(sigma, rate * relativeLineDelaySigma(camera));

@@ -9,7 +9,7 @@
 
 namespace cv { namespace rsackermann {
 
-//! For the motion: points can still be told to a tenth of a pixel of the result.
+//! For the motion: points are still located to a tenth of a pixel of the result.
 const size_t COARSE_PIXELS = 300000;
 //! For the inverse-depth offset, which more points show better, if there is time.
 const size_t FINE_PIXELS = 1200000;

@@ -9,7 +9,7 @@
 
 namespace cv { namespace rsackermann {
 
-//! The state of a drive, from one frame to the next. Lengths are metres if the camera's height is told, and near to
+//! The state of a sequence, from one frame to the next. Lengths are metres if the camera's height is given, and near to
 //! that if not.
 enum SequenceValue {
     SEQUENCE_YAW_RATE,  //!< rad/s

@@ -23,11 +23,11 @@ struct Agreement
 void labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading,
                   const Agreement& agreement, AckermannMotion& motion, Mat& labels);
 
-//! Whether roll and yaw rate can't be told apart.
+//! Whether roll and yaw rate can't be distinguished.
 bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance);
 
-/** Gives a motion the length that a told wall or speed is.
-@return false if neither is told. */
+/** Gives a motion the length that a given wall or speed determines.
+@return false if neither is given. */
 bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                    const MotionPrior& prior, AckermannMotion& motion);
 
