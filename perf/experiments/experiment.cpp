@@ -111,6 +111,24 @@ double predictedDisplacement(const RollingShutterCamera& camera, const Ackermann
     return sum / samples;
 }
 
+// A mask of what is next to edges that are more than noise: displacements can be seen there alone.
+cv::Mat structureOf(const cv::Mat& image)
+{
+    const double visible = 60; // square of Sobel's derivative, of a contrast that can be seen
+    cv::Mat gray, x, y, energy;
+    cv::GaussianBlur(image, gray, cv::Size(), 1.5);
+    if (gray.channels() > 1)
+        cv::cvtColor(gray, gray, cv::COLOR_BGR2GRAY);
+    cv::Sobel(gray, x, CV_32F, 1, 0);
+    cv::Sobel(gray, y, CV_32F, 0, 1);
+    energy = x.mul(x) + y.mul(y);
+    cv::GaussianBlur(energy, energy, cv::Size(), 4);
+    std::vector<float> sorted(energy.begin<float>(), energy.end<float>());
+    const size_t lowest = sorted.size() / 20;
+    std::nth_element(sorted.begin(), sorted.begin() + lowest, sorted.end());
+    return energy > visible + 3 * sorted[lowest];
+}
+
 } // namespace
 
 cv::Mat makeImage(const Case& c)
@@ -157,6 +175,8 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     result.raw = meanDistance(identity[0], identity[1], truth[0], truth[1], mask);
     result.left = meanDistance(estimated[0], estimated[1], truth[0], truth[1], mask);
 
+    const cv::Mat seen = mask & structureOf(image);
+    result.seenLeft = meanDistance(estimated[0], estimated[1], truth[0], truth[1], seen);
     result.expectedResidual = motion.expectedResidual;
 
     double yawRate = 0, speed = 0;

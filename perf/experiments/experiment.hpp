@@ -56,6 +56,7 @@ struct Result
 {
     int status, model, candidates, inliers;
     double raw, left;        //!< mean displacement in pixels before and after
+    double seenLeft;         //!< mean displacement after the correction next to edges
     double expectedResidual; //!< what the estimator expects to be left
     double yawRateError;     //!< degrees per second
     double yawRateSigma;     //!< its standard deviation as the estimator sees it; NaN if there is none

@@ -21,7 +21,7 @@ namespace {
 const char* const ABOUT =
     "Renders frames of streets at random, with motions, scenes, errors of the camera and bad images each as often as\n"
     "in a drive, corrects each alone, and counts those that are made worse. Prints what was expected to be left\n"
-    "against what is left, and how often the yaw rate is within its standard deviations.\n";
+    "against what is left next to edges, and how often the yaw rate is within its standard deviations.\n";
 
 const char* const KEYS = "{help       |        | print this message}"
                          "{frames     | 1000   | number of frames}"
@@ -92,7 +92,7 @@ void printCalibration(std::vector<Score> scores)
 {
     std::sort(scores.begin(), scores.end(),
               [](const Score& a, const Score& b) { return a.expectedResidual < b.expectedResidual; });
-    std::printf("\ntenth of the frames | expected to be left, px | left, px | expected / left\n");
+    std::printf("\ntenth of the frames | expected to be left, px | left, px | expected / left (next to edges)\n");
     for (size_t i = 0; i < 10; i++)
     {
         std::vector<double> expected, left;
@@ -149,7 +149,7 @@ int run(const Options& options)
             cv::GaussianBlur(image, image, cv::Size(), frame.blur);
         results.push_back(evaluate(frame.street, image, frame.experiment, unsigned(first + i)));
         const Result& r = results.back();
-        const Score score = {r.left, r.expectedResidual};
+        const Score score = {r.seenLeft, r.expectedResidual};
         if (r.status == MOTION_OK)
             scores.push_back(score);
         if (!options.flag("quiet"))

@@ -146,4 +146,33 @@ TEST(RSAckermann_DisplacementField, main_motion)
     }
 }
 
+// What is seen in one place counts as often there as it is seen: the mean displacement goes from that over the image to
+// that of the place.
+TEST(RSAckermann_DisplacementField, counts_where_something_is_seen)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    Model m;
+    m[P_ALPHA] = 0.01;
+    const auto mean = [&](const std::vector<Point2d>& seen) {
+        DisplacementField::Values values;
+        DisplacementField(camera, seen).displacement(m, 0, values);
+        return DisplacementField::meanDistance(values, DisplacementField::Values(), DisplacementField::Variances());
+    };
+    // The corner of the image, but for the distance of the grid's outermost point from it.
+    const Vec3d corner = camera.uprightRotation * (camera.cameraMatrix.inv() * Vec3d(1, 1, 1));
+    const Point2d place(corner[0] / corner[2], corner[1] / corner[2]);
+    const Point2d pixel(0.5 * camera.imageSize.width / DisplacementField::COLUMNS - 0.5,
+                        0.5 * camera.imageSize.height / DisplacementField::ROWS - 0.5);
+    const Vec3d point = camera.uprightRotation * (camera.cameraMatrix.inv() * Vec3d(pixel.x, pixel.y, 1));
+    const double x = point[0] / point[2], y = point[1] / point[2], f = camera.cameraMatrix(0, 0),
+                 t = camera.rowTime(pixel), there = f * std::abs(t) * 0.02 * std::hypot(1 + x * x, x * y);
+    const double everywhere = mean(std::vector<Point2d>());
+    for (int n = 1; n <= 1000; n *= 10)
+    {
+        const double points = DisplacementField::POINTS;
+        EXPECT_NEAR((points * everywhere + n * there) / (points + n), mean(std::vector<Point2d>(n, place)),
+                    1e-3 * there);
+    }
+}
+
 }} // namespace

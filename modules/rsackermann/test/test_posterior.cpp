@@ -130,6 +130,16 @@ TEST(RSAckermann_Posterior, walls_of_slanted_lines_are_no_motion)
     EXPECT_LE(moved, 3);
 }
 
+// Some of many lines agree with some motion by chance: a scene in which most don't shows none.
+TEST(RSAckermann_Posterior, few_lines_that_agree_are_no_motion)
+{
+    RNG rng(4);
+    int moved = 0;
+    for (int k = 0; k < 90; k++)
+        moved += estimate(carCamera(), leaningSegments(carCamera(), 30 * (1 + k % 3), 10 * degree, rng)).status == MOTION_OK;
+    EXPECT_LE(moved, 1);
+}
+
 TEST(RSAckermann_Posterior, roll_that_is_not_told_is_no_motion)
 {
     RNG rng(2);

@@ -121,7 +121,10 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     Matx<double, 1, SEQUENCE_VALUES> roadByValues;
     roadByValues(0, SEQUENCE_SPEED) = unit * value[SEQUENCE_ROAD];
     roadByValues(0, SEQUENCE_ROAD) = unit * value[SEQUENCE_SPEED];
-    const DisplacementField field(camera);
+    std::vector<Point2d> places;
+    for (size_t i = 0; i < features.bearings.size(); i++)
+        places.push_back(features.bearings[i].now);
+    const DisplacementField field(camera, places);
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
     field.displacement(model, G, displacement);

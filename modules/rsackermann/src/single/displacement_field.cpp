@@ -11,7 +11,7 @@ namespace cv { namespace rsackermann {
 
 static const double NEXT_TO_NOTHING = 0.05; // of the displacement
 
-DisplacementField::DisplacementField(const RollingShutterCamera& camera)
+DisplacementField::DisplacementField(const RollingShutterCamera& camera, const std::vector<Point2d>& seen)
     : fx(camera.cameraMatrix(0, 0)), fy(camera.cameraMatrix(1, 1)), headingSine(std::sin(camera.heading)),
       headingCosine(std::cos(camera.heading))
 {
@@ -29,6 +29,24 @@ DisplacementField::DisplacementField(const RollingShutterCamera& camera)
         points[k].y = bearing[1] / z;
         points[k].t = camera.rowTime(pixels[k]);
     }
+    weigh(seen);
+}
+
+// As often as something is seen nearest to a point, and once more: what isn't seen may still be there.
+void DisplacementField::weigh(const std::vector<Point2d>& seen)
+{
+    Vec<double, POINTS> count = Vec<double, POINTS>::all(1);
+    for (size_t i = 0; i < seen.size(); i++)
+    {
+        const auto distance = [&](const Point& p) {
+            return (p.x - seen[i].x) * (p.x - seen[i].x) + (p.y - seen[i].y) * (p.y - seen[i].y);
+        };
+        const Point* nearest = std::min_element(
+            points, points + POINTS, [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
+        count[int(nearest - points)]++;
+    }
+    for (int k = 0; k < POINTS; k++)
+        points[k].t *= count[k] * POINTS / double(POINTS + seen.size());
 }
 
 namespace {

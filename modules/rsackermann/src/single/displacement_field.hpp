@@ -13,7 +13,8 @@ namespace cv { namespace rsackermann {
 /** By how much a motion displaces the pixels of an image, to first order, at the points of a grid (doc/theory.md,
 "Posterior").
 
-Displacements of several motions can be averaged and compared, which their parameters can't.
+Displacements of several motions can be averaged and compared, which their parameters can't. Each point counts by what
+the image shows next to it: an empty road, however near, isn't seen to move.
 */
 class DisplacementField
 {
@@ -22,9 +23,11 @@ public:
     typedef Vec<double, 2 * POINTS> Values; //!< pixels: horizontal, vertical for each point
     typedef Vec<double, POINTS> Variances;  //!< square pixels
 
-    explicit DisplacementField(const RollingShutterCamera& camera);
+    //! @param seen upright bearings, with z = 1, of what the image shows; without any, all points count alike.
+    explicit DisplacementField(const RollingShutterCamera& camera,
+                               const std::vector<Point2d>& seen = std::vector<Point2d>());
 
-    //! @param G slope of the road's scaled inverse depth.
+    //! Times the weight of the point. @param G slope of the road's scaled inverse depth.
     void displacement(const Model& model, double G, Values& values) const;
 
     //! Adds what rows that pitch and roll by so much per unit of row time contribute.
@@ -44,8 +47,10 @@ public:
 private:
     struct Point
     {
-        double x, y, t;
+        double x, y, t; // t: row time, times the weight, which is 1 in the mean
     };
+
+    void weigh(const std::vector<Point2d>& seen);
 
     Point points[POINTS];
     double fx, fy, headingSine, headingCosine;

@@ -209,7 +209,7 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
 int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion,
                                        Mat& labels) const
 {
-    if (!explorePosterior(problem, params, DisplacementField(camera), found))
+    if (!explorePosterior(problem, params, DisplacementField(camera, problem.ends()), found))
         return MOTION_NO_CONSENSUS;
     const Agreement agreement = {problem.focal, params.threshold, problem.lean};
     labelInliers(problem.verticals, found.model, problem.heading, agreement, motion, labels);

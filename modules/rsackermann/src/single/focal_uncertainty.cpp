@@ -42,8 +42,8 @@ void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterC
         !(refine(rescaled, found.hypothesis, ALL_SEGMENTS, ITERATIONS, otherModel) < DBL_MAX))
         return;
     DisplacementField::Values displacement, otherDisplacement;
-    DisplacementField(camera).displacement(model, roadOf(found, model), displacement);
-    DisplacementField(other).displacement(otherModel, roadOf(found, otherModel), otherDisplacement);
+    DisplacementField(camera, problem.ends()).displacement(model, roadOf(found, model), displacement);
+    DisplacementField(other, rescaled.ends()).displacement(otherModel, roadOf(found, otherModel), otherDisplacement);
     const double moved =
         DisplacementField::meanDistance(displacement, otherDisplacement, DisplacementField::Variances());
     found.expectedResidual = std::hypot(found.expectedResidual, moved);

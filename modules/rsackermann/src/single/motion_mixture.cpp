@@ -72,7 +72,7 @@ Posterior MotionMixture::best() const
     for (size_t i = 0; i < components.size(); i++)
         if (probability[i] > NEGLIGIBLE)
             samples.add(components[i].model, components[i].covariance, probability[i]);
-    Correction correction = samples.geometricMedian();
+    Correction correction = samples.middleOfMoving();
     correction = correction.scaled(bestFraction(samples, correction, harmAversion));
     const MotionSamples::Expectation expected = samples.expect(correction);
 

@@ -28,8 +28,7 @@ public:
 
     /** The correction with the least expected residual and harm.
 
-    Its direction is the geometric median of the displacement fields, which is that of the most probable motions if they
-    have more than half of the probability, and between all of them otherwise; its size is the fraction of it that
+    Of the middle of all motions but rest, a mean in which few that are far away hardly count, it is the fraction that
     minimises the expected residual plus harmAversion times the expected harm, E[max(0, residual - raw)]. */
     Posterior best() const;
 

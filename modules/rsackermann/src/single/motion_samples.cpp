@@ -116,21 +116,33 @@ Correction MotionSamples::mean(const std::vector<double>& share) const
     return result;
 }
 
-Correction MotionSamples::geometricMedian() const
+// Huber's location, by weights: beyond the mean distance a motion counts by its direction only.
+Correction MotionSamples::middleOfMoving() const
 {
-    const int steps = 12;      // of Weiszfeld's iteration
-    const double least = 1e-3; // pixels: nearer than this nothing is to be gained
-    Correction median = mean(weights);
-    std::vector<double> share(weights.size());
+    const int steps = 12;
+    std::vector<double> moving(weights);
+    double sum = 0;
+    for (size_t i = 0; i < moving.size(); i++)
+        sum += moving[i] = raw[i] > 0 ? weights[i] : 0;
+    if (!(sum > 0))
+        return Correction();
+    Correction middle = mean(moving);
+    std::vector<double> distance(moving.size()), share(moving.size());
     for (int step = 0; step < steps; step++)
     {
         float values[SIZE];
-        fieldOf(median, values);
-        for (size_t i = 0; i < weights.size(); i++)
-            share[i] = weights[i] / std::max(least, meanDistance(&fields[i * SIZE], values, PADDED));
-        median = mean(share);
+        fieldOf(middle, values);
+        double meanOfAll = 0;
+        for (size_t i = 0; i < moving.size(); i++)
+        {
+            distance[i] = meanDistance(&fields[i * SIZE], values, PADDED);
+            meanOfAll += moving[i] / sum * distance[i];
+        }
+        for (size_t i = 0; i < moving.size(); i++)
+            share[i] = moving[i] / std::max(std::max(meanOfAll, distance[i]), DBL_MIN);
+        middle = mean(share);
     }
-    return median;
+    return middle;
 }
 
 MotionSamples::Expectation MotionSamples::expect(const Correction& correction) const

@@ -36,8 +36,8 @@ public:
     @param covariance of the model's B, D and lambda. */
     void add(const Model& model, const Matx<double, PARAMETERS, PARAMETERS>& covariance, double weight);
 
-    //! The correction between all motions with the smallest expected residual.
-    Correction geometricMedian() const;
+    //! The middle of the motions but rest: the mean, in which few that are far away hardly count.
+    Correction middleOfMoving() const;
 
     struct Expectation
     {
@@ -56,7 +56,7 @@ private:
 
     void addSample(const Model& model, double G, double weight);
     void fieldOf(const Correction& correction, float* values) const;
-    Correction mean(const std::vector<double>& weights) const;
+    Correction mean(const std::vector<double>& share) const;
 
     const DisplacementField& field;
     const DrivingPrior& prior;

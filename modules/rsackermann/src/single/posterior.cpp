@@ -19,6 +19,7 @@ static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
 static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
 static const double WALLS_PRIOR = 0.7;
 static const double ONE_WALL_PRIOR = 0.1; // of a street that is open to one side
+static const double NO_STREET_PRIOR = 0.01; // of a scene without verticals, over that of one with them
 static const double SAME_LEAN = 1.3;      // ratio below which the noise counts as unchanged
 static const double FIRST_STEP = 0.7;     // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
@@ -58,6 +59,7 @@ public:
         measureNoise(fits);
         mixture.setRoadContact(roadContact(fits));
         addFit(fits[0], prior.logRest());
+        addSceneWithoutVerticals(fits[0]);
         for (size_t i = 0; i < all.size(); i++)
         {
             const Fit& fit = fits[i + 1];
@@ -236,6 +238,12 @@ private:
     double ownNoiseOf(const Fit& fit) const
     {
         const Slants slants(problem, fit.model, fit.hypothesis.translates());
+        return fitSlantNoise(slants, problem.focal, &noise).logLikelihood + costOf(slants) / 2;
+    }
+
+    // That of the verticals in the refinement, as if they erred independently.
+    double costOf(const Slants& slants) const
+    {
         double cost = 0;
         for (size_t i = 0; i < slants.size(); i++)
         {
@@ -244,7 +252,7 @@ private:
                          s2 = problem.lossScale * problem.lossScale;
             cost += r2 * s2 / (r2 + s2);
         }
-        return fitSlantNoise(slants, problem.focal, &noise).logLikelihood + cost / 2;
+        return cost;
     }
 
     // Laplace's approximation of the contribution of a fit at one yaw rate.
@@ -278,6 +286,21 @@ private:
         fit.model[P_STREET] = problem.heading.angle;
         fit.refine(problem);
         return fit;
+    }
+
+    // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known without
+    // the image, turning alone. Other segments are as with a camera at rest.
+    void addSceneWithoutVerticals(const Fit& rest)
+    {
+        Fit unseen(MotionHypothesis(MODEL_1LA, 0));
+        unseen.model[P_STREET] = problem.heading.angle;
+        unseen.model[P_ALPHA] = prior.given().alpha;
+        const Slants slants(problem, unseen.model, false), ofRest(problem, rest.model, false);
+        const double tilts = problem.gravitySigma * problem.vehiclePitchSigma,
+                     otherCost = rest.cost - costOf(ofRest) / dependence;
+        mixture.add(unseen, unseen.hypothesis,
+                    std::log(NO_STREET_PRIOR * tilts) - otherCost / 2 +
+                        (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
     }
 
     // Without a yaw rate there is nothing to sweep over.

@@ -19,6 +19,18 @@ void RefinementProblem::arrange()
     weigh();
 }
 
+std::vector<Point2d> RefinementProblem::ends() const
+{
+    std::vector<Point2d> points;
+    for (const std::vector<UprightSegment>* segments : {&verticals, &others})
+        for (const UprightSegment& s : *segments)
+        {
+            points.push_back(Point2d(s.u[0], s.u[1]));
+            points.push_back(Point2d(s.v[0], s.v[1]));
+        }
+    return points;
+}
+
 void RefinementProblem::weigh()
 {
     verticalArrays.weigh(verticals, focal, sigma, lean);

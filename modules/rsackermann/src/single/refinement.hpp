@@ -49,6 +49,9 @@ struct RefinementProblem
     void arrange();
     //! Weighs the arrays, after the focal length or a sigma has changed.
     void weigh();
+
+    //! Upright bearings of the ends of all segments.
+    std::vector<Point2d> ends() const;
 };
 
 //! Whether a model has its walls where verticals are: two walls are seen together if the line at infinity lies between

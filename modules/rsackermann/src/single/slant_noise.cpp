@@ -141,6 +141,24 @@ SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* s
     return best;
 }
 
+double logLikelihoodWithoutVerticals(const Slants& slants)
+{
+    const int steps = 12;
+    double scale = OTHER_LEAN;
+    for (int step = 0; step < steps; step++)
+    {
+        double squares = 0;
+        for (size_t i = 0; i < slants.size(); i++)
+            squares += StudentT(slants.slant[i], scale * scale).weighedSquare(slants.slant[i]);
+        scale = scaleOf(squares, double(slants.size()), OTHER_LEAN);
+    }
+    const double unusual = std::log(scale / OTHER_LEAN);
+    double sum = -0.5 * unusual * unusual;
+    for (size_t i = 0; i < slants.size(); i++)
+        sum += std::log(StudentT(slants.slant[i], scale * scale).density);
+    return sum;
+}
+
 double dependenceOf(const Slants& s, const SlantNoise& noise, double focal, double rollSigma)
 {
     // Robust: the influence of each slant.

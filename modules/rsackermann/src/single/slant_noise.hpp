@@ -40,6 +40,9 @@ struct SlantNoise
 @param start noise of other slants of the same image, which has the detector's error, or null. */
 SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* start = 0);
 
+//! The highest logarithm of the likelihood if no slant is that of a vertical.
+double logLikelihoodWithoutVerticals(const Slants& slants);
+
 /** By how much the slants say less than their number (doc/theory.md, "Evidence"): verticals of one facade err together.
 @param rollSigma of gravity. */
 double dependenceOf(const Slants& slants, const SlantNoise& noise, double focal, double rollSigma);

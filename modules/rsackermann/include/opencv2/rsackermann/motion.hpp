@@ -193,8 +193,10 @@ public:
     CV_PROP_RW int inliers;    //!< candidates that agree with the motion
     CV_PROP_RW double rms;     //!< root mean square residual of the inliers in pixels
 
-    CV_PROP_RW double expectedRaw;      //!< mean displacement in pixels that is to be expected of the raw image
-    CV_PROP_RW double expectedResidual; //!< mean displacement in pixels that is to be expected of the corrected image
+    //! Mean displacement in pixels that is to be expected of the raw image, where segments or tracked points show the
+    //! scene
+    CV_PROP_RW double expectedRaw;
+    CV_PROP_RW double expectedResidual; //!< the same of the corrected image
     //! Probability that the corrected image is displaced more than the raw one
     CV_PROP_RW double probabilityWorse;
 };
