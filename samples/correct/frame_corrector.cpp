@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "frame_corrector.hpp"
+#include "caption.hpp"
 #include "log_use.hpp"
 #include "map_distance.hpp"
 #include "units.hpp"
@@ -128,6 +129,7 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     {
         frame.overlay = pictureOf(image);
         drawMotion(frame.overlay, segments, labels, camera_, report.motion);
+        drawCaption(frame.overlay, captionOf(report.motion));
     }
     return frame;
 }

@@ -42,7 +42,7 @@ const char* const JOB_KEYS =
     "{seed       | 0      | seed of the random numbers; no effect on frames that --carry tracks}"
     "{threads    |        | maximum number of threads}"
     "{output     |        | corrected image or video; a folder, made if missing, if there are several inputs}"
-    "{overlay    |        | picture of the segments and the road's borders; a folder as for --output}"
+    "{overlay    |        | picture of the segments, the road's borders and what is expected; a folder as for --output}"
     "{report     |        | file with a line of JSON for each image or frame; - for standard output}"
     "{maps       |        | FileStorage file with the maps for cv::remap (map1, map2); several inputs: a folder as "
     "for --output with NAME.yml.gz, for a video with NAME_NNNNNN.yml.gz for each frame}"

@@ -103,7 +103,7 @@ static void drawBorder(Mat& image, const std::vector<Point2d>& pixels, const Rol
                   places);
     for (size_t i = 1; i < places.size(); i++)
         if (places[i - 1].exists && places[i].exists)
-            drawLine(image, places[i - 1].point, places[i].point, Scalar(0, 255, 0), thickness);
+            drawLine(image, places[i - 1].point, places[i].point, Scalar(0, 255, 255), thickness);
 }
 
 void drawMotion(InputOutputArray image_, InputArray segments_, InputArray labels_, const RollingShutterCamera& camera,

@@ -207,7 +207,7 @@ double inequality(const RollingShutterCamera& other, double speed)
     params.reverseProbability = 0.5; // neither description is less likely
     double sum = 0;
     int compared = 0;
-    for (int i = 0; i < 60; i++)
+    for (int i = 0; i < 65; i++)
     {
         const double right = rng.uniform(2., 4.), left = rng.uniform(2., 4.), yawRate = rng.uniform(-0.7, 0.7);
         const Simulator simulator = Simulator::fromMetric(camera, yawRate, speed, left, right, 0.02);

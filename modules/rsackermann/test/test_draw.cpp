@@ -94,7 +94,7 @@ TEST_P(DrawBorders, are_where_walls_meet_the_road)
     drawMotion(image, noArray(), noArray(), camera, makeMotion(camera), 1);
 
     Mat drawn;
-    inRange(image, Scalar(0, 100, 0), Scalar(0, 255, 0), drawn);
+    inRange(image, Scalar(0, 100, 100), Scalar(0, 255, 255), drawn);
     const std::vector<Point2d> points = borderPoints(camera, camera.heading);
     ASSERT_GT(points.size(), 30u);
     Mat expected = Mat::zeros(camera.imageSize, CV_8U), wide;

@@ -69,6 +69,7 @@ public:
     double alphaScale() const { return yawRateIsGiven() ? given_.alphaSigma : yawScale; }
     bool yawRateIsGiven() const { return given_.alphaSigma > 0; }
     bool speedIsGiven() const { return given_.speedSigma > 0; }
+    bool scaledSpeedIsGiven() const { return given_.scaledSpeedSigma > 0; }
     //! Scaled speed sqrt(B^2 + D^2) that is to be expected, for 1 forward and -1 reverse.
     double expectedScaledSpeed(int direction) const;
     //! The direction of a given speed: 1 or -1; 0: none is given.
@@ -77,7 +78,6 @@ public:
     double roadRatio() const { return ratio; }
 
 private:
-    bool scaledSpeedIsGiven() const { return given_.scaledSpeedSigma > 0; }
     double directionPenalty(int direction, const MotionHypothesis& hypothesis) const;
     Jet yawResidual(double alpha) const;
     Jet speedResidual(const Model& model, const MotionHypothesis& hypothesis) const;

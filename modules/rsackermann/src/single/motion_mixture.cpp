@@ -61,7 +61,7 @@ static double bestFraction(const MotionSamples& samples, const Correction& corre
         }
     }
     const double least = 1e-3; // pixels: by less nothing is to be gained
-    const double best = loss(1) <= loss((low + high) / 2) ? 1 : (low + high) / 2;
+    const double best = loss(1) < loss((low + high) / 2) + least ? 1 : (low + high) / 2;
     return loss(best) < loss(0) - least ? best : 0;
 }
 

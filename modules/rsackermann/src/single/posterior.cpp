@@ -59,7 +59,9 @@ public:
         measureNoise(fits);
         mixture.setRoadContact(roadContact(fits));
         addFit(fits[0], prior.logRest());
-        addSceneWithoutVerticals(fits[0]);
+        // Who gives a speed and the distance of a wall knows of a street.
+        if (!prior.scaledSpeedIsGiven())
+            addSceneWithoutVerticals(fits[0]);
         for (size_t i = 0; i < all.size(); i++)
         {
             const Fit& fit = fits[i + 1];

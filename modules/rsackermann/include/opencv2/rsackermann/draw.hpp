@@ -14,7 +14,7 @@ namespace cv { namespace rsackermann {
 
 /** @brief Draws the estimate over the raw image, as in figure 1 of @cite purkait2018minimal : inlier segments from red
 (far) to blue (near), outliers black, segments that were no candidates thin and grey, the borders between road and walls
-green.
+yellow.
 @param image 8-bit image with three channels (BGR) of the camera's size, drawn upon.
 @param segments N x 4 matrix or N x 1 four-channel matrix with (x1, y1, x2, y2) in pixels.
 @param labels N x 1 matrix CV_8U, one of #SegmentLabel for each segment.
