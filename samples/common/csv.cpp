@@ -105,6 +105,11 @@ private:
 
 CsvTable readCsv(const std::string& path)
 {
+    return readCsv(path, [](const std::vector<std::string>&) { return false; });
+}
+
+CsvTable readCsv(const std::string& path, bool (*isRagged)(const std::vector<std::string>& header))
+{
     std::ifstream file(path.c_str(), std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     if (!file.is_open() || file.bad())
@@ -116,9 +121,10 @@ CsvTable readCsv(const std::string& path)
     int line = 0;
     if (!reader.next(table.header, line))
         throw UsageError(path + " is empty");
+    const bool ragged = isRagged(table.header);
     for (std::vector<std::string> cells; reader.next(cells, line);)
     {
-        if (cells.size() != table.header.size())
+        if (!ragged && cells.size() != table.header.size())
             throw UsageError(cv::format("line %d of %s: there are %d cells, but %d columns", line, path.c_str(),
                                         int(cells.size()), int(table.header.size())));
         table.rows.push_back(cells);

@@ -23,6 +23,9 @@ left out, and so are a byte order mark and blanks around cells. Throws UsageErro
 cells as the header or a quote isn't closed. */
 CsvTable readCsv(const std::string& path);
 
+//! The same of a file whose rows may have any number of cells if its header is one of those.
+CsvTable readCsv(const std::string& path, bool (*isRagged)(const std::vector<std::string>& header));
+
 } // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_CSV_HPP

@@ -10,6 +10,7 @@
 
 #include "opencv2/imgproc.hpp"
 #include <cmath>
+#include <iostream>
 
 namespace rsackermann_samples {
 
@@ -47,6 +48,7 @@ void FrameCorrector::prepare(const cv::Size& size)
     RollingShutterCorrector::Params params = job_.params;
     params.warp = StripWarp::coarse(camera_);
     corrector_ = RollingShutterCorrector::create(camera_, params);
+    corrector_->addGyro(job_.gyro.times, job_.gyro.rates);
     warp_.reset(new StripWarp(camera_));
     WarpMapGenerator::create(camera_, params.warp)->initRectifyMap(AckermannMotion(), lensMap1_, lensMap2_);
 }
@@ -88,6 +90,18 @@ void FrameCorrector::reset()
         corrector_->reset();
 }
 
+void FrameCorrector::warnOfGyro()
+{
+    double delay;
+    cv::Vec3d axes, bias;
+    if (hasWarned_ || job_.gyro.times.empty() || corrector_->getGyroAlignment(delay, axes, bias))
+        return;
+    hasWarned_ = true;
+    std::cerr << "rsackermann_correct: the images contradict the gyro, which isn't used where they do: its unit, axes "
+                 "or clock may be others"
+              << std::endl;
+}
+
 void FrameCorrector::warp(const cv::Mat& image, CorrectedFrame& frame)
 {
     const AckermannMotion& motion = frame.report.motion;
@@ -124,6 +138,7 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     // Without a motion the maps undo the lens only.
     report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;
     report.timings = corrector_->getTimings();
+    warnOfGyro();
     warp(image, frame);
     if (!job_.overlay.empty())
     {

@@ -33,7 +33,7 @@ struct NextFrame
 class FrameCorrector
 {
 public:
-    explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true), time_(0), roll_(0), pitch_(0) {}
+    explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true), hasWarned_(false), time_(0), roll_(0), pitch_(0) {}
 
     /** Goes on to the next image of a sequence, whether it can be corrected or not: its time passes.
     @param facts from the log, or only its time. */
@@ -53,10 +53,12 @@ public:
 private:
     void prepare(const cv::Size& size);
     void useFacts();
+    void warnOfGyro();
     void warp(const cv::Mat& image, CorrectedFrame& frame);
 
     const Job& job_;
     bool isFirst_;                                                // of a sequence
+    bool hasWarned_;                                              // of a gyro that images contradict
     FrameFacts facts_;                                            // of the present image
     double time_;                                                 // of it, known or assumed
     cv::rsackermann::RollingShutterCamera camera_;                // of the last image

@@ -31,6 +31,8 @@ const char* const JOB_KEYS =
     "{log        |        | CSV file with values for each frame (columns file, frame, time_s, speed_kmh, "
     "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it overrides "
     "the options}"
+    "{gyro       |        | rates of a gyro on the camera, on the clock of time_s or of the video: CSV file (columns "
+    "time_s, yaw_rate_deg_s, pitch_rate_deg_s, roll_rate_deg_s) or a log of Gyroflow (.gcsv)}"
     "{carry      |        | treat the inputs, or the frames of each video, as one sequence; needs the line delay}"
     "{smooth     |        | --carry, and each frame also uses the one after it}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's "
@@ -95,6 +97,8 @@ MotionPrior readPrior(const Options& options, const Job& job)
     const std::string delay = "the line delay (--line_delay, --readout or in the camera file)";
     if (job.params.sequence && !metric)
         warnUseless(job.smooth ? "--smooth" : "--carry", delay);
+    if (!job.gyro.times.empty() && !metric)
+        warnUseless("--gyro", delay);
     if (speed && !metric)
         warnUseless("--speed", delay);
     if (yawRate && !metric)
@@ -190,6 +194,8 @@ Job readJob(const Options& options)
     checkScale(job);
     if (options.given("log"))
         job.log = DriveLog(options.inputFile("log"));
+    if (options.given("gyro"))
+        job.gyro = readGyro(options.inputFile("gyro"), "rsackermann_correct");
     job.smooth = options.flag("smooth");
     job.params.sequence = job.smooth || options.flag("carry");
     if (job.params.sequence && job.params.estimator.model != MODEL_AUTO)

@@ -7,6 +7,7 @@
 
 #include "camera_settings.hpp"
 #include "drive_log.hpp"
+#include "gyro_file.hpp"
 #include "inputs.hpp"
 #include "opencv2/rsackermann.hpp"
 
@@ -21,6 +22,7 @@ struct Job
     double gravitySigma; //!< degrees; NaN: not given
     cv::rsackermann::MotionPrior prior;
     DriveLog log;
+    GyroRecording gyro; //!< empty: none
     bool smooth; //!< each frame of a drive is helped by the one after it
     bool linesGiven;
     cv::Mat lines;                             //!< segments of the only image

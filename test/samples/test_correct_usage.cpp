@@ -16,7 +16,7 @@ TEST(CorrectUsage, help_names_every_option)
          {"camera",        "focal",           "line_delay", "readout",     "scan",          "reference",
           "roll",          "pitch",           "heading",    "height",      "gravity_sigma", "usual_yaw_rate",
           "wall",          "scale_from_road", "speed",      "speed_sigma", "yaw_rate",      "yaw_rate_sigma",
-          "log",           "carry",           "model",      "detector",    "lines",         "seed",
+          "log", "gyro",          "carry",           "model",      "detector",    "lines",         "seed",
           "threads",       "output",          "overlay",    "report",      "maps",          "shard",
           "skip_existing", "overwrite"})
         EXPECT_NE(std::string::npos, outcome.output.find(std::string("--") + name)) << name;

@@ -169,6 +169,26 @@ public:
         timestamp = seconds;
     }
 
+    void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
+    {
+        drive.gyro.samples.add(times.getMat(), rates.getMat());
+    }
+
+    bool getGyroAlignment(double& delay, Vec3d& axes, Vec3d& bias) const CV_OVERRIDE
+    {
+        const GyroAlignment& found = drive.gyro.alignment();
+        delay = found.delay;
+        axes = found.turn;
+        bias = found.bias;
+        return !drive.gyro.isWrong();
+    }
+
+    void clearGyro() CV_OVERRIDE
+    {
+        drive.gyro.samples.clear();
+        drive.gyro.reset();
+    }
+
     void skipFrame() CV_OVERRIDE { passTo(timeOfFrame()); }
 
     void setNextFrame(InputArray image, double seconds) CV_OVERRIDE
@@ -300,7 +320,7 @@ private:
         if (params.sequence)
             motion = estimateFrame(seconds);
         else
-            motion = estimator->estimate(segments, labels, prior);
+            motion = drive.estimateSingle(seconds, segments, prior, labels);
         finder.release();
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask);

@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_drive_simulator.hpp"
+#include "test_shaking_camera.hpp"
 #include "../src/sequence/row_rates.hpp"
-#include "opencv2/imgproc.hpp"
 #include "opencv2/rsackermann/corrector.hpp"
 
 // How fast a camera pitches and rolls at the instant of a frame, from its mean rates between frames (doc/theory.md,
@@ -14,7 +14,9 @@
 
 namespace opencv_test { namespace {
 
-const double INTERVAL = 1. / 30;
+using simulation::ShakingCamera;
+
+const double INTERVAL = ShakingCamera::interval();
 
 //! A tilt that swings, with the rates that a gyro would measure.
 struct Swing
@@ -139,58 +141,6 @@ TEST(RSAckermann_RowRates, forward_and_backward)
     EXPECT_EQ(0, a.pitchRate);
     EXPECT_EQ(0, a.rollRateSigma);
 }
-
-//! Images of something far away by a camera that turns to the right while its mount shakes.
-class ShakingCamera
-{
-public:
-    RollingShutterCamera camera = simulation::paperCamera();
-
-    ShakingCamera() : margin(150)
-    {
-        RNG rng(4);
-        Mat noise(camera.imageSize.height + 2 * margin, camera.imageSize.width + 6 * margin, CV_8U);
-        rng.fill(noise, RNG::UNIFORM, 0, 256);
-        GaussianBlur(noise, scene, Size(), 2);
-        normalize(scene, scene, 0, 255, NORM_MINMAX);
-        camera.lineDelay = 0.9 * INTERVAL / camera.imageSize.height;
-    }
-
-    static double yawAt(double seconds) { return 0.2 * seconds; }
-    static double pitchAt(double seconds) { return 0.01 * std::sin(2 * CV_PI * 4 * seconds); }
-    static double rollAt(double seconds) { return 0.006 * std::sin(2 * CV_PI * 3 * seconds + 1); }
-
-    Mat frame(int i) const
-    {
-        const Matx33d& K = camera.cameraMatrix;
-        Mat map(camera.imageSize, CV_32FC2), image;
-        for (int y = 0; y < map.rows; y++)
-        {
-            const double seconds = i * INTERVAL + (y - camera.referenceRow) * camera.lineDelay;
-            const Matx33d H = K * rotation(yawAt(seconds), rollAt(seconds), pitchAt(seconds)) * K.inv();
-            for (int x = 0; x < map.cols; x++)
-            {
-                const Vec3d p = H * Vec3d(x, y, 1);
-                map.at<Point2f>(y, x) = Point2f(float(p[0] / p[2] + margin), float(p[1] / p[2] + margin));
-            }
-        }
-        remap(scene, image, map, noArray(), INTER_CUBIC, BORDER_REFLECT);
-        return image;
-    }
-
-private:
-    // From the camera to the scene, by the signs of a camera whose z axis points ahead and whose y axis points down.
-    static Matx33d rotation(double yaw, double roll, double pitch)
-    {
-        const Matx33d turned(std::cos(yaw), 0, std::sin(yaw), 0, 1, 0, -std::sin(yaw), 0, std::cos(yaw)),
-            rolled(std::cos(roll), -std::sin(roll), 0, std::sin(roll), std::cos(roll), 0, 0, 0, 1),
-            pitched(1, 0, 0, 0, std::cos(pitch), std::sin(pitch), 0, -std::sin(pitch), std::cos(pitch));
-        return turned * rolled * pitched;
-    }
-
-    int margin;
-    Mat scene;
-};
 
 // Predicted or between both neighbours: what the camera does is found and applied, and its sigma is true.
 TEST(RSAckermann_RowRates, of_a_camera_that_shakes)

@@ -67,6 +67,7 @@ InstantRate RateProcess::now(double next, double share) const
 
 void RowRates::update(const SequenceFit& fit, double before, double after)
 {
+    isMeasured = false;
     // Turns are counted from a frame to one that was taken later.
     const bool backward = before < 0;
     const double earlier = std::abs(before), later = std::abs(after), share = earlier / (earlier + later);
@@ -90,6 +91,30 @@ void RowRates::interrupt()
     yaw.interrupt();
     pitchNow = rollNow = InstantRate();
     yawSigma = 0;
+    isMeasured = false;
+}
+
+void RowRates::set(const InstantRate& pitch_, const InstantRate& roll_, const InstantRate& yaw_)
+{
+    pitchNow = pitch_;
+    rollNow = roll_;
+    yawNow = yaw_;
+    yawSigma = 0;
+    isMeasured = true;
+}
+
+// The other values are those of the interval, whatever the instant's yaw rate.
+void RowRates::toState(SequenceState& state) const
+{
+    if (!isMeasured)
+        return;
+    state.value[SEQUENCE_YAW_RATE] = yawNow.value;
+    const double share = yawNow.sigma / std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+    {
+        state.covariance(SEQUENCE_YAW_RATE, i) *= share;
+        state.covariance(i, SEQUENCE_YAW_RATE) *= share;
+    }
 }
 
 void RowRates::toMotion(double unit, AckermannMotion& motion) const

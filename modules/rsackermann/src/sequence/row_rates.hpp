@@ -6,16 +6,9 @@
 #define OPENCV_RSACKERMANN_SRC_SEQUENCE_ROW_RATES_HPP
 
 #include "frame_fit.hpp"
+#include "instant_rate.hpp"
 
 namespace cv { namespace rsackermann {
-
-//! A rate at one instant with its standard deviation, per second; 0: not known.
-struct InstantRate
-{
-    double value, sigma;
-
-    InstantRate() : value(0), sigma(0) {}
-};
 
 /** The mean rates of a turn over the intervals between frames, as a damped oscillator that noise drives
 (doc/theory.md, "Rates of rows"): a suspension that swings, an arm or a mount that shakes.
@@ -58,7 +51,7 @@ private:
 class RowRates
 {
 public:
-    RowRates() : yawSigma(0) {}
+    RowRates() : yawSigma(0), isMeasured(false) {}
 
     /** Goes on to a frame.
     @param before seconds from the frame before; negative if that was taken later.
@@ -68,6 +61,12 @@ public:
     //! A frame without turns.
     void interrupt();
 
+    //! Of the present frame, by a gyro.
+    void set(const InstantRate& pitch, const InstantRate& roll, const InstantRate& yaw);
+
+    //! Sets the yaw rate that a gyro has measured.
+    void toState(SequenceState& state) const;
+
     /** Sets the rates of roll and pitch of a motion, and adds to the variance of its yaw rate by how much that of the
     instant differs from the mean.
     @param unit seconds per unit of row time. */
@@ -75,8 +74,9 @@ public:
 
 private:
     RateProcess pitch, roll, yaw;
-    InstantRate pitchNow, rollNow;
+    InstantRate pitchNow, rollNow, yawNow;
     double yawSigma;
+    bool isMeasured; // yawNow
 };
 
 }} // namespace cv::rsackermann

@@ -10,6 +10,8 @@
 
 namespace cv { namespace rsackermann {
 
+static const double LARGEST_LEFT = 0.5; // of a turn without its translation, which is missing as well
+
 SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
                                      const Ptr<AckermannEstimator>& single_)
     : camera(camera_), params(params_), single(single_), filter(camera_, params_), last(filter.state),
@@ -39,6 +41,7 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
 void SequenceEstimator::reset()
 {
     features.reset();
+    gyro.reset();
     filter.hasFrame = false;
     resetState();
 }
@@ -56,10 +59,83 @@ AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFr
     AckermannMotion motion;
     if (estimateFromPoints(frame, next, segments, prior, motion, labels))
         return motion;
-    motion = estimateAlone(segments, prior, labels);
+    motion = estimateAlone(frame.seconds, segments, prior, labels);
     if (motion.status == MOTION_TOO_FEW_SEGMENTS)
         expectMotion(prior, motion, labels);
+    if (motion.status != MOTION_OK)
+        turnAlone(frame.seconds, motion);
     return motion;
+}
+
+AckermannMotion SequenceEstimator::estimateSingle(double seconds, const Mat& segments, const MotionPrior& prior,
+                                                  Mat& labels)
+{
+    AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
+    if (motion.status != MOTION_OK)
+        turnAlone(seconds, motion);
+    return motion;
+}
+
+// A gyro gives the yaw rate, beside other sources, and how rows roll and pitch.
+AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior,
+                                                    Mat& labels) const
+{
+    InstantRate pitch, roll, yaw;
+    const bool isMeasured = measure(seconds, pitch, roll, yaw);
+    if (isMeasured && prior.yawRateSigma > 0)
+    {
+        const double own = 1 / (yaw.sigma * yaw.sigma), other = 1 / (prior.yawRateSigma * prior.yawRateSigma);
+        prior.yawRate = (own * yaw.value + other * prior.yawRate) / (own + other);
+        prior.yawRateSigma = 1 / std::sqrt(own + other);
+    }
+    else if (isMeasured)
+    {
+        prior.yawRate = yaw.value;
+        prior.yawRateSigma = yaw.sigma;
+    }
+    AckermannMotion motion = single->estimate(segments, labels, prior);
+    if (isMeasured && motion.status == MOTION_OK)
+    {
+        const double unit = camera.secondsPerUnitTime();
+        motion.pitchRate = pitch.value * unit;
+        motion.rollRate = roll.value * unit;
+        motion.pitchRateSigma = pitch.sigma * unit;
+        motion.rollRateSigma = roll.sigma * unit;
+    }
+    return motion;
+}
+
+// Where the image shows nothing a gyro still knows how the camera turns. Changed only if that is expected to help.
+void SequenceEstimator::turnAlone(double seconds, AckermannMotion& motion) const
+{
+    InstantRate pitch, roll, yaw;
+    if (!measure(seconds, pitch, roll, yaw))
+        return;
+    const double unit = camera.secondsPerUnitTime();
+    AckermannMotion turned;
+    turned.candidates = motion.candidates;
+    RowRates turning;
+    turning.set(pitch, roll, yaw);
+    turning.toMotion(unit, turned);
+    Model model;
+    model[P_ALPHA] = turned.alpha = yaw.value * unit / 2;
+    turned.covariance = Matx44d::zeros();
+    Matx<double, PARAMETERS, PARAMETERS> covariance = Matx<double, PARAMETERS, PARAMETERS>::zeros();
+    turned.covariance(0, 0) = covariance(P_ALPHA, P_ALPHA) = std::pow(yaw.sigma * unit / 2, 2);
+    const DisplacementField field(camera);
+    DisplacementField::Values displacement;
+    DisplacementField::Variances variances;
+    field.displacement(model, 0, displacement);
+    field.addTilt(turned.pitchRate, turned.rollRate, displacement);
+    field.variance(model, 0, 0, covariance, variances);
+    field.addTiltVariance(turned.pitchRateSigma, turned.rollRateSigma, variances);
+    turned.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
+    turned.expectedResidual = DisplacementField::meanDistance(displacement, displacement, variances);
+    if (!(turned.expectedResidual < LARGEST_LEFT * turned.expectedRaw))
+        return;
+    motion = turned;
+    motion.status = MOTION_OK;
+    motion.model = MODEL_1LA;
 }
 
 // Returns whether there were points to go by.
@@ -108,6 +184,59 @@ void SequenceEstimator::updateRates(double before, double after)
         rates.update(last, before, isSeen[before > 0 ? 1 : 0] ? after : 0);
     else
         rates.interrupt();
+    if (gyro.samples.empty())
+        return;
+    if (before != 0 && isSeen[before > 0 ? 0 : 1])
+        compareGyro(-before);
+    else if (after != 0 && isSeen[after > 0 ? 1 : 0])
+        compareGyro(after);
+    useGyro();
+}
+
+// With the turn to a frame that is later by some seconds, or earlier.
+void SequenceEstimator::compareGyro(double neighbour)
+{
+    const double unit = camera.secondsPerUnitTime(), interval = std::abs(neighbour);
+    const bool isEarlier = neighbour < 0;
+    double count = 0, sum = 0, squares = 0;
+    for (const TrackedBearing& s : features.bearings)
+        if ((s.pitch == FLOW_PITCH_BEFORE) == isEarlier)
+        {
+            const double seconds = s.timeNow * unit;
+            count++;
+            sum += seconds;
+            squares += seconds * seconds;
+        }
+    // As if they were spread evenly.
+    const double mean = sum / count, half = std::sqrt(3 * std::max(squares / count - mean * mean, 0.));
+    const double *v = last.values, pitch = isEarlier ? v[FLOW_PITCH_BEFORE] : -v[FLOW_PITCH_AFTER],
+                 roll = isEarlier ? v[FLOW_ROLL_BEFORE] : -v[FLOW_ROLL_AFTER],
+                 yawRate = v[SEQUENCE_YAW_RATE] + v[FLOW_YAW_CHANGE] * neighbour / 2;
+    const TurnOfPoints turn = {filter.time + std::min(neighbour, 0.), filter.time + std::max(neighbour, 0.),
+                               {mean - half, mean + half},
+                               camera.uprightRotation.t() * Vec3d(-pitch / interval, yawRate, roll / interval)};
+    gyro.add(turn);
+}
+
+// A gyro that the points confirm knows the instant.
+void SequenceEstimator::useGyro()
+{
+    InstantRate pitch, roll, yaw;
+    if (measure(filter.time, pitch, roll, yaw))
+        rates.set(pitch, roll, yaw);
+}
+
+// What a gyro that isn't wrong measures in a frame.
+bool SequenceEstimator::measure(double seconds, InstantRate& pitch, InstantRate& roll, InstantRate& yaw) const
+{
+    CameraRates now;
+    const bool isMeasured = camera.isRowShutter() && camera.secondsPerUnitTime() > 0 && !gyro.contradicts() &&
+                            gyro.at(seconds, RowSpan(camera), now);
+    if (!isMeasured)
+        return false;
+    now.about(camera.uprightRotation, pitch, yaw, roll);
+    pitch.value = -pitch.value; // looking down is a turn against the x axis
+    return true;
 }
 
 // Points aren't spread as pixels are: they show the share of the displacement that is left.
@@ -138,11 +267,13 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     return model;
 }
 
-void SequenceEstimator::report(const SequenceFit& fit, const std::vector<UprightSegment>& verticals,
+void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<UprightSegment>& verticals,
                                const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
 {
     motion.candidates = int(verticals.size());
     AckermannMotion found = motion;
+    SequenceFit fit = fit_;
+    rates.toState(fit.state);
     fit.state.toMotion(camera.secondsPerUnitTime(), found);
     rates.toMotion(camera.secondsPerUnitTime(), found);
     const Model model = predictDisplacement(fit, found);
@@ -175,6 +306,7 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
     if (!(std::abs(filter.time - seen) < LONGEST_INTERVAL))
         return;
     rates.interrupt();
+    useGyro();
     SequenceFit expected = last;
     expected.state = filter.state;
     AckermannMotion result;
@@ -186,7 +318,7 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
 }
 
 // From the image alone, with the yaw rate of the frames before, and for the frames after.
-AckermannMotion SequenceEstimator::estimateAlone(const Mat& segments, MotionPrior prior, Mat& labels)
+AckermannMotion SequenceEstimator::estimateAlone(double seconds, const Mat& segments, MotionPrior prior, Mat& labels)
 {
     SequenceState& state = filter.state;
     if (!filter.isUninitialised)
@@ -195,7 +327,7 @@ AckermannMotion SequenceEstimator::estimateAlone(const Mat& segments, MotionPrio
         prior.yawRate = state.value[SEQUENCE_YAW_RATE];
         prior.yawRateSigma = std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
     }
-    const AckermannMotion motion = single->estimate(segments, labels, prior);
+    const AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
     double yawRate;
     // An unknown gravity misleads all frames in the same way: they can't confirm one another.
     if (params.gravitySigma > 0 || motion.status != MOTION_OK || !motion.yawRate(camera, yawRate))

@@ -7,6 +7,7 @@
 
 #include "sequence_filter.hpp"
 #include "row_rates.hpp"
+#include "gyro_rates.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -35,13 +36,23 @@ public:
     //! The next frame belongs to another sequence.
     void reset();
 
+    //! The motion of an image that has nothing to do with its neighbours, see estimate().
+    AckermannMotion estimateSingle(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
+
+    GyroRates gyro; //!< without samples if there is none
+
 private:
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
-    AckermannMotion estimateAlone(const Mat& segments, MotionPrior prior, Mat& labels);
+    AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
+    AckermannMotion estimateAlone(double seconds, const Mat& segments, MotionPrior prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
     void updateRates(double before, double after);
+    void compareGyro(double neighbour);
+    bool measure(double seconds, InstantRate& pitch, InstantRate& roll, InstantRate& yaw) const;
+    void useGyro();
+    void turnAlone(double seconds, AckermannMotion& motion) const;
     Model predictDisplacement(const SequenceFit& fit, AckermannMotion& motion) const;
     void report(const SequenceFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
                 AckermannMotion& motion, Mat& labels) const;

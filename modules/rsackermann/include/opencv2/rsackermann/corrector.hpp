@@ -112,6 +112,31 @@ public:
      */
     CV_WRAP virtual void setTimestamp(double seconds) = 0;
 
+    /** @brief Adds what a gyro on the camera has measured: how rows turn.
+
+    In a sequence with Params::trackPoints the points of the frames show the gyro's bias, the delay of its clock and by
+    how much its axes are turned (a few degrees), and whether it says anything true at all. Without points, and of a
+    single image, the samples count as they are, with a bias of up to 1 deg/s.
+    An image is corrected with samples that reach beyond both its ends; others are corrected without the gyro, and so is
+    an image in a gap of more than 0.1 s.
+    @param times seconds, on the clock of setTimestamp(), as N x 1 matrix CV_64F or vector<double>: increasing, and after
+    those of earlier calls; throws cv::Exception otherwise.
+    @param rates rad/s about the axes of the camera (x to the right, y down, z ahead): N x 3 matrix CV_64F.
+     */
+    CV_WRAP virtual void addGyro(InputArray times, InputArray rates) = 0;
+
+    /** @brief What is between the gyro and the camera, as the points of the last ten seconds or so show it.
+    @param delay seconds by which the gyro's clock is ahead of that of the frames; found from -2 to 2.
+    @param axes rotation vector in radians, about the axes of the camera: what a gyro shows is turned by it.
+    @param bias rad/s about these axes that is added to what the gyro shows.
+    @return false if the points of a second or so contradict the gyro, which isn't used then: its unit, its axes or its
+    clock may be another.
+     */
+    CV_WRAP virtual bool getGyroAlignment(CV_OUT double& delay, CV_OUT Vec3d& axes, CV_OUT Vec3d& bias) const = 0;
+
+    //! Forgets all samples of addGyro().
+    CV_WRAP virtual void clearGyro() = 0;
+
     /** @brief Lets the time of an image of a sequence pass without the image: for one that is missing or damaged, or
     whose correction threw an exception.
 

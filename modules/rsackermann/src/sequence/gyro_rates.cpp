@@ -1,0 +1,259 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "gyro_rates.hpp"
+
+namespace cv { namespace rsackermann {
+
+typedef Vec<double, 7> Unknowns; // of GyroAlignment
+
+static const double GYRO_MEMORY = 10;                  // seconds: a bias wanders, and a delay may
+static const double DELAY_SIGMA = 0.02;                // seconds, of clocks that are said to be the same
+static const double AXES_SIGMA = 2 * CV_PI / 180;      // of the gyro's axes
+static const double BIAS_SIGMA = 1 * CV_PI / 180;      // rad/s
+static const double TURN_RATE_NOISE = 1 * CV_PI / 180; // rad/s about each axis, of turns of points at worst
+static const size_t DELAY_FRAMES = 12;                 // that show such a delay
+static const double EXPLAINED = 0.5;                   // share of the turns' loss that a true gyro leaves at most
+static const double SMALL = 0.3 * CV_PI / 180;         // rad/s about each axis that it may leave in any case
+
+RowSpan::RowSpan(const RollingShutterCamera& camera)
+{
+    const double unit = camera.secondsPerUnitTime(),
+                 first = unit * camera.rowTime(Point2d(0, 0)),
+                 last = unit * camera.rowTime(Point2d(camera.imageSize.width - 1, camera.imageSize.height - 1));
+    from = std::min(first, last);
+    to = std::max(first, last);
+}
+
+void CameraRates::about(const Matx33d& rotation, InstantRate& x, InstantRate& y, InstantRate& z) const
+{
+    const Vec3d turned = rotation * value, squares = rotation.mul(rotation) * sigma.mul(sigma);
+    InstantRate* const rates[3] = {&x, &y, &z};
+    for (int i = 0; i < 3; i++)
+    {
+        rates[i]->value = turned[i];
+        rates[i]->sigma = std::sqrt(squares[i]);
+    }
+}
+
+GyroRates::GyroRates()
+{
+    reset();
+}
+
+void GyroRates::reset()
+{
+    turns.clear();
+    found = GyroAlignment();
+    start = 0;
+    covariance = Matx<double, 7, 7>::zeros();
+    covariance(0, 0) = DELAY_SIGMA * DELAY_SIGMA;
+    for (int i = 0; i < 3; i++)
+    {
+        covariance(1 + i, 1 + i) = AXES_SIGMA * AXES_SIGMA;
+        covariance(4 + i, 4 + i) = BIAS_SIGMA * BIAS_SIGMA;
+    }
+    noise = Vec3d::all(TURN_RATE_NOISE);
+    meanTurn = Vec3d();
+    count = left = unexplained = 0;
+    unexplainedFrames = 0;
+}
+
+bool GyroRates::expected(const TurnOfPoints& turn, double delay, Vec3d& rate) const
+{
+    return samples.meanRate(turn.begin + delay, turn.end + delay, turn.rows.from, turn.rows.to, rate);
+}
+
+void GyroRates::add(const TurnOfPoints& turn)
+{
+    judge(turn);
+    turns.push_back(turn);
+    while (std::abs(turn.end - turns.front().end) > GYRO_MEMORY)
+        turns.pop_front();
+    align();
+    unexplainedFrames = contradicts() ? unexplainedFrames + 1 : 0;
+    if (unexplainedFrames < DELAY_FRAMES)
+        return;
+    unexplainedFrames = 0;
+    if (findDelay())
+        align();
+}
+
+// Before it is used: a bias that is fitted explains a few turns whatever the gyro says.
+void GyroRates::judge(const TurnOfPoints& turn)
+{
+    Vec3d g;
+    if (!expected(turn, found.delay, g))
+        return;
+    const double large = 2 * TURN_RATE_NOISE; // what is left beyond may be wrong points
+    const auto loss = [=](const Vec3d& r) { return large * large * std::log1p(r.dot(r) / (large * large)); };
+    const double kept = turns.empty() ? 1 : std::exp(-std::abs(turn.end - turns.back().end) / GYRO_MEMORY);
+    left = kept * left + loss(turn.rate - g - found.turn.cross(g) - found.bias);
+    unexplained = kept * unexplained + loss(turn.rate - meanTurn * (count / (count + 1)));
+    meanTurn = (meanTurn * (kept * count) + turn.rate) * (1 / (kept * count + 1));
+    count = kept * count + 1;
+}
+
+// Gauss-Newton from what was found before, with Cauchy's loss.
+void GyroRates::align()
+{
+    typedef Matx<double, 7, 7> Matrix;
+    // Each frame goes on from the one before.
+    const int iterations = turns.size() < DELAY_FRAMES ? 3 : 1;
+    const double h = 1e-3, noiseFrames = 4; // that TURN_RATE_NOISE counts for
+    for (int iteration = 0; iteration < iterations; iteration++)
+    {
+        Matrix information = Matrix::zeros();
+        Unknowns gradient;
+        const double sigmas[7] = {DELAY_SIGMA, AXES_SIGMA, AXES_SIGMA, AXES_SIGMA, BIAS_SIGMA, BIAS_SIGMA, BIAS_SIGMA};
+        const double now[7] = {found.delay - start, found.turn[0], found.turn[1], found.turn[2],
+                               found.bias[0], found.bias[1], found.bias[2]};
+        for (int i = 0; i < 7; i++)
+        {
+            information(i, i) = 1 / (sigmas[i] * sigmas[i]);
+            gradient[i] = now[i] / (sigmas[i] * sigmas[i]);
+        }
+        Vec3d squares = Vec3d::all(noiseFrames * TURN_RATE_NOISE * TURN_RATE_NOISE);
+        double weights = 0;
+        for (size_t k = 0; k < turns.size(); k++)
+        {
+            Vec3d before, after;
+            if (!expected(turns[k], found.delay - h, before) || !expected(turns[k], found.delay + h, after))
+                continue;
+            const Vec3d g = (before + after) * 0.5;
+            const double kept = std::exp(-std::abs(turns[k].end - turns.back().end) / GYRO_MEMORY);
+            const Vec3d slope = (after - before) * (1 / (2 * h)),
+                        r = turns[k].rate - g - found.turn.cross(g) - found.bias;
+            double squared = 0;
+            for (int i = 0; i < 3; i++)
+                squared += r[i] * r[i] / (noise[i] * noise[i]);
+            const double weight = kept / (1 + squared / 9);
+            for (int i = 0; i < 3; i++)
+            {
+                const int j = (i + 1) % 3, l = (i + 2) % 3;
+                Unknowns J; // of the expected rate
+                J[0] = slope[i];
+                J[1 + j] = g[l];
+                J[1 + l] = -g[j];
+                J[4 + i] = 1;
+                const double w = weight / (noise[i] * noise[i]);
+                information = information + J * J.t() * w;
+                gradient -= J * (w * r[i]);
+                squares[i] += weight * r[i] * r[i];
+            }
+            weights += weight;
+        }
+        covariance = information.inv(DECOMP_CHOLESKY);
+        const Unknowns step = covariance * gradient;
+        found.delay -= step[0];
+        for (int i = 0; i < 3; i++)
+        {
+            found.turn[i] -= step[1 + i];
+            found.bias[i] -= step[4 + i];
+            noise[i] = std::sqrt(squares[i] / (noiseFrames + weights));
+        }
+    }
+}
+
+Vec<double, 7> GyroRates::alignmentSigma() const
+{
+    Vec<double, 7> sigma;
+    for (int i = 0; i < 7; i++)
+        sigma[i] = std::sqrt(covariance(i, i));
+    return sigma;
+}
+
+// How much of the turns about the axes a gyro leaves with some delay, but for a bias that there may be; 1 if it is wrong.
+double GyroRates::shareLeft(double delay) const
+{
+    const size_t first = turns.size() - std::min(turns.size(), 5 * DELAY_FRAMES);
+    Vec3d sums[2], squares[2]; // of the turns, and of what the gyro leaves
+    double n = 0;
+    for (size_t k = first; k < turns.size(); k++)
+    {
+        Vec3d g;
+        if (!expected(turns[k], delay, g))
+            continue;
+        const Vec3d values[2] = {turns[k].rate, turns[k].rate - g};
+        for (int i = 0; i < 2; i++)
+        {
+            sums[i] += values[i];
+            squares[i] += values[i].mul(values[i]);
+        }
+        n++;
+    }
+    double sum = 0;
+    int axes = 0; // that turn
+    for (int i = 0; i < 3 && n >= DELAY_FRAMES; i++)
+    {
+        const double all = squares[0][i] - sums[0][i] * sums[0][i] / n,
+                     left_ = squares[1][i] - sums[1][i] * sums[1][i] / n;
+        if (std::abs(sums[1][i]) > 3 * BIAS_SIGMA * n)
+            return 1;
+        if (!(all > TURN_RATE_NOISE * TURN_RATE_NOISE * n))
+            continue;
+        sum += left_ / all;
+        axes++;
+    }
+    return axes > 1 ? sum / axes : 1;
+}
+
+// Of clocks that have nothing to do with one another: the delay that explains the turns best, if one does. By chance
+// some delay fits one axis, but hardly two.
+bool GyroRates::findDelay()
+{
+    const double farthest = 2, step = 0.004; // seconds
+    double best = EXPLAINED / 2, delay = 0;
+    for (double d = -farthest; d <= farthest; d += step)
+    {
+        const double share = shareLeft(d);
+        if (share < best)
+        {
+            best = share;
+            delay = d;
+        }
+    }
+    if (best == EXPLAINED / 2)
+        return false;
+    found = GyroAlignment();
+    found.delay = start = delay;
+    noise = Vec3d::all(TURN_RATE_NOISE);
+    left = best * unexplained;
+    return true;
+}
+
+bool GyroRates::contradicts() const
+{
+    return left > EXPLAINED * unexplained + 3 * SMALL * SMALL * count;
+}
+
+bool GyroRates::isWrong() const
+{
+    return contradicts() && turns.size() > DELAY_FRAMES && left > 3 * TURN_RATE_NOISE * TURN_RATE_NOISE * count;
+}
+
+bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) const
+{
+    Vec3d g;
+    const double instant = seconds + found.delay, h = 1e-3;
+    Vec3d before, after;
+    if (!samples.rowRate(instant, rows.from, rows.to, g) || !samples.rowRate(instant - h, rows.from, rows.to, before) ||
+        !samples.rowRate(instant + h, rows.from, rows.to, after))
+        return false;
+    rates.value = g + found.turn.cross(g) + found.bias;
+    for (int i = 0; i < 3; i++)
+    {
+        const int j = (i + 1) % 3, l = (i + 2) % 3;
+        Unknowns J;
+        J[0] = (after[i] - before[i]) / (2 * h);
+        J[1 + j] = g[l];
+        J[1 + l] = -g[j];
+        J[4 + i] = 1;
+        rates.sigma[i] = std::sqrt((J.t() * covariance * J)(0) + noise[i] * noise[i] / 4);
+    }
+    return true;
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,105 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_GYRO_RATES_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_GYRO_RATES_HPP
+
+#include "gyro_samples.hpp"
+#include "instant_rate.hpp"
+#include "opencv2/rsackermann/camera.hpp"
+#include <deque>
+
+namespace cv { namespace rsackermann {
+
+//! Times of rows from the reference row, in seconds.
+struct RowSpan
+{
+    double from, to;
+
+    RowSpan(double from_, double to_) : from(from_), to(to_) {}
+    //! All rows of an image.
+    explicit RowSpan(const RollingShutterCamera& camera);
+};
+
+//! How a camera has turned between two frames, by the points that are seen in both.
+struct TurnOfPoints
+{
+    double begin, end; // seconds, of both reference rows
+    RowSpan rows;      // on which the points are seen
+    Vec3d rate;        // mean, rad/s about the axes of the camera
+
+    TurnOfPoints(double begin_, double end_, const RowSpan& rows_, const Vec3d& rate_)
+        : begin(begin_), end(end_), rows(rows_), rate(rate_)
+    {
+    }
+};
+
+//! What is between a gyro and the camera, as the points of a sequence show it.
+struct GyroAlignment
+{
+    double delay; //!< seconds by which the gyro's clock is ahead of the camera's
+    Vec3d turn;   //!< by which the gyro's axes differ from those of the camera, radians
+    Vec3d bias;   //!< rad/s that the gyro shows too little
+};
+
+//! Rates and their standard deviations about the axes of the camera, rad/s.
+struct CameraRates
+{
+    Vec3d value, sigma;
+
+    //! The same about axes that are turned. @param rotation camera frame to their frame.
+    void about(const Matx33d& rotation, InstantRate& x, InstantRate& y, InstantRate& z) const;
+};
+
+/** A gyro on the camera (doc/theory.md, "Gyro").
+
+Its bias, the direction of its axes and the delay of its clock are those that explain best how the points of the last
+seconds have turned.
+*/
+class GyroRates
+{
+public:
+    GyroRates();
+
+    GyroSamples samples;
+
+    //! Another sequence, with another clock.
+    void reset();
+
+    //! Adds what the points have shown between two frames.
+    void add(const TurnOfPoints& turn);
+
+    /** The rates that turn the rows of a frame.
+    @return false if there are no samples. */
+    bool at(double seconds, const RowSpan& rows, CameraRates& rates) const;
+
+    //! Whether the gyro explains little of what the points show: then it's of no use.
+    bool contradicts() const;
+    //! Whether it even differs from them so much that something is wrong.
+    bool isWrong() const;
+    const GyroAlignment& alignment() const { return found; }
+    //! Of a delay, a turn and a bias.
+    Vec<double, 7> alignmentSigma() const;
+
+private:
+    bool expected(const TurnOfPoints& turn, double delay, Vec3d& rate) const;
+    void judge(const TurnOfPoints& turn);
+    void align();
+    double shareLeft(double delay) const;
+    bool findDelay();
+
+    std::deque<TurnOfPoints> turns;
+    double start;                  // the delay that is expected
+    GyroAlignment found;
+    Matx<double, 7, 7> covariance; // of delay, turn and bias
+    Vec3d noise;                   // standard deviation of what the gyro leaves of the turns of points, rad/s
+    Vec3d meanTurn;                // of the points, rad/s
+    double count;                  // of the turns; those that are forgotten count less
+    size_t unexplainedFrames;      // in a row, since a delay was looked for
+    double left, unexplained;      // losses of their predictions with the gyro and without it
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_GYRO_RATES_HPP

@@ -1,0 +1,123 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../checks.hpp"
+#include "gyro_samples.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const double GYRO_GAP = 0.1; // seconds without a sample: slower gyros don't see what shakes
+
+static void check(const Mat& times, const Mat& rates)
+{
+    if (!times.empty() && (times.type() != CV_64F || std::min(times.rows, times.cols) != 1))
+        CV_Error(Error::StsBadArg, format("times is %d x %d of type %d; N x 1 of type CV_64F is expected", times.rows,
+                                          times.cols, times.type()));
+    if (!(times.empty() && rates.empty()) &&
+        (rates.type() != CV_64F || rates.cols != 3 || size_t(rates.rows) != times.total()))
+        CV_Error(Error::StsBadArg, format("rates is %d x %d of type %d; %d x 3 of type CV_64F is expected", rates.rows,
+                                          rates.cols, rates.type(), int(times.total())));
+}
+
+void GyroSamples::add(const Mat& times_, const Mat& rates)
+{
+    check(times_, rates);
+    const double fastest = 1e3; // rad/s
+    const Mat times = times_.isContinuous() ? times_ : times_.clone();
+    const double* const time = times.ptr<double>();
+    for (int i = 0; i < rates.rows; i++) // before any of them is added
+    {
+        if (!(std::abs(time[i]) <= 1e12))
+            checkRange(time[i], -1e12, 1e12, format("times[%d]", i).c_str());
+        const bool isFirst = i == 0 && samples.empty();
+        const double last = i > 0 ? time[i - 1] : isFirst ? 0 : lastTime();
+        if (!isFirst && !(time[i] > last))
+            CV_Error(Error::StsBadArg, format("times[%d] is %.9g; more than %.9g, the one before, is expected", i,
+                                              time[i], last));
+        for (int k = 0; k < 3; k++)
+            if (!(std::abs(rates.at<double>(i, k)) <= fastest))
+                checkRange(rates.at<double>(i, k), -fastest, fastest, format("rates(%d, %d)", i, k).c_str());
+    }
+    samples.reserve(samples.size() + size_t(rates.rows));
+    for (int i = 0; i < rates.rows; i++)
+    {
+        Sample s = {time[i], Vec3d(rates.ptr<double>(i)), Vec3d(), 0};
+        if (!samples.empty())
+        {
+            const Sample& last = samples.back();
+            const double interval = s.time - last.time;
+            s.angle = last.angle + (last.rate + s.rate) * (interval / 2);
+            s.gaps = last.gaps + (interval > GYRO_GAP);
+        }
+        samples.push_back(s);
+    }
+}
+
+void GyroSamples::forget(double time)
+{
+    if (!samples.empty())
+        samples.erase(samples.begin(), samples.begin() + std::ptrdiff_t(before(time)));
+}
+
+// The sample before a time, or the first or the last but one.
+size_t GyroSamples::before(double time) const
+{
+    const auto after = std::upper_bound(samples.begin(), samples.end(), time,
+                                        [](double t, const Sample& sample) { return t < sample.time; });
+    const std::ptrdiff_t last = std::max<std::ptrdiff_t>(std::ptrdiff_t(samples.size()) - 2, 0);
+    return size_t(std::min(std::max<std::ptrdiff_t>(after - samples.begin() - 1, 0), last));
+}
+
+bool GyroSamples::covers(double begin, double end) const
+{
+    if (samples.size() < 2 || begin < samples.front().time || end > samples.back().time)
+        return false;
+    const auto last = std::lower_bound(samples.begin(), samples.end(), end,
+                                       [](const Sample& sample, double t) { return sample.time < t; });
+    return samples[before(begin)].gaps == last->gaps;
+}
+
+Vec3d GyroSamples::angleAt(double time) const
+{
+    const size_t i = before(time);
+    const Sample &a = samples[i], &b = samples[i + 1];
+    const double t = time - a.time;
+    return a.angle + a.rate * t + (b.rate - a.rate) * (t * t / (2 * (b.time - a.time)));
+}
+
+bool GyroSamples::meanRate(double begin, double end, double from, double to, Vec3d& rate) const
+{
+    if (!covers(begin + from, end + to))
+        return false;
+    const int instants = 4;
+    Vec3d sum;
+    for (int i = 0; i < instants; i++)
+    {
+        const double later = from + (to - from) * (i + 0.5) / instants;
+        sum += angleAt(end + later) - angleAt(begin + later);
+    }
+    rate = sum * (1 / (instants * (end - begin)));
+    return true;
+}
+
+bool GyroSamples::rowRate(double instant, double from, double to, Vec3d& rate) const
+{
+    if (!covers(instant + std::min(from, 0.), instant + std::max(to, 0.)))
+        return false;
+    const int instants = 8;
+    const Vec3d middle = angleAt(instant);
+    Vec3d sum;
+    double squares = 0;
+    for (int i = 0; i < instants; i++)
+    {
+        const double later = from + (to - from) * (i + 0.5) / instants;
+        sum += (angleAt(instant + later) - middle) * later;
+        squares += later * later;
+    }
+    rate = sum * (1 / squares);
+    return squares > 0;
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,57 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_GYRO_SAMPLES_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_GYRO_SAMPLES_HPP
+
+#include "opencv2/core.hpp"
+#include <vector>
+
+namespace cv { namespace rsackermann {
+
+/** The rates that a gyro has measured about the axes of the camera, and how far it has turned: linear between samples.
+
+Times are those of the gyro's clock, in seconds; angles are first integrals of the rates, which add up as long as turns
+are small. */
+class GyroSamples
+{
+public:
+    //! @param times seconds, increasing, after those that are there: N x 1 or 1 x N, CV_64F. @param rates rad/s about
+    //! x, y and z: N x 3, CV_64F. Throws cv::Exception if they are others.
+    void add(const Mat& times, const Mat& rates);
+    //! Without samples before that time, except the last one.
+    void forget(double before);
+    void clear() { samples.clear(); }
+    bool empty() const { return samples.empty(); }
+    double lastTime() const { return samples.back().time; }
+
+    //! Whether there are samples all along from one time to a later one.
+    bool covers(double begin, double end) const;
+
+    /** The mean rates from one instant to a later one, averaged over instants that are later by from .. to seconds.
+    @return false if samples are missing. */
+    bool meanRate(double begin, double end, double from, double to, Vec3d& rate) const;
+
+    /** The rates that turn the rows of an image most nearly as the gyro has turned: least squares of the angle since an
+    instant, over the times that are later by from .. to seconds.
+    @return false if samples are missing. */
+    bool rowRate(double instant, double from, double to, Vec3d& rate) const;
+
+private:
+    struct Sample
+    {
+        double time;
+        Vec3d rate, angle;
+        int gaps; // before it
+    };
+
+    size_t before(double time) const;
+    Vec3d angleAt(double time) const;
+
+    std::vector<Sample> samples;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_GYRO_SAMPLES_HPP

@@ -1,0 +1,333 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_drive_simulator.hpp"
+#include "test_shaking_camera.hpp"
+#include "../src/sequence/gyro_rates.hpp"
+#include "opencv2/rsackermann/corrector.hpp"
+
+// A gyro on the camera: its bias, axes and clock by the turns of points, and the rates of rows (doc/theory.md, "Gyro").
+
+namespace opencv_test { namespace {
+
+using simulation::ShakingCamera;
+
+const double INTERVAL = 1. / 30, DEGREE = CV_PI / 180;
+
+//! How a car with an arm that shakes turns: angles of small turns about the axes of its camera.
+struct Turning
+{
+    simulation::Oscillation slow[3], fast[3];
+
+    explicit Turning(RNG& rng, double shaking = 0.15 * DEGREE)
+        : slow{simulation::Oscillation(0.5 * DEGREE, 0.5, 1, rng), simulation::Oscillation(20 * DEGREE, 3, 10, rng),
+               simulation::Oscillation(0.5 * DEGREE, 0.5, 1, rng)},
+          fast{simulation::Oscillation(shaking, 0.1, 0.2, rng), simulation::Oscillation(shaking, 0.1, 0.2, rng),
+               simulation::Oscillation(shaking, 0.1, 0.2, rng)}
+    {
+    }
+
+    Vec3d angle(double seconds) const
+    {
+        Vec3d a;
+        for (int i = 0; i < 3; i++)
+            a[i] = slow[i].at(seconds) + fast[i].at(seconds);
+        return a;
+    }
+    Vec3d rate(double seconds) const { return (angle(seconds + 1e-5) - angle(seconds - 1e-5)) * (1 / 2e-5); }
+};
+
+struct TrueGyro
+{
+    double delay, noise; // seconds, rad/s
+    Vec3d bias, axes;    // rad/s, radians
+};
+
+//! What the gyro shows: rate = (1 + [axes]) shown + bias.
+void measure(const Turning& turning, const TrueGyro& gyro, double end, RNG& rng, Mat& times, Mat& rates)
+{
+    std::vector<double> t;
+    std::vector<Vec3d> r;
+    for (double s = -1; s < end + 1; s += 1 / 411.)
+    {
+        const Vec3d a = turning.rate(s) - gyro.bias;
+        t.push_back(s + gyro.delay);
+        r.push_back(a - gyro.axes.cross(a) + Vec3d(rng.gaussian(gyro.noise), rng.gaussian(gyro.noise),
+                                                   rng.gaussian(gyro.noise)));
+    }
+    Mat(t).copyTo(times);
+    Mat(r).reshape(1).copyTo(rates);
+}
+
+//! Points show the turn between frames at their rows. @param noise rad/s.
+TurnOfPoints turnOfPoints(const Turning& turning, int frame, double noise, RNG& rng)
+{
+    const RowSpan rows(-0.016, 0.012);
+    const double end = frame * INTERVAL, begin = end - INTERVAL;
+    Vec3d sum;
+    const int count = 100;
+    for (int i = 0; i < count; i++)
+    {
+        const double row = rows.from + (rows.to - rows.from) * (i + 0.5) / count;
+        sum += turning.angle(end + row) - turning.angle(begin + row);
+    }
+    const Vec3d error(rng.gaussian(noise), rng.gaussian(noise), rng.gaussian(noise));
+    return TurnOfPoints(begin, end, rows, sum * (1 / (count * INTERVAL)) + error);
+}
+
+const RowSpan IMAGE(-0.016, 0.016);
+
+// Over many seeds all seven values are found, and their sigmas are true; so are those of the rates.
+TEST(RSAckermann_Gyro, alignment_is_found)
+{
+    int within = 0, count = 0, ratesWithin = 0, rates = 0;
+    double squares = 0, shown = 0;
+    for (int seed = 0; seed < 40; seed++)
+    {
+        RNG rng(100 + seed);
+        const Turning turning(rng);
+        TrueGyro truth;
+        truth.delay = rng.uniform(-0.03, 0.03);
+        truth.noise = 0.3 * DEGREE;
+        for (int i = 0; i < 3; i++)
+        {
+            truth.bias[i] = rng.gaussian(0.7 * DEGREE);
+            truth.axes[i] = rng.gaussian(1.5 * DEGREE);
+        }
+        const int frames = 120;
+        Mat times, values;
+        measure(turning, truth, frames * INTERVAL, rng, times, values);
+        GyroRates gyro;
+        gyro.samples.add(times, values);
+        for (int k = 1; k <= frames; k++)
+            gyro.add(turnOfPoints(turning, k, 0.5 * DEGREE, rng));
+        EXPECT_FALSE(gyro.contradicts()) << seed;
+        const GyroAlignment& found = gyro.alignment();
+        const Vec<double, 7> sigma = gyro.alignmentSigma();
+        const double errors[7] = {found.delay - truth.delay,     found.turn[0] - truth.axes[0],
+                                  found.turn[1] - truth.axes[1], found.turn[2] - truth.axes[2],
+                                  found.bias[0] - truth.bias[0], found.bias[1] - truth.bias[1],
+                                  found.bias[2] - truth.bias[2]};
+        EXPECT_LT(std::abs(errors[0]), 0.002) << seed;
+        for (int i = 0; i < 7; i++, count++)
+            within += std::abs(errors[i]) < 2 * sigma[i];
+        for (int k = frames / 2; k <= frames; k += 5)
+        {
+            CameraRates now;
+            ASSERT_TRUE(gyro.at(k * INTERVAL, RowSpan(-1e-4, 1e-4), now));
+            const Vec3d rate = turning.rate(k * INTERVAL), error = now.value - rate;
+            squares += error.dot(error);
+            shown += rate.dot(rate);
+            for (int i = 0; i < 3; i++, rates++)
+                ratesWithin += std::abs(error[i]) < 2 * now.sigma[i];
+        }
+    }
+    EXPECT_GE(within, 0.88 * count);
+    EXPECT_GE(ratesWithin, 0.9 * rates);
+    EXPECT_LT(std::sqrt(squares / shown), 0.05);
+}
+
+// What isn't a gyro of this camera isn't used, and is told from one whose clock differs.
+TEST(RSAckermann_Gyro, contradictions_are_noticed)
+{
+    const char* const names[] = {"nothing", "degrees", "wrong sign", "other axes", "noise"};
+    for (int kind = 0; kind < 5; kind++)
+        for (int seed = 0; seed < 5; seed++)
+        {
+            SCOPED_TRACE(format("%s %d", names[kind], seed));
+            RNG rng(200 + seed);
+            const Turning turning(rng, 0.3 * DEGREE);
+            const TrueGyro truth = {0, 0, Vec3d(), Vec3d()};
+            const int frames = 60;
+            Mat times, values;
+            measure(turning, truth, frames * INTERVAL, rng, times, values);
+            if (kind == 0)
+                values.setTo(0);
+            else if (kind == 1)
+                values *= 57.3;
+            else if (kind == 2)
+                values *= -1;
+            else if (kind == 3)
+            {
+                const Mat x = values.col(0).clone();
+                values.col(1).copyTo(values.col(0));
+                x.copyTo(values.col(1));
+            }
+            else
+                rng.fill(values, RNG::NORMAL, 0, 0.3);
+            GyroRates gyro;
+            gyro.samples.add(times, values);
+            int used = 0;
+            for (int k = 1; k <= frames; k++)
+            {
+                gyro.add(turnOfPoints(turning, k, 0.3 * DEGREE, rng));
+                used += !gyro.contradicts();
+            }
+            EXPECT_LE(used, 3);
+            EXPECT_TRUE(gyro.contradicts());
+            EXPECT_TRUE(gyro.isWrong());
+        }
+}
+
+TEST(RSAckermann_Gyro, another_clock_is_found)
+{
+    for (double delay : {-1.7, -0.3, 1.0})
+    {
+        RNG rng(300);
+        const Turning turning(rng, 0.3 * DEGREE);
+        const TrueGyro truth = {delay, 0.2 * DEGREE, Vec3d(0.5, -0.5, 0.3) * DEGREE, Vec3d()};
+        Mat times, values;
+        measure(turning, truth, 3, rng, times, values);
+        GyroRates gyro;
+        gyro.samples.add(times, values);
+        for (int k = 1; k <= 60; k++)
+            gyro.add(turnOfPoints(turning, k, 0.3 * DEGREE, rng));
+        EXPECT_FALSE(gyro.contradicts()) << delay;
+        EXPECT_NEAR(delay, gyro.alignment().delay, 0.002);
+        gyro.reset();
+        EXPECT_EQ(0, gyro.alignment().delay);
+    }
+}
+
+// The integral of straight pieces is exact, and what isn't there isn't made up.
+TEST(RSAckermann_Gyro, samples_and_gaps)
+{
+    GyroSamples samples;
+    Vec3d rate;
+    EXPECT_FALSE(samples.rowRate(0, -1, 1, rate));
+    const double times[] = {0, 0.01, 0.02, 0.5, 0.51, 0.52},
+                 values[] = {1, 0, 2, 2, 0, 2, 3, 0, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    const Mat t(6, 1, CV_64F, const_cast<double*>(times)), r(6, 3, CV_64F, const_cast<double*>(values));
+    samples.add(t.rowRange(0, 4), r.rowRange(0, 4));
+    samples.add(t.rowRange(4, 6), r.rowRange(4, 6));
+    ASSERT_TRUE(samples.meanRate(0.004, 0.012, 0, 0, rate));
+    EXPECT_NEAR(1.8, rate[0], 1e-12);
+    EXPECT_NEAR(2, rate[2], 1e-12);
+    ASSERT_TRUE(samples.rowRate(0.01, -0.01, 0.01, rate));
+    EXPECT_NEAR(2, rate[0], 1e-12); // what is even about the instant turns the rows as far on both sides
+    EXPECT_TRUE(samples.covers(0.5, 0.52));
+    EXPECT_FALSE(samples.covers(0.01, 0.51));
+    EXPECT_FALSE(samples.covers(0.1, 0.2));
+    EXPECT_FALSE(samples.covers(-0.01, 0.01));
+    EXPECT_FALSE(samples.covers(0.51, 0.53));
+    EXPECT_THROW(samples.add(t, r), cv::Exception); // earlier than the last
+    EXPECT_THROW(samples.add(t + 1, r.colRange(0, 2)), cv::Exception);
+    EXPECT_THROW(samples.add(t + 1, r * std::numeric_limits<double>::quiet_NaN()), cv::Exception);
+    Mat descending = t + 1;
+    descending.at<double>(3) = 1;
+    EXPECT_THROW(samples.add(descending, r), cv::Exception);
+    EXPECT_EQ(0.52, samples.lastTime()); // nothing of it was added
+    samples.add(Mat(), Mat());
+}
+
+//! Mean squares of the errors of pitch, roll and yaw rate, (rad/s)^2, over frames that are corrected one after another.
+Vec3d errorsOf(const Ptr<RollingShutterCorrector>& corrector, const ShakingCamera& shaking, int frames, int from)
+{
+    const double unit = shaking.camera.secondsPerUnitTime();
+    Vec3d squares;
+    for (int i = 0; i < frames; i++)
+    {
+        Mat corrected;
+        corrector->setTimestamp(i * ShakingCamera::interval());
+        const AckermannMotion motion = corrector->correctWithSegments(shaking.frame(i), Mat(), corrected);
+        if (i < from)
+            continue;
+        EXPECT_EQ(MOTION_OK, motion.status) << i;
+        const Vec3d truth = ShakingCamera::rateAt(i * ShakingCamera::interval()),
+                    got(-motion.pitchRate / unit, 2 * motion.alpha / unit, motion.rollRate / unit);
+        squares += (got - truth).mul(got - truth);
+    }
+    return squares * (1. / (frames - from));
+}
+
+void gyroOf(double delay, const Vec3d& bias, Mat& times, Mat& rates)
+{
+    times.create(600, 1, CV_64F);
+    rates.create(600, 3, CV_64F);
+    for (int i = 0; i < 600; i++)
+    {
+        const double seconds = i / 300. - 0.5;
+        times.at<double>(i) = seconds + delay;
+        const Vec3d rate = ShakingCamera::rateAt(seconds) - bias;
+        std::copy(rate.val, rate.val + 3, rates.ptr<double>(i));
+    }
+}
+
+// Signs, clock and bias of images and gyro fit together: the rates of frames are better than without a gyro.
+TEST(RSAckermann_Gyro, of_a_camera_that_shakes)
+{
+    const ShakingCamera shaking;
+    RollingShutterCorrector::Params params;
+    params.sequence = true;
+    const Vec3d without = errorsOf(RollingShutterCorrector::create(shaking.camera, params), shaking, 30, 10);
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(shaking.camera, params);
+    Mat times, rates;
+    gyroOf(0.015, Vec3d(0.01, -0.008, 0.006), times, rates);
+    corrector->addGyro(times.rowRange(0, 200), rates.rowRange(0, 200));
+    corrector->addGyro(times.rowRange(200, 600), rates.rowRange(200, 600));
+    const Vec3d with = errorsOf(corrector, shaking, 30, 10);
+    EXPECT_LT(std::sqrt((with[0] + with[2]) / (without[0] + without[2])), 0.5);
+    EXPECT_LT(std::sqrt(with[0]), 0.025); // of 0.18 rad/s
+    double delay;
+    Vec3d axes, bias;
+    EXPECT_TRUE(corrector->getGyroAlignment(delay, axes, bias));
+    EXPECT_NEAR(0.015, delay, 0.003);
+    EXPECT_NEAR(0.01, bias[0], 0.005);
+}
+
+// A gyro that measures something else changes nothing, and neither does one that was removed.
+TEST(RSAckermann_Gyro, that_is_wrong_changes_nothing)
+{
+    const ShakingCamera shaking;
+    RollingShutterCorrector::Params params;
+    params.sequence = true;
+    Mat times, rates;
+    gyroOf(0, Vec3d(), times, rates);
+    const Vec3d without = errorsOf(RollingShutterCorrector::create(shaking.camera, params), shaking, 20, 5);
+    for (int kind = 0; kind < 3; kind++)
+    {
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(shaking.camera, params);
+        corrector->addGyro(times, rates * (kind == 0 ? 57.3 : kind == 1 ? -1. : 1.));
+        if (kind == 2)
+            corrector->clearGyro();
+        EXPECT_EQ(without, errorsOf(corrector, shaking, 20, 5)) << kind;
+        double delay;
+        Vec3d axes, bias;
+        EXPECT_EQ(kind == 2, corrector->getGyroAlignment(delay, axes, bias));
+    }
+}
+
+// Without anything to see, in a sequence or alone, the rows turn as the gyro says.
+TEST(RSAckermann_Gyro, in_the_dark)
+{
+    const ShakingCamera shaking;
+    Mat times, rates;
+    gyroOf(0, Vec3d(), times, rates);
+    const double seconds = 0.1, unit = shaking.camera.secondsPerUnitTime();
+    const Mat dark(shaking.camera.imageSize, CV_8U, Scalar(0));
+    for (bool sequence : {false, true})
+    {
+        RollingShutterCorrector::Params params;
+        params.sequence = sequence;
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(shaking.camera, params);
+        corrector->addGyro(times, rates);
+        corrector->setTimestamp(seconds);
+        Mat corrected;
+        const AckermannMotion motion = corrector->correct(dark, corrected);
+        ASSERT_EQ(MOTION_OK, motion.status);
+        const Vec3d truth = ShakingCamera::rateAt(seconds);
+        EXPECT_NEAR(-truth[0] * unit, motion.pitchRate, 0.1 * std::abs(truth[0]) * unit);
+        EXPECT_NEAR(truth[1] * unit, 2 * motion.alpha, 0.1 * std::abs(truth[1]) * unit);
+        EXPECT_NEAR(truth[2] * unit, motion.rollRate, 0.1 * std::abs(truth[2]) * unit);
+        EXPECT_LT(motion.expectedResidual, motion.expectedRaw);
+        EXPECT_GT(motion.pitchRateSigma, 0);
+        // An image beyond the samples
+        corrector->setTimestamp(10);
+        EXPECT_NE(MOTION_OK, corrector->correct(dark, corrected).status);
+    }
+}
+
+}} // namespace

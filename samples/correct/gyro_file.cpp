@@ -1,0 +1,212 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "gyro_file.hpp"
+#include "csv.hpp"
+#include "options.hpp"
+#include "units.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+namespace rsackermann_samples {
+
+namespace {
+
+const double FASTEST = 1e3;         // rad/s, as the library accepts
+const double LATEST = 1e12;         // seconds
+const double GAP = 0.1;             // seconds without a sample
+const double FULL_SCALE = 100;      // deg/s, which the smallest range of usual gyros exceeds
+const int SATURATED = 3;            // samples in a row that have the largest value of all
+const char* const GCSV_TITLES[] = {"GYROFLOW IMU LOG", "CAMERA IMU LOG"};
+
+struct Samples
+{
+    std::vector<double> times;
+    std::vector<cv::Vec3d> rates;
+    std::vector<int> lines;
+};
+
+std::string placeOf(const CsvTable& table, size_t row, const std::string& column, const std::string& path)
+{
+    return cv::format("line %d of %s, column %s", table.lines[row], path.c_str(), column.c_str());
+}
+
+size_t columnOf(const CsvTable& table, const std::string& name, const std::string& path)
+{
+    const size_t column = size_t(std::find(table.header.begin(), table.header.end(), name) - table.header.begin());
+    if (column == table.header.size())
+        throw UsageError(path + ": there is no column " + name);
+    if (std::count(table.header.begin(), table.header.end(), name) > 1)
+        throw UsageError(path + ": the column " + name + " is there twice");
+    return column;
+}
+
+/** Numbers of a time and three rates.
+@param names of the columns. @param scales seconds and rad/s of their units. */
+Samples readSamples(const CsvTable& table, const std::string (&names)[4], const double (&scales)[4],
+                    const std::string& path)
+{
+    size_t columns[4];
+    for (int k = 0; k < 4; k++)
+        columns[k] = columnOf(table, names[k], path);
+    Samples samples;
+    for (size_t i = 0; i < table.rows.size(); i++)
+    {
+        double values[4];
+        for (int k = 0; k < 4; k++)
+        {
+            const std::string place = placeOf(table, i, names[k], path), &cell = table.rows[i][columns[k]];
+            values[k] = parseNumber(cell, place) * scales[k];
+            const double limit = k == 0 ? LATEST : FASTEST;
+            if (!(std::abs(values[k]) <= limit))
+                throw UsageError(place + cv::format(": %s is not from %g to %g", cell.c_str(), -limit / scales[k],
+                                                    limit / scales[k]));
+        }
+        if (!samples.times.empty() && !(values[0] > samples.times.back()))
+            throw UsageError(placeOf(table, i, names[0], path) + ": times must increase");
+        samples.times.push_back(values[0]);
+        samples.rates.push_back(cv::Vec3d(values[1], values[2], values[3]));
+        samples.lines.push_back(table.lines[i]);
+    }
+    if (samples.times.size() < 2)
+        throw UsageError(path + ": there are fewer than two samples");
+    return samples;
+}
+
+// The largest rate again and again is the end of the gyro's range.
+void warnOfSaturation(const Samples& samples, const std::string& where)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        double largest = FULL_SCALE * DEGREE;
+        for (const cv::Vec3d& rate : samples.rates)
+            largest = std::max(largest, std::abs(rate[k]));
+        int repeated = 0;
+        for (size_t i = 0; i < samples.rates.size(); i++)
+        {
+            repeated = std::abs(samples.rates[i][k]) == largest ? repeated + 1 : 0;
+            if (repeated < SATURATED)
+                continue;
+            std::cerr << where << ": line " << samples.lines[i] << ": the gyro saturates at "
+                      << cv::format("%g", largest / DEGREE) << " deg/s" << std::endl;
+            return;
+        }
+    }
+}
+
+void warnOfGaps(const Samples& samples, const std::string& where)
+{
+    size_t gaps = 0, first = 0;
+    for (size_t i = 1; i < samples.times.size(); i++)
+        if (samples.times[i] - samples.times[i - 1] > GAP && gaps++ == 0)
+            first = i;
+    if (gaps > 0)
+        std::cerr << where << ": line " << samples.lines[first]
+                  << cv::format(": %g s without a sample; frames in such gaps (%d) do without the gyro",
+                                samples.times[first] - samples.times[first - 1], int(gaps))
+                  << std::endl;
+}
+
+/** Gyroflow's axes, after its orientation string: x to the right, y up and z towards the viewer. A capital letter names
+the axis of the log that is one of them, a small one its opposite. */
+cv::Matx33d axesOf(const std::string& orientation, const std::string& place)
+{
+    cv::Matx33d axes = cv::Matx33d::zeros(); // of the log to Gyroflow's
+    std::string used;
+    for (size_t i = 0; i < orientation.size() && i < 3; i++)
+    {
+        const char lower = char(std::tolower(orientation[i]));
+        if (lower >= 'x' && lower <= 'z' && used.find(lower) == std::string::npos)
+        {
+            used += lower;
+            axes(int(i), lower - 'x') = orientation[i] == lower ? -1 : 1;
+        }
+    }
+    if (orientation.size() != 3 || used.size() != 3)
+        throw UsageError(place + ": '" + orientation + "' is not X, Y and Z in some order, small letters for opposites");
+    return cv::Matx33d(1, 0, 0, 0, -1, 0, 0, 0, -1) * axes;
+}
+
+bool isGcsv(const std::vector<std::string>& header)
+{
+    return header.size() == 1 && (header[0] == GCSV_TITLES[0] || header[0] == GCSV_TITLES[1]);
+}
+
+Samples readGcsv(const CsvTable& whole, const std::string& path)
+{
+    double scales[4] = {1, 1, 1, 1};
+    cv::Matx33d axes = axesOf("XYZ", path);
+    CsvTable table;
+    for (size_t i = 0; i < whole.rows.size(); i++)
+    {
+        const std::vector<std::string>& row = whole.rows[i];
+        if (!table.header.empty())
+        {
+            if (row.size() != table.header.size())
+                throw UsageError(cv::format("line %d of %s: there are %d cells, but %d columns", whole.lines[i],
+                                            path.c_str(), int(row.size()), int(table.header.size())));
+            table.rows.push_back(row);
+            table.lines.push_back(whole.lines[i]);
+            continue;
+        }
+        const std::string key = row[0], place = placeOf(whole, i, key, path);
+        if (key == "t")
+            table.header = row;
+        else if ((key == "tscale" || key == "gscale" || key == "orientation") && row.size() != 2)
+            throw UsageError(place + ": one value is expected");
+        else if (key == "orientation")
+            axes = axesOf(row[1], place);
+        else if (key == "tscale" || key == "gscale")
+        {
+            const double scale = parseNumber(row[1], place);
+            if (!(scale > 0 && scale <= 1e6))
+                throw UsageError(place + ": " + row[1] + " is not above 0 and up to 1e6");
+            std::fill(scales + (key == "tscale" ? 0 : 1), scales + (key == "tscale" ? 1 : 4), scale);
+        }
+    }
+    if (table.header.empty())
+        throw UsageError(path + ": there is no line that begins with 't,'");
+    const std::string names[4] = {"t", "gx", "gy", "gz"};
+    Samples samples = readSamples(table, names, scales, path);
+    for (cv::Vec3d& rate : samples.rates)
+        rate = axes * rate;
+    return samples;
+}
+
+Samples readColumns(const CsvTable& table, const std::string& path)
+{
+    // In the order of the camera's axes.
+    const std::string names[4] = {"time_s", "pitch_rate_deg_s", "yaw_rate_deg_s", "roll_rate_deg_s"};
+    const double scales[4] = {1, DEGREE, DEGREE, DEGREE};
+    for (size_t i = 0; i < table.header.size(); i++)
+        if (std::find(names, names + 4, table.header[i]) == names + 4)
+            throw UsageError(cv::format("column %d of %s: '%s' is none of time_s, yaw_rate_deg_s, pitch_rate_deg_s, "
+                                        "roll_rate_deg_s",
+                                        int(i + 1), path.c_str(), table.header[i].c_str()));
+    Samples samples = readSamples(table, names, scales, path);
+    for (cv::Vec3d& rate : samples.rates)
+        rate[0] = -rate[0]; // looking down is a turn against the x axis
+    return samples;
+}
+
+} // namespace
+
+GyroRecording readGyro(const std::string& path, const std::string& program)
+{
+    const CsvTable table = readCsv(path, isGcsv);
+    const Samples samples = isGcsv(table.header) ? readGcsv(table, path) : readColumns(table, path);
+    const std::string where = program + ": " + path;
+    warnOfSaturation(samples, where);
+    warnOfGaps(samples, where);
+    GyroRecording recording;
+    recording.times = cv::Mat(samples.times, true);
+    recording.rates = cv::Mat(samples.rates, true).reshape(1);
+    return recording;
+}
+
+} // namespace rsackermann_samples

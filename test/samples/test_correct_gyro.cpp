@@ -1,0 +1,116 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Files of gyros: what is read, what is refused and what is warned of.
+
+#include "program.hpp"
+
+namespace opencv_test { namespace {
+
+typedef nlohmann::json Json;
+
+const char* const HEADER = "time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n";
+
+class CorrectGyro : public testing::Test
+{
+protected:
+    Outcome run(const std::string& name, const std::string& content, const Arguments& options = {}) const
+    {
+        writeContent(folder_ / name, content);
+        Arguments all = {folder_ / "dark.png", "--focal=500", "--readout=0.03", "--report=-",
+                         "--gyro=" + (folder_ / name), "--log=" + (folder_ / "log.csv")};
+        all.insert(all.end(), options.begin(), options.end());
+        return correct(all);
+    }
+
+    CorrectGyro()
+    {
+        cv::imwrite(folder_ / "dark.png", cv::Mat(480, 640, CV_8U, cv::Scalar(0)));
+        writeContent(folder_ / "log.csv", "file,time_s\ndark.png,1\n");
+    }
+
+    void expectRates(const Outcome& outcome, double yaw, double pitch, double roll) const
+    {
+        ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+        const Json line = Json::parse(outcome.output);
+        EXPECT_EQ("ok", line["status"]);
+        EXPECT_NEAR(yaw, double(line["yaw_rate_deg_s"]), 1e-3);
+        EXPECT_NEAR(pitch, double(line["pitch_rate_deg_s"]), 1e-3);
+        EXPECT_NEAR(roll, double(line["roll_rate_deg_s"]), 1e-3);
+    }
+
+    void expectRefused(const std::string& name, const std::string& content, const std::string& part) const
+    {
+        const Outcome outcome = run(name, content);
+        EXPECT_EQ(2, outcome.exitCode) << content;
+        EXPECT_NE(std::string::npos, outcome.messages.find(part)) << outcome.messages;
+        EXPECT_EQ("", outcome.output);
+    }
+
+    const TemporaryFolder folder_;
+};
+
+// An image that shows nothing turns as the gyro says, whatever the order of the columns.
+TEST_F(CorrectGyro, both_formats)
+{
+    std::string table = HEADER, other = "roll_rate_deg_s,time_s,pitch_rate_deg_s,yaw_rate_deg_s\n",
+                log = "GYROFLOW IMU LOG\nversion,1.3\nid,a\norientation,XYZ\nnote\ntscale,0.001\ngscale,0.0174532925\n"
+                      "ascale,1\nt,gx,gy,gz,ax,ay,az\n",
+                turned = "CAMERA IMU LOG\nversion,1.3\norientation,yXZ\ntscale,0.001\ngscale,0.0174532925\n"
+                         "t,gx,gy,gz\n";
+    for (int i = 0; i < 100; i++)
+    {
+        const double time = 0.5 + 0.01 * i;
+        table += cv::format("%g,30,-20,10\n", time);
+        other += cv::format("10,%g,-20,30\n", time);
+        log += cv::format("%d,20,-30,-10,0,0,0\n", int(1000 * time + 0.5));
+        turned += cv::format("%d,-30,-20,-10\n", int(1000 * time + 0.5));
+    }
+    expectRates(run("gyro.csv", table), 30, -20, 10);
+    expectRates(run("gyro.csv", other), 30, -20, 10);
+    expectRates(run("gyro.gcsv", log), 30, -20, 10);
+    expectRates(run("gyro.gcsv", turned), 30, -20, 10);
+}
+
+TEST_F(CorrectGyro, what_isnt_understood_is_refused)
+{
+    const std::string header = HEADER, gcsv = "GYROFLOW IMU LOG\ntscale,0.001\nt,gx,gy,gz\n";
+    expectRefused("a.csv", "", "is empty");
+    expectRefused("a.csv", header + "0,1,2,3\n", "fewer than two samples");
+    expectRefused("a.csv", header + "0,1,2,3\n1,1,x,3\n", "line 3");
+    expectRefused("a.csv", header + "0,1,2,3\n1,1,x,3\n", "column pitch_rate_deg_s");
+    expectRefused("a.csv", header + "0,1,2,3\n1,1,2,nan\n", "column roll_rate_deg_s");
+    expectRefused("a.csv", header + "0,1,2,3\n1,1,2,1e9\n", "column roll_rate_deg_s: 1e9 is not from");
+    expectRefused("a.csv", header + "0,1,2,3\n0,1,2,3\n", "line 3");
+    expectRefused("a.csv", header + "0,1,2,3\n0,1,2,3\n", "times must increase");
+    expectRefused("a.csv", header + "0,1,2\n", "there are 3 cells, but 4 columns");
+    expectRefused("a.csv", "time_s,yaw_rate,pitch_rate_deg_s,roll_rate_deg_s\n0,1,2,3\n", "column 2");
+    expectRefused("a.csv", "time_s,yaw_rate_deg_s,pitch_rate_deg_s\n0,1,2\n", "no column roll_rate_deg_s");
+    expectRefused("a.csv", "time_s,time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n0,0,1,2,3\n", "twice");
+    expectRefused("a.gcsv", gcsv + "0,1,2,3\n1,1,2\n", "line 5");
+    expectRefused("a.gcsv", gcsv + "0,1,2,3\n1,1,2,abc\n", "column gz");
+    expectRefused("a.gcsv", gcsv + "1,1,2,3\n0,1,2,3\n", "times must increase");
+    expectRefused("a.gcsv", "GYROFLOW IMU LOG\norientation,XYY\nt,gx,gy,gz\n", "line 2");
+    expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale,0\nt,gx,gy,gz\n", "column tscale");
+    expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale\nt,gx,gy,gz\n", "one value");
+    expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale,1\n", "begins with 't,'");
+    expectRefused("a.gcsv", "GYROFLOW IMU LOG\nt,gx,gy\n0,1,2\n1,1,2\n", "no column gz");
+}
+
+// Gaps and saturated samples are told with their line; a frame in a gap does without the gyro.
+TEST_F(CorrectGyro, warnings)
+{
+    Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n0.9,1,2,3\n1.2,1,2,3\n");
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("line 3: 0.9 s without a sample")) << outcome.messages;
+    EXPECT_EQ(std::string::npos, outcome.output.find("\"ok\""));
+    outcome = run("a.csv", std::string(HEADER) + "0,1,250,3\n0.01,1,250,3\n0.02,1,250,3\n0.03,1,2,3\n");
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("line 4: the gyro saturates at 250 deg/s")) << outcome.messages;
+    outcome = correct({folder_ / "dark.png", "--focal=500", "--report=-", "--gyro=" + (folder_ / "a.csv")});
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("--gyro has no effect without")) << outcome.messages;
+}
+
+}} // namespace
