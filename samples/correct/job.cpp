@@ -33,6 +33,7 @@ const char* const JOB_KEYS =
     "the options}"
     "{gyro       |        | rates of a gyro on the camera, on the clock of time_s or of the video: CSV file (columns "
     "time_s, yaw_rate_deg_s, pitch_rate_deg_s, roll_rate_deg_s) or a log of Gyroflow (.gcsv)}"
+    "{gyro_delay |        | seconds by which the clock of --gyro is ahead of that of the frames (default 0)}"
     "{carry      |        | treat the inputs, or the frames of each video, as one sequence; needs the line delay}"
     "{smooth     |        | --carry, and each frame also uses the one after it}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's "
@@ -195,7 +196,13 @@ Job readJob(const Options& options)
     if (options.given("log"))
         job.log = DriveLog(options.inputFile("log"));
     if (options.given("gyro"))
+    {
         job.gyro = readGyro(options.inputFile("gyro"), "rsackermann_correct");
+        if (options.given("gyro_delay"))
+            job.gyro.times -= options.number("gyro_delay", -1e12, 1e12);
+    }
+    else if (options.given("gyro_delay"))
+        throw UsageError("--gyro_delay needs --gyro");
     job.smooth = options.flag("smooth");
     job.params.sequence = job.smooth || options.flag("carry");
     if (job.params.sequence && job.params.estimator.model != MODEL_AUTO)

@@ -70,6 +70,10 @@ TEST_F(CorrectGyro, both_formats)
     expectRates(run("gyro.csv", table), 30, -20, 10);
     expectRates(run("gyro.csv", other), 30, -20, 10);
     expectRates(run("gyro.gcsv", log), 30, -20, 10);
+    std::string later = HEADER; // by a minute
+    for (int i = 0; i < 100; i++)
+        later += cv::format("%g,30,-20,10\n", 60.5 + 0.01 * i);
+    expectRates(run("gyro.csv", later, {"--gyro_delay=60"}), 30, -20, 10);
     expectRates(run("gyro.gcsv", turned), 30, -20, 10);
 }
 

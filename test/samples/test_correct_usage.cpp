@@ -16,7 +16,7 @@ TEST(CorrectUsage, help_names_every_option)
          {"camera",        "focal",           "line_delay", "readout",     "scan",          "reference",
           "roll",          "pitch",           "heading",    "height",      "gravity_sigma", "usual_yaw_rate",
           "wall",          "scale_from_road", "speed",      "speed_sigma", "yaw_rate",      "yaw_rate_sigma",
-          "log", "gyro",          "carry",           "model",      "detector",    "lines",         "seed",
+          "log", "gyro", "gyro_delay",          "carry",           "model",      "detector",    "lines",         "seed",
           "threads",       "output",          "overlay",    "report",      "maps",          "shard",
           "skip_existing", "overwrite"})
         EXPECT_NE(std::string::npos, outcome.output.find(std::string("--") + name)) << name;
@@ -70,6 +70,8 @@ const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--out
                                                        {"--yaw_rate=1e4", "--yaw_rate"},
                                                        {"--yaw_rate=", "--yaw_rate"},
                                                        {"--yaw_rate_sigma=1", "--yaw_rate"},
+                                                       {"--gyro=nothing.csv", "nothing.csv"},
+                                                       {"--gyro_delay=1", "--gyro"},
                                                        {"--carry=perhaps", "--carry"},
                                                        {"--model=5la", "5la"},
                                                        {"--detector=canny", "canny"},

@@ -247,6 +247,31 @@ class rsackermann_test(NewOpenCVTests):
         corrector.reset()
 
     @needs_corrector
+    def test_corrector_gyro(self):
+        corrector = cv.rsackermann.RollingShutterCorrector.create(make_camera())
+        times = np.arange(0, 1, .01)
+        rates = np.tile([.3, .2, -.1], (len(times), 1))  # rad/s
+        corrector.addGyro(times[:50], rates[:50])
+        corrector.addGyro(times[50:], rates[50:])
+        self.assertRaises(cv.error, corrector.addGyro, times, rates)  # the same times again
+        corrector.setTimestamp(.5)
+        motion = corrector.correct(np.zeros((SIZE[1], SIZE[0]), np.uint8))[0]
+        self.assertEqual(motion.status, cv.rsackermann.MOTION_OK)
+        unit = make_camera().secondsPerUnitTime()
+        self.assertAlmostEqual(motion.pitchRate / unit, -.3, places=6)
+        self.assertAlmostEqual(2 * motion.alpha / unit, .2, places=6)
+        self.assertAlmostEqual(motion.rollRate / unit, -.1, places=6)
+        agrees, delay, axes, bias = corrector.getGyroAlignment()
+        self.assertTrue(agrees)
+        self.assertEqual(delay, 0)
+        self.assertEqual(len(axes), 3)
+        self.assertEqual(len(bias), 3)
+        corrector.clearGyro()
+        corrector.setTimestamp(.5)
+        motion = corrector.correct(np.zeros((SIZE[1], SIZE[0]), np.uint8))[0]
+        self.assertNotEqual(motion.status, cv.rsackermann.MOTION_OK)
+
+    @needs_corrector
     def test_fields_of_fields(self):
         # A field of a field would be one of a copy, so there is none.
         params = cv.rsackermann.RollingShutterCorrector.Params()
