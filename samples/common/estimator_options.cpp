@@ -10,9 +10,9 @@ namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
 
-const std::vector<std::string> DETECTOR_WORDS = {"lsd", "fld", "edlines"};
+const std::vector<std::string> DETECTOR_WORDS = {"lsd", "fld", "edlines", "verticals"};
 
-const char* const DETECTOR_KEY = "{detector   | lsd    | line segment detector: lsd, fld or edlines}";
+const char* const DETECTOR_KEY = "{detector   | lsd    | line segment detector: lsd, fld, edlines or verticals}";
 
 int readDetector(const Options& options)
 {

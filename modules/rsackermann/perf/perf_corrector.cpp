@@ -40,7 +40,7 @@ typedef TestBaseWithParam<tuple<Size, int>> Corrector; // size, detector
 
 PERF_TEST_P(Corrector, correct,
             testing::Combine(testing::Values(szVGA, sz720p, sz1080p),
-                             testing::Values((int)DETECTOR_LSD
+                             testing::Values((int)DETECTOR_LSD, (int)DETECTOR_VERTICALS
 #ifdef HAVE_OPENCV_XIMGPROC
                                              ,
                                              (int)DETECTOR_FLD, (int)DETECTOR_EDLINES
@@ -91,7 +91,7 @@ typedef TestBaseWithParam<tuple<Size, int>> Detect; // size, detector
 
 PERF_TEST_P(Detect, detectSegments,
             testing::Combine(testing::Values(szVGA, sz720p, sz1080p),
-                             testing::Values((int)DETECTOR_LSD
+                             testing::Values((int)DETECTOR_LSD, (int)DETECTOR_VERTICALS
 #ifdef HAVE_OPENCV_XIMGPROC
                                              ,
                                              (int)DETECTOR_FLD, (int)DETECTOR_EDLINES

@@ -61,6 +61,11 @@ inline V v_and(const V& a, const V& b)
     return a & b;
 }
 template <typename V>
+inline V v_or(const V& a, const V& b)
+{
+    return a | b;
+}
+template <typename V>
 inline V v_lt(const V& a, const V& b)
 {
     return a < b;

@@ -825,7 +825,7 @@ class RSAckermann_EstimatorParamsCheck : public testing::TestWithParam<BadField>
 const BadField badFields[] = {
     BadField("model", [](Params& p) { p.model = 2; }),
     BadField("model", [](Params& p) { p.model = -2; }),
-    BadField("detector", [](Params& p) { p.detector = 3; }),
+    BadField("detector", [](Params& p) { p.detector = 4; }),
     BadField("detector", [](Params& p) { p.detector = -1; }),
     BadField("minLength", [](Params& p) { p.minLength = -1; }),
     BadField("minLength", [](Params& p) { p.minLength = NaN; }),

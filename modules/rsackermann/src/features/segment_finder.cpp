@@ -22,10 +22,11 @@ static double lsdScale(const Mat& image, bool isRefined)
 
 void checkDetector(int detector, const char* name)
 {
-    if (detector < DETECTOR_LSD || detector > DETECTOR_EDLINES)
-        CV_Error(
-            Error::StsBadArg,
-            format("%s is %d; DETECTOR_LSD (0), DETECTOR_FLD (1) or DETECTOR_EDLINES (2) is expected", name, detector));
+    if (detector < DETECTOR_LSD || detector > DETECTOR_VERTICALS)
+        CV_Error(Error::StsBadArg,
+                 format("%s is %d; DETECTOR_LSD (0), DETECTOR_FLD (1), DETECTOR_EDLINES (2) or DETECTOR_VERTICALS (3) "
+                        "is expected",
+                        name, detector));
 }
 
 static void checkArguments(InputArray image, int detector, double minLength)
@@ -191,6 +192,22 @@ void SegmentFinder::keepLong(double minLength)
     found.resize(kept);
 }
 
+void SegmentFinder::findAndRefine(int detector, double minLength)
+{
+    const bool isRefined = scale > 1 || detector != DETECTOR_LSD;
+    const int stripCount = isRefined ? std::max(cvRound(small.cols / double(STRIP_WIDTH)), 1) : 1;
+    findInStrips(small, stripCount, detector, minLength / scale, lsdScale(small, isRefined));
+    const float shift = (scale - 1) / 2.f; // centre of the first pixel of the small image
+    for (size_t i = 0; i < found.size(); i++)
+        found[i] = found[i] * float(scale) + Vec4f::all(shift);
+    if (isRefined || isForMany)
+    {
+        // Ends that move across a segment hardly make it longer. The further away they are, the more steps it takes.
+        keepLong(0.9 * minLength);
+        refineSegments(gray, 2 + cvRound(std::log2(double(scale))), !isForMany, found);
+    }
+}
+
 void SegmentFinder::find(InputArray image_, int detector, double minLength, OutputArray segments_)
 {
     checkArguments(image_, detector, minLength);
@@ -199,19 +216,10 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
     prepare(image);
     if (image.rows >= MIN_DETECTOR_SIZE && image.cols >= MIN_DETECTOR_SIZE)
     {
-        const bool isRefined = scale > 1 || detector != DETECTOR_LSD;
-        const int stripCount = isRefined ? std::max(cvRound(small.cols / double(STRIP_WIDTH)), 1) : 1;
-        findInStrips(small, stripCount, detector, minLength / scale, lsdScale(small, isRefined));
-        const float shift = (scale - 1) / 2.f; // centre of the first pixel of the small image
-        for (size_t i = 0; i < found.size(); i++)
-            found[i] = found[i] * float(scale) + Vec4f::all(shift);
-        if (isRefined || isForMany)
-        {
-            // Ends that move across a segment hardly make it longer. The further away they are, the more steps it
-            // takes.
-            keepLong(0.9 * minLength);
-            refineSegments(gray, 2 + cvRound(std::log2(double(scale))), !isForMany, found);
-        }
+        if (detector == DETECTOR_VERTICALS)
+            detectVerticals(gray, small, scale, minLength, isForMany, found);
+        else
+            findAndRefine(detector, minLength);
     }
     keepLong(minLength);
     returnSegments(found.empty() ? Mat(0, 4, CV_32F) : Mat(found).reshape(1, (int)found.size()), segments_);

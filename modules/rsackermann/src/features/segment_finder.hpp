@@ -16,7 +16,8 @@ Time counts here: nearly all that a correction takes is detection.
 -# Unless that is the image itself and LSD searches it, it is cut into strips, of which threads work off one each. Lines
 that are nearly vertical, which the estimation is about, are seldom cut. The strips depend on the size of the image, not
 on the number of threads.
--# The ends are then refined in the image itself. Those of LSD in it are nearly as exact: they lean by about a hundredth
+-# DETECTOR_VERTICALS has strips of its own, and fits its edges to the image itself.
+-# The ends of the others are then refined in the image itself. Those of LSD in it are nearly as exact: they lean by about a hundredth
 too little, which is nothing for one image and something for a calibration from many.
 */
 class SegmentFinder
@@ -47,6 +48,7 @@ private:
     const Mat& toGray(const Mat& image);
     const Mat& shrink(const Mat& image);
     void findInStrips(const Mat& image, int count, int detector, double minLength, double detectorScale);
+    void findAndRefine(int detector, double minLength);
     void keepLong(double minLength);
 
     bool isForMany;

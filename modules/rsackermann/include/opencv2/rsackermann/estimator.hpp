@@ -14,9 +14,10 @@ namespace cv { namespace rsackermann {
 
 //! Detectors of line segments.
 enum SegmentDetector {
-    DETECTOR_LSD = 0,    //!< cv::LineSegmentDetector of imgproc
-    DETECTOR_FLD = 1,    //!< cv::ximgproc::FastLineDetector, needs the module ximgproc
-    DETECTOR_EDLINES = 2 //!< cv::ximgproc::EdgeDrawing, needs the module ximgproc
+    DETECTOR_LSD = 0,      //!< cv::LineSegmentDetector of imgproc
+    DETECTOR_FLD = 1,      //!< cv::ximgproc::FastLineDetector, needs the module ximgproc
+    DETECTOR_EDLINES = 2,  //!< cv::ximgproc::EdgeDrawing, needs the module ximgproc
+    DETECTOR_VERTICALS = 3 //!< of this module: edges that cross the rows of the image, and those that cross its columns
 };
 
 //! The estimator's verdict on a segment.
@@ -30,7 +31,8 @@ enum SegmentLabel {
 /** @brief Detects line segments in an image.
 
 Images of more than 0.8 megapixels are searched in halved form, in which straight lines can still be seen. Then, and
-after detectors other than LSD, the ends are refined to a fraction of a pixel in the image itself.
+after detectors other than LSD, the ends are refined to a fraction of a pixel in the image itself. An edge that a lens
+has bent evenly is one segment of #DETECTOR_VERTICALS, whose ends are on the edge; other detectors cut it.
 @param image grey or colour image, 8 or 16 bit.
 @param segments N x 4 matrix CV_32F with rows (x1, y1, x2, y2) in pixels, or vector<Vec4f>.
 @param detector one of #SegmentDetector.

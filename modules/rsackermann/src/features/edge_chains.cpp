@@ -1,0 +1,196 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "edge_chains.hpp"
+
+namespace cv { namespace rsackermann {
+
+static const double LEAST_SIGMAS = 2.5;     // of the noise of a step
+static const double LEAST_STEP = 8;         // grey levels
+static const double GATE = 1;               // pixels from the expected column
+static const double STRAIGHT = 0.3;         // pixels, root mean square from a straight line
+static const double LARGEST_SAGITTA = 0.02; // of the length
+
+EdgeChains::EdgeChains(const Mat& gray, const Range& columns, double noise_, int leastRows_)
+    : rows(gray, columns), rowCount(gray.rows), leastRows(std::max(leastRows_, 4)), noise(noise_), result(0)
+{
+}
+
+void EdgeChains::find(std::vector<EdgePiece>& pieces)
+{
+    result = &pieces;
+    points.clear();
+    chains.clear();
+    const double least = std::max(LEAST_STEP, LEAST_SIGMAS * EdgeRows::noiseOfStep() * noise);
+    for (int row = 0; row < rowCount; row++)
+    {
+        rows.find(row, least, found);
+        choose();
+        follow(row);
+        begin(row);
+    }
+    for (size_t i = 0; i < chains.size(); i++)
+        end(chains[i]);
+}
+
+// Each chain's nearest edge; of several chains the one that has more points gets it.
+void EdgeChains::choose()
+{
+    const float firstGate = 1.5; // lines up to the diagonal
+    owners.assign(found.size(), NONE);
+    size_t first = 0;
+    for (size_t i = 0; i < chains.size(); i++)
+    {
+        Chain& c = chains[i];
+        c.found = NONE;
+        while (first < found.size() && found[first].column < c.column - firstGate)
+            first++;
+        float nearest = float(c.count == 1 ? firstGate : GATE);
+        for (size_t j = first; j < found.size() && found[j].column <= c.column + nearest; j++)
+            if ((found[j].step > 0) == c.rises && std::abs(found[j].column - c.column) <= nearest)
+            {
+                nearest = std::abs(found[j].column - c.column);
+                c.found = int(j);
+            }
+        if (c.found == NONE)
+            continue;
+        int& owner = owners[c.found];
+        if (owner == NONE || chains[owner].count < c.count)
+        {
+            if (owner != NONE)
+                chains[owner].found = NONE;
+            owner = int(i);
+        }
+        else
+            c.found = NONE;
+    }
+}
+
+// A filter whose memory grows with the chain up to some rows.
+void EdgeChains::follow(int row)
+{
+    const int longestGap = 2, memory = 12;
+    next.clear();
+    for (size_t i = 0; i < chains.size(); i++)
+    {
+        Chain c = chains[i];
+        if (c.found == NONE)
+        {
+            if (++c.missed > longestGap)
+            {
+                end(c);
+                continue;
+            }
+        }
+        else
+        {
+            const EdgePoint& e = found[c.found];
+            const Point p = {e.column, e.step, row, c.last};
+            const float n = float(std::min(c.count + 1, memory)), error = e.column - c.column;
+            c.column += 2 * (2 * n - 1) / (n * (n + 1)) * error;
+            c.slope += 6 / (n * (n + 1)) * error;
+            c.last = int(points.size());
+            c.count++;
+            c.missed = 0;
+            points.push_back(p);
+        }
+        c.column += c.slope;
+        next.push_back(c);
+    }
+}
+
+// Edges that no chain has begin one; chains are kept from left to right.
+void EdgeChains::begin(int row)
+{
+    for (size_t i = 1; i < next.size(); i++) // nearly sorted
+        for (size_t j = i; j > 0 && next[j].column < next[j - 1].column; j--)
+            std::swap(next[j], next[j - 1]);
+    chains.clear();
+    size_t i = 0;
+    for (size_t j = 0; j < found.size(); j++)
+    {
+        if (owners[j] != NONE)
+            continue;
+        while (i < next.size() && next[i].column < found[j].column)
+            chains.push_back(next[i++]);
+        const Point p = {found[j].column, found[j].step, row, NONE};
+        const Chain c = {p.column, 0, 1, int(points.size()), 0, NONE, p.step > 0};
+        points.push_back(p);
+        chains.push_back(c);
+    }
+    chains.insert(chains.end(), next.begin() + i, next.end());
+}
+
+void EdgeChains::end(const Chain& ended)
+{
+    if (ended.count < leastRows)
+        return;
+    chain.clear();
+    for (int i = ended.last; i != NONE; i = points[i].previous)
+        chain.push_back(points[i]);
+    std::reverse(chain.begin(), chain.end());
+    const Point& origin = chain[0];
+    sums.assign(1, ParabolaSums());
+    for (size_t i = 0; i < chain.size(); i++)
+    {
+        sums.push_back(sums.back());
+        sums.back().add(chain[i].row - origin.row, chain[i].column - origin.column, 1);
+    }
+    cut(0, int(chain.size()), 0);
+}
+
+// About the centre of the rows.
+ParabolaFit EdgeChains::fit(int begin, int end, bool isCurved) const
+{
+    const double centre = (chain[begin].row + chain[end - 1].row) / 2. - chain[0].row;
+    return sums[end].since(sums[begin], centre).fit(isCurved);
+}
+
+void EdgeChains::cut(int begin, int end, int depth)
+{
+    const int deepest = 12, candidates = 32;
+    const double significant = 32; // square of four sigmas, for rows that share pixels
+    const int rowsSpanned = chain[end - 1].row - chain[begin].row + 1;
+    if (end - begin < leastRows * 2 / 3 || rowsSpanned < leastRows || depth > deepest)
+        return;
+    double step = 0;
+    for (int i = begin; i < end; i++)
+        step += std::abs(chain[i].step);
+    step /= end - begin;
+    const double allowed = STRAIGHT * STRAIGHT + noise * noise / (step * step);
+    const ParabolaFit straight = fit(begin, end, false), curved = fit(begin, end, true);
+    const bool isBent = curved.squares <= allowed &&
+                        std::abs(curved.curvature) * rowsSpanned / 4 < LARGEST_SAGITTA &&
+                        (end - begin) * (straight.squares - curved.squares) > significant * curved.squares;
+    if (isBent || straight.squares <= allowed)
+        return add(begin, end, isBent);
+    // Where two straight lines fit best.
+    const int spacing = std::max((end - begin) / candidates, 1);
+    int best = NONE;
+    double least = DBL_MAX;
+    for (int k = begin + 3; k <= end - 3; k += spacing)
+    {
+        const double squares = (k - begin) * fit(begin, k, false).squares + (end - k) * fit(k, end, false).squares;
+        if (squares < least)
+        {
+            least = squares;
+            best = k;
+        }
+    }
+    if (best == NONE)
+        return;
+    cut(begin, best, depth + 1);
+    cut(best, end, depth + 1);
+}
+
+void EdgeChains::add(int begin, int end, bool isCurved)
+{
+    const ParabolaFit f = fit(begin, end, isCurved);
+    const EdgePiece piece = {double(chain[begin].row), double(chain[end - 1].row), chain[0].column + f.middle,
+                             f.slope, f.curvature, chain[begin].step > 0};
+    result->push_back(piece);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,34 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_FIT_HPP
+#define OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_FIT_HPP
+
+#include "edge_chains.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! An image whose rows and columns may change places without being copied.
+struct EdgeImage
+{
+    const uchar* data;
+    size_t rowStep, columnStep;
+    int rows, columns;
+
+    EdgeImage(const Mat& gray, bool isTransposed)
+        : data(gray.data), rowStep(isTransposed ? 1 : gray.step), columnStep(isTransposed ? size_t(gray.step) : 1),
+          rows(isTransposed ? gray.cols : gray.rows), columns(isTransposed ? gray.rows : gray.cols)
+    {
+    }
+};
+
+/** Moves a piece onto its edge: row by row the centre of gravity of the gradient beside it, then a line, or a parabola
+if the piece is curved, by weighted least squares.
+@param piece within a pixel or two of the edge; stays as it is if there is none.
+@param end rows at both ends that needn't tell the edge, as other edges begin there. */
+void fitEdge(const EdgeImage& image, double end, EdgePiece& piece);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_FIT_HPP
