@@ -17,12 +17,14 @@ namespace {
 
 const cv::Size FULL_HD(1920, 1080);
 
-int addCorrect(Benchmark& benchmark, const cv::Size& size)
+int addCorrect(Benchmark& benchmark, const cv::Size& size, int detector = AckermannEstimator::Params().detector)
 {
-    return benchmark.work([size]() -> Benchmark::Work {
+    return benchmark.work([size, detector]() -> Benchmark::Work {
         const Drive drive(size);
         const cv::Mat image = render(drive);
-        const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(drive.camera);
+        RollingShutterCorrector::Params params;
+        params.estimator.detector = detector;
+        const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(drive.camera, params);
         cv::Mat corrected(image.size(), image.type());
         return [corrector, image, corrected]() mutable { corrector->correct(image, corrected); };
     });
@@ -58,8 +60,16 @@ void addCorrectFigures(Benchmark& benchmark)
 {
     const int correct = addCorrect(benchmark, FULL_HD);
     const int detect = addDetect(benchmark, FULL_HD, AckermannEstimator::Params().detector);
-    benchmark.figure("correct_1080p_over_detect_plus_remap", "ratio", {correct, detect, addRemap(benchmark)},
-                     overOthers);
+    const int remap = addRemap(benchmark);
+    benchmark.figure("correct_1080p_over_detect_plus_remap", "ratio", {correct, detect, remap}, overOthers);
+    for (int detector : {int(DETECTOR_LSD), int(DETECTOR_VERTICALS)})
+    {
+        const std::string word = rsackermann_samples::DETECTOR_WORDS[detector];
+        benchmark.figure("detect_" + word + "_1080p_over_remap", "ratio",
+                         {addDetect(benchmark, FULL_HD, detector), remap}, overOthers);
+        benchmark.figure("correct_" + word + "_1080p_over_remap", "ratio",
+                         {addCorrect(benchmark, FULL_HD, detector), remap}, overOthers);
+    }
     benchmark.figure("correct_1080p_fps", "1/s", {correct}, [](const std::vector<double>& t) { return 1 / t[0]; });
 
     const cv::Size small(640, 480), large(3840, 2160);
