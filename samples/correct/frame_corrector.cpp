@@ -61,7 +61,7 @@ void FrameCorrector::beginFrame(const FrameFacts& facts)
 
 void FrameCorrector::useFacts()
 {
-    corrector_->setTimestamp(time_);
+    corrector_->setTimestamp(job_.params.sequence ? time_ : facts_.time);
     CameraSettings settings = job_.camera;
     settings.roll = orElse(facts_.roll, settings.roll);
     settings.pitch = orElse(facts_.pitch, settings.pitch);
@@ -92,9 +92,19 @@ void FrameCorrector::reset()
 
 void FrameCorrector::warnOfGyro()
 {
+    if (hasWarned_ || job_.gyro.times.empty())
+        return;
+    if (!job_.params.sequence && std::isnan(facts_.time))
+    {
+        hasWarned_ = true;
+        std::cerr << "rsackermann_correct: --gyro has no effect on images without a time: give --log with the column "
+                     "time_s"
+                  << std::endl;
+        return;
+    }
     double delay;
     cv::Vec3d axes, bias;
-    if (hasWarned_ || job_.gyro.times.empty() || corrector_->getGyroAlignment(delay, axes, bias))
+    if (corrector_->getGyroAlignment(delay, axes, bias))
         return;
     hasWarned_ = true;
     std::cerr << "rsackermann_correct: the images contradict the gyro, which isn't used where they do: its unit, axes "

@@ -33,7 +33,10 @@ struct NextFrame
 class FrameCorrector
 {
 public:
-    explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true), hasWarned_(false), time_(0), roll_(0), pitch_(0) {}
+    explicit FrameCorrector(const Job& job)
+        : job_(job), isFirst_(true), hasWarned_(false), time_(0), roll_(0), pitch_(0)
+    {
+    }
 
     /** Goes on to the next image of a sequence, whether it can be corrected or not: its time passes.
     @param facts from the log, or only its time. */
@@ -58,7 +61,7 @@ private:
 
     const Job& job_;
     bool isFirst_;                                                // of a sequence
-    bool hasWarned_;                                              // of a gyro that images contradict
+    bool hasWarned_;                                              // of a gyro without effect
     FrameFacts facts_;                                            // of the present image
     double time_;                                                 // of it, known or assumed
     cv::rsackermann::RollingShutterCamera camera_;                // of the last image

@@ -102,6 +102,17 @@ TEST_F(CorrectGyro, what_isnt_understood_is_refused)
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\nt,gx,gy\n0,1,2\n1,1,2\n", "no column gz");
 }
 
+// Without a time of the image nothing of the gyro belongs to it.
+TEST_F(CorrectGyro, image_without_time)
+{
+    writeContent(folder_ / "a.csv", std::string(HEADER) + "-1,30,-20,10\n0,30,-20,10\n1,30,-20,10\n");
+    const Outcome outcome = correct({folder_ / "dark.png", "--focal=500", "--readout=0.03", "--report=-",
+                                     "--gyro=" + (folder_ / "a.csv")});
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_EQ("too_few_segments", Json::parse(outcome.output)["status"]);
+    EXPECT_NE(std::string::npos, outcome.messages.find("--gyro has no effect on images without a time"));
+}
+
 // Gaps and saturated samples are told with their line; a frame in a gap does without the gyro.
 TEST_F(CorrectGyro, warnings)
 {

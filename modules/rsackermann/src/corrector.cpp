@@ -320,7 +320,7 @@ private:
         if (params.sequence)
             motion = estimateFrame(seconds);
         else
-            motion = drive.estimateSingle(seconds, segments, prior, labels);
+            motion = drive.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
         finder.release();
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask);

@@ -136,7 +136,10 @@ TEST(RSAckermann_Posterior, few_lines_that_agree_are_no_motion)
     RNG rng(4);
     int moved = 0;
     for (int k = 0; k < 90; k++)
-        moved += estimate(carCamera(), leaningSegments(carCamera(), 30 * (1 + k % 3), 10 * degree, rng)).status == MOTION_OK;
+    {
+        const Mat segments = leaningSegments(carCamera(), 30 * (1 + k % 3), 10 * degree, rng);
+        moved += estimate(carCamera(), segments).status == MOTION_OK;
+    }
     EXPECT_LE(moved, 1);
 }
 

@@ -230,7 +230,7 @@ void SequenceEstimator::useGyro()
 bool SequenceEstimator::measure(double seconds, InstantRate& pitch, InstantRate& roll, InstantRate& yaw) const
 {
     CameraRates now;
-    const bool isMeasured = camera.isRowShutter() && camera.secondsPerUnitTime() > 0 && !gyro.contradicts() &&
+    const bool isMeasured = std::isfinite(seconds) && camera.isRowShutter() && camera.secondsPerUnitTime() > 0 && !gyro.contradicts() &&
                             gyro.at(seconds, RowSpan(camera), now);
     if (!isMeasured)
         return false;

@@ -290,8 +290,8 @@ private:
         return fit;
     }
 
-    // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known without
-    // the image, turning alone. Other segments are as with a camera at rest.
+    // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known
+    // without the image, turning alone. Other segments are as with a camera at rest.
     void addSceneWithoutVerticals(const Fit& rest)
     {
         Fit unseen(MotionHypothesis(MODEL_1LA, 0));

@@ -117,10 +117,11 @@ public:
     In a sequence with Params::trackPoints the points of the frames show the gyro's bias, the delay of its clock and by
     how much its axes are turned (a few degrees), and whether it says anything true at all. Without points, and of a
     single image, the samples count as they are, with a bias of up to 1 deg/s.
+    A single image needs a time of setTimestamp().
     An image is corrected with samples that reach beyond both its ends; others are corrected without the gyro, and so is
     an image in a gap of more than 0.1 s.
-    @param times seconds, on the clock of setTimestamp(), as N x 1 matrix CV_64F or vector<double>: increasing, and after
-    those of earlier calls; throws cv::Exception otherwise.
+    @param times seconds, on the clock of setTimestamp(), as N x 1 matrix CV_64F or vector<double>: increasing, and
+    after those of earlier calls; throws cv::Exception otherwise.
     @param rates rad/s about the axes of the camera (x to the right, y down, z ahead): N x 3 matrix CV_64F.
      */
     CV_WRAP virtual void addGyro(InputArray times, InputArray rates) = 0;
