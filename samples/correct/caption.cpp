@@ -15,7 +15,7 @@ std::string captionOf(const AckermannMotion& motion)
     switch (motion.status)
     {
     case MOTION_OK:
-        return cv::format("corrected: %.1f px expected, %.1f px left, worse with %.0f %%", motion.expectedRaw,
+        return cv::format("corrected: %.1f px expected, %.1f px left, %.0f %% risk of harm", motion.expectedRaw,
                           motion.expectedResidual, 100 * motion.probabilityWorse);
     case MOTION_NOT_SIGNIFICANT:
         return cv::format("unchanged: %d of %d segments agree, %.1f px expected, no correction would help",

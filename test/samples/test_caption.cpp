@@ -21,7 +21,7 @@ TEST(Caption, tells_what_is_expected_or_why_not)
     motion.expectedResidual = 0.71;
     motion.probabilityWorse = 0.031;
     const std::pair<int, const char*> captions[] = {
-        {MOTION_OK, "corrected: 4.5 px expected, 0.7 px left, worse with 3 %"},
+        {MOTION_OK, "corrected: 4.5 px expected, 0.7 px left, 3 % risk of harm"},
         {MOTION_NOT_SIGNIFICANT, "unchanged: 12 of 43 segments agree, 4.5 px expected, no correction would help"},
         {MOTION_TOO_FEW_SEGMENTS, "unchanged: only 43 vertical segments"},
         {MOTION_NO_CONSENSUS, "unchanged: no motion within the limits agrees with 43 segments"},
