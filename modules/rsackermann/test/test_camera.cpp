@@ -32,7 +32,9 @@ TEST(RSAckermann_Camera, fromFocal)
     EXPECT_EQ("", complaint(wide));
     EXPECT_DOUBLE_EQ(0.2 * 576, wide.focalSigma);
 
+    EXPECT_EQ(0.15, wide.distortionSigma);
     EXPECT_EQ(0, RollingShutterCamera::fromFocal(Size(640, 380), 816).focalSigma);
+    EXPECT_EQ(0, RollingShutterCamera::fromFocal(Size(640, 380), 816).distortionSigma);
     EXPECT_EQ(900, RollingShutterCamera::fromFocal(Size(600, 1000)).cameraMatrix(0, 0));
     EXPECT_EQ(816, RollingShutterCamera::fromFocal(Size(640, 380), 816).cameraMatrix(1, 1));
 }
@@ -227,6 +229,8 @@ const BadField badFields[] = {
     BadField("height", [](RollingShutterCamera& c) { c.height = infinity; }),
     BadField("focalSigma", [](RollingShutterCamera& c) { c.focalSigma = -1; }),
     BadField("focalSigma", [](RollingShutterCamera& c) { c.focalSigma = NaN; }),
+    BadField("distortionSigma", [](RollingShutterCamera& c) { c.distortionSigma = -0.1; }),
+    BadField("distortionSigma", [](RollingShutterCamera& c) { c.distortionSigma = NaN; }),
     BadField("lineDelaySigma", [](RollingShutterCamera& c) { c.lineDelaySigma = -1e-6; }),
     BadField("lineDelaySigma", [](RollingShutterCamera& c) { c.lineDelaySigma = infinity; }),
 };

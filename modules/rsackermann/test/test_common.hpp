@@ -39,6 +39,7 @@ inline RollingShutterCamera exampleCamera()
     camera.heading = 0.3;
     camera.height = 1.25;
     camera.focalSigma = 30;
+    camera.distortionSigma = 0.05;
     camera.lineDelaySigma = 1e-6;
     return camera;
 }
@@ -47,7 +48,8 @@ inline void expectSame(const RollingShutterCamera& a, const RollingShutterCamera
 {
     typedef RollingShutterCamera T;
     expectSameFields(a, b,
-                     {&T::lineDelay, &T::referenceRow, &T::heading, &T::height, &T::focalSigma, &T::lineDelaySigma});
+                     {&T::lineDelay, &T::referenceRow, &T::heading, &T::height, &T::focalSigma, &T::distortionSigma,
+                      &T::lineDelaySigma});
     expectSameFields(a, b, {&T::lensModel, &T::scanDirection});
     EXPECT_EQ(a.imageSize, b.imageSize);
     EXPECT_EQ(a.cameraMatrix, b.cameraMatrix);
@@ -161,6 +163,7 @@ inline AckermannEstimator::Params exampleEstimatorParams()
     p.priorSpeedLogSigma = 0.7;
     p.priorWallDistance = 11;
     p.priorWallDistanceLogSigma = 0.75;
+    p.priorSpeedWallCorrelation = 0.5;
     p.priorHeight = 2.5;
     p.priorHeightLogSigma = 0.45;
     p.standingProbability = 0.25;
@@ -190,6 +193,7 @@ inline void expectSame(const AckermannEstimator::Params& a, const AckermannEstim
                       &T::priorSpeedLogSigma,
                       &T::priorWallDistance,
                       &T::priorWallDistanceLogSigma,
+                      &T::priorSpeedWallCorrelation,
                       &T::priorHeight,
                       &T::priorHeightLogSigma,
                       &T::standingProbability,

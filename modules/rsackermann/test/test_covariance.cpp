@@ -205,6 +205,7 @@ double inequality(const RollingShutterCamera& other, double speed)
     const RollingShutterCamera camera = simulation::paperCamera();
     AckermannEstimator::Params params;
     params.reverseProbability = 0.5; // neither description is less likely
+    params.priorWallDistance = 3;
     double sum = 0;
     int compared = 0;
     for (int i = 0; i < 65; i++)

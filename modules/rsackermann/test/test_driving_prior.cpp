@@ -13,7 +13,22 @@ namespace opencv_test { namespace {
 
 typedef AckermannEstimator::Params Params;
 
-const double PRIOR_WALL = 15, WALL_SIGMA = 0.9, PRIOR_SPEED = 12, PRIOR_REVERSE_SPEED = 1.5;
+const double PRIOR_WALL = 15, WALL_SIGMA = 0.9, PRIOR_SPEED = 12, SPEED_SIGMA = 0.8, CORRELATION = 0.6,
+             PRIOR_REVERSE_SPEED = 1.5;
+
+// Standard deviation of the logarithm of a speed over a wall's distance, whose logarithm has the given one.
+double scaledSpeedSigma(double wallSigma)
+{
+    return std::sqrt(SPEED_SIGMA * SPEED_SIGMA + wallSigma * wallSigma - 2 * CORRELATION * SPEED_SIGMA * wallSigma);
+}
+
+// A speed and a wall's distance of the prior: drivers are slow where walls are near.
+void drawSpeedAndWall(RNG& rng, double wallSigma, double& speed, double& wall)
+{
+    const double common = rng.gaussian(1), own = rng.gaussian(1);
+    speed = PRIOR_SPEED * std::exp(SPEED_SIGMA * common);
+    wall = PRIOR_WALL * std::exp(wallSigma * (CORRELATION * common + std::sqrt(1 - CORRELATION * CORRELATION) * own));
+}
 
 DrivingPrior makeDrive(const RollingShutterCamera& camera, const MotionPrior& prior = MotionPrior(),
                        const Params& params = Params())
@@ -139,7 +154,11 @@ TEST(RSAckermann_DrivingPrior, speed)
     Jet r[DrivingPrior::MAX_RESIDUALS];
     const DrivingPrior drive = makeDrive(camera);
     ASSERT_EQ(3, drive.evaluate(movingModel(2 * drive.expectedScaledSpeed(1), 0), MotionHypothesis(MODEL_4LA, 1), r));
-    EXPECT_NEAR(std::log(2.) / std::hypot(0.8, WALL_SIGMA), r[1].value, 1e-6);
+    EXPECT_NEAR(std::log(2.) / scaledSpeedSigma(WALL_SIGMA), r[1].value, 1e-6);
+    // The error of a given speed has nothing to do with walls.
+    const DrivingPrior given = makeDrive(camera, givenSpeed(12, 6));
+    given.evaluate(movingModel(2 * given.expectedScaledSpeed(1), 0), MotionHypothesis(MODEL_4LA, 1), r);
+    EXPECT_NEAR(std::log(2.) / std::hypot(0.5, WALL_SIGMA), r[1].value, 1e-6);
     // With two walls the distance of both, in the mean of the logarithms, is what is expected.
     Model m = movingModel(drive.expectedScaledSpeed(1) * 4, 0);
     m[P_LAMBDA] = 1. / 16;
@@ -166,9 +185,9 @@ TEST(RSAckermann_DrivingPrior, volume)
     const RollingShutterCamera camera = simulation::paperCamera();
     const double street = std::log(0.4);
     EXPECT_NEAR(street, makeDrive(camera).logVolume(MotionHypothesis(MODEL_1LA, 0)), 1e-9);
-    EXPECT_NEAR(street + std::log(std::hypot(0.8, WALL_SIGMA)),
+    EXPECT_NEAR(street + std::log(scaledSpeedSigma(WALL_SIGMA)),
                 makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 1)), 1e-9);
-    EXPECT_NEAR(street + 0.5 * std::log(0.8 * 0.8 + WALL_SIGMA * WALL_SIGMA / 2) + std::log(0.8),
+    EXPECT_NEAR(street + std::log(scaledSpeedSigma(WALL_SIGMA / std::sqrt(2.))) + std::log(0.8),
                 makeDrive(camera).logVolume(MotionHypothesis(MODEL_4LA, 2)), 1e-9);
 }
 
@@ -179,7 +198,7 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_pass)
     const double unit = camera.secondsPerUnitTime(), width = 0.03;
     RNG rng(12);
     for (int walls = 1; walls <= 2; walls++)
-        for (double B = 0.02; B < 0.4; B *= 2.5)
+        for (double B = 0.02; B < 0.2; B *= 2.5)
         {
             Model model = movingModel(B, 0);
             model[P_LAMBDA] = walls == 2 ? 0.4 : 0;
@@ -189,10 +208,9 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_pass)
             {
                 // A right wall 2.5 times as far away: the mean of the logarithms varies less than that of a single
                 // wall.
-                const double wall = PRIOR_WALL *
-                                    std::exp(rng.gaussian(walls == 2 ? WALL_SIGMA / std::sqrt(2.) : WALL_SIGMA)) *
-                                    (walls == 2 ? std::sqrt(0.4) : 1);
-                const double speed = 12 * std::exp(rng.gaussian(0.8));
+                double speed, wall;
+                drawSpeedAndWall(rng, walls == 2 ? WALL_SIGMA / std::sqrt(2.) : WALL_SIGMA, speed, wall);
+                wall *= walls == 2 ? std::sqrt(0.4) : 1;
                 if (std::abs(std::log(speed * unit / wall / B)) > width)
                     continue;
                 const double logG = std::log(speed * unit / camera.height);
@@ -240,6 +258,7 @@ TEST(RSAckermann_DrivingPrior, road)
     params.roadRatio = 3;
     makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_NEAR(0.05 * 3, G, 1e-12);
+    EXPECT_EQ(0, variance);
     // A camera of unknown height is where cameras are; one that looks to the side may not see the road.
     camera.height = 0;
     double known;
@@ -265,7 +284,7 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_stand_on_it)
     for (int k = 0; k < 4; k++)
     {
         RoadContact contact;
-        contact.ratio = (k % 2 ? 1 : 3) * open / B; // far away, or nearer than expected
+        contact.ratio = (k % 2 ? 1 : 6) * open / B; // far away, or nearer than expected
         contact.logSigma = k < 2 ? 0.06 : 0.4;
         RNG rng(7);
         double sum = 0, squares = 0;
@@ -273,8 +292,9 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_stand_on_it)
         for (int i = 0; i < 4000000; i++)
         {
             // A right wall 2.5 times as far away.
-            const double left = PRIOR_WALL * std::exp(rng.gaussian(WALL_SIGMA / std::sqrt(2.))) * std::sqrt(lambda);
-            const double speed = PRIOR_SPEED * std::exp(rng.gaussian(0.8));
+            double speed, left;
+            drawSpeedAndWall(rng, WALL_SIGMA / std::sqrt(2.), speed, left);
+            left *= std::sqrt(lambda);
             if (std::abs(std::log(speed * unit / left / B)) > width ||
                 left / camera.height > contact.ratio * std::exp(rng.gaussian(contact.logSigma)))
                 continue;

@@ -137,7 +137,7 @@ TEST(RSAckermann_RoadContact, road_of_a_narrow_street)
         params.gravitySigma = params.vehiclePitchSigma = 0.2 * CV_PI / 180;
         const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
         ASSERT_EQ(MOTION_OK, motion.status);
-        EXPECT_NEAR(G, motion.roadSlope, 0.3 * G);
+        EXPECT_NEAR(G, motion.roadSlope, 0.4 * G); // the contacts are an upper limit
         EXPECT_EQ(SCALE_UNKNOWN, motion.scale) << "it is no measurement";
     }
 }

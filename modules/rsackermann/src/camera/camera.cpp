@@ -10,7 +10,8 @@ namespace cv { namespace rsackermann {
 
 RollingShutterCamera::RollingShutterCamera()
     : cameraMatrix(Matx33d::eye()), lensModel(LENS_PINHOLE), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0),
-      referenceRow(0), uprightRotation(Matx33d::eye()), heading(0), height(0), focalSigma(0), lineDelaySigma(0)
+      referenceRow(0), uprightRotation(Matx33d::eye()), heading(0), height(0), focalSigma(0), distortionSigma(0),
+      lineDelaySigma(0)
 {
 }
 
@@ -18,7 +19,7 @@ RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, c
                                            int lens)
     : imageSize(size), cameraMatrix(K), distCoeffs(dist), lensModel(lens), scanDirection(SCAN_TOP_TO_BOTTOM),
       lineDelay(0), referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), heading(0), height(0),
-      focalSigma(0), lineDelaySigma(0)
+      focalSigma(0), distortionSigma(0), lineDelaySigma(0)
 {
 }
 
@@ -46,10 +47,11 @@ RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double fo
     if (!(focal >= 0) || cvIsInf(focal))
         CV_Error(Error::StsBadArg,
                  format("focal is %g; a positive number of pixels, or 0 for the default, is expected", focal));
-    const double relative = 0.9, relativeSigma = 0.2; // of cameras in cars
+    const double relative = 0.9, relativeSigma = 0.2, unknownDistortion = 0.15; // of cameras in cars
     const double f = focal > 0 ? focal : relative * std::max(size.width, size.height);
     RollingShutterCamera camera(size, Matx33d(f, 0, (size.width - 1) / 2., 0, f, (size.height - 1) / 2., 0, 0, 1));
     camera.focalSigma = focal > 0 ? 0 : relativeSigma * f;
+    camera.distortionSigma = focal > 0 ? 0 : unknownDistortion;
     camera.check();
     return camera;
 }
@@ -161,6 +163,7 @@ void RollingShutterCamera::check() const
     checkFinite(heading, "camera.heading");
     checkNotNegative(height, "camera.height", "unknown");
     checkNotNegative(focalSigma, "camera.focalSigma", "exact");
+    checkNotNegative(distortionSigma, "camera.distortionSigma", "exact");
     checkNotNegative(lineDelaySigma, "camera.lineDelaySigma", "exact");
 }
 
@@ -172,8 +175,8 @@ void RollingShutterCamera::write(FileStorage& fs) const
     fs << "lens_model" << lensModel << "scan_direction" << scanDirection;
     fs << "line_delay" << lineDelay << "reference_row" << referenceRow;
     fs << "upright_rotation" << uprightRotation;
-    fs << "heading" << heading << "height" << height << "focal_sigma" << focalSigma << "line_delay_sigma"
-       << lineDelaySigma;
+    fs << "heading" << heading << "height" << height << "focal_sigma" << focalSigma << "distortion_sigma"
+       << distortionSigma << "line_delay_sigma" << lineDelaySigma;
 }
 
 void RollingShutterCamera::read(const FileNode& fn)
@@ -191,6 +194,7 @@ void RollingShutterCamera::read(const FileNode& fn)
     cv::read(fn["heading"], heading, heading);
     cv::read(fn["height"], height, height);
     cv::read(fn["focal_sigma"], focalSigma, focalSigma);
+    cv::read(fn["distortion_sigma"], distortionSigma, distortionSigma);
     cv::read(fn["line_delay_sigma"], lineDelaySigma, lineDelaySigma);
 }
 

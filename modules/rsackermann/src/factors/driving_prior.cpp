@@ -45,7 +45,8 @@ GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& c
 DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera,
                            const AckermannEstimator::Params& params, const MotionLimits& limits)
     : given_(prior, camera, params.wallDistance), heading(camera.heading), headingSigma(params.wallDeviationSigma),
-      height(camera.height), standing(params.standingProbability), reverseRatio(REVERSE_SPEED / params.priorSpeed),
+      height(camera.height), speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation),
+      standing(params.standingProbability), reverseRatio(REVERSE_SPEED / params.priorSpeed),
       reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
@@ -81,6 +82,18 @@ Jet DrivingPrior::yawResidual(double alpha) const
                     : std::sqrt(1 + 1 / YAW_FREEDOM) / yawScale * a;
 }
 
+DrivingPrior::ScaledSpeedLog DrivingPrior::scaledSpeedLog(int walls) const
+{
+    const double wallSigma = logWallSigma / std::sqrt(double(std::max(walls, 1))),
+                 speedVariance = logSpeedSigma * logSpeedSigma,
+                 common = speedWallCorrelation * logSpeedSigma * wallSigma;
+    ScaledSpeedLog log;
+    log.variance = speedVariance + wallSigma * wallSigma - 2 * common;
+    log.speedShare = (speedVariance - common) / log.variance;
+    log.speedVariance = speedVariance - log.speedShare * log.speedShare * log.variance;
+    return log;
+}
+
 Jet DrivingPrior::speedResidual(const Model& model, const MotionHypothesis& hypothesis) const
 {
     const Jet speed = length(Jet::variable(model[P_B], P_B), Jet::variable(model[P_D], P_D));
@@ -88,16 +101,15 @@ Jet DrivingPrior::speedResidual(const Model& model, const MotionHypothesis& hypo
         return (1 / given_.scaledSpeedSigma) * (double(model.direction) * speed - given_.scaledSpeed);
     const double least = 1e-12;
     Jet logarithm = speed.apply(std::log(speed.value + least), 1 / (speed.value + least));
-    double sigma = std::hypot(logSpeedSigma, logWallSigma);
     if (hypothesis.walls == 2 && logWallSigma > 0)
     {
         // Both walls are as far away as walls are: this is the mean of the logarithms, and their difference is that of
         // the ratio.
         const Jet r = Jet::variable(model[P_LAMBDA], P_LAMBDA);
         logarithm = logarithm + r.apply(0.5 * std::log(r.value), 0.5 / r.value);
-        sigma = std::hypot(logSpeedSigma, logWallSigma / std::sqrt(2.));
     }
-    return (1 / sigma) * (logarithm - std::log(expectedScaledSpeed(model.direction)));
+    return (1 / std::sqrt(scaledSpeedLog(hypothesis.walls).variance)) *
+           (logarithm - std::log(expectedScaledSpeed(model.direction)));
 }
 
 // What a direction costs. A given speed has a sign, which is among the residuals if the wall's distance is known;
@@ -170,8 +182,7 @@ double DrivingPrior::logVolume(const MotionHypothesis& hypothesis) const
 {
     double volume = headingSigma > 0 ? std::log(headingSigma) : 0;
     if (hypothesis.translates() && !scaledSpeedIsGiven())
-        volume +=
-            std::log(std::hypot(logSpeedSigma, hypothesis.walls == 2 ? logWallSigma / std::sqrt(2.) : logWallSigma));
+        volume += 0.5 * std::log(scaledSpeedLog(hypothesis.walls).variance);
     if (hypothesis.walls == 2)
         volume += std::log(LOG_RATIO_SIGMA);
     return volume;
@@ -208,11 +219,13 @@ void DrivingPrior::road(const Model& model, const RoadContact& contact, double& 
     // Walls that pass faster than expected are near, and the car is fast: each as far as its prior allows.
     const bool hasBoth = model[P_LAMBDA] > 0 && logWallSigma > 0 && !roadRatioIsGiven;
     const double mean = hasBoth ? speed * std::sqrt(model[P_LAMBDA]) : speed;
-    const double speedVariance = logSpeedSigma * logSpeedSigma,
-                 wallVariance = logWallSigma * logWallSigma / (hasBoth ? 2 : 1);
-    const double share = roadRatioIsGiven ? 0 : wallVariance / (wallVariance + speedVariance);
-    double logG = std::log(mean * ratio) - share * std::log(mean / expectedScaledSpeed(model.direction));
-    variance = logHeightSigma * logHeightSigma + (1 - share) * wallVariance;
+    const ScaledSpeedLog log = scaledSpeedLog(hasBoth ? 2 : 1);
+    double logG = std::log(mean * ratio);
+    if (!roadRatioIsGiven)
+    {
+        logG -= (1 - log.speedShare) * std::log(mean / expectedScaledSpeed(model.direction));
+        variance = logHeightSigma * logHeightSigma + log.speedVariance;
+    }
     if (contact.ratio > 0 && !roadRatioIsGiven)
         truncate(std::log(speed * contact.ratio), contact.logSigma, logG, variance);
     G = (model.direction < 0 ? -1 : 1) * std::exp(logG);

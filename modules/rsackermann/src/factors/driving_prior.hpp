@@ -78,6 +78,14 @@ public:
     double roadRatio() const { return ratio; }
 
 private:
+    //! The logarithm of a scaled speed, that of a speed over that of a wall's distance: its variance, the part of it
+    //! that is the speed's, and the speed's variance if the scaled speed is known.
+    struct ScaledSpeedLog
+    {
+        double variance, speedShare, speedVariance;
+    };
+
+    ScaledSpeedLog scaledSpeedLog(int walls) const;
     double directionPenalty(int direction, const MotionHypothesis& hypothesis) const;
     Jet yawResidual(double alpha) const;
     Jet speedResidual(const Model& model, const MotionHypothesis& hypothesis) const;
@@ -88,9 +96,10 @@ private:
     double logWallSigma;            // of the logarithm of a wall's distance; 0: given
     double heading, headingSigma;   // the walls are along the vehicle's forward direction, more or less
     double height, ratio, logHeightSigma;
-    double standing;       // probability
-    double reverseRatio;   // of the expected speed in reverse to that forward
-    double reversePenalty; // cost of driving backward
+    double speedWallCorrelation; // of the logarithms: drivers slow down where walls are near
+    double standing;             // probability
+    double reverseRatio;         // of the expected speed in reverse to that forward
+    double reversePenalty;       // cost of driving backward
     bool roadRatioIsGiven;
     bool roadIsSeen;
 };

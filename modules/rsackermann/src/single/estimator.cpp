@@ -90,6 +90,8 @@ private:
 RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits) const
 {
     RefinementProblem problem(limits);
+    problem.uprightRotation = camera.uprightRotation;
+    problem.distortionSigma = camera.distortionSigma;
     problem.heading = camera.heading;
     problem.focal = camera.cameraMatrix(0, 0);
     problem.sigma = FIRST_SIGMA;

@@ -15,12 +15,13 @@ static void checkProbability(double value, const char* name)
 }
 
 AckermannEstimator::Params::Params()
-    : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06), minCandidates(6),
-      threshold(0.5), confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2), maxSpeed(200 / 3.6),
-      wallDistance(0), roadRatio(0), scaleFromRoad(false), gravitySigma(CV_PI / 180),
+    : model(MODEL_AUTO), detector(DETECTOR_LSD), minLength(35), maxSlant(0.35), slantTolerance(0.06),
+      minCandidates(6), threshold(0.5), confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2),
+      maxSpeed(200 / 3.6), wallDistance(0), roadRatio(0), scaleFromRoad(false), gravitySigma(CV_PI / 180),
       vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4), priorYawRate(5 * CV_PI / 180), priorSpeed(12),
-      priorSpeedLogSigma(0.8), priorWallDistance(15), priorWallDistanceLogSigma(0.9), priorHeight(1.3),
-      priorHeightLogSigma(0.35), standingProbability(1. / 3), reverseProbability(0.02), harmAversion(1)
+      priorSpeedLogSigma(0.8), priorWallDistance(15), priorWallDistanceLogSigma(0.9), priorSpeedWallCorrelation(0.6),
+      priorHeight(1.3), priorHeightLogSigma(0.35), standingProbability(1. / 3), reverseProbability(0.02),
+      harmAversion(1)
 {
 }
 
@@ -35,6 +36,7 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "wall_deviation_sigma" << wallDeviationSigma << "prior_yaw_rate" << priorYawRate;
     fs << "prior_speed" << priorSpeed << "prior_speed_log_sigma" << priorSpeedLogSigma;
     fs << "prior_wall_distance" << priorWallDistance << "prior_wall_distance_log_sigma" << priorWallDistanceLogSigma;
+    fs << "prior_speed_wall_correlation" << priorSpeedWallCorrelation;
     fs << "prior_height" << priorHeight << "prior_height_log_sigma" << priorHeightLogSigma;
     fs << "standing_probability" << standingProbability << "reverse_probability" << reverseProbability;
     fs << "harm_aversion" << harmAversion;
@@ -65,6 +67,7 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     cv::read(fn["prior_speed_log_sigma"], priorSpeedLogSigma, priorSpeedLogSigma);
     cv::read(fn["prior_wall_distance"], priorWallDistance, priorWallDistance);
     cv::read(fn["prior_wall_distance_log_sigma"], priorWallDistanceLogSigma, priorWallDistanceLogSigma);
+    cv::read(fn["prior_speed_wall_correlation"], priorSpeedWallCorrelation, priorSpeedWallCorrelation);
     cv::read(fn["prior_height"], priorHeight, priorHeight);
     cv::read(fn["prior_height_log_sigma"], priorHeightLogSigma, priorHeightLogSigma);
     cv::read(fn["standing_probability"], standingProbability, standingProbability);
@@ -101,6 +104,10 @@ void AckermannEstimator::Params::check() const
     checkPositive(priorSpeedLogSigma, "params.priorSpeedLogSigma");
     checkPositive(priorWallDistance, "params.priorWallDistance");
     checkPositive(priorWallDistanceLogSigma, "params.priorWallDistanceLogSigma");
+    if (!(std::abs(priorSpeedWallCorrelation) < 1))
+        CV_Error(Error::StsBadArg,
+                 format("params.priorSpeedWallCorrelation is %g; a number between -1 and 1 is expected",
+                        priorSpeedWallCorrelation));
     checkPositive(priorHeight, "params.priorHeight");
     checkPositive(priorHeightLogSigma, "params.priorHeightLogSigma");
     checkProbability(standingProbability, "params.standingProbability");

@@ -6,6 +6,7 @@
 #include "consensus.hpp"
 #include "lo_ransac.hpp"
 #include "motion_mixture.hpp"
+#include "other_lens.hpp"
 #include "road_contact.hpp"
 #include "slant_noise.hpp"
 #include "street_direction.hpp"
@@ -18,10 +19,11 @@ static const double FIRST_LOSS_SCALE = 2;     // in scales of the slants, before
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
 static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
 static const double WALLS_PRIOR = 0.7;
-static const double ONE_WALL_PRIOR = 0.1; // of a street that is open to one side
-static const double NO_STREET_PRIOR = 0.01; // of a scene without verticals, over that of one with them
-static const double SAME_LEAN = 1.3;      // ratio below which the noise counts as unchanged
-static const double FIRST_STEP = 0.7;     // of the sweep over the yaw rate, in sigmas
+static const double ONE_WALL_PRIOR = 0.1;           // of a street that is open to one side
+static const double NO_STREET_PRIOR = 0.01;         // of a scene without verticals, over that of one with them
+static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion that isn't known
+static const double SAME_LEAN = 1.3;                // ratio below which the noise counts as unchanged
+static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
 static const double IMPROBABLE = 7; // logarithm of a density below the highest one
 static const double BETTER = 4;     // cost by which another minimum is a better one
@@ -59,6 +61,8 @@ public:
         measureNoise(fits);
         mixture.setRoadContact(roadContact(fits));
         addFit(fits[0], prior.logRest());
+        if (problem.distortionSigma > 0)
+            addRestThroughOtherLenses(fits[0]);
         // Who gives a speed and the distance of a wall knows of a street.
         if (!prior.scaledSpeedIsGiven())
             addSceneWithoutVerticals(fits[0]);
@@ -240,6 +244,11 @@ private:
     double ownNoiseOf(const Fit& fit) const
     {
         const Slants slants(problem, fit.model, fit.hypothesis.translates());
+        return ownNoiseOf(slants);
+    }
+
+    double ownNoiseOf(const Slants& slants) const
+    {
         return fitSlantNoise(slants, problem.focal, &noise).logLikelihood + costOf(slants) / 2;
     }
 
@@ -288,6 +297,25 @@ private:
         fit.model[P_STREET] = problem.heading.angle;
         fit.refine(problem);
         return fit;
+    }
+
+    // A lens that isn't known bends verticals as a motion can: those of a camera at rest may be seen through any lens.
+    void addRestThroughOtherLenses(const Fit& rest)
+    {
+        for (size_t i = 0; i < sizeof(OTHER_LENSES) / sizeof(*OTHER_LENSES); i++)
+        {
+            RefinementProblem other = problem;
+            double logJacobian;
+            if (!seeThroughOtherLens(OTHER_LENSES[i] * problem.distortionSigma, other, logJacobian))
+                continue;
+            other.weigh();
+            Fit fit = rest;
+            fit.refine(other);
+            const double likelihood = ownNoiseOf(Slants(other, fit.model, false)) + logJacobian;
+            mixture.add(rest, rest.hypothesis,
+                        logEvidence(fit, fit.hypothesis) + (likelihood - ownNoise) / dependence + prior.logRest() -
+                            OTHER_LENSES[i] * OTHER_LENSES[i] / 2);
+        }
     }
 
     // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known

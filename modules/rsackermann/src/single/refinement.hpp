@@ -20,6 +20,8 @@ struct RefinementProblem
     std::vector<UprightSegment> others;    // may point along the street or across it
     SegmentArrays verticalArrays, otherArrays;
     MotionLimits limits;
+    Matx33d uprightRotation; // of the camera
+    double distortionSigma;  // of its lens; 0: exact
     Heading heading;
     double focal;              // pixels
     double sigma;              // pixels, of the residual of a vertical
@@ -34,8 +36,9 @@ struct RefinementProblem
     const DrivingPrior* prior; // 0: none
 
     explicit RefinementProblem(const MotionLimits& l)
-        : limits(l), heading(0), focal(1), sigma(1), lean(0), directionSigma(1), lossScale(1), verticalWeight(1),
-          otherWeight(1), roadRatio(1), gravitySigma(0), vehiclePitchSigma(0), prior(0)
+        : limits(l), uprightRotation(Matx33d::eye()), distortionSigma(0), heading(0), focal(1), sigma(1), lean(0),
+          directionSigma(1), lossScale(1), verticalWeight(1), otherWeight(1), roadRatio(1), gravitySigma(0),
+          vehiclePitchSigma(0), prior(0)
     {
     }
 

@@ -61,7 +61,7 @@ public:
     /** @brief An uncalibrated camera: principal point at the image centre, square pixels, no distortion.
     @param size size of the image in pixels.
     @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal , ± 20 %
-    (focalSigma).
+    (focalSigma), and for a lens that isn't known, either (distortionSigma 0.15).
     @return the camera, upright and looking forward.
      */
     CV_WRAP static RollingShutterCamera fromFocal(const Size& size, double focal = 0);
@@ -125,6 +125,9 @@ public:
     CV_PROP_RW double height; //!< metres of the camera above the road; 0: unknown
     //! Standard deviation of the focal length fx in pixels, which fy shares; 0: exact
     CV_PROP_RW double focalSigma;
+    //! Standard deviation of the first radial coefficient that the lens has besides distCoeffs; 0: exact. Maps don't
+    //! apply it; an image that such a lens explains better than a motion is left as it is
+    CV_PROP_RW double distortionSigma;
     CV_PROP_RW double lineDelaySigma; //!< standard deviation of lineDelay in seconds; 0: exact
 };
 

@@ -115,8 +115,10 @@ public:
         CV_PROP_RW double priorSpeedLogSigma;        //!< standard deviation of its logarithm, default 0.8
         CV_PROP_RW double priorWallDistance;         //!< metres; median distance of a wall, default 15
         CV_PROP_RW double priorWallDistanceLogSigma; //!< standard deviation of its logarithm, default 0.9
-        CV_PROP_RW double priorHeight;               //!< metres; median height of the camera, default 1.3
-        CV_PROP_RW double priorHeightLogSigma;       //!< standard deviation of its logarithm, default 0.35
+        //! Correlation of both logarithms, below 1: drivers slow down where walls are near, default 0.6
+        CV_PROP_RW double priorSpeedWallCorrelation;
+        CV_PROP_RW double priorHeight;         //!< metres; median height of the camera, default 1.3
+        CV_PROP_RW double priorHeightLogSigma; //!< standard deviation of its logarithm, default 0.35
         CV_PROP_RW double
             standingProbability; //!< that the car stands, or that the shutter isn't a rolling one, default 1/3
         CV_PROP_RW double reverseProbability; //!< that the car drives backward, default 0.02
