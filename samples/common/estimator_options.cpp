@@ -12,7 +12,7 @@ using namespace cv::rsackermann;
 
 const std::vector<std::string> DETECTOR_WORDS = {"lsd", "fld", "edlines", "verticals"};
 
-const char* const DETECTOR_KEY = "{detector   | lsd    | line segment detector: lsd, fld, edlines or verticals}";
+const char* const DETECTOR_KEY = "{detector   | verticals | line segment detector: verticals, lsd, fld or edlines}";
 
 int readDetector(const Options& options)
 {

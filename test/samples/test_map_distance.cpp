@@ -58,7 +58,7 @@ TEST(Correct, mean_shift_with_a_strong_lens)
         0,
         simulate({"--output=" + street, "--lens=-0.36,0,0,0", "--focal=300", "--speed=60", "--yaw_rate=40"}).exitCode);
     const Outcome outcome = correct({street + "/rolling.png", "--camera=" + street + "/camera.yml", "--wall=2.5",
-                                     "--report=-", "--maps=" + (folder / "maps.yml")});
+                                     "--yaw_rate=40", "--report=-", "--maps=" + (folder / "maps.yml")});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     const nlohmann::json report = nlohmann::json::parse(outcome.output);
     ASSERT_EQ("ok", report["status"]);

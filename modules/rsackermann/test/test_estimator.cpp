@@ -793,7 +793,7 @@ TEST(RSAckermann_EstimatorParams, defaults)
 {
     const Params p;
     EXPECT_EQ(MODEL_AUTO, p.model);
-    EXPECT_EQ(DETECTOR_LSD, p.detector);
+    EXPECT_EQ(DETECTOR_VERTICALS, p.detector);
     EXPECT_EQ(35, p.minLength);
     EXPECT_EQ(0.5, p.threshold);
     EXPECT_EQ(0.99, p.confidence);

@@ -12,6 +12,9 @@
 
 namespace paper {
 
+//! Of the segments that all contestants are given: that of the paper.
+const int DETECTOR = cv::rsackermann::DETECTOR_LSD;
+
 //! The input of a contestant.
 struct Problem
 {

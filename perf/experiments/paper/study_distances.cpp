@@ -37,7 +37,7 @@ void studyDistances(const StudyOptions& options)
         const street::StreetRenderer renderer(view, scene);
         const DenseTruth truth(renderer, view.size);
         cv::Mat segments;
-        detectSegments(renderer.rollingShutter(), segments);
+        detectSegments(renderer.rollingShutter(), segments, DETECTOR);
         for (const Mistake& mistake : mistakes)
         {
             street::StreetCamera told = view;

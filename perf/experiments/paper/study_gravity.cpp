@@ -53,7 +53,7 @@ void studyGravity(const StudyOptions& options)
         const street::StreetRenderer renderer(view, scene);
         const DenseTruth truth(renderer, view.size);
         cv::Mat segments;
-        detectSegments(renderer.rollingShutter(), segments);
+        detectSegments(renderer.rollingShutter(), segments, DETECTOR);
         for (size_t k = item % parts; k < tilts.size(); k += parts)
         {
             street::StreetCamera told = view;

@@ -81,7 +81,7 @@ void studyMotion(const StudyOptions& options)
         const DenseTruth truth(renderer, view.size);
         Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(),
                            options.seed + i};
-        detectSegments(renderer.rollingShutter(), problem.segments);
+        detectSegments(renderer.rollingShutter(), problem.segments, DETECTOR);
         const int inliers =
             countInliers(problem.camera, problem.segments, rsackermann_samples::libraryMotion(view, scene));
         const std::string image = cv::format("street_%d_%s_%.0f_%.0f", m.street, m.part, m.speed, m.yawRate);

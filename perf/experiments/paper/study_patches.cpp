@@ -52,7 +52,7 @@ void studyPatches(const StudyOptions& options)
         const cv::Mat rolling = renderer.rollingShutter(), global = renderer.globalShutter();
         Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(),
                            options.seed + i};
-        detectSegments(rolling, problem.segments);
+        detectSegments(rolling, problem.segments, DETECTOR);
         const double raw = patchDisplacement(global, rolling, cv::Mat());
         for (const Contestant& contestant : contestants)
         {

@@ -45,7 +45,7 @@ void studyPhotos(const StudyOptions& options)
         const PhotoSet& set = sets[cases[k].first];
         const PhotoCase c = set.at(cases[k].second);
         Problem problem = {c.camera, cv::Mat(), c.wallDistance, MotionPrior(), options.seed + k};
-        detectSegments(c.image, problem.segments);
+        detectSegments(c.image, problem.segments, DETECTOR);
         std::vector<cv::Mat> tiles(1, tile(c.image, "raw"));
         for (const Contestant& contestant : mainContestants())
         {

@@ -61,7 +61,7 @@ void studyTime(const StudyOptions& options)
             const cv::Mat image = street::StreetRenderer(view, scene).rollingShutter();
             Problem problem = {rsackermann_samples::libraryCamera(view), cv::Mat(), scene.left, MotionPrior(),
                                options.seed};
-            const double detection = secondsOf(rounds, [&]() { detectSegments(image, problem.segments); });
+            const double detection = secondsOf(rounds, [&]() { detectSegments(image, problem.segments, DETECTOR); });
             for (const Contestant& contestant : allContestants())
             {
                 Answer answer;

@@ -38,7 +38,7 @@ has bent evenly is one segment of #DETECTOR_VERTICALS, whose ends are on the edg
 @param detector one of #SegmentDetector.
 @param minLength length in pixels below which segments are omitted.
  */
-CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int detector = DETECTOR_LSD,
+CV_EXPORTS_W void detectSegments(InputArray image, OutputArray segments, int detector = DETECTOR_VERTICALS,
                                  double minLength = 35);
 
 /** @brief Estimates the motion of the car during one rolling-shutter image.
@@ -72,7 +72,7 @@ public:
     {
         CV_WRAP Params();            //!< the defaults
         CV_PROP_RW int model;        //!< one of #MotionModel, default #MODEL_AUTO
-        CV_PROP_RW int detector;     //!< one of #SegmentDetector, default #DETECTOR_LSD
+        CV_PROP_RW int detector;     //!< one of #SegmentDetector, default #DETECTOR_VERTICALS
         CV_PROP_RW double minLength; //!< pixels; shorter segments are omitted, default 35
         //! Largest tangent of the angle between a candidate and the vertical, used unless maxYawRate and maxSpeed limit
         //! it, default 0.35
