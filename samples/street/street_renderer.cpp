@@ -205,6 +205,32 @@ cv::Mat StreetRenderer::render(bool moving, int samples, Rays rays) const
     return result;
 }
 
+cv::Mat StreetRenderer::depth(bool moving) const
+{
+    cv::Mat result(camera_.size, CV_32FC1);
+    const bool byRow = camera_.scan < 2;
+    cv::parallel_for_(cv::Range(0, result.rows), [&](const cv::Range& range) {
+        for (int y = range.start; y < range.end; y++)
+            for (int x = 0; x < result.cols; x++)
+            {
+                const Pose pose = poseAt(moving ? secondsAt(byRow ? y : x) : 0);
+                const cv::Vec3d ray = uprightRay(cv::Point2d(x, y), moving); // 1 along the optical axis
+                const cv::Vec3d direction = turned(pose.c, pose.s, ray);
+                const Hit hit = cast(pose.centre, direction);
+                const bool empty = !hit.plane || isSky(hit, pose.centre + direction * hit.distance);
+                result.at<float>(y, x) = empty ? 0 : float(hit.distance);
+            }
+    });
+    return result;
+}
+
+bool StreetRenderer::isSky(const Hit& hit, const cv::Vec3d& place) const
+{
+    cv::Vec3f paint;
+    return hit.plane != 3 &&
+           !(hit.plane == 1 ? left_ : right_).sample(hit.surface, placeAt(hit.plane, place), 0, paint);
+}
+
 cv::Mat StreetRenderer::rollingShutter(int samples, Rays rays) const
 {
     return render(true, samples, rays);

@@ -69,6 +69,12 @@ public:
     //! The view of a global-shutter camera without lens distortion at the reference line's instant.
     cv::Mat globalShutter(int samples = 3) const;
 
+    //! Metres along the optical axis to what the centre of each pixel of the rolling-shutter image shows, at its line's
+    //! instant (CV_32FC1); 0 for the sky.
+    cv::Mat rollingDepth() const { return depth(true); }
+    //! The same of the global-shutter image.
+    cv::Mat globalDepth() const { return depth(false); }
+
     //! Place in the rolling-shutter image of a point of the global-shutter image; false if there is none.
     bool toRolling(const cv::Point2d& global, cv::Point2d& rolling) const;
     //! Place in the global-shutter image of a point of the rolling-shutter image; false if there is none.
@@ -92,7 +98,9 @@ private:
     };
 
     cv::Mat render(bool moving, int samples, Rays rays) const;
+    cv::Mat depth(bool moving) const;
     cv::Vec3f colour(const cv::Vec3d& origin, const cv::Vec3d& ray) const;
+    bool isSky(const Hit& hit, const cv::Vec3d& place) const;
     Pose poseAt(double seconds) const;
     double secondsAt(double line) const;
     double lineOf(const cv::Point2d& p) const { return camera_.scan < 2 ? p.y : p.x; }

@@ -8,9 +8,11 @@
 #include "opencv2/imgproc.hpp"
 #include "checks.hpp"
 #include "features/segment_finder.hpp"
+#include "motion/metric_way.hpp"
 #include "sequence/sequence_estimator.hpp"
 #include "features/segments.hpp"
 #include "storage.hpp"
+#include "warp/maps/maps.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -126,7 +128,7 @@ public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)),
           generator(WarpMapGenerator::create(camera, params_.warp)), drive(camera, params_.estimator, estimator),
-          time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false)
+          time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false), isDepthUsed_(false)
     {
         params_.check();
         params = params_;
@@ -208,39 +210,43 @@ public:
         passTo(0);
     }
 
-    AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask) CV_OVERRIDE
+    AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask, const DepthMap& depth) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         checkImage(src, "src", generator->getCamera().imageSize);
+        checkDepth(depth, generator->getCamera(), params.warp);
         Stopwatch watch;
         finder.find(src, params.estimator.detector, params.estimator.minLength, segments);
         timings = Vec4d(watch.lap(), 0, 0, 0);
-        return estimateAndWarp(src, dst, mask);
+        return estimateAndWarp(src, dst, mask, depth);
     }
 
-    AckermannMotion correctWithSegments(InputArray src, InputArray segments_, OutputArray dst,
-                                        OutputArray mask) CV_OVERRIDE
+    AckermannMotion correctWithSegments(InputArray src, InputArray segments_, OutputArray dst, OutputArray mask,
+                                        const DepthMap& depth) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         const bool isTracked = params.sequence && params.trackPoints;
         checkRemapped(src, "src", generator->getCamera().imageSize);
         if (isTracked)
             checkImage(src, "src");
+        checkDepth(depth, generator->getCamera(), params.warp);
         segments = segmentRows(segments_);
         timings = Vec4d();
         if (isTracked)
             finder.prepare(src);
-        return estimateAndWarp(src, dst, mask);
+        return estimateAndWarp(src, dst, mask, depth);
     }
 
-    void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst, OutputArray mask) CV_OVERRIDE
+    void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst, OutputArray mask,
+                           const DepthMap& depth) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         checkRemapped(src, "src", generator->getCamera().imageSize);
+        checkDepth(depth, generator->getCamera(), params.warp);
         segments.release();
         labels.release();
         timings = Vec4d();
-        warpWith(motion, src, dst, mask);
+        warpWith(motion, src, dst, mask, depth);
     }
 
     void getSegments(OutputArray segments_, OutputArray labels_) const CV_OVERRIDE
@@ -266,6 +272,8 @@ public:
             map2.copyTo(map2_);
         }
     }
+
+    bool isDepthUsed() const CV_OVERRIDE { return isDepthUsed_; }
 
     Vec4d getTimings() const CV_OVERRIDE { return timings; }
 
@@ -312,7 +320,7 @@ private:
         return drive.estimate(frame, next, segmentRows(segments), prior, labels);
     }
 
-    AckermannMotion estimateAndWarp(InputArray src, OutputArray dst, OutputArray mask)
+    AckermannMotion estimateAndWarp(InputArray src, OutputArray dst, OutputArray mask, const DepthMap& depth)
     {
         Stopwatch watch;
         const double seconds = timeOfFrame();
@@ -323,14 +331,17 @@ private:
             motion = drive.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
         finder.release();
         timings[1] = watch.lap();
-        warpWith(motion, src, dst, mask);
+        warpWith(motion, src, dst, mask, depth);
         passTo(seconds); // last: skipFrame() does it if something has thrown
         return motion;
     }
 
-    void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask)
+    void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,
+                  const DepthMap& given)
     {
         Stopwatch watch;
+        isDepthUsed_ = !given.empty() && motion.status == MOTION_OK && isMetric(generator->getCamera(), motion);
+        const DepthMap depth = isDepthUsed_ ? given : DepthMap();
         const bool copied = motion.status != MOTION_OK && isIdentity(generator->getCamera(), params.warp);
         copiedSize = copied ? src.size() : Size();
         onDevice = !copied && src.isUMat() && ocl::useOpenCL();
@@ -344,16 +355,16 @@ private:
             }
         }
         else if (onDevice)
-            warp(motion, src, dst, mask, deviceMap1, deviceMap2, watch);
+            warp(motion, src, dst, mask, depth, deviceMap1, deviceMap2, watch);
         else
-            warp(motion, src, dst, mask, map1, map2, watch);
+            warp(motion, src, dst, mask, depth, map1, map2, watch);
         timings[3] = watch.lap();
     }
 
-    void warp(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,
+    void warp(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask, const DepthMap& depth,
               InputOutputArray columns, InputOutputArray rows, Stopwatch& watch)
     {
-        generator->initRectifyMap(motion, columns, rows, CV_32FC1, mask);
+        generator->initRectifyMap(motion, columns, rows, CV_32FC1, mask, depth);
         timings[2] = watch.lap();
         // On a device remap() would read what it has already written.
         if (src.isUMat() && dst.isUMat() && src.getUMat().u == dst.getUMat().u)
@@ -387,7 +398,8 @@ private:
     Mat segments, labels;
     Mat map1, map2;
     UMat deviceMap1, deviceMap2;
-    bool onDevice;   // which of the two pairs of maps it was
+    bool onDevice; // which of the two pairs of maps it was
+    bool isDepthUsed_;
     Size copiedSize; // if the image was copied: the maps are the identity and haven't been made
     Vec4d timings;
 };

@@ -9,6 +9,7 @@
 #include "opencv2/rsackermann/motion.hpp"
 #include "opencv2/rsackermann/solvers.hpp"
 #include "opencv2/rsackermann/estimator.hpp"
+#include "opencv2/rsackermann/depth_map.hpp"
 #include "opencv2/rsackermann/warp.hpp"
 #include "opencv2/rsackermann/draw.hpp"
 #ifndef RSACKERMANN_CORE_ONLY

@@ -29,8 +29,8 @@ public:
         double x, z;     // place of the camera
     };
 
-    //! The view of a raw pixel; false if there is none.
-    bool view(const Point2d& raw, View& v) const
+    //! The view of a raw pixel of known depth; false if there is none.
+    bool viewOfKnown(const Point2d& raw, View& v) const
     {
         Vec3d ray;
         if (!undistort(raw, ray))
@@ -44,7 +44,13 @@ public:
         v.direction = ShutterGeometry::rotateBack(shutter.tiltBack(v.direction, t), m);
         v.x = m.tau * m.s2;
         v.z = m.tau * m.c2;
-        return shutter.scene.isInside(v.x, v.z);
+        return true;
+    }
+
+    //! The same of a pixel that sees one of the planes, which the camera must not have passed.
+    bool view(const Point2d& raw, View& v) const
+    {
+        return viewOfKnown(raw, v) && (!shutter.moving || shutter.scene.isInside(v.x, v.z));
     }
 
     //! Ray of the global-shutter camera to the point of a view that has the scaled inverse depth w; false if it is
@@ -53,6 +59,27 @@ public:
     {
         ray = shutter.down * (v.direction + Vec3d(w * v.x, 0, w * v.z));
         return ray[2] > 0;
+    }
+
+    /** The scaled inverse depth of the scene in a view; false if there is none.
+
+    The offset says by how much the point is nearer at the place where the global-shutter camera sees it, which depends
+    on that: a fixed point. It is a contraction unless the offset is steep; then the pixel sees nothing. */
+    bool findInverseDepth(const View& v, double& w) const
+    {
+        const int iterations = 30;
+        const double enough = 1e-13;
+        w = shutter.scene.inverseDepth(v.direction, v.x, v.z);
+        if (shutter.depthOffset.empty())
+            return true;
+        for (int i = 0; i < iterations; i++)
+        {
+            const double last = w, added = shutter.depthOffset.at(v.direction + Vec3d(w * v.x, 0, w * v.z));
+            w = shutter.scene.inverseDepth(v.direction, v.x, v.z, added);
+            if (std::abs(w - last) <= enough * (1 + std::abs(w)))
+                return true;
+        }
+        return false;
     }
 
     //! Ray of the global-shutter camera to the point of the planes that a raw pixel sees; false if there is none.
@@ -88,25 +115,6 @@ public:
     }
 
 private:
-    // The offset says by how much the point is nearer at the place where the global-shutter camera sees it, which
-    // depends on that: a fixed point. It is a contraction unless the offset is steep; then the pixel sees nothing.
-    bool findInverseDepth(const View& v, double& w) const
-    {
-        const int iterations = 30;
-        const double enough = 1e-13;
-        w = shutter.scene.inverseDepth(v.direction, v.x, v.z);
-        if (shutter.depthOffset.empty())
-            return true;
-        for (int i = 0; i < iterations; i++)
-        {
-            const double last = w, added = shutter.depthOffset.at(v.direction + Vec3d(w * v.x, 0, w * v.z));
-            w = shutter.scene.inverseDepth(v.direction, v.x, v.z, added);
-            if (std::abs(w - last) <= enough * (1 + std::abs(w)))
-                return true;
-        }
-        return false;
-    }
-
     bool undistort(const Point2d& raw, Vec3d& ray) const
     {
         Point2d p;

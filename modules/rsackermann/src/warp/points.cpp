@@ -3,30 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../motion/metric_way.hpp"
 #include "distorter.hpp"
 #include "maps/remap_limits.hpp"
 #include "points.hpp"
 #include "rectifier.hpp"
 
 namespace cv { namespace rsackermann {
-
-// Metres that the camera moves per unit of row time; negative in reverse.
-static double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion)
-{
-    const double wall = std::hypot(motion.wallSlope, motion.wallOffset);
-    if (wall == 0 && motion.roadSlope == 0 && motion.inverseDepthOffset.empty())
-        return 0;
-    if (wall > 0 && motion.wallDistance > 0)
-        return (motion.direction < 0 ? -wall : wall) * motion.wallDistance;
-    if (motion.scale == SCALE_UNKNOWN || motion.roadSlope == 0 || !(camera.height > 0))
-        CV_Error(
-            Error::StsBadArg,
-            format("depths are given, but motion.wallDistance is %g m, and motion.roadSlope is %g with motion.scale %d "
-                   "and "
-                   "camera.height %g m; one of the two must give the speed",
-                   motion.wallDistance, motion.roadSlope, motion.scale, camera.height));
-    return motion.roadSlope * camera.height;
-}
 
 // Depths in the unit of the motion: their inverses times the way per unit of row time.
 class InverseDepths

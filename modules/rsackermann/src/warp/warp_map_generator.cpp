@@ -200,18 +200,18 @@ public:
 
     Params getParams() const CV_OVERRIDE { return params; }
 
-    void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type,
-                        OutputArray mask) const CV_OVERRIDE
+    void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask,
+                        const DepthMap& depth) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        initMap(WARP_RECTIFY, motion, map1, map2, m1type, mask);
+        initMap(WARP_RECTIFY, motion, map1, map2, m1type, mask, depth);
     }
 
-    void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type,
-                        OutputArray mask) const CV_OVERRIDE
+    void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask,
+                        const DepthMap& depth) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        initMap(WARP_DISTORT, motion, map1, map2, m1type, mask);
+        initMap(WARP_DISTORT, motion, map1, map2, m1type, mask, depth);
     }
 
     void correctPoints(const AckermannMotion& motion, InputArray src, OutputArray dst, InputArray depths,
@@ -266,17 +266,21 @@ private:
                                   const std::vector<Point2d>&, const std::vector<double>&, std::vector<Place>&);
 
     void initMap(WarpDirection warp, const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type,
-                 OutputArray mask) const
+                 OutputArray mask, const DepthMap& depth) const
     {
         checkMotion(motion);
+        checkDepth(depth, camera, params);
         m1type = normalizedMapType(m1type);
-        CV_OCL_RUN(map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2),
+        CV_OCL_RUN(depth.empty() && map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2),
                    oclWarpMap(warp, camera, params, motion, m1type, map1, map2, mask))
         Size size = GlobalCamera(camera, params).size, target = camera.imageSize;
         if (warp == WARP_DISTORT)
             std::swap(size, target);
         MapWriter writer(size, target, m1type, map1, map2, mask);
-        writeMap(warp, camera, params, motion, writer);
+        if (depth.empty())
+            writeMap(warp, camera, params, motion, writer);
+        else
+            writeDepthMap(warp, camera, params, motion, depth, writer, mask.needed() ? mask.getMat() : Mat());
     }
 
     void movePoints(PointFunction function, const AckermannMotion& motion, InputArray src_, OutputArray dst,

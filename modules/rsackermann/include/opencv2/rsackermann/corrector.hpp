@@ -170,10 +170,14 @@ public:
     @param src raw image of the camera's size; any type that cv::remap takes, and 8 or 16 bit with 1, 3 or 4 channels
     for the detection.
     @param dst corrected image of the same type. Pixels that the raw image doesn't show are 0.
-    @param mask receives a CV_8U mask, 255 where a pixel is seen in the raw image and 0 elsewhere.
+    @param mask receives a CV_8U mask, 255 where a pixel is seen in the raw image and 0 elsewhere; with a depth
+    #MASK_HIDDEN marks pixels that something hides in the raw image.
+    @param depth see DepthMap and WarpMapGenerator::initRectifyMap(); empty (default): none is given. It is used if the
+    motion has metres, see isDepthUsed(). The estimation doesn't use it.
     @return the motion; see AckermannMotion::status.
      */
-    CV_WRAP virtual AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask = noArray()) = 0;
+    CV_WRAP virtual AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask = noArray(),
+                                            const DepthMap& depth = DepthMap()) = 0;
 
     /** @brief Corrects an image with segments that were found elsewhere.
     @param src raw image of the camera's size, of any type that cv::remap takes; of a type for the detection, as in
@@ -181,19 +185,30 @@ public:
     @param segments as in AckermannEstimator::estimate.
     @param dst corrected image, as in correct().
     @param mask as in correct().
+    @param depth as in correct().
     @return the motion, as from correct().
      */
     CV_WRAP virtual AckermannMotion correctWithSegments(InputArray src, InputArray segments, OutputArray dst,
-                                                        OutputArray mask = noArray()) = 0;
+                                                        OutputArray mask = noArray(),
+                                                        const DepthMap& depth = DepthMap()) = 0;
 
     /** @brief Corrects an image with a given motion. It isn't a frame of the sequence, see skipFrame().
     @param src raw image of the camera's size, of any type that cv::remap takes.
     @param motion the motion; if its status isn't #MOTION_OK only the lens is corrected.
     @param dst corrected image, as in correct().
     @param mask as in correct().
+    @param depth as in correct().
      */
     CV_WRAP virtual void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst,
-                                           OutputArray mask = noArray()) = 0;
+                                           OutputArray mask = noArray(), const DepthMap& depth = DepthMap()) = 0;
+
+    /** @brief Whether the given depth of the last image was used.
+
+    A depth in metres needs a motion in metres: AckermannMotion::wallDistance, or AckermannMotion::roadSlope and
+    RollingShutterCamera::height. A given speed (MotionPrior::speed) or AckermannEstimator::Params::wallDistance
+    suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK.
+     */
+    CV_WRAP virtual bool isDepthUsed() const = 0;
 
     /** @brief The segments of the last image and their labels.
     @param segments N x 4 matrix CV_32F with (x1, y1, x2, y2) in pixels of the raw image, or vector<Vec4f>.

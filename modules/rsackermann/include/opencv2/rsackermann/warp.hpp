@@ -5,6 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_WARP_HPP
 #define OPENCV_RSACKERMANN_WARP_HPP
 
+#include "opencv2/rsackermann/depth_map.hpp"
 #include "opencv2/rsackermann/motion.hpp"
 
 namespace cv { namespace rsackermann {
@@ -88,15 +89,22 @@ public:
     @param m1type type of map1 with the meaning of cv::initUndistortRectifyMap: CV_32FC1, CV_32FC2 or CV_16SC2; 0 or
     less stands for CV_16SC2.
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the raw image and 0 elsewhere; to 1/64 pixel, as
-    cv::remap of OpenCV 4 rounds places to 1/32.
+    cv::remap of OpenCV 4 rounds places to 1/32. With a depth #MASK_HIDDEN marks pixels that something hides.
+    @param depth see DepthMap, of the size of its camera's image; empty (default): the planes and the inverse-depth
+    offset of the motion. It needs what depths in correctPoints() need; throws cv::Exception otherwise.
 
     A pixel for which there is no place in the raw image (behind the camera, beyond the lens model, no convergence, at
     an instant at which the camera would have passed a wall, a coordinate beyond +-32767, where cv::remap finds nothing)
-    is mapped to
-    (-16384, -16384).
+    is mapped to (-16384, -16384).
+
+    With a depth, of several surfaces along a ray the nearest one counts. A pixel that the raw image doesn't show, as
+    something in front of it hides it, is mapped to where the surface behind would be. With a depth of the raw camera a
+    place outside of the raw image has the depth of the nearest pixel. Such maps are made by the processor, also for
+    UMat.
      */
     CV_WRAP virtual void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2,
-                                        int m1type = CV_32FC1, OutputArray mask = noArray()) const = 0;
+                                        int m1type = CV_32FC1, OutputArray mask = noArray(),
+                                        const DepthMap& depth = DepthMap()) const = 0;
 
     /** @brief Maps that turn a global-shutter image into a rolling-shutter image: for each pixel of the raw image the
     place in the image of the global-shutter camera.
@@ -104,7 +112,9 @@ public:
     @param map1 first map, of the size of the raw image.
     @param map2 second map.
     @param m1type as in initRectifyMap().
-    @param mask receives a CV_8U mask, 255 where the pixel is seen in the global-shutter image and 0 elsewhere.
+    @param mask receives a CV_8U mask, 255 where the pixel is seen in the global-shutter image and 0 elsewhere, with a
+    depth also #MASK_HIDDEN.
+    @param depth as in initRectifyMap().
 
     A raw pixel sees the nearest plane along its ray, or infinity if the ray meets none, nearer or farther by the
     inverse-depth offset of the motion. The planes surround the camera without hiding one another, unless it passes a
@@ -113,7 +123,8 @@ public:
     offset.
      */
     CV_WRAP virtual void initDistortMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2,
-                                        int m1type = CV_32FC1, OutputArray mask = noArray()) const = 0;
+                                        int m1type = CV_32FC1, OutputArray mask = noArray(),
+                                        const DepthMap& depth = DepthMap()) const = 0;
 
     /** @brief Moves points of the raw image to where the global-shutter camera sees them.
     @param motion the motion.

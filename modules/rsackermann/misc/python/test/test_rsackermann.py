@@ -221,6 +221,38 @@ class rsackermann_test(NewOpenCVTests):
         self.assertAlmostEqual(float(cv.remap(back2, *(np.float32([[v]]) for v in there), cv.INTER_CUBIC)[0, 0]),
                                row, delta=0.05)
 
+    def test_depth(self):
+        camera = make_camera()
+        motion = make_motion(camera)
+        generator = cv.rsackermann.WarpMapGenerator.create(camera)
+        metres = np.full(SIZE[::-1], 6, np.float32)
+        metres[100:250, 200:300] = 3
+        metres[:50] = np.nan
+        depth = cv.rsackermann.DepthMap(metres)
+        self.assertEqual((depth.camera, depth.scale, depth.empty()), (cv.rsackermann.DEPTH_RAW, 1, False))
+        self.assertTrue(cv.rsackermann.DepthMap().empty())
+        map1, map2, mask = generator.initRectifyMap(motion, depth=depth)
+        self.assertTrue(np.isfinite(map1).all() and np.isfinite(map2).all())
+        self.assertIn(cv.rsackermann.MASK_HIDDEN, mask)
+        self.assertGreater(np.abs(map1 - generator.initRectifyMap(motion)[0])[mask == 255].max(), 0.5)
+
+        millimetres = cv.rsackermann.DepthMap((np.nan_to_num(metres) * 1000).astype(np.uint16), scale=0.001)
+        np.testing.assert_allclose(generator.initRectifyMap(motion, depth=millimetres)[0], map1, atol=1e-3)
+        own = cv.rsackermann.DepthMap(metres, cv.rsackermann.DEPTH_CORRECTED)
+        points = np.array([[250., 150], [400, 300]])
+        raw = generator.distortPoints(motion, points, depths=np.array([3., 6]))[0]
+        columns, rows, _ = generator.initRectifyMap(motion, depth=own)
+        for point, place in zip(points.astype(int), raw):
+            np.testing.assert_allclose((columns[point[1], point[0]], rows[point[1], point[0]]), place, atol=1e-3)
+        for bad in [metres[1:], metres.astype(np.float64)]:
+            with self.assertRaisesRegex(cv.error, 'depth.values'):
+                generator.initDistortMap(motion, depth=cv.rsackermann.DepthMap(bad))
+        if HAS_CORRECTOR:
+            corrector = cv.rsackermann.RollingShutterCorrector.create(camera)
+            corrector.correctWithMotion(np.zeros(SIZE[::-1], np.uint8), motion, depth=depth)
+            self.assertTrue(corrector.isDepthUsed())
+            np.testing.assert_array_equal(corrector.getMaps()[0], map1)
+
     @needs_corrector
     def test_corrector(self):
         corrector = cv.rsackermann.RollingShutterCorrector.create(make_camera())

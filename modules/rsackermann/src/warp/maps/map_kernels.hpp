@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_KERNELS_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_KERNELS_HPP
 
-#include "map_patch.hpp"
+#include "depth_patch.hpp"
 
 // The work on every pixel of a map, in vectors of the widest kind that the processor has.
 
@@ -22,6 +22,18 @@ void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, i
 //! The same with depths that aren't linear; the pixel takes the patch with the largest.
 void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
                      size_t step);
+
+/** The same with an inverse depth of each pixel.
+@param depths of the first pixel, with depthStep floats a row. */
+void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
+                        float* y, size_t step);
+
+/** The same with the inverse depths of the other image, which differ so little that a pixel shows one surface only.
+@param depths all of the other image, at least 2 x 2.
+@param start a depth in the middle of all that can be met.
+@param first, size the pixels of the square; all of the last vector of a row may be written up to its width. */
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
+                      float* x, float* y, size_t step);
 
 //! A row of coordinates in the formats CV_16SC2 and CV_16UC1, with INTER_BITS fractional bits; whole parts are
 //! saturated.

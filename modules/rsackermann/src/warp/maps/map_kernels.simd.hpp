@@ -4,7 +4,7 @@
 
 #include "../../opencv_versions.hpp"
 #include "opencv2/imgproc.hpp"
-#include "map_patch.hpp"
+#include "depth_patch.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -14,6 +14,10 @@ void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, i
                      float* y, size_t step);
 void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
                      size_t step);
+void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
+                        float* y, size_t step);
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
+                      float* x, float* y, size_t step);
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
 void packInterleaved(const float* x, const float* y, int width, float* xy);
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
@@ -31,8 +35,8 @@ struct RowCubic
     RowCubic() {}
     RowCubic(const Bicubic& bicubic, double row)
     {
-        const double(&p)[Bicubic::NODES][Bicubic::NODES] = bicubic.c;
 #if CV_SIMD128_64F
+        const double(&p)[Bicubic::NODES][Bicubic::NODES] = bicubic.c;
         const v_float64x2 t = v_setall_f64(row);
         v_float64x2 low = v_load(p[3]), high = v_load(p[3] + 2);
         for (int m = 2; m >= 0; m--)
@@ -42,8 +46,7 @@ struct RowCubic
         }
         v_store(c, v_cvt_f32(low, high));
 #else
-        for (int n = 0; n < Bicubic::NODES; n++)
-            c[n] = float(p[0][n] + row * (p[1][n] + row * (p[2][n] + row * p[3][n])));
+        bicubic.alongRow(row, c);
 #endif
     }
 
@@ -172,6 +175,78 @@ int endOfPlane(const PlaneInverseDepth* depths, int count, int plane, int column
     return end;
 }
 
+// The polynomials of a patch along one row, one for each power of the depth.
+struct RowDepthPatch
+{
+    enum { NODES = DepthPatch::NODES };
+
+    RowCubic x[NODES], y[NODES];
+
+    RowDepthPatch(const DepthPatch& patch, double row)
+    {
+        for (int k = 0; k < NODES; k++)
+        {
+            x[k] = RowCubic(patch.x[k], row);
+            y[k] = RowCubic(patch.y[k], row);
+        }
+    }
+};
+
+// The place of one pixel as a function of the depth.
+struct DepthCubic
+{
+    enum { NODES = DepthPatch::NODES };
+
+    float x[NODES], y[NODES];
+
+    DepthCubic(const RowDepthPatch& row, float column)
+    {
+        for (int k = 0; k < NODES; k++)
+        {
+            x[k] = row.x[k].at(column);
+            y[k] = row.y[k].at(column);
+        }
+    }
+
+    static float at(const float* c, float depth) { return c[0] + depth * (c[1] + depth * (c[2] + depth * c[3])); }
+};
+
+#if CV_SIMD
+struct WideDepthVariable
+{
+    v_float32 bend, low, scale;
+
+    explicit WideDepthVariable(const DepthVariable& v)
+        : bend(vx_setall_f32(v.bend)), low(vx_setall_f32(v.low)), scale(vx_setall_f32(v.scale))
+    {
+    }
+
+    // Rate receives the derivative.
+    v_float32 at(const v_float32& inverseDepth, v_float32& rate) const
+    {
+        const v_float32 one = vx_setall_f32(1.f), quotient = v_div(one, v_sub(one, v_mul(bend, inverseDepth)));
+        rate = v_mul(v_mul(quotient, quotient), scale);
+        return v_mul(v_sub(v_mul(inverseDepth, quotient), low), scale);
+    }
+};
+
+struct WideDepthCubic
+{
+    v_float32 x0, x1, x2, x3, y0, y1, y2, y3;
+
+    WideDepthCubic(const RowDepthPatch& row, const v_float32& column)
+        : x0(WideRowCubic(row.x[0]).at(column)), x1(WideRowCubic(row.x[1]).at(column)),
+          x2(WideRowCubic(row.x[2]).at(column)), x3(WideRowCubic(row.x[3]).at(column)),
+          y0(WideRowCubic(row.y[0]).at(column)), y1(WideRowCubic(row.y[1]).at(column)),
+          y2(WideRowCubic(row.y[2]).at(column)), y3(WideRowCubic(row.y[3]).at(column))
+    {
+    }
+
+    v_float32 x(const v_float32& depth) const { return v_fma(v_fma(v_fma(x3, depth, x2), depth, x1), depth, x0); }
+    v_float32 y(const v_float32& depth) const { return v_fma(v_fma(v_fma(y3, depth, y2), depth, y1), depth, y0); }
+};
+#endif
+
 } // namespace
 
 void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
@@ -201,6 +276,133 @@ void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, 
         for (int i = 0; i < count; i++)
             rows[i] = RowPatch(patches[i], depths[i], row);
         evaluateNearest(rows.data(), count, size.width, x, y);
+    }
+}
+
+void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
+                        float* y, size_t step)
+{
+    for (int row = 0; row < size.height; row++, depths += depthStep, x += step, y += step)
+    {
+        const RowDepthPatch places(patch, row);
+        int i = 0;
+#if CV_SIMD
+        const int lanes = VTraits<v_float32>::vlanes();
+        const WideDepthVariable variable(patch.variable);
+        for (; i <= size.width - lanes; i += lanes)
+        {
+            v_float32 unused;
+            const v_float32 depth = variable.at(vx_load(depths + i), unused);
+            const WideDepthCubic curve(places, columnsFrom(i));
+            v_store(x + i, curve.x(depth));
+            v_store(y + i, curve.y(depth));
+        }
+#endif
+        for (; i < size.width; i++)
+        {
+            const float depth = patch.variable.at(depths[i]);
+            const DepthCubic curve(places, float(i));
+            x[i] = DepthCubic::at(curve.x, depth);
+            y[i] = DepthCubic::at(curve.y, depth);
+        }
+    }
+}
+
+namespace {
+
+// The depths of the other image between its pixels, with the rates at which they grow there.
+struct DepthSampler
+{
+    const float* depths;
+    int step;
+    float lastX, lastY;
+
+    explicit DepthSampler(const Mat1f& image)
+        : depths(image[0]), step(int(image.step1())), lastX(float(image.cols - 1)), lastY(float(image.rows - 1))
+    {
+    }
+
+    float sample(float x, float y, float& perX, float& perY) const
+    {
+        const float insideX = std::min(std::max(x, 0.f), lastX), insideY = std::min(std::max(y, 0.f), lastY);
+        const int column = std::min(int(insideX), int(lastX) - 1), row = std::min(int(insideY), int(lastY) - 1);
+        const float fx = insideX - column, fy = insideY - row;
+        const float* p = depths + (size_t)row * step + column;
+        const float a = p[0], b = p[1], c = p[step], d = p[step + 1];
+        const float left = a + fy * (c - a), right = b + fy * (d - b);
+        perX = right - left;
+        perY = c - a + fx * ((d - c) - (b - a));
+        return left + fx * perX;
+    }
+
+#if CV_SIMD
+    v_float32 sample(const v_float32& x, const v_float32& y, v_float32& perX, v_float32& perY) const
+    {
+        const v_float32 zero = vx_setzero_f32(), one = vx_setall_f32(1.f), limitX = vx_setall_f32(lastX),
+                        limitY = vx_setall_f32(lastY);
+        const v_float32 insideX = v_min(v_max(x, zero), limitX), insideY = v_min(v_max(y, zero), limitY);
+        const v_int32 column = v_trunc(v_min(insideX, v_sub(limitX, one))),
+                      row = v_trunc(v_min(insideY, v_sub(limitY, one)));
+        const v_float32 fx = v_sub(insideX, v_cvt_f32(column)), fy = v_sub(insideY, v_cvt_f32(row));
+        const v_int32 index = v_add(v_mul(row, vx_setall_s32(step)), column);
+        const v_float32 a = v_lut(depths, index), b = v_lut(depths + 1, index), c = v_lut(depths + step, index),
+                        d = v_lut(depths + step + 1, index);
+        const v_float32 down = v_sub(c, a), left = v_fma(fy, down, a), right = v_fma(fy, v_sub(d, b), b);
+        perX = v_sub(right, left);
+        perY = v_fma(fx, v_sub(v_sub(d, c), v_sub(b, a)), down);
+        return v_fma(fx, perX, left);
+    }
+#endif
+};
+
+} // namespace
+
+// Newton's steps to the depth that the other image has at the place which it gives. The first one is exact on a plane.
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, const Point& first, const Size& size,
+                      float* x, float* y, size_t step)
+{
+    const int steps = 2;
+    const DepthSampler sampler(image);
+    const float startDepth = patch.variable.at(start);
+    for (int row = 0; row < size.height; row++, x += step, y += step)
+    {
+        const RowDepthPatch places(patch, first.y + row);
+        int i = 0;
+#if CV_SIMD
+        const int lanes = VTraits<v_float32>::vlanes();
+        const WideDepthVariable variable(patch.variable);
+        const v_float32 one = vx_setall_f32(1.f);
+        for (; i <= size.width - lanes; i += lanes)
+        {
+            const WideDepthCubic curve(places, columnsFrom(first.x + i));
+            v_float32 depth = vx_setall_f32(startDepth), perX, perY, rate;
+            for (int k = 0; k < steps; k++)
+            {
+                const v_float32 found = sampler.sample(curve.x(depth), curve.y(depth), perX, perY);
+                const v_float32 next = variable.at(found, rate),
+                                slope = v_mul(v_fma(perX, curve.x1, v_mul(perY, curve.y1)), rate);
+                depth = v_add(depth, v_div(v_sub(next, depth), v_sub(one, slope)));
+            }
+            v_store(x + i, curve.x(depth));
+            v_store(y + i, curve.y(depth));
+        }
+#endif
+        for (; i < size.width; i++)
+        {
+            const DepthCubic curve(places, float(first.x + i));
+            float depth = startDepth, perX, perY;
+            for (int k = 0; k < steps; k++)
+            {
+                const float found =
+                    sampler.sample(DepthCubic::at(curve.x, depth), DepthCubic::at(curve.y, depth), perX, perY);
+                const float quotient = 1 / (1 - patch.variable.bend * found),
+                            rate = quotient * quotient * patch.variable.scale,
+                            slope = (perX * curve.x[1] + perY * curve.y[1]) * rate;
+                depth += (patch.variable.at(found) - depth) / (1 - slope);
+            }
+            x[i] = DepthCubic::at(curve.x, depth);
+            y[i] = DepthCubic::at(curve.y, depth);
+        }
     }
 }
 

@@ -32,6 +32,13 @@ struct Bicubic
             interpolate(step, c[0][n], c[1][n], c[2][n], c[3][n]);
     }
 
+    //! The coefficients of the powers of the column in a row.
+    void alongRow(double row, float cubic[NODES]) const
+    {
+        for (int n = 0; n < NODES; n++)
+            cubic[n] = float(c[0][n] + row * (c[1][n] + row * (c[2][n] + row * c[3][n])));
+    }
+
     double at(double column, double row) const
     {
         double v = 0;
@@ -40,8 +47,7 @@ struct Bicubic
         return v;
     }
 
-private:
-    // Values at 0, step, 2 step and 3 step become the coefficients of the cubic through them.
+    //! Values at 0, step, 2 step and 3 step become the coefficients of the cubic through them.
     static void interpolate(double step, double& c0, double& c1, double& c2, double& c3)
     {
         const double difference = c1 - c0, second = c2 - 2 * c1 + c0, third = c3 - 3 * (c2 - c1) - c0;

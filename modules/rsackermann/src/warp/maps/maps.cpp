@@ -40,16 +40,20 @@ private:
 
 } // namespace
 
+void fillTiles(const TileFiller& filler, MapWriter& writer)
+{
+    parallel_for_(Range(0, writer.tiles()), FillTiles(filler, writer));
+}
+
 void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
               const AckermannMotion& motion, MapWriter& writer)
 {
     const ShutterGeometry shutter(camera, motion);
     const Matx33d matrix = GlobalCamera(camera, params).matrix;
-    const Range tiles(0, writer.tiles());
     if (warp == WARP_RECTIFY)
-        parallel_for_(tiles, FillTiles(TileRectifier(shutter, matrix, params.maxIterations, params.tolerance), writer));
+        fillTiles(TileRectifier(shutter, matrix, params.maxIterations, params.tolerance), writer);
     else
-        parallel_for_(tiles, FillTiles(TileDistorter(shutter, matrix), writer));
+        fillTiles(TileDistorter(shutter, matrix), writer);
 }
 
 }} // namespace cv::rsackermann

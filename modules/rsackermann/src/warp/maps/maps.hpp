@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAPS_HPP
 
 #include "opencv2/rsackermann/warp.hpp"
-#include "map_writer.hpp"
+#include "tile_filler.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -28,6 +28,18 @@ struct GlobalCamera
 //! For each pixel of one image the place in the other one.
 void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
               const AckermannMotion& motion, MapWriter& writer);
+
+//! Throws unless a depth is possible and has the size of its camera's image, or is empty.
+void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params);
+
+/** The same with a given depth.
+@param depth checked, not empty.
+@param mask that of the writer, in which pixels that the other image doesn't show are marked; or empty. */
+void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+                   const AckermannMotion& motion, const DepthMap& depth, MapWriter& writer, Mat mask);
+
+//! Fills all tiles in parallel.
+void fillTiles(const TileFiller& filler, MapWriter& writer);
 
 }} // namespace cv::rsackermann
 

@@ -1,0 +1,66 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_DEPTH_MAP_HPP
+#define OPENCV_RSACKERMANN_DEPTH_MAP_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! @addtogroup rsackermann
+//! @{
+
+//! The camera that a depth map belongs to.
+enum DepthCamera {
+    //! The raw image, each row at its own instant and through the lens, as stereo or a network sees it (default)
+    DEPTH_RAW = 0,
+    DEPTH_CORRECTED = 1 //!< the global-shutter camera of the maps, at the instant of the reference row
+};
+
+//! What the mask of a map with a depth says of a pixel.
+enum MaskValue {
+    MASK_OUTSIDE = 0,  //!< its place is outside of the other image, or it has none
+    MASK_HIDDEN = 128, //!< something in front of it hides it from the other camera
+    MASK_SEEN = 255    //!< the other image shows it
+};
+
+/** @brief A given depth of the scene, pixel by pixel: from stereo, a network, a lidar or a renderer.
+
+The depth is metric, along the optical axis of its camera. Pixels whose value is 0, negative, NaN or infinite are
+unknown, and so are those nearer than twice the way that the camera moves during the read-out before or after the
+reference row. There the planes and the inverse-depth offset of the motion count, shifted towards what is known around.
+
+Const methods may run at the same time in several threads on the same object; changes need an object that no other
+thread uses meanwhile.
+ */
+class CV_EXPORTS_W_SIMPLE DepthMap
+{
+public:
+    CV_WRAP DepthMap(); //!< nothing is known
+
+    /** @brief Wraps values without copying or checking them.
+    @param values as in DepthMap::values.
+    @param camera one of #DepthCamera.
+    @param scale metres per unit of the values.
+     */
+    CV_WRAP explicit DepthMap(const Mat& values, int camera = DEPTH_RAW, double scale = 1);
+
+    //! Whether there are no values.
+    CV_WRAP bool empty() const;
+
+    //! Throws cv::Exception with the name and value of the first field that is out of range; an empty map is none.
+    CV_WRAP void check() const;
+
+    //! One value for each pixel of the camera's image, CV_32FC1 or CV_16UC1
+    CV_PROP_RW Mat values;
+    CV_PROP_RW int camera;   //!< one of #DepthCamera, default #DEPTH_RAW
+    CV_PROP_RW double scale; //!< metres per unit of the values, default 1; 0.001 for millimetres
+};
+
+//! @}
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_DEPTH_MAP_HPP

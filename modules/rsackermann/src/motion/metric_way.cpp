@@ -1,0 +1,43 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "metric_way.hpp"
+
+namespace cv { namespace rsackermann {
+
+static bool translates(const AckermannMotion& motion)
+{
+    return motion.wallSlope != 0 || motion.wallOffset != 0 || motion.roadSlope != 0 ||
+           !motion.inverseDepthOffset.empty();
+}
+
+static bool hasWallDistance(const AckermannMotion& motion)
+{
+    return std::hypot(motion.wallSlope, motion.wallOffset) > 0 && motion.wallDistance > 0;
+}
+
+bool isMetric(const RollingShutterCamera& camera, const AckermannMotion& motion)
+{
+    return !translates(motion) || hasWallDistance(motion) ||
+           (motion.scale != SCALE_UNKNOWN && motion.roadSlope != 0 && camera.height > 0);
+}
+
+double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion)
+{
+    if (!isMetric(camera, motion))
+        CV_Error(
+            Error::StsBadArg,
+            format("depths are given, but motion.wallDistance is %g m, and motion.roadSlope is %g with motion.scale %d "
+                   "and "
+                   "camera.height %g m; one of the two must give the speed",
+                   motion.wallDistance, motion.roadSlope, motion.scale, camera.height));
+    if (!translates(motion))
+        return 0;
+    if (hasWallDistance(motion))
+        return (motion.direction < 0 ? -1 : 1) * std::hypot(motion.wallSlope, motion.wallOffset) * motion.wallDistance;
+    return motion.roadSlope * camera.height;
+}
+
+}} // namespace cv::rsackermann

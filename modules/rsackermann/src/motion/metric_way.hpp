@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_MOTION_METRIC_WAY_HPP
+#define OPENCV_RSACKERMANN_SRC_MOTION_METRIC_WAY_HPP
+
+#include "opencv2/rsackermann/motion.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! Whether the motion has metres, so that depths in metres can be used with it.
+bool isMetric(const RollingShutterCamera& camera, const AckermannMotion& motion);
+
+/** Metres that the camera moves per unit of row time; negative in reverse, 0 for a pure rotation.
+
+Throws cv::Exception if isMetric() is false.
+*/
+double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_MOTION_METRIC_WAY_HPP

@@ -1,0 +1,70 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_DEPTH_DEPTH_PLACES_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_DEPTH_DEPTH_PLACES_HPP
+
+#include "../distorter.hpp"
+#include "../rectifier.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** The place in the other image of what a pixel of a map shows, as a function of its depth, in double precision.
+
+The depth is given by its inverse in 1/m along the optical axis, either of the pixel's own camera or of the other one
+(doc/theory.md, "Warp").
+*/
+class DepthPlaces
+{
+public:
+    virtual ~DepthPlaces() {}
+
+    //! False if there is no place, or one that cv::remap can't address.
+    virtual bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const = 0;
+};
+
+//! Of the pixels of a rectify map: places in the raw image.
+class RectifyPlaces CV_FINAL : public DepthPlaces
+{
+public:
+    /**
+    @param matrix camera matrix of the global-shutter camera.
+    @param way metres per unit of row time.
+    @param ofRaw whether the depths are those of the raw camera at each row's instant.
+    */
+    RectifyPlaces(const ShutterGeometry& shutter, const Matx33d& matrix, double way, bool ofRaw, int maxIterations,
+                  double tolerance);
+
+    bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const CV_OVERRIDE;
+
+private:
+    bool findOfRaw(const Vec3d& ray, double v, Point2d& place) const;
+    double depthInRow(const Vec3d& b, const RowMotion& m, double t) const;
+
+    const ShutterGeometry& shutter;
+    Rectifier rectifier;
+    Matx33d inverse; // pixel of the global-shutter camera to ray
+    double way;
+    bool ofRaw;
+};
+
+//! Of the pixels of a distort map: places in the image of the global-shutter camera.
+class DistortPlaces CV_FINAL : public DepthPlaces
+{
+public:
+    //! The parameters are those of RectifyPlaces.
+    DistortPlaces(const ShutterGeometry& shutter, const Matx33d& matrix, double way, bool ofRaw);
+
+    bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const CV_OVERRIDE;
+
+private:
+    Distorter distorter;
+    Matx33d matrix;
+    double way;
+    bool ofRaw;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_DEPTH_DEPTH_PLACES_HPP

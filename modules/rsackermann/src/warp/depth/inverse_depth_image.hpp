@@ -1,0 +1,63 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_DEPTH_INVERSE_DEPTH_IMAGE_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_DEPTH_INVERSE_DEPTH_IMAGE_HPP
+
+#include "opencv2/rsackermann/depth_map.hpp"
+#include "scene_depth.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! Inverse depth in 1/m of all pixels of a camera: the given one, and the scene's where none is known.
+class InverseDepthImage
+{
+public:
+    /** @param depth checked, not empty.
+        @param way metres per unit of row time, not 0.
+        @param nearest least depth in metres that counts as known. */
+    InverseDepthImage(const DepthMap& depth, const ShutterGeometry& shutter, const Matx33d& matrix, double way,
+                      double nearest);
+
+    const Mat1f& values() const { return image; }
+
+    //! The lowest and the highest value in a rectangle of pixels, of which the next ones within the image count if it
+    //! is outside; never too narrow.
+    void range(const Rect& area, float& low, float& high) const;
+
+    //! A limit to the difference between neighbouring pixels, across plus down, in such a rectangle.
+    float steepest(const Rect& area) const;
+
+    /** The value at a place.
+
+    It is interpolated between four pixels unless they differ by more than gap: then it is that of the nearest one. A
+    place outside of the image has the value of its border. */
+    float at(float x, float y, float gap) const
+    {
+        const float px = std::min(std::max(x, 0.f), lastX), py = std::min(std::max(y, 0.f), lastY);
+        const int column = int(px), row = int(py);
+        const size_t right = column + 1 < image.cols, below = row + 1 < image.rows ? image.step1() : 0;
+        const float fx = px - column, fy = py - row;
+        const float* p = image.ptr<float>(row) + column;
+        const float a = p[0], b = p[right], c = p[below], d = p[below + right];
+        if (std::max(std::max(a, b), std::max(c, d)) - std::min(std::min(a, b), std::min(c, d)) > gap)
+            return p[(fy < 0.5f ? 0 : below) + (fx < 0.5f ? 0 : right)];
+        const float top = a + fx * (b - a), bottom = c + fx * (d - c);
+        return top + fy * (bottom - top);
+    }
+
+private:
+    enum { BLOCK = 8 };
+
+    void findRanges();
+    Rect blocksOf(const Rect& area) const;
+
+    Mat1f image;
+    Mat1f lows, highs, steps; // of blocks; steps also to the next block
+    float lastX, lastY;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_DEPTH_INVERSE_DEPTH_IMAGE_HPP

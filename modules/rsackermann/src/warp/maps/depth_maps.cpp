@@ -1,0 +1,104 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../../precomp.hpp"
+#include "../../motion/metric_way.hpp"
+#include "maps.hpp"
+#include "tile_other_depth.hpp"
+#include "tile_own_depth.hpp"
+
+namespace cv { namespace rsackermann {
+
+namespace {
+
+// Both maps of a motion and a depth.
+class DepthMaps
+{
+public:
+    DepthMaps(const RollingShutterCamera& camera_, const WarpMapGenerator::Params& params,
+              const ShutterGeometry& shutter, const DepthMap& depth, double way)
+        : ofRaw(depth.camera == DEPTH_RAW), rawSize(camera_.imageSize), global(camera_, params),
+          depths(depth, shutter, global.matrix, way, nearest(camera_, way)),
+          rectify(shutter, global.matrix, way, ofRaw, params.maxIterations, params.tolerance),
+          distort(shutter, global.matrix, way, ofRaw)
+    {
+    }
+
+    void write(WarpDirection warp, MapWriter& writer, Mat& mask) const
+    {
+        Mat1b hidden;
+        if (!mask.empty())
+            hidden.create(mask.size());
+        const bool isOwn = ofRaw == (warp == WARP_DISTORT);
+        if (!isOwn)
+            fillTiles(TileOtherDepth(placesOf(warp), depths, hidden), writer);
+        else if (mask.empty())
+            fillTiles(TileOwnDepth(placesOf(warp), depths, nullptr, hidden), writer);
+        else
+            writeOwn(warp, writer, hidden);
+        if (!mask.empty())
+            mask.setTo(MASK_HIDDEN, (mask == MASK_SEEN) & hidden);
+    }
+
+private:
+    // Twice the way from the reference row to the farther end: what is nearer the camera would nearly reach.
+    static double nearest(const RollingShutterCamera& camera, double way)
+    {
+        const Point2d end(camera.imageSize.width - 1, camera.imageSize.height - 1);
+        return 2 * std::abs(way) * std::max(std::abs(camera.rowTime(Point2d())), std::abs(camera.rowTime(end)));
+    }
+
+    const DepthPlaces& placesOf(WarpDirection warp) const
+    {
+        return warp == WARP_RECTIFY ? static_cast<const DepthPlaces&>(rectify) : distort;
+    }
+
+    // What the other image shows is known from its own map.
+    void writeOwn(WarpDirection warp, MapWriter& writer, Mat1b& hidden) const
+    {
+        const WarpDirection back = warp == WARP_RECTIFY ? WARP_DISTORT : WARP_RECTIFY;
+        Mat columns, rows;
+        Mat1b unused;
+        MapWriter other(back == WARP_RECTIFY ? global.size : rawSize, back == WARP_RECTIFY ? rawSize : global.size,
+                        CV_32FC1, columns, rows, noArray());
+        fillTiles(TileOtherDepth(placesOf(back), depths, unused), other);
+        const Visibility visibility(placesOf(back), depths, columns, rows);
+        fillTiles(TileOwnDepth(placesOf(warp), depths, &visibility, hidden), writer);
+    }
+
+    const bool ofRaw;
+    const Size rawSize;
+    const GlobalCamera global;
+    const InverseDepthImage depths;
+    const RectifyPlaces rectify;
+    const DistortPlaces distort;
+};
+
+} // namespace
+
+void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params)
+{
+    depth.check();
+    if (depth.empty())
+        return;
+    const bool ofRaw = depth.camera == DEPTH_RAW;
+    const Size expected = ofRaw ? camera.imageSize : GlobalCamera(camera, params).size;
+    if (depth.values.size() != expected)
+        CV_Error(Error::StsBadArg,
+                 format("depth.values is %d x %d; the size %d x %d of the %s camera's image is expected",
+                        depth.values.cols, depth.values.rows, expected.width, expected.height,
+                        ofRaw ? "raw" : "global-shutter"));
+}
+
+void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+                   const AckermannMotion& motion, const DepthMap& depth, MapWriter& writer, Mat mask)
+{
+    const double way = motion.status == MOTION_OK ? wayPerUnitTime(camera, motion) : 0;
+    if (way == 0) // the places are the same at all depths
+        return writeMap(warp, camera, params, motion, writer);
+    const ShutterGeometry shutter(camera, motion);
+    DepthMaps(camera, params, shutter, depth, way).write(warp, writer, mask);
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,56 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_DEPTH_PATCH_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_MAPS_DEPTH_PATCH_HPP
+
+#include "map_patch.hpp"
+#include "../depth/depth_places.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** The variable of a patch that stands for the inverse depth u: u / (1 - bend u), scaled to 0 ... 3.
+
+A place is a quotient of linear functions of u. If bend is the root of its denominator it is linear in the variable.
+*/
+struct DepthVariable
+{
+    float bend, low, scale;
+
+    DepthVariable() : bend(0), low(0), scale(1) {}
+    //! For the inverse depths of a range at a pixel.
+    DepthVariable(const Point2d& pixel, double lowest, double highest, const DepthPlaces& places);
+
+    float at(float inverseDepth) const { return (inverseDepth / (1 - bend * inverseDepth) - low) * scale; }
+
+    //! The inverse of at().
+    double inverseDepth(double value) const
+    {
+        const double v = low + value / scale;
+        return v / (1 + bend * v);
+    }
+};
+
+//! A square part of a map at all depths of a range: a polynomial of degree 3 in column, row and a variable of the
+//! depth.
+struct DepthPatch
+{
+    enum { NODES = Bicubic::NODES };
+
+    Bicubic x[NODES], y[NODES]; //!< of the powers of the variable
+    DepthVariable variable;
+
+    /** Interpolates the exact places; false if the error is too large or a place doesn't exist.
+    @param square of pixels of the map.
+    @param lowest, highest inverse depths that can occur in the square. */
+    bool fit(const Rect& square, double lowest, double highest, const DepthPlaces& places);
+
+private:
+    bool isExact(const Point2d& first, double step, const DepthPlaces& places) const;
+    Point2d at(const Point2d& pixel, double depth) const;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_MAPS_DEPTH_PATCH_HPP

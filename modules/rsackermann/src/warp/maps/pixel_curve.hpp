@@ -1,0 +1,94 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_PIXEL_CURVE_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_MAPS_PIXEL_CURVE_HPP
+
+#include "depth_patch.hpp"
+#include "remap_limits.hpp"
+
+namespace cv { namespace rsackermann {
+
+// The curve of places that one pixel may show, for SurfaceSearch.
+
+//! A patch along one of its rows.
+struct DepthPatchRow
+{
+    enum { NODES = DepthPatch::NODES };
+
+    float x[NODES][NODES], y[NODES][NODES]; // [power of the depth][power of the column]
+    DepthVariable variable;
+
+    DepthPatchRow(const DepthPatch& patch, double row) : variable(patch.variable)
+    {
+        for (int k = 0; k < NODES; k++)
+        {
+            patch.x[k].alongRow(row, x[k]);
+            patch.y[k].alongRow(row, y[k]);
+        }
+    }
+};
+
+//! A polynomial of degree 3 in the inverse depth.
+class CubicCurve
+{
+public:
+    CubicCurve(const DepthPatchRow& row, float column) : variable(row.variable)
+    {
+        for (int k = 0; k < NODES; k++)
+            c[k] = Point2f(at(row.x[k], column), at(row.y[k], column));
+    }
+
+    //! Through the exact places of a pixel at four depths of a range; those that don't exist are far outside.
+    CubicCurve(const DepthPlaces& places, const Point2d& pixel, double lowest, double highest)
+        : variable(pixel, lowest, highest, places)
+    {
+        Point2d p[NODES];
+        for (int k = 0; k < NODES; k++)
+            if (!places.find(pixel, variable.inverseDepth(k), p[k]))
+                p[k] = Point2d(FAR_OUTSIDE, FAR_OUTSIDE);
+        Bicubic::interpolate(1, p[0].x, p[1].x, p[2].x, p[3].x);
+        Bicubic::interpolate(1, p[0].y, p[1].y, p[2].y, p[3].y);
+        for (int k = 0; k < NODES; k++)
+            c[k] = p[k];
+    }
+
+    Point2f at(float inverseDepth) const
+    {
+        const float depth = variable.at(inverseDepth);
+        return c[0] + depth * (c[1] + depth * (c[2] + depth * c[3]));
+    }
+
+private:
+    enum { NODES = DepthPatch::NODES };
+
+    static float at(const float* cubic, float column)
+    {
+        return cubic[0] + column * (cubic[1] + column * (cubic[2] + column * cubic[3]));
+    }
+
+    Point2f c[NODES];
+    DepthVariable variable;
+};
+
+//! The exact places; those that don't exist are far outside.
+class ExactCurve
+{
+public:
+    ExactCurve(const DepthPlaces& places_, const Point2d& pixel_) : places(places_), pixel(pixel_) {}
+
+    Point2f at(float inverseDepth) const
+    {
+        Point2d place;
+        return places.find(pixel, inverseDepth, place) ? Point2f(place) : Point2f(FAR_OUTSIDE, FAR_OUTSIDE);
+    }
+
+private:
+    const DepthPlaces& places;
+    Point2d pixel;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_MAPS_PIXEL_CURVE_HPP

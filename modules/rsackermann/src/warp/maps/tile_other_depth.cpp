@@ -1,0 +1,118 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../../precomp.hpp"
+#include "../depth/reach.hpp"
+#include "../depth/surface_search.hpp"
+#include "map_kernels.hpp"
+#include "pixel_curve.hpp"
+#include "tile_other_depth.hpp"
+
+namespace cv { namespace rsackermann {
+
+bool TileOtherDepth::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
+{
+    float low, high;
+    DepthPatch patch;
+    if (!findReach(places, depths, square.tl(), square.size(), low, high) || !patch.fit(square, low, high, places))
+        return false;
+    fillBlock(patch, square.tl(), low, high, square & tile.area(), tile);
+    return true;
+}
+
+// In a smaller part of a square fewer surfaces come into question.
+void TileOtherDepth::fillBlock(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
+                               MapWriter::Tile& tile) const
+{
+    const int smallest = 8;
+    float pixelsPerDepth = 0, step = 0;
+    for (int i = 0; i < 2; i++)
+    {
+        Reach reach;
+        float longest = 0;
+        for (int k = 0; k < 4; k++)
+        {
+            const Point corner = block.tl() + Point(k % 2 * block.width, k / 2 * block.height) - first;
+            const CubicCurve curve(DepthPatchRow(patch, corner.y), float(corner.x));
+            const Point2f near = curve.at(high), far = curve.at(low);
+            reach.add(near);
+            reach.add(far);
+            longest = std::max(longest, std::max(std::abs(near.x - far.x), std::abs(near.y - far.y)));
+        }
+        pixelsPerDepth = high > low ? longest / (high - low) : 0;
+        depths.range(reach.area(), low, high);
+        step = depths.steepest(reach.area());
+    }
+    if (step * pixelsPerDepth <= SurfaceSearch<CubicCurve>::largestStretch())
+        fillSmooth(patch, first, 0.5f * (low + high), block, tile);
+    else if (std::max(block.width, block.height) <= smallest)
+        fillSurfaces(patch, first, low, high, block, tile);
+    else
+    {
+        const Size half((block.width + 1) / 2, (block.height + 1) / 2);
+        for (int k = 0; k < 4; k++)
+        {
+            const Rect part = Rect(block.tl() + Point(k % 2 * half.width, k / 2 * half.height), half) & block;
+            if (!part.empty())
+                fillBlock(patch, first, low, high, part, tile);
+        }
+    }
+}
+
+void TileOtherDepth::fillSmooth(const DepthPatch& patch, const Point& first, float start, const Rect& block,
+                                MapWriter::Tile& tile) const
+{
+    searchDepthPatch(patch, depths.values(), start, block.tl() - first, block.size(), tile.x(block.tl()),
+                     tile.y(block.tl()), tile.step);
+    if (!hidden.empty())
+        hidden(block).setTo(0);
+}
+
+void TileOtherDepth::fillSurfaces(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
+                                  MapWriter::Tile& tile) const
+{
+    for (int y = block.y; y < block.br().y; y++)
+    {
+        const DepthPatchRow row(patch, y - first.y);
+        for (int x = block.x; x < block.br().x; x++)
+        {
+            const CubicCurve curve(row, float(x - first.x));
+            float depth;
+            const bool isSeen = SurfaceSearch<CubicCurve>(depths, curve, low, high).find(depth);
+            const Point2f place = curve.at(depth);
+            *tile.x(Point(x, y)) = place.x;
+            *tile.y(Point(x, y)) = place.y;
+            mark(Point(x, y), isSeen);
+        }
+    }
+}
+
+void TileOtherDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
+{
+    for (int y = area.y; y < area.br().y; y++)
+        for (int x = area.x; x < area.br().x; x++)
+        {
+            const Point pixel(x, y);
+            float low, high, depth;
+            Point2d place;
+            if (!findReach(places, depths, pixel, Size(), low, high))
+            {
+                tile.setNone(pixel);
+                continue;
+            }
+            mark(pixel, SurfaceSearch<ExactCurve>(depths, ExactCurve(places, pixel), low, high).find(depth));
+            if (places.find(pixel, depth, place))
+                tile.set(pixel, place);
+            else
+                tile.setNone(pixel);
+        }
+}
+
+void TileOtherDepth::mark(const Point& pixel, bool isSeen) const
+{
+    if (!hidden.empty())
+        hidden(pixel) = isSeen ? 0 : 255;
+}
+
+}} // namespace cv::rsackermann

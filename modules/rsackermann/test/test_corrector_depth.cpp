@@ -1,0 +1,82 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_corrector_common.hpp"
+#include "test_metric_motion.hpp"
+#include "opencv2/imgproc.hpp"
+
+namespace opencv_test { namespace {
+
+struct CorrectorDepth : testing::Test
+{
+    CorrectorDepth() : camera(RollingShutterCamera::fromFocal(Size(320, 200), 400))
+    {
+        camera.lineDelay = 60e-6;
+        camera.height = 1.3;
+        motion = motionFromMetric(camera, 0.3, 15, 2.5, 3, 0);
+        image.create(camera.imageSize, CV_8UC3);
+        randu(image, 0, 256);
+        GaussianBlur(image, image, Size(), 2);
+        Mat values(camera.imageSize, CV_32F, Scalar(4));
+        values(Rect(20, 10, 40, 180)).setTo(2);
+        depth = DepthMap(values);
+    }
+
+    RollingShutterCamera camera;
+    AckermannMotion motion;
+    Mat image;
+    DepthMap depth;
+};
+
+TEST_F(CorrectorDepth, is_that_of_the_maps)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    Mat corrected, mask, map1, map2, expectedMask, expected, usedMap1, usedMap2;
+    corrector->correctWithMotion(image, motion, corrected, mask, depth);
+    EXPECT_TRUE(corrector->isDepthUsed());
+    WarpMapGenerator::create(camera)->initRectifyMap(motion, map1, map2, CV_32FC1, expectedMask, depth);
+    remap(image, expected, map1, map2, INTER_LINEAR);
+    corrector->getMaps(usedMap1, usedMap2);
+    EXPECT_EQ(0, cvtest::norm(corrected, expected, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(mask, expectedMask, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(usedMap1, map1, NORM_INF));
+    EXPECT_GT(countNonZero(mask == MASK_HIDDEN), 0);
+
+    corrector->correctWithMotion(image, motion, corrected, mask);
+    EXPECT_FALSE(corrector->isDepthUsed());
+    EXPECT_GT(cvtest::norm(corrected, expected, NORM_INF), 0);
+}
+
+TEST_F(CorrectorDepth, needs_metres)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    Mat corrected, expected, mask;
+    AckermannMotion unknown = motion;
+    unknown.wallDistance = 0;
+    unknown.scale = SCALE_UNKNOWN;
+    corrector->correctWithMotion(image, unknown, expected, mask);
+    corrector->correctWithMotion(image, unknown, corrected, mask, depth);
+    EXPECT_FALSE(corrector->isDepthUsed());
+    EXPECT_EQ(0, cvtest::norm(corrected, expected, NORM_INF));
+
+    unknown.status = MOTION_NO_CONSENSUS;
+    corrector->correctWithMotion(image, unknown, corrected, mask, depth);
+    EXPECT_FALSE(corrector->isDepthUsed());
+    EXPECT_EQ(0, cvtest::norm(corrected, image, NORM_INF));
+}
+
+TEST_F(CorrectorDepth, bad_depth_is_refused_first)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    Mat corrected;
+    const DepthMap narrow(depth.values.colRange(1, 100));
+    const Mat noSegments(0, 4, CV_32F);
+    EXPECT_THROW(corrector->correct(image, corrected, noArray(), narrow), cv::Exception);
+    EXPECT_THROW(corrector->correctWithSegments(image, noSegments, corrected, noArray(), narrow), cv::Exception);
+    EXPECT_THROW(corrector->correctWithMotion(image, AckermannMotion(), corrected, noArray(), narrow), cv::Exception);
+    EXPECT_TRUE(corrected.empty());
+}
+
+}} // namespace opencv_test::

@@ -1,0 +1,382 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_warp_cameras.hpp"
+
+// Maps with a given depth against the simulator, in a scene that has nothing of the motion's planes.
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+//! A camera that moves as a motion says, in front of a single slanted plane, in metres.
+struct Scene
+{
+    Scene(const RollingShutterCamera& camera_, const AckermannMotion& motion_, const Vec3d& normal)
+        : camera(camera_), motion(motion_), simulator(camera_, simulation::Drive(), simulation::Street())
+    {
+        double speed;
+        motion.speed(camera, speed);
+        simulator.drive = simulation::Drive(2 * motion.alpha, speed * camera.secondsPerUnitTime(), camera.heading);
+        simulator.drive.pitch = motion.pitchRate;
+        simulator.drive.roll = motion.rollRate;
+        simulator.street.normal[simulation::LEFT] = normal;
+    }
+
+    //! The point that a pixel of the raw or of the global-shutter image shows, upright at the reference row.
+    Vec3d pointAt(const Point2d& pixel, bool ofRaw) const
+    {
+        Vec3d P;
+        if (ofRaw)
+        {
+            simulator.locate(pixel, simulation::LEFT, P);
+            return P;
+        }
+        const Vec3d b = camera.uprightRotation * (camera.cameraMatrix.inv() * Vec3d(pixel.x, pixel.y, 1));
+        return b * simulator.street.distance(simulation::LEFT, Vec3d(), b);
+    }
+
+    DepthMap depth(int ofCamera) const
+    {
+        Mat1f values(camera.imageSize);
+        for (int y = 0; y < values.rows; y++)
+            for (int x = 0; x < values.cols; x++)
+            {
+                const Point2d pixel(x, y);
+                const bool ofRaw = ofCamera == DEPTH_RAW;
+                const Vec3d P = simulator.drive.toCamera(pointAt(pixel, ofRaw), ofRaw ? simulator.time(pixel) : 0);
+                values(y, x) = float((camera.uprightRotation.t() * P)[2]);
+            }
+        return DepthMap(values, ofCamera);
+    }
+
+    RollingShutterCamera camera;
+    AckermannMotion motion;
+    Simulator simulator;
+};
+
+//! In front of the camera, 4 to 10 m away.
+Vec3d randomNormal(RNG& rng)
+{
+    return Vec3d(rng.uniform(-0.05, 0.05), rng.uniform(-0.05, 0.05), rng.uniform(0.1, 0.25));
+}
+
+//! The map of either direction.
+void initMap(const Ptr<WarpMapGenerator>& generator, bool distort, const AckermannMotion& motion, OutputArray map1,
+             OutputArray map2, OutputArray mask, const DepthMap& depth, int m1type = CV_32FC1)
+{
+    if (distort)
+        generator->initDistortMap(motion, map1, map2, m1type, mask, depth);
+    else
+        generator->initRectifyMap(motion, map1, map2, m1type, mask, depth);
+}
+
+typedef testing::TestWithParam<std::tuple<int, int, bool>> WarpDepth; // TestLens, DepthCamera, whether to distort
+
+TEST_P(WarpDepth, equals_simulator)
+{
+    const bool distort = std::get<2>(GetParam());
+    RNG rng(99);
+    int compared = 0;
+    double worst = 0;
+    for (int round = 0; round < 4; round++)
+    {
+        RollingShutterCamera camera = lensCamera(std::get<0>(GetParam()));
+        camera.height = 1.2;
+        camera.imageSize = Size(340, 240); // the simulator takes its time for each pixel
+        camera.cameraMatrix(0, 2) -= 150;
+        camera.cameraMatrix(1, 2) -= 70;
+        mountAtRandom(camera, rng);
+        camera.scanDirection = round;
+        const Scene scene(camera, randomMotion(camera, rng), randomNormal(rng));
+        Mat columns, rows, mask;
+        initMap(WarpMapGenerator::create(camera), distort, scene.motion, columns, rows, mask,
+                scene.depth(std::get<1>(GetParam())));
+        for (int y = round; y < columns.rows; y += 11)
+            for (int x = round; x < columns.cols; x += 13)
+            {
+                const Point2d got(columns.at<float>(y, x), rows.at<float>(y, x));
+                const Vec3d P = scene.pointAt(Point(x, y), distort);
+                Point2d truth;
+                if (!distort && !scene.simulator.project(P, truth))
+                    continue;
+                if (distort)
+                {
+                    const Vec3d p = camera.cameraMatrix * (camera.uprightRotation.t() * P);
+                    truth = Point2d(p[0] / p[2], p[1] / p[2]);
+                    if (!scene.simulator.inside(truth))
+                        continue;
+                }
+                worst = std::max(worst, cv::norm(got - truth));
+                EXPECT_EQ(MASK_SEEN, mask.at<uchar>(y, x)) << x << ", " << y << ", round " << round;
+                compared++;
+            }
+    }
+    EXPECT_LE(worst, 5e-4);
+    EXPECT_GE(compared, 1200);
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, WarpDepth,
+                        testing::Combine(testing::Values(ALL_LENSES), testing::Values(DEPTH_RAW, DEPTH_CORRECTED),
+                                         testing::Bool()));
+
+typedef testing::TestWithParam<std::tuple<int, bool>> WarpDepthMaps; // DepthCamera, whether to distort
+
+//! A camera and a motion with both walls and a road, and a depth with boxes in front of a plane.
+struct Boxes
+{
+    Boxes() : camera(simulation::paperCamera())
+    {
+        camera.distCoeffs = {-0.2, 0.05, 1e-3, -1e-3, 0.01};
+        camera.height = 1.2;
+        motion = motionFromMetric(camera, 0.5, 16, 2.5, 3, 0.02);
+        values.create(camera.imageSize);
+        for (int y = 0; y < values.rows; y++)
+            for (int x = 0; x < values.cols; x++)
+                values(y, x) = 9 - 0.003f * x - 0.005f * y;
+        for (int i = 0; i < 6; i++)
+            values(Rect(30 + 100 * i, 60 + 30 * i, 40, 90)).setTo(3 + 0.4 * i);
+    }
+
+    RollingShutterCamera camera;
+    AckermannMotion motion;
+    Mat1f values;
+};
+
+struct Result
+{
+    Mat map1, map2, mask;
+
+    Result(const RollingShutterCamera& camera, bool distort, const AckermannMotion& motion, const DepthMap& depth,
+           const WarpMapGenerator::Params& params = WarpMapGenerator::Params())
+    {
+        initMap(WarpMapGenerator::create(camera, params), distort, motion, map1, map2, mask, depth);
+    }
+
+    static double difference(const Mat& a, const Mat& b, const Mat& where = Mat())
+    {
+        return cvtest::norm(a, b, NORM_INF, where);
+    }
+
+    double difference(const Result& other, const Mat& where = Mat()) const
+    {
+        return std::max(difference(map1, other.map1, where), difference(map2, other.map2, where));
+    }
+};
+
+TEST_P(WarpDepthMaps, sixteen_bits_with_a_scale)
+{
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    const Boxes boxes;
+    Mat units, metres;
+    boxes.values.convertTo(units, CV_16U, 256);
+    units.convertTo(metres, CV_32F, 1. / 256);
+    const Result expected(boxes.camera, distort, boxes.motion, DepthMap(metres, ofCamera)),
+        got(boxes.camera, distort, boxes.motion, DepthMap(units, ofCamera, 1. / 256));
+    EXPECT_EQ(0, got.difference(expected));
+    EXPECT_EQ(0, Result::difference(got.mask, expected.mask));
+}
+
+// A box hides a stripe on one side, which is as wide as it moves against what is behind.
+TEST_P(WarpDepthMaps, boxes_hide)
+{
+    const Boxes boxes;
+    const Result result(boxes.camera, std::get<1>(GetParam()), boxes.motion,
+                        DepthMap(boxes.values, std::get<0>(GetParam())));
+    const int hidden = countNonZero(result.mask == MASK_HIDDEN);
+    EXPECT_GT(hidden, 100);
+    EXPECT_LT(hidden, 6000);
+    const Result even(boxes.camera, std::get<1>(GetParam()), boxes.motion,
+                      DepthMap(Mat(boxes.values.size(), CV_32F, Scalar(8)), std::get<0>(GetParam())));
+    EXPECT_EQ(0, countNonZero(even.mask == MASK_HIDDEN));
+}
+
+TEST_P(WarpDepthMaps, nothing_known)
+{
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    const Boxes boxes;
+    const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    const Result without(boxes.camera, distort, boxes.motion, DepthMap());
+    const Mat seen = without.mask == MASK_SEEN;
+    for (const float unknown : {0.f, -5.f, nan, inf, 1e-3f})
+    {
+        const Result result(boxes.camera, distort, boxes.motion,
+                            DepthMap(Mat(boxes.camera.imageSize, CV_32F, Scalar(unknown)), ofCamera));
+        // Where two planes meet the depth between pixels is a straight line; elsewhere the places are those of planes.
+        EXPECT_LE(result.difference(without, seen), 5e-3) << unknown;
+        EXPECT_LE(cvtest::norm(result.map1, without.map1, NORM_L1, seen) / countNonZero(seen), 1e-4) << unknown;
+        EXPECT_LE(countNonZero((result.mask != without.mask) & seen), 2) << unknown; // at the border
+    }
+}
+
+// The step between known and unknown depths is spread over the hole.
+TEST_P(WarpDepthMaps, holes_have_no_seams)
+{
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    const Boxes boxes;
+    Mat1f values(boxes.camera.imageSize, 5.f);
+    const Result whole(boxes.camera, distort, boxes.motion, DepthMap(values.clone(), ofCamera));
+    for (int x = 20; x < values.cols; x += 120)
+        for (int y = 20; y < values.rows; y += 90)
+            circle(values, Point(x, y), 10 + x / 20, Scalar(0), FILLED);
+    const Result holes(boxes.camera, distort, boxes.motion, DepthMap(values, ofCamera)),
+        without(boxes.camera, distort, boxes.motion, DepthMap());
+    EXPECT_GT(without.difference(whole, whole.mask), 2.);
+    EXPECT_GT(holes.difference(whole, whole.mask), 0.2);
+    for (const Mat& shift : {Mat(holes.map1 - whole.map1), Mat(holes.map2 - whole.map2)})
+    {
+        const Mat inside = whole.mask(Rect(1, 1, shift.cols - 1, shift.rows - 1));
+        const Mat here = shift(Rect(1, 1, shift.cols - 1, shift.rows - 1)),
+                  left = shift(Rect(0, 1, shift.cols - 1, shift.rows - 1)),
+                  above = shift(Rect(1, 0, shift.cols - 1, shift.rows - 1));
+        Mat seen;
+        erode(inside, seen, Mat());
+        EXPECT_LE(cvtest::norm(here, left, NORM_INF, seen), 0.25);
+        EXPECT_LE(cvtest::norm(here, above, NORM_INF, seen), 0.25);
+    }
+    EXPECT_EQ(0, countNonZero(holes.mask == MASK_HIDDEN));
+}
+
+TEST_P(WarpDepthMaps, types_and_threads)
+{
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    const Boxes boxes;
+    const DepthMap depth(boxes.values, ofCamera);
+    const Result expected(boxes.camera, distort, boxes.motion, depth);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(boxes.camera);
+    Mat map1, map2, mask;
+    initMap(generator, distort, boxes.motion, map1, map2, mask, depth, CV_32FC2);
+    std::vector<Mat> planes;
+    split(map1, planes);
+    EXPECT_EQ(0, cvtest::norm(planes[0], expected.map1, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(planes[1], expected.map2, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(mask, expected.mask, NORM_INF));
+
+    initMap(generator, distort, boxes.motion, map1, map2, noArray(), depth, CV_16SC2);
+    Mat columns, rows;
+    convertMaps(map1, map2, columns, rows, CV_32FC1);
+    EXPECT_LE(cvtest::norm(columns, expected.map1, NORM_INF), 1. / 64 + 1e-4);
+
+    UMat device1, device2, deviceMask;
+    initMap(generator, distort, boxes.motion, device1, device2, deviceMask, depth);
+    EXPECT_EQ(0, cvtest::norm(device1.getMat(ACCESS_READ), expected.map1, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(deviceMask.getMat(ACCESS_READ), expected.mask, NORM_INF));
+
+    const int threads = getNumThreads();
+    setNumThreads(1);
+    const Result alone(boxes.camera, distort, boxes.motion, depth);
+    setNumThreads(threads);
+    EXPECT_EQ(0, alone.difference(expected));
+    EXPECT_EQ(0, cvtest::norm(alone.mask, expected.mask, NORM_INF));
+}
+
+TEST_P(WarpDepthMaps, edges_of_the_values)
+{
+    applyTestTag(CV_TEST_TAG_LONG);
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    const Boxes boxes;
+    RNG rng(5);
+    const float odd[] = {0.f,
+                         1e-30f,
+                         1e30f,
+                         -1e30f,
+                         std::numeric_limits<float>::quiet_NaN(),
+                         std::numeric_limits<float>::infinity(),
+                         -std::numeric_limits<float>::infinity(),
+                         std::numeric_limits<float>::denorm_min(),
+                         0.3f,
+                         1e5f};
+    Mat1f values(boxes.camera.imageSize);
+    for (int y = 0; y < values.rows; y++)
+        for (int x = 0; x < values.cols; x++)
+            values(y, x) = rng.uniform(0, 8) == 0 ? odd[rng.uniform(0, 10)] : rng.uniform(0.5f, 30.f);
+    const Result result(boxes.camera, distort, boxes.motion, DepthMap(values, ofCamera));
+    EXPECT_TRUE(checkRange(result.map1) && checkRange(result.map2));
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, WarpDepthMaps,
+                        testing::Combine(testing::Values(DEPTH_RAW, DEPTH_CORRECTED), testing::Bool()));
+
+// Without a way in metres depths change nothing, or mean nothing.
+TEST(RSAckermann_WarpDepth, other_motions)
+{
+    const Boxes boxes;
+    const DepthMap depth(boxes.values);
+    AckermannMotion motion = boxes.motion;
+    motion.status = MOTION_NOT_SIGNIFICANT;
+    EXPECT_EQ(0,
+              Result(boxes.camera, false, motion, depth).difference(Result(boxes.camera, false, motion, DepthMap())));
+
+    motion = AckermannMotion();
+    motion.status = MOTION_OK;
+    motion.alpha = 0.01;
+    EXPECT_EQ(0,
+              Result(boxes.camera, false, motion, depth).difference(Result(boxes.camera, false, motion, DepthMap())));
+
+    motion = boxes.motion;
+    motion.wallDistance = 0;
+    motion.scale = SCALE_UNKNOWN;
+    EXPECT_THROW(Result(boxes.camera, false, motion, depth), cv::Exception);
+    motion.scale = SCALE_ROAD;
+    EXPECT_LE(Result(boxes.camera, false, motion, depth).difference(Result(boxes.camera, false, boxes.motion, depth)),
+              1e-3);
+}
+
+TEST(RSAckermann_WarpDepth, parts_of_the_image)
+{
+    const Boxes boxes;
+    const Result whole(boxes.camera, false, boxes.motion, DepthMap(boxes.values)),
+        own(boxes.camera, false, boxes.motion, DepthMap(boxes.values, DEPTH_CORRECTED));
+    const Rect part(170, 90, 211, 133);
+    WarpMapGenerator::Params params;
+    params.newSize = part.size();
+    params.newCameraMatrix = boxes.camera.cameraMatrix;
+    params.newCameraMatrix(0, 2) -= part.x;
+    params.newCameraMatrix(1, 2) -= part.y;
+    const Result got(boxes.camera, false, boxes.motion, DepthMap(boxes.values), params),
+        gotOwn(boxes.camera, false, boxes.motion, DepthMap(boxes.values(part), DEPTH_CORRECTED), params);
+    Mat differs = got.map1 - whole.map1(part);
+    EXPECT_LE(countNonZero((differs > 1e-3) | (differs < -1e-3)),
+              20); // at edges, where a surface is met or just missed
+    EXPECT_LE(Result::difference(gotOwn.map1, own.map1(part)), 5e-4);
+}
+
+TEST(RSAckermann_WarpDepth, bad_arguments)
+{
+    const Boxes boxes;
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(boxes.camera);
+    Mat map1, map2;
+    const auto refuses = [&](const DepthMap& depth, const String& words) {
+        try
+        {
+            generator->initRectifyMap(boxes.motion, map1, map2, CV_32FC1, noArray(), depth);
+        }
+        catch (const cv::Exception& e)
+        {
+            return e.err.find(words) != String::npos;
+        }
+        return false;
+    };
+    const Size size = boxes.camera.imageSize;
+    EXPECT_TRUE(refuses(DepthMap(Mat(size, CV_64F, Scalar(5))), "depth.values"));
+    EXPECT_TRUE(refuses(DepthMap(Mat(size, CV_32FC2, Scalar(5))), "CV_32FC2"));
+    EXPECT_TRUE(refuses(DepthMap(boxes.values.rowRange(1, 100)), "640 x 99"));
+    EXPECT_TRUE(refuses(DepthMap(boxes.values, 2), "depth.camera is 2"));
+    EXPECT_TRUE(refuses(DepthMap(boxes.values, DEPTH_RAW, 0), "depth.scale is 0"));
+    EXPECT_TRUE(refuses(DepthMap(boxes.values, DEPTH_RAW, -1), "depth.scale is -1"));
+    EXPECT_TRUE(refuses(DepthMap(boxes.values, DEPTH_RAW, std::numeric_limits<double>::infinity()), "depth.scale"));
+    AckermannMotion unknown = boxes.motion;
+    unknown.wallDistance = 0;
+    unknown.scale = SCALE_UNKNOWN;
+    EXPECT_THROW(generator->initDistortMap(unknown, map1, map2, CV_32FC1, noArray(), DepthMap(boxes.values)),
+                 cv::Exception);
+}
+
+}} // namespace opencv_test::

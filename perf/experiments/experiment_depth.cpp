@@ -1,0 +1,166 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "options.hpp"
+#include "street_model.hpp"
+#include "units.hpp"
+
+#include "opencv2/imgproc.hpp"
+#include <iostream>
+
+using namespace cv::rsackermann;
+using namespace rsackermann_samples;
+
+namespace {
+
+const char* const ABOUT =
+    "Measures maps with a given depth on rendered streets with staggered houses, cars, posts and trees. Speed, yaw rate\n"
+    "and walls are given. Prints means over all streets: displacement of the raw image and after the correction, in\n"
+    "pixels that are seen, and the share of the pixels whose mask is right.\n";
+
+const char* const KEYS =
+    "{help       |         | print this message}"
+    "{size       | 640x380 | of the images, pixels}"
+    "{streets    | 20      | number of streets}"
+    "{obstacles  | 15      | cars, posts and trees on 100 m of each side}"
+    "{stagger    | 1.5     | metres by which houses stand back}"
+    "{speed      | 60      | km/h}"
+    "{yaw_rate   | 40      | deg/s}"
+    "{depth      | raw     | the camera whose depth is given: raw, corrected or none}"
+    "{noise      | 0       | relative standard deviation of the depth's errors}"
+    "{hole       | 12      | size of holes in the depth, pixels; 0: single pixels}"
+    "{holes      | 0       | share of the pixels without a depth}"
+    "{threads    |         | number of threads}";
+
+struct Measured
+{
+    double raw, residual, sky; // pixels
+    double worst;              // 99th percentile
+    double right;              // share
+
+    Measured() : raw(0), residual(0), sky(0), worst(0), right(0) {}
+};
+
+street::StreetCamera makeCamera(const cv::Size& size)
+{
+    return street::StreetCamera(size, 816. / 640 * size.width, 0.4 / 30 / size.height, 1.2);
+}
+
+street::StreetScene makeScene(const Options& options, unsigned seed)
+{
+    street::StreetScene scene;
+    scene.seed = seed;
+    scene.speed = options.number("speed", -500, 500) * KMH;
+    scene.yawRate = options.number("yaw_rate", -360, 360) * DEGREE * (seed % 2 ? -1 : 1);
+    scene.left = 3.2;
+    scene.right = 4;
+    scene.obstacles = options.number("obstacles", 0, 100);
+    scene.stagger = options.number("stagger", 0, 10);
+    return scene;
+}
+
+// The share of pixels with the largest values of smooth noise, or of noise without any size.
+cv::Mat holesOf(const cv::Size& size, double share, double hole, cv::RNG& rng)
+{
+    cv::Mat1f noise(size);
+    rng.fill(noise, cv::RNG::UNIFORM, 0, 1);
+    if (hole > 0)
+        cv::GaussianBlur(noise, noise, cv::Size(), hole / 2);
+    cv::Mat1f sorted = noise.clone().reshape(1, 1);
+    cv::sort(sorted, sorted, cv::SORT_EVERY_ROW + cv::SORT_DESCENDING);
+    return noise > sorted(0, std::min(int(share * sorted.cols), sorted.cols - 1));
+}
+
+cv::Mat disturbed(const cv::Mat& truth, const Options& options, cv::RNG& rng)
+{
+    cv::Mat1f noise(truth.size());
+    rng.fill(noise, cv::RNG::NORMAL, 1, options.number("noise", 0, 1));
+    cv::Mat depth = truth.mul(noise);
+    const double share = options.number("holes", 0, 1);
+    if (share > 0)
+        depth.setTo(0, holesOf(truth.size(), share, options.number("hole", 0, 1000), rng));
+    return depth;
+}
+
+Measured measure(const street::StreetRenderer& renderer, const cv::Mat& columns, const cv::Mat& rows,
+                 const cv::Mat& mask)
+{
+    cv::Mat trueColumns, trueRows, inside;
+    renderer.rectifyMap(trueColumns, trueRows, inside);
+    const cv::Mat1f depth = renderer.globalDepth();
+    Measured sum;
+    int seen = 0, right = 0, sky = 0;
+    std::vector<double> errors;
+    for (int y = 0; y < mask.rows; y++)
+        for (int x = 0; x < mask.cols; x++)
+        {
+            const cv::Point2d p(x, y), truth(trueColumns.at<float>(y, x), trueRows.at<float>(y, x)),
+                found(columns.at<float>(y, x), rows.at<float>(y, x));
+            cv::Point2d back;
+            const bool isInside = inside.at<uchar>(y, x) != 0;
+            const bool isSeen = isInside && renderer.toGlobal(truth, back) && cv::norm(back - p) < 0.5;
+            right += mask.at<uchar>(y, x) == (isSeen ? MASK_SEEN : isInside ? MASK_HIDDEN : MASK_OUTSIDE);
+            if (!isSeen)
+                continue;
+            if (depth(y, x) == 0)
+            {
+                sum.sky += cv::norm(found - truth);
+                sky++;
+                continue;
+            }
+            sum.raw += cv::norm(p - truth);
+            errors.push_back(cv::norm(found - truth));
+            sum.residual += errors.back();
+            seen++;
+        }
+    sum.raw /= seen;
+    sum.residual /= seen;
+    sum.sky /= std::max(sky, 1);
+    const size_t rank = errors.size() * 99 / 100;
+    std::nth_element(errors.begin(), errors.begin() + ptrdiff_t(rank), errors.end());
+    sum.worst = errors[rank];
+    sum.right = right / double(mask.total());
+    return sum;
+}
+
+int run(const Options& options)
+{
+    options.refuseArguments();
+    if (options.given("threads"))
+        cv::setNumThreads(options.integer("threads", 1, 1024));
+    const cv::Size size = parseSize(options.text("size"), "option --size", 16, 10000);
+    const std::vector<std::string> cameras = {"raw", "corrected", "none"};
+    const int camera = options.choice("depth", cameras), streets = options.integer("streets", 1, 10000);
+    Measured mean;
+    for (int i = 0; i < streets; i++)
+    {
+        const street::StreetCamera streetCamera = makeCamera(size);
+        const street::StreetScene scene = makeScene(options, unsigned(i));
+        const street::StreetRenderer renderer(streetCamera, scene);
+        cv::RNG rng(uint64_t(i) + 1);
+        DepthMap depth;
+        if (camera != 2)
+            depth = DepthMap(disturbed(camera == 0 ? renderer.rollingDepth() : renderer.globalDepth(), options, rng),
+                             camera);
+        cv::Mat columns, rows, mask;
+        WarpMapGenerator::create(libraryCamera(streetCamera))
+            ->initRectifyMap(libraryMotion(streetCamera, scene), columns, rows, CV_32FC1, mask, depth);
+        const Measured m = measure(renderer, columns, rows, mask);
+        mean.raw += m.raw / streets;
+        mean.residual += m.residual / streets;
+        mean.sky += m.sky / streets;
+        mean.worst += m.worst / streets;
+        mean.right += m.right / streets;
+    }
+    std::cout << cv::format("raw %.3f px, residual %.4f px (99 %%: %.3f px), of the sky %.4f px, mask right %.2f %%\n",
+                            mean.raw, mean.residual, mean.worst, mean.sky, 100 * mean.right);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, const char** argv)
+{
+    return runProgram(ABOUT, KEYS, run, argc, argv);
+}
