@@ -19,19 +19,18 @@ const char* const ABOUT =
     "and walls are given. Prints means over all streets: displacement of the raw image and after the correction, in\n"
     "pixels that are seen, and the share of the pixels whose mask is right.\n";
 
-const char* const KEYS =
-    "{help       |         | print this message}"
-    "{size       | 640x380 | of the images, pixels}"
-    "{streets    | 20      | number of streets}"
-    "{obstacles  | 15      | cars, posts and trees on 100 m of each side}"
-    "{stagger    | 1.5     | metres by which houses stand back}"
-    "{speed      | 60      | km/h}"
-    "{yaw_rate   | 40      | deg/s}"
-    "{depth      | raw     | the camera whose depth is given: raw, corrected or none}"
-    "{noise      | 0       | relative standard deviation of the depth's errors}"
-    "{hole       | 12      | size of holes in the depth, pixels; 0: single pixels}"
-    "{holes      | 0       | share of the pixels without a depth}"
-    "{threads    |         | number of threads}";
+const char* const KEYS = "{help       |         | print this message}"
+                         "{size       | 640x380 | of the images, pixels}"
+                         "{streets    | 20      | number of streets}"
+                         "{obstacles  | 15      | cars, posts and trees on 100 m of each side}"
+                         "{stagger    | 1.5     | metres by which houses stand back}"
+                         "{speed      | 60      | km/h}"
+                         "{yaw_rate   | 40      | deg/s}"
+                         "{depth      | raw     | the camera whose depth is given: raw, corrected or none}"
+                         "{noise      | 0       | relative standard deviation of the depth's errors}"
+                         "{hole       | 12      | size of holes in the depth, pixels; 0: single pixels}"
+                         "{holes      | 0       | share of the pixels without a depth}"
+                         "{threads    |         | number of threads}";
 
 struct Measured
 {
