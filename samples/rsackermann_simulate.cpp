@@ -23,7 +23,8 @@ using namespace rsackermann_samples;
 const char* const ABOUT =
     "Makes a rolling-shutter image with known truth: renders a street, or distorts a global-shutter image of one.\n"
     "Writes rolling.png, global.png (the view of a global shutter, without a lens), truth.json and camera.yml (for\n"
-    "rsackermann_correct --camera) to a folder.\n"
+    "rsackermann_correct --camera) to a folder; with --depth also rolling_depth.png and global_depth.png (16 bits,\n"
+    "1/256 m along the optical axis, 0 for the sky and beyond 255 m).\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
 const char* const KEYS =
@@ -54,6 +55,7 @@ const char* const KEYS =
     "this}"
     "{obstacles  | 0       | parked cars, posts and leaning trees on 100 m of each side of the rendered street; cars "
     "park only if the camera passes the wall at 2.8 m or more}"
+    "{depth      |         | write the true depth of both rendered images, too}"
     "{noise      | 1       | of the rendered image, grey levels}"
     "{samples    | 3       | rays across and down a pixel}"
     "{seed       | 0       | of the rendered street}"
@@ -130,13 +132,23 @@ void writeImage(AtomicFile& file, const cv::Mat& image)
     file.write(bytes.data(), bytes.size());
 }
 
+// What is farther away than 16 bits reach is as unknown as the sky.
+cv::Mat depthImage(const cv::Mat& metres)
+{
+    const double unitsPerMetre = 256, farthest = 255;
+    cv::Mat image;
+    cv::Mat(metres * unitsPerMetre).convertTo(image, CV_16U);
+    image.setTo(0, metres > farthest);
+    return image;
+}
+
 int run(const Options& options)
 {
     options.refuseArguments();
     if (!options.given("output"))
         throw UsageError("--output is missing");
     if (options.given("image"))
-        for (const char* name : {"size", "clutter", "stagger", "obstacles", "noise", "samples", "seed"})
+        for (const char* name : {"size", "clutter", "stagger", "obstacles", "depth", "noise", "samples", "seed"})
             if (options.given(name))
                 throw UsageError(std::string("--") + name + " is for rendered streets, not for --image");
     if (options.given("threads"))
@@ -154,12 +166,16 @@ int run(const Options& options)
     const std::string folder = options.text("output") + "/";
     const std::string rolling = folder + "rolling.png", global = folder + "global.png";
     const std::string truthFile = folder + "truth.json", camera = folder + "camera.yml";
-    for (const std::string& path : {rolling, global, truthFile, camera})
+    const std::string rollingDepth = folder + "rolling_depth.png", globalDepth = folder + "global_depth.png";
+    std::vector<std::string> results = {rolling, global, truthFile, camera};
+    if (options.flag("depth"))
+        results.insert(results.end(), {rollingDepth, globalDepth});
+    for (const std::string& path : results)
         if (!options.flag("overwrite") && cv::utils::fs::exists(path))
             throw InputError(path + " exists (--overwrite replaces it)");
     OutputPlan plan;
     plan.addInputs(options.inputFiles());
-    for (const std::string& path : {rolling, global, truthFile, camera})
+    for (const std::string& path : results)
         plan.addOutput(path, path);
 
     const street::StreetRenderer renderer(truth.camera, truth.scene);
@@ -168,6 +184,11 @@ int run(const Options& options)
     writeImage(files.add(rolling), image.empty() ? renderer.rollingShutter(samples) : distort(image, truth));
     progress.update(1, 2, global);
     writeImage(files.add(global), image.empty() ? renderer.globalShutter(samples) : image);
+    if (options.flag("depth"))
+    {
+        writeImage(files.add(rollingDepth), depthImage(renderer.rollingDepth()));
+        writeImage(files.add(globalDepth), depthImage(renderer.globalDepth()));
+    }
     const std::string truthContent = truthText(truth), cameraContent = cameraText(settings);
     files.add(truthFile).write(truthContent.data(), truthContent.size());
     files.add(camera).write(cameraContent.data(), cameraContent.size());

@@ -133,7 +133,8 @@ std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets
         else
 #endif
         {
-            frames.push_back(correctImage(input, targets, nextOf(index), corrector_));
+            frames.push_back(
+                correctImage(input, targets, nextOf(index), job_.depth.fileOf(inputs_[index]), corrector_));
             progress_.update(done_ + 1, total, input);
         }
     }

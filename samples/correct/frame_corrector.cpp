@@ -112,22 +112,35 @@ void FrameCorrector::warnOfGyro()
               << std::endl;
 }
 
-void FrameCorrector::warp(const cv::Mat& image, CorrectedFrame& frame)
+void FrameCorrector::warnOfDepth(const AckermannMotion& motion)
+{
+    if (hasWarnedOfDepth_ || corrector_->isDepthUsed() || motion.status != MOTION_OK)
+        return;
+    hasWarnedOfDepth_ = true;
+    std::cerr << "rsackermann_correct: --depth has no effect on images whose speed in metres is unknown: give --speed, "
+                 "--wall or --scale_from_road"
+              << std::endl;
+}
+
+void FrameCorrector::warp(const cv::Mat& image, const DepthMap& depth, CorrectedFrame& frame)
 {
     const AckermannMotion& motion = frame.report.motion;
     cv::Vec2d seconds;
     if (!job_.output.empty() && motion.status != MOTION_OK && warp_->hasNoLens())
         frame.image = image;
     else if (!job_.output.empty())
-        warp_->correct(image, motion, frame.image, seconds);
+        warp_->correct(image, motion, depth, frame.image, seconds);
     if (!job_.maps.empty())
-        warp_->maps(motion, frame.map1, frame.map2);
+        warp_->maps(motion, depth, frame.map1, frame.map2);
     frame.report.timings += cv::Vec4d(0, 0, 1000 * seconds[0], 1000 * seconds[1]);
 }
 
-CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& next)
+CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& next, const std::string& depthFile)
 {
     prepare(image.size());
+    DepthMap depth;
+    if (!depthFile.empty())
+        depth = readDepth(depthFile, job_.depth.meaning(), camera_.imageSize, camera_.cameraMatrix(0, 0));
     CorrectedFrame frame;
     FrameReport& report = frame.report;
     useFacts();
@@ -138,8 +151,9 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     report.roll = roll_;
     report.pitch = pitch_;
     cv::Mat coarse, mask, map1, map2, segments, labels;
-    report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, coarse, mask)
-                                    : corrector_->correct(image, coarse, mask);
+    const DepthMap coarseDepth = StripWarp::coarse(depth);
+    report.motion = job_.linesGiven ? corrector_->correctWithSegments(image, job_.lines, coarse, mask, coarseDepth)
+                                    : corrector_->correct(image, coarse, mask, coarseDepth);
     corrector_->getSegments(segments, labels);
     corrector_->getMaps(map1, map2);
     report.time = facts_.time;
@@ -149,7 +163,11 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;
     report.timings = corrector_->getTimings();
     warnOfGyro();
-    warp(image, frame);
+    report.isDepthGiven = !depth.empty();
+    report.isDepthUsed = corrector_->isDepthUsed();
+    if (report.isDepthGiven)
+        warnOfDepth(report.motion);
+    warp(image, report.isDepthUsed ? depth : DepthMap(), frame);
     if (!job_.overlay.empty())
     {
         frame.overlay = pictureOf(image);

@@ -34,7 +34,7 @@ class FrameCorrector
 {
 public:
     explicit FrameCorrector(const Job& job)
-        : job_(job), isFirst_(true), hasWarned_(false), time_(0), roll_(0), pitch_(0)
+        : job_(job), isFirst_(true), hasWarned_(false), hasWarnedOfDepth_(false), time_(0), roll_(0), pitch_(0)
     {
     }
 
@@ -47,8 +47,10 @@ public:
     bool wantsNext() const { return job_.params.sequence && (isFirst_ || job_.smooth); }
 
     /** Corrects the image; throws InputError or cv::Exception.
-    @param next see wantsNext(). */
-    CorrectedFrame correct(const cv::Mat& image, const NextFrame& next = NextFrame());
+    @param next see wantsNext().
+    @param depthFile empty: none is given. */
+    CorrectedFrame correct(const cv::Mat& image, const NextFrame& next = NextFrame(),
+                           const std::string& depthFile = "");
 
     //! The next image belongs to another sequence.
     void reset();
@@ -57,11 +59,13 @@ private:
     void prepare(const cv::Size& size);
     void useFacts();
     void warnOfGyro();
-    void warp(const cv::Mat& image, CorrectedFrame& frame);
+    void warnOfDepth(const cv::rsackermann::AckermannMotion& motion);
+    void warp(const cv::Mat& image, const cv::rsackermann::DepthMap& depth, CorrectedFrame& frame);
 
     const Job& job_;
-    bool isFirst_;                                                // of a sequence
-    bool hasWarned_;                                              // of a gyro without effect
+    bool isFirst_;   // of a sequence
+    bool hasWarned_; // of a gyro without effect
+    bool hasWarnedOfDepth_;
     FrameFacts facts_;                                            // of the present image
     double time_;                                                 // of it, known or assumed
     cv::rsackermann::RollingShutterCamera camera_;                // of the last image

@@ -32,11 +32,11 @@ bool isCopied(const std::string& input, const std::string& output)
 } // namespace
 
 FrameReport correctImage(const std::string& input, const Targets& targets, const NextFrame& next,
-                         FrameCorrector& corrector)
+                         const std::string& depthFile, FrameCorrector& corrector)
 {
     std::vector<uchar> exif;
     const cv::Mat image = readImage(input, &exif);
-    CorrectedFrame frame = corrector.correct(image, next);
+    CorrectedFrame frame = corrector.correct(image, next, depthFile);
     AtomicFiles files;
     if (!targets.overlay.empty())
         writeImage(files.add(targets.overlay), frame.overlay, exif);

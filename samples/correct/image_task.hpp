@@ -11,9 +11,10 @@
 namespace rsackermann_samples {
 
 /** Corrects the image of a file and writes its results.
+@param depthFile empty: none is given.
 @return its line of the report. Throws InputError or cv::Exception, and then no result is there. */
 FrameReport correctImage(const std::string& input, const Targets& targets, const NextFrame& next,
-                         FrameCorrector& corrector);
+                         const std::string& depthFile, FrameCorrector& corrector);
 
 } // namespace rsackermann_samples
 

@@ -34,6 +34,12 @@ const char* const JOB_KEYS =
     "{gyro       |        | rates of a gyro on the camera, on the clock of time_s or of the video: CSV file (columns "
     "time_s, yaw_rate_deg_s, pitch_rate_deg_s, roll_rate_deg_s) or a log of Gyroflow (.gcsv)}"
     "{gyro_delay |        | seconds by which the clock of --gyro is ahead of that of the frames (default 0)}"
+    "{depth      |        | depth of the images: a file, a folder with files of the images' names, or a printf pattern with "
+    "as many files as images; PNG of 16 bits, TIFF, EXR or .npy}"
+    "{depth_kind | metric | metric or disparity; a disparity needs --baseline}"
+    "{depth_camera | raw  | camera of --depth: raw, or corrected (without lens, at the reference line)}"
+    "{depth_scale |       | metres or pixels per unit of --depth (default 1; of whole numbers 0.001 m, 1/256 px)}"
+    "{baseline   |        | metres between the cameras that the disparity comes from}"
     "{carry      |        | treat the inputs, or the frames of each video, as one sequence; needs the line delay}"
     "{smooth     |        | --carry, and each frame also uses the one after it}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's "
@@ -143,6 +149,7 @@ void checkTargets(const Options& options, const Job& job)
     OutputPlan plan;
     plan.addInputs(options.inputFiles());
     plan.addInputs(filesOf(job.inputs));
+    plan.addInputs(job.depth.files());
     for (const bool video : {true, false}) // the names of frames first
         for (const Input& input : job.inputs.inputs)
             if (input.isFile() && isVideo(input.name) == video)
@@ -228,6 +235,7 @@ Job readJob(const Options& options)
     if (job.linesGiven && job.inputs.inputs.size() != 1)
         throw UsageError("--lines is for one input");
     checkVideos(job);
+    job.depth = DepthSource(options, job.inputs);
     if (job.linesGiven)
         job.lines = readSegments(options.inputFile("lines"));
     job.outputIsFolder = isFolder(job.inputs, job.output);

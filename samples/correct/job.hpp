@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_JOB_HPP
 
 #include "camera_settings.hpp"
+#include "depth_source.hpp"
 #include "drive_log.hpp"
 #include "gyro_file.hpp"
 #include "inputs.hpp"
@@ -23,6 +24,7 @@ struct Job
     cv::rsackermann::MotionPrior prior;
     DriveLog log;
     GyroRecording gyro; //!< empty: none
+    DepthSource depth;
     bool smooth; //!< each frame of a drive is helped by the one after it
     bool linesGiven;
     cv::Mat lines;                             //!< segments of the only image

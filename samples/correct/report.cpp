@@ -74,7 +74,7 @@ bool isUtf8(const std::string& text)
 
 FrameReport::FrameReport()
     : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), roll(0), pitch(0), segments(0),
-      meanShift(0)
+      isDepthGiven(false), isDepthUsed(false), meanShift(0)
 {
 }
 
@@ -141,6 +141,7 @@ std::string reportLine(const FrameReport& frame)
     line["expected_px_raw"] = orNull(expected, m.expectedRaw);
     line["expected_px_left"] = orNull(expected, m.expectedResidual);
     line["probability_worse"] = orNull(expected, m.probabilityWorse);
+    line["depth_used"] = frame.isDepthGiven ? Json(frame.isDepthUsed) : Json();
     line["mean_shift_px"] = frame.meanShift;
     line["ms_detect"] = frame.timings[0];
     line["ms_estimate"] = frame.timings[1];

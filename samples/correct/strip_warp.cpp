@@ -23,11 +23,11 @@ double secondsSince(int64 tick)
 StripWarp::StripWarp(const RollingShutterCamera& camera) : generator_(WarpMapGenerator::create(camera)) {}
 
 template <class Use>
-void StripWarp::forEachStrip(const AckermannMotion& motion, const Use& use)
+void StripWarp::forEachStrip(const AckermannMotion& motion, const DepthMap& depth, const Use& use)
 {
     const int pixels = 1 << 20; // enough for all threads
     const RollingShutterCamera camera = generator_->getCamera();
-    const int rows = std::max(pixels / camera.imageSize.width, 16);
+    const int rows = depth.empty() ? std::max(pixels / camera.imageSize.width, 16) : camera.imageSize.height;
     cv::Mat map1, map2;
     for (int y = 0; y < camera.imageSize.height; y += rows)
     {
@@ -37,17 +37,18 @@ void StripWarp::forEachStrip(const AckermannMotion& motion, const Use& use)
         params.newCameraMatrix = camera.cameraMatrix;
         params.newCameraMatrix(1, 2) -= y;
         generator_->setParams(params);
-        generator_->initRectifyMap(motion, map1, map2, CV_32FC1);
+        generator_->initRectifyMap(motion, map1, map2, CV_32FC1, cv::noArray(), depth);
         use(strip, map1, map2);
     }
 }
 
-void StripWarp::correct(const cv::Mat& image, const AckermannMotion& motion, cv::Mat& corrected, cv::Vec2d& seconds)
+void StripWarp::correct(const cv::Mat& image, const AckermannMotion& motion, const DepthMap& depth, cv::Mat& corrected,
+                        cv::Vec2d& seconds)
 {
     corrected.create(image.size(), image.type());
     seconds = cv::Vec2d();
     int64 start = cv::getTickCount();
-    forEachStrip(motion, [&](const cv::Range& rows, const cv::Mat& map1, const cv::Mat& map2) {
+    forEachStrip(motion, depth, [&](const cv::Range& rows, const cv::Mat& map1, const cv::Mat& map2) {
         seconds[0] += secondsSince(start);
         start = cv::getTickCount();
         cv::remap(image, corrected.rowRange(rows), map1, map2, cv::INTER_LINEAR);
@@ -56,11 +57,11 @@ void StripWarp::correct(const cv::Mat& image, const AckermannMotion& motion, cv:
     });
 }
 
-void StripWarp::maps(const AckermannMotion& motion, cv::Mat& map1, cv::Mat& map2)
+void StripWarp::maps(const AckermannMotion& motion, const DepthMap& depth, cv::Mat& map1, cv::Mat& map2)
 {
     for (cv::Mat* map : {&map1, &map2})
         map->create(generator_->getCamera().imageSize, CV_32FC1);
-    forEachStrip(motion, [&](const cv::Range& rows, const cv::Mat& strip1, const cv::Mat& strip2) {
+    forEachStrip(motion, depth, [&](const cv::Range& rows, const cv::Mat& strip1, const cv::Mat& strip2) {
         strip1.copyTo(map1.rowRange(rows));
         strip2.copyTo(map2.rowRange(rows));
     });
@@ -73,13 +74,27 @@ bool StripWarp::hasNoLens() const
                                                            [](double coefficient) { return coefficient == 0; });
 }
 
+// Pixels along both axes of which coarse maps have one.
+static const int STEP = 8;
+
 WarpMapGenerator::Params StripWarp::coarse(const RollingShutterCamera& camera)
 {
-    const int step = 8;
     WarpMapGenerator::Params params;
-    params.newCameraMatrix = cv::Matx33d::diag(cv::Vec3d(1. / step, 1. / step, 1)) * camera.cameraMatrix;
-    params.newSize = cv::Size((camera.imageSize.width + step - 1) / step, (camera.imageSize.height + step - 1) / step);
+    params.newCameraMatrix = cv::Matx33d::diag(cv::Vec3d(1. / STEP, 1. / STEP, 1)) * camera.cameraMatrix;
+    params.newSize = cv::Size((camera.imageSize.width + STEP - 1) / STEP, (camera.imageSize.height + STEP - 1) / STEP);
     return params;
+}
+
+DepthMap StripWarp::coarse(const DepthMap& depth)
+{
+    if (depth.empty() || depth.camera == DEPTH_RAW)
+        return depth;
+    const cv::Mat& values = depth.values;
+    cv::Mat kept((values.rows + STEP - 1) / STEP, (values.cols + STEP - 1) / STEP, values.type());
+    for (int y = 0; y < kept.rows; y++)
+        for (int x = 0; x < kept.cols; x++)
+            values(cv::Rect(x * STEP, y * STEP, 1, 1)).copyTo(kept(cv::Rect(x, y, 1, 1)));
+    return DepthMap(kept, depth.camera, depth.scale);
 }
 
 } // namespace rsackermann_samples

@@ -23,22 +23,27 @@ public:
     void setCamera(const cv::rsackermann::RollingShutterCamera& camera) { generator_->setCamera(camera); }
 
     /** Corrects an image.
+    @param depth empty: none is given. With one the image is warped in one piece, as every strip would need all of it.
     @param seconds receives the times for maps and remapping. */
-    void correct(const cv::Mat& image, const cv::rsackermann::AckermannMotion& motion, cv::Mat& corrected,
-                 cv::Vec2d& seconds);
+    void correct(const cv::Mat& image, const cv::rsackermann::AckermannMotion& motion,
+                 const cv::rsackermann::DepthMap& depth, cv::Mat& corrected, cv::Vec2d& seconds);
 
     //! The maps with which correct() remaps.
-    void maps(const cv::rsackermann::AckermannMotion& motion, cv::Mat& map1, cv::Mat& map2);
+    void maps(const cv::rsackermann::AckermannMotion& motion, const cv::rsackermann::DepthMap& depth, cv::Mat& map1,
+              cv::Mat& map2);
 
     //! Whether a camera at rest needs no correction, as it has no lens distortion.
     bool hasNoLens() const;
 
     //! Parameters for maps of every eighth pixel of every eighth row.
     static cv::rsackermann::WarpMapGenerator::Params coarse(const cv::rsackermann::RollingShutterCamera& camera);
+    //! The depth for such maps.
+    static cv::rsackermann::DepthMap coarse(const cv::rsackermann::DepthMap& depth);
 
 private:
     template <class Use>
-    void forEachStrip(const cv::rsackermann::AckermannMotion& motion, const Use& use);
+    void forEachStrip(const cv::rsackermann::AckermannMotion& motion, const cv::rsackermann::DepthMap& depth,
+                      const Use& use);
 
     cv::Ptr<cv::rsackermann::WarpMapGenerator> generator_;
 };

@@ -124,6 +124,7 @@ TEST(Correct, report_keys)
                                 "expected_px_raw",
                                 "expected_px_left",
                                 "probability_worse",
+                                "depth_used",
                                 "mean_shift_px",
                                 "ms_detect",
                                 "ms_estimate",

@@ -29,6 +29,7 @@ protected:
                              camera.substr(camera.find("camera_matrix"));
         files["--log="] = "file,time_s\na.png,1\n";
         files["--gyro="] = "time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n0,0,0,0\n1,0,0,0\n";
+        files["--depth="] = "no depth";
         files["--lines="] = "1 2 1 40\n";
         files["@"] = (folder / "a.png") + "\n";
         files["--report="] = "{\"input\":\"a.png\",\"status\":\"not_significant\"}\n";
@@ -46,7 +47,7 @@ TEST_F(InputsStay, whatever_reads_and_writes_them)
     const Reads programs[] = {
         {CORRECT_PROGRAM,
          {folder / "a.png"},
-         {"--camera=", "--log=", "--gyro=", "--lines="},
+         {"--camera=", "--log=", "--gyro=", "--depth=", "--lines="},
          {"--maps=", "--report=", "--output="}},
         {CORRECT_PROGRAM, {}, {"@"}, {"--report="}},
         {CALIBRATE_PROGRAM, {folder / "a.png", "--focal=50"}, {"--log="}, {"--output="}},

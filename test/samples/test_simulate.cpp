@@ -38,6 +38,24 @@ TEST(Simulate, refuses_what_it_does_not_know)
     EXPECT_EQ(0, simulate({"--help"}).exitCode);
 }
 
+TEST(Simulate, true_depth)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, simulate({"--output=" + folder.path(), "--depth", "--size=64x38", "--focal=82", "--speed=0",
+                           "--yaw_rate=0", "--height=1.5"})
+                     .exitCode);
+    const cv::Mat raw = cv::imread(folder / "rolling_depth.png", cv::IMREAD_UNCHANGED),
+                  global = cv::imread(folder / "global_depth.png", cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(CV_16UC1, raw.type());
+    EXPECT_EQ(0, cv::norm(raw, global, cv::NORM_INF));
+    // The road at the lower border, straight ahead; walls at 2.5 and 3 m; and the sky
+    EXPECT_NEAR(1.5 * 82 / (37 - 18.5) * 256, raw.at<ushort>(37, 32), 1);
+    EXPECT_NEAR(2.5 * 82 / 31.5 * 256, raw.at<ushort>(20, 0), 1);
+    EXPECT_NEAR(3 * 82 / 31.5 * 256, raw.at<ushort>(20, 63), 1);
+    EXPECT_EQ(2,
+              simulate({"--output=" + folder.path(), "--image=" + streetFolder() + "/global.png", "--depth"}).exitCode);
+}
+
 TEST(Simulate, does_not_replace_existing_files)
 {
     const TemporaryFolder folder;

@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_DEPTH_FILE_HPP
+#define RSACKERMANN_SAMPLES_DEPTH_FILE_HPP
+
+#include "opencv2/rsackermann/depth_map.hpp"
+#include <string>
+
+namespace rsackermann_samples {
+
+//! What the numbers of depth files mean.
+struct DepthMeaning
+{
+    enum Kind { METRIC, DISPARITY };
+
+    Kind kind;
+    int camera;      //!< a cv::rsackermann::DepthCamera
+    double scale;    //!< metres, or pixels of disparity, per unit; 0: usual ones
+    double baseline; //!< metres between the cameras of a disparity
+
+    DepthMeaning() : kind(METRIC), camera(cv::rsackermann::DEPTH_RAW), scale(0), baseline(0) {}
+};
+
+/** Reads a depth from an image of 16 bits or of floating-point numbers with one channel, or a .npy file.
+
+Throws InputError. Usual scales are 0.001 m and 1/256 px for whole numbers, 1 m and 1 px for others.
+@param size of the camera's image, to which other sizes are scaled.
+@param focal length in pixels of the camera's image, for a disparity. */
+cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning& meaning, const cv::Size& size,
+                                    double focal);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_DEPTH_FILE_HPP

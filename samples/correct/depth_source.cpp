@@ -1,0 +1,75 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "depth_source.hpp"
+#include "files.hpp"
+#include "options.hpp"
+
+#include "opencv2/core/utils/filesystem.hpp"
+
+namespace rsackermann_samples {
+
+namespace {
+
+const char* const EXTENSIONS[] = {".png", ".tif", ".tiff", ".exr", ".npy"};
+
+// The file in a folder that has the name of an image, with an extension of its own.
+std::string fileIn(const std::string& folder, const std::string& image)
+{
+    const std::string name = folder + (folder.back() == '/' ? "" : "/") + stem(image);
+    for (const char* format : EXTENSIONS)
+        if (cv::utils::fs::exists(name + format))
+            return name + format;
+    return name + EXTENSIONS[0];
+}
+
+std::vector<std::string> filesFor(const std::string& path, const InputList& inputs)
+{
+    std::vector<std::string> files;
+    if (cv::utils::fs::isDirectory(path))
+    {
+        for (const Input& input : inputs.inputs)
+            files.push_back(fileIn(path, input.name));
+        return files;
+    }
+    for (const Input& input : listInputs({path}).inputs)
+    {
+        if (!input.isFile())
+            throw UsageError("option --depth: " + path + ": " + input.error);
+        files.push_back(input.name);
+    }
+    if (files.size() != inputs.inputs.size())
+        throw UsageError(cv::format("option --depth: %s stands for %zu files; there are %zu inputs", path.c_str(),
+                                    files.size(), inputs.inputs.size()));
+    return files;
+}
+
+} // namespace
+
+DepthSource::DepthSource(const Options& options, const InputList& inputs)
+{
+    if (!options.given("depth"))
+    {
+        for (const char* name : {"depth_kind", "depth_camera", "depth_scale", "baseline"})
+            if (options.given(name))
+                throw UsageError(std::string("--") + name + " needs --depth");
+        return;
+    }
+    for (const Input& input : inputs.inputs)
+        if (input.isFile() && isVideo(input.name))
+            throw UsageError("--depth is for images");
+    meaning_.kind =
+        options.choice("depth_kind", {"metric", "disparity"}) == 0 ? DepthMeaning::METRIC : DepthMeaning::DISPARITY;
+    meaning_.camera = options.choice("depth_camera", {"raw", "corrected"}) == 0 ? cv::rsackermann::DEPTH_RAW
+                                                                                : cv::rsackermann::DEPTH_CORRECTED;
+    if (options.given("depth_scale"))
+        meaning_.scale = options.number("depth_scale", 0, 1e6, false);
+    if (options.given("baseline"))
+        meaning_.baseline = options.number("baseline", 0, 1e3, false);
+    if ((meaning_.kind == DepthMeaning::DISPARITY) != options.given("baseline"))
+        throw UsageError("--depth_kind=disparity and --baseline need each other");
+    files_ = filesFor(options.inputFile("depth"), inputs);
+}
+
+} // namespace rsackermann_samples

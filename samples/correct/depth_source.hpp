@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_DEPTH_SOURCE_HPP
+#define RSACKERMANN_SAMPLES_DEPTH_SOURCE_HPP
+
+#include "depth_file.hpp"
+#include "inputs.hpp"
+
+namespace rsackermann_samples {
+
+class Options;
+
+//! The depth files of a job: one for each image, or none.
+class DepthSource
+{
+public:
+    DepthSource() {} //!< no depths
+
+    //! Reads the options --depth, --depth_kind, --depth_camera, --depth_scale and --baseline; throws UsageError.
+    DepthSource(const Options& options, const InputList& inputs);
+
+    bool empty() const { return files_.empty(); }
+    const DepthMeaning& meaning() const { return meaning_; }
+    //! The file that belongs to an input; it need not exist. Empty: there are no depths.
+    std::string fileOf(const Input& input) const { return empty() ? "" : files_.at(size_t(input.number)); }
+    const std::vector<std::string>& files() const { return files_; }
+
+private:
+    std::vector<std::string> files_; // by the number of the input
+    DepthMeaning meaning_;
+};
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_DEPTH_SOURCE_HPP

@@ -1,0 +1,205 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "program.hpp"
+#include "street_model.hpp"
+#include "truth_file.hpp"
+
+#include "opencv2/imgproc.hpp"
+
+namespace opencv_test { namespace {
+
+// A street with cars and trees, and its true depth in 1/256 m.
+class CorrectDepth : public testing::Test
+{
+protected:
+    static void SetUpTestCase()
+    {
+        folder_ = new TemporaryFolder;
+        ASSERT_EQ(0, simulate({"--output=" + (*folder_ / "street"), "--depth", "--left=3.2", "--right=4",
+                               "--obstacles=15", "--stagger=1.5"})
+                         .exitCode);
+    }
+
+    static void TearDownTestCase() { delete folder_; }
+
+    static std::string street(const std::string& name) { return *folder_ / ("street/" + name); }
+    static cv::Mat1f metres(const std::string& name)
+    {
+        cv::Mat1f depth;
+        cv::imread(street(name), cv::IMREAD_UNCHANGED).convertTo(depth, CV_32F, 1. / 256);
+        return depth;
+    }
+
+    Outcome run(const Arguments& added) const
+    {
+        Arguments all = {street("rolling.png"),
+                         "--camera=" + street("camera.yml"),
+                         "--wall=3.2",
+                         "--speed=60",
+                         "--speed_sigma=0.01",
+                         "--yaw_rate=40",
+                         "--yaw_rate_sigma=0.01",
+                         "--gravity_sigma=0"};
+        all.insert(all.end(), added.begin(), added.end());
+        return correct(all);
+    }
+
+    // Mean distance of the program's map to the true one, where the raw image shows the pixel and there is no sky.
+    double residual(const Arguments& added) const
+    {
+        const TemporaryFolder folder;
+        Arguments all = {"--maps=" + (folder / "maps.yml"), "--report=" + (folder / "report.jsonl")};
+        all.insert(all.end(), added.begin(), added.end());
+        const Outcome outcome = run(all);
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        cv::Mat map1, map2, columns, rows, mask;
+        cv::FileStorage fs(folder / "maps.yml", cv::FileStorage::READ);
+        fs["map1"] >> map1;
+        fs["map2"] >> map2;
+        const rsackermann_samples::Truth truth = rsackermann_samples::readTruth(street("truth.json"));
+        const street::StreetRenderer renderer(truth.camera, truth.scene);
+        renderer.rectifyMap(columns, rows, mask);
+        mask.setTo(0, renderer.globalDepth() == 0);
+        for (int y = 0; y < mask.rows; y++)
+            for (int x = 0; x < mask.cols; x++)
+            {
+                cv::Point2d back;
+                const cv::Point2d place(columns.at<float>(y, x), rows.at<float>(y, x));
+                if (mask.at<uchar>(y, x) &&
+                    !(renderer.toGlobal(place, back) && cv::norm(back - cv::Point2d(x, y)) < 0.5))
+                    mask.at<uchar>(y, x) = 0;
+            }
+        cv::Mat distance;
+        cv::magnitude(map1 - columns, map2 - rows, distance);
+        return cv::mean(distance, mask)[0];
+    }
+
+    static TemporaryFolder* folder_;
+    const std::string scale = "--depth_scale=0.00390625";
+};
+
+TemporaryFolder* CorrectDepth::folder_ = nullptr;
+
+void writeNpy(const std::string& path, const cv::Mat1f& values, const std::string& type = "<f4")
+{
+    std::string header = cv::format("{'descr': '%s', 'fortran_order': False, 'shape': (%d, %d), }", type.c_str(),
+                                    values.rows, values.cols);
+    header += std::string(117 - header.size(), ' ') + "\n";
+    const std::string magic = "\x93NUMPY";
+    writeContent(path, magic + std::string("\x01\x00", 2) + char(header.size()) + std::string(1, '\0') + header +
+                           std::string(reinterpret_cast<const char*>(values.data), values.total() * sizeof(float)));
+}
+
+TEST_F(CorrectDepth, removes_what_the_planes_leave)
+{
+    EXPECT_GT(residual({}), 0.1);
+    EXPECT_LT(residual({"--depth=" + street("rolling_depth.png"), scale}), 0.02);
+    EXPECT_LT(residual({"--depth=" + street("global_depth.png"), "--depth_camera=corrected", scale}), 0.02);
+}
+
+TEST_F(CorrectDepth, formats_and_kinds)
+{
+    const TemporaryFolder folder;
+    const cv::Mat1f depth = metres("rolling_depth.png");
+    writeNpy(folder / "depth.npy", depth);
+    EXPECT_LT(residual({"--depth=" + (folder / "depth.npy")}), 0.02);
+
+    cv::Mat millimetres;
+    cv::Mat(cv::min(depth, 65.f) * 1000).convertTo(millimetres, CV_16U);
+    cv::imwrite(folder / "depth.png", millimetres);
+    EXPECT_LT(residual({"--depth=" + (folder / "depth.png")}), 0.03);
+
+    if (cv::haveImageWriter("depth.tiff"))
+    {
+        cv::imwrite(folder / "depth.tiff", depth);
+        EXPECT_LT(residual({"--depth=" + (folder / "depth.tiff")}), 0.02);
+    }
+
+    // A disparity has less of what is far; the focal length is 816 px.
+    cv::Mat1f disparity(depth.size(), 0.f);
+    for (int y = 0; y < depth.rows; y++)
+        for (int x = 0; x < depth.cols; x++)
+            if (depth(y, x) > 0)
+                disparity(y, x) = 816 * 0.5f / depth(y, x);
+    writeNpy(folder / "disparity.npy", disparity);
+    EXPECT_LT(residual({"--depth=" + (folder / "disparity.npy"), "--depth_kind=disparity", "--baseline=0.5"}), 0.02);
+
+    // Half of the size, and half of the disparity
+    cv::Mat1f half;
+    cv::resize(disparity, half, cv::Size(), 0.5, 0.5, cv::INTER_NEAREST);
+    half *= 0.5;
+    writeNpy(folder / "half.npy", half);
+    EXPECT_LT(residual({"--depth=" + (folder / "half.npy"), "--depth_kind=disparity", "--baseline=0.5"}), 0.06);
+}
+
+TEST_F(CorrectDepth, bad_files_are_named_and_others_processed)
+{
+    const TemporaryFolder folder;
+    cv::utils::fs::createDirectories(folder / "in");
+    cv::utils::fs::createDirectories(folder / "depth");
+    const std::string image = contentOf(street("rolling.png")), depth = contentOf(street("rolling_depth.png"));
+    for (const char* name : {"colour", "cut", "good", "missing", "npy", "text"})
+        writeContent(folder / ("in/" + std::string(name) + ".png"), image);
+    cv::imwrite(folder / "depth/colour.png", cv::Mat(380, 640, CV_8UC3, cv::Scalar::all(9)));
+    writeContent(folder / "depth/cut.png", depth.substr(0, 40));
+    writeContent(folder / "depth/good.png", depth);
+    writeNpy(folder / "depth/npy.npy", cv::Mat1f(380, 640, 5.f), "<i4");
+    writeContent(folder / "depth/text.png", "no depth");
+    const Outcome outcome =
+        correct({folder / "in", "--depth=" + (folder / "depth"), scale, "--camera=" + street("camera.yml"),
+                 "--wall=3.2", "--speed=60", "--output=" + (folder / "out"), "--report=" + (folder / "report.jsonl")});
+    EXPECT_EQ(1, outcome.exitCode);
+    for (const char* name : {"colour.png", "cut.png", "missing.png", "npy.npy", "text.png"})
+        EXPECT_NE(std::string::npos, outcome.messages.find(folder / ("depth/" + std::string(name)))) << name;
+    EXPECT_EQ((std::vector<std::string>{"good.png"}), namesIn(folder / "out"));
+    EXPECT_EQ(6u, linesOf(folder / "report.jsonl").size());
+    EXPECT_EQ(depth, contentOf(folder / "depth/good.png"));
+}
+
+TEST_F(CorrectDepth, patterns_have_a_file_for_each_image)
+{
+    const TemporaryFolder folder;
+    const std::string image = contentOf(street("rolling.png")), depth = contentOf(street("rolling_depth.png"));
+    for (const int i : {3, 4})
+    {
+        writeContent(folder / cv::format("i_%d.png", i), image);
+        writeContent(folder / cv::format("d_%d.png", i), depth);
+    }
+    const Arguments arguments = {folder / "i_%d.png",
+                                 "--depth=" + (folder / "d_%d.png"),
+                                 scale,
+                                 "--camera=" + street("camera.yml"),
+                                 "--wall=3.2",
+                                 "--speed=60",
+                                 "--report=-"};
+    const Outcome outcome = correct(arguments);
+    EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.output.find("\"depth_used\":true"));
+    std::remove((folder / "d_4.png").c_str());
+    EXPECT_EQ(2, correct(arguments).exitCode);
+}
+
+TEST_F(CorrectDepth, is_not_replaced)
+{
+    const std::string depth = street("rolling_depth.png"), content = contentOf(depth);
+    for (const char* output : {"--output=", "--overlay=", "--report="})
+    {
+        const Outcome outcome = run({"--depth=" + depth, scale, output + depth, "--overwrite"});
+        EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(content, contentOf(depth));
+    }
+}
+
+TEST_F(CorrectDepth, needs_metres)
+{
+    const Outcome outcome =
+        correct({street("rolling.png"), "--depth=" + street("rolling_depth.png"), scale,
+                 "--camera=" + street("camera.yml"), "--yaw_rate=40", "--gravity_sigma=0", "--report=-"});
+    EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.output.find("\"depth_used\":false"));
+    EXPECT_NE(std::string::npos, outcome.messages.find("--depth has no effect"));
+}
+
+}} // namespace opencv_test::
