@@ -48,6 +48,7 @@ REPLACED = {
     'build/python python3 ': 'build/python /usr/bin/python3 ',  # that of Debian's numpy
     'rsackermann_benchmark --filter=solver': 'rsackermann_benchmark --filter=solver --rounds=1',
     'rsackermann_experiment_streets --': 'rsackermann_experiment_streets --scenes=1 --speeds=60 --yaw_rates=30 --',
+    'rsackermann_experiment_depth': 'rsackermann_experiment_depth --streets=1',
     'rsackermann_experiment_harm': 'rsackermann_experiment_harm --frames=10',
     'rsackermann_experiment_calibration': 'rsackermann_experiment_calibration --drives=1 --frames=60',
 }
@@ -61,7 +62,7 @@ LINE_DELAY = 0.025 / SIZE[1]
 
 
 def make_inputs(folder):
-    """street.jpg, frames/ with images, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml, and what is in
+    """street.jpg, frames/ with images and depth/ with theirs, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml, and what is in
     MADE_BY."""
     def render(name, *options):
         subprocess.run(['rsackermann_simulate', '--output=one', '--overwrite', '--size=%dx%d' % SIZE, '--focal=400',
@@ -69,14 +70,15 @@ def make_inputs(folder):
                         '--samples=1', *options], check=True, cwd=folder)
         os.rename(os.path.join(folder, 'one', 'rolling.png'), os.path.join(folder, name))
 
-    for name in ('frames', 'drive'):
+    for name in ('frames', 'depth', 'drive'):
         os.mkdir(os.path.join(folder, name))
     for i in range(FRAMES):
         # A line far before or behind the image: the car is seen that much later or earlier.
         line = (SIZE[1] - 1) / 2 - (i - FRAMES // 2) / 30 / LINE_DELAY
         render('drive/%03d.png' % i, '--reference=%r' % line)
     for i in range(2):
-        render('frames/%04d.png' % i, '--seed=%d' % i)
+        render('frames/%04d.png' % i, '--seed=%d' % i, '--depth')
+        os.rename(os.path.join(folder, 'one', 'rolling_depth.png'), os.path.join(folder, 'depth', '%04d.png' % i))
     os.rename(os.path.join(folder, 'one', 'camera.yml'), os.path.join(folder, 'camera.yml'))
     shutil.rmtree(os.path.join(folder, 'one'))
     with open(os.path.join(folder, 'drive.csv'), 'w', encoding='utf-8') as file:
