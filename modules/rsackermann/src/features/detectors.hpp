@@ -22,8 +22,8 @@ void detectLSD(const Mat& gray, double scale, std::vector<Vec4f>& segments);
 void detectFLD(const Mat& gray, double minLength, std::vector<Vec4f>& segments);
 void detectEDLines(const Mat& gray, double minLength, std::vector<Vec4f>& segments);
 
-/** Finds edges that cross rows and edges that cross columns in an image that has been made smaller, and fits them to the
-image itself.
+/** Finds edges that cross rows and edges that cross columns in an image that has been made smaller, and fits them to
+the image itself.
 @param gray CV_8UC1. @param smaller the same, halved until it is smaller by scale.
 @param isForMany whether many images are used together: then the edges aren't looked for at their ends. */
 void detectVerticals(const Mat& gray, const Mat& smaller, int scale, double minLength, bool isForMany,

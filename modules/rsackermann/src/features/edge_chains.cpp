@@ -161,8 +161,7 @@ void EdgeChains::cut(int begin, int end, int depth)
     step /= end - begin;
     const double allowed = STRAIGHT * STRAIGHT + noise * noise / (step * step);
     const ParabolaFit straight = fit(begin, end, false), curved = fit(begin, end, true);
-    const bool isBent = curved.squares <= allowed &&
-                        std::abs(curved.curvature) * rowsSpanned / 4 < LARGEST_SAGITTA &&
+    const bool isBent = curved.squares <= allowed && std::abs(curved.curvature) * rowsSpanned / 4 < LARGEST_SAGITTA &&
                         (end - begin) * (straight.squares - curved.squares) > significant * curved.squares;
     if (isBent || straight.squares <= allowed)
         return add(begin, end, isBent);
@@ -188,8 +187,9 @@ void EdgeChains::cut(int begin, int end, int depth)
 void EdgeChains::add(int begin, int end, bool isCurved)
 {
     const ParabolaFit f = fit(begin, end, isCurved);
-    const EdgePiece piece = {double(chain[begin].row), double(chain[end - 1].row), chain[0].column + f.middle,
-                             f.slope, f.curvature, chain[begin].step > 0};
+    const EdgePiece piece = {
+        double(chain[begin].row), double(chain[end - 1].row), chain[0].column + f.middle, f.slope, f.curvature,
+        chain[begin].step > 0};
     result->push_back(piece);
 }
 

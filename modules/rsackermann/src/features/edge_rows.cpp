@@ -10,7 +10,8 @@ namespace cv { namespace rsackermann {
 
 enum { STEP_GAIN = 8 }; // of the gradient: weights of the rows, two pixels
 
-// Sums of three rows, and the differences of two of them to the left of a place between two pixels and two to its right.
+// Sums of three rows, and the differences of two of them to the left of a place between two pixels and two to its
+// right.
 void EdgeRows::differentiate(int row)
 {
     const int width = columns.size();

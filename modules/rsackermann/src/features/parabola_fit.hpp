@@ -65,8 +65,8 @@ struct ParabolaSums
         f.slope = (xt * n - x * t) / det;
         f.squares = (xx - f.middle * x - f.slope * xt) / n;
         // The square of the time without the line in it.
-        const double p0 = (tt * tt - ttt * t) / det, p1 = (ttt * n - tt * t) / det,
-                     own = tttt - p0 * tt - p1 * ttt, cross = xtt - p0 * x - p1 * xt;
+        const double p0 = (tt * tt - ttt * t) / det, p1 = (ttt * n - tt * t) / det, own = tttt - p0 * tt - p1 * ttt,
+                     cross = xtt - p0 * x - p1 * xt;
         if (!isCurved || !(own > 1e-9 * tttt))
             return f;
         f.curvature = cross / own;

@@ -17,8 +17,8 @@ Time counts here: nearly all that a correction takes is detection.
 that are nearly vertical, which the estimation is about, are seldom cut. The strips depend on the size of the image, not
 on the number of threads.
 -# DETECTOR_VERTICALS has strips of its own, and fits its edges to the image itself.
--# The ends of the others are then refined in the image itself. Those of LSD in it are nearly as exact: they lean by about a hundredth
-too little, which is nothing for one image and something for a calibration from many.
+-# The ends of the others are then refined in the image itself. Those of LSD in it are nearly as exact: they lean by
+about a hundredth too little, which is nothing for one image and something for a calibration from many.
 */
 class SegmentFinder
 {
