@@ -17,11 +17,11 @@ namespace rsackermann_samples {
 
 namespace {
 
-const double FASTEST = 1e3;         // rad/s, as the library accepts
-const double LATEST = 1e12;         // seconds
-const double GAP = 0.1;             // seconds without a sample
-const double FULL_SCALE = 100;      // deg/s, which the smallest range of usual gyros exceeds
-const int SATURATED = 3;            // samples in a row that have the largest value of all
+const double FASTEST = 1e3;    // rad/s, as the library accepts
+const double LATEST = 1e12;    // seconds
+const double GAP = 0.1;        // seconds without a sample
+const double FULL_SCALE = 100; // deg/s, which the smallest range of usual gyros exceeds
+const int SATURATED = 3;       // samples in a row that have the largest value of all
 const char* const GCSV_TITLES[] = {"GYROFLOW IMU LOG", "CAMERA IMU LOG"};
 
 struct Samples
@@ -128,7 +128,8 @@ cv::Matx33d axesOf(const std::string& orientation, const std::string& place)
         }
     }
     if (orientation.size() != 3 || used.size() != 3)
-        throw UsageError(place + ": '" + orientation + "' is not X, Y and Z in some order, small letters for opposites");
+        throw UsageError(place + ": '" + orientation +
+                         "' is not X, Y and Z in some order, small letters for opposites");
     return cv::Matx33d(1, 0, 0, 0, -1, 0, 0, 0, -1) * axes;
 }
 

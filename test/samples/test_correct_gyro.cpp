@@ -18,8 +18,12 @@ protected:
     Outcome run(const std::string& name, const std::string& content, const Arguments& options = {}) const
     {
         writeContent(folder_ / name, content);
-        Arguments all = {folder_ / "dark.png", "--focal=500", "--readout=0.03", "--report=-",
-                         "--gyro=" + (folder_ / name), "--log=" + (folder_ / "log.csv")};
+        Arguments all = {folder_ / "dark.png",
+                         "--focal=500",
+                         "--readout=0.03",
+                         "--report=-",
+                         "--gyro=" + (folder_ / name),
+                         "--log=" + (folder_ / "log.csv")};
         all.insert(all.end(), options.begin(), options.end());
         return correct(all);
     }
@@ -106,8 +110,8 @@ TEST_F(CorrectGyro, what_isnt_understood_is_refused)
 TEST_F(CorrectGyro, image_without_time)
 {
     writeContent(folder_ / "a.csv", std::string(HEADER) + "-1,30,-20,10\n0,30,-20,10\n1,30,-20,10\n");
-    const Outcome outcome = correct({folder_ / "dark.png", "--focal=500", "--readout=0.03", "--report=-",
-                                     "--gyro=" + (folder_ / "a.csv")});
+    const Outcome outcome =
+        correct({folder_ / "dark.png", "--focal=500", "--readout=0.03", "--report=-", "--gyro=" + (folder_ / "a.csv")});
     EXPECT_EQ(0, outcome.exitCode);
     EXPECT_EQ("too_few_segments", Json::parse(outcome.output)["status"]);
     EXPECT_NE(std::string::npos, outcome.messages.find("--gyro has no effect on images without a time"));

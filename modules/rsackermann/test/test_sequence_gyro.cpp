@@ -55,8 +55,8 @@ void measure(const Turning& turning, const TrueGyro& gyro, double end, RNG& rng,
     {
         const Vec3d a = turning.rate(s) - gyro.bias;
         t.push_back(s + gyro.delay);
-        r.push_back(a - gyro.axes.cross(a) + Vec3d(rng.gaussian(gyro.noise), rng.gaussian(gyro.noise),
-                                                   rng.gaussian(gyro.noise)));
+        r.push_back(a - gyro.axes.cross(a) +
+                    Vec3d(rng.gaussian(gyro.noise), rng.gaussian(gyro.noise), rng.gaussian(gyro.noise)));
     }
     Mat(t).copyTo(times);
     Mat(r).reshape(1).copyTo(rates);

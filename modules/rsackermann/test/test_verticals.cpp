@@ -53,8 +53,8 @@ Edge randomEdge(const Size& size, RNG& rng)
 {
     const double contrast = rng.uniform(30., 120.), low = rng.uniform(40., 90.);
     const bool rises = rng.uniform(0, 2) != 0;
-    const Edge e = {size.width / 2 + rng.uniform(-3., 3.), rng.uniform(-0.4, 0.4), 0, rng.uniform(0.6, 1.2),
-                    rises ? low : low + contrast, rises ? low + contrast : low};
+    const Edge e = {size.width / 2 + rng.uniform(-3., 3.), rng.uniform(-0.4, 0.4),      0, rng.uniform(0.6, 1.2),
+                    rises ? low : low + contrast,          rises ? low + contrast : low};
     return e;
 }
 

@@ -20,8 +20,7 @@ static const double SMALL = 0.3 * CV_PI / 180;         // rad/s about each axis 
 
 RowSpan::RowSpan(const RollingShutterCamera& camera)
 {
-    const double unit = camera.secondsPerUnitTime(),
-                 first = unit * camera.rowTime(Point2d(0, 0)),
+    const double unit = camera.secondsPerUnitTime(), first = unit * camera.rowTime(Point2d(0, 0)),
                  last = unit * camera.rowTime(Point2d(camera.imageSize.width - 1, camera.imageSize.height - 1));
     from = std::min(first, last);
     to = std::max(first, last);
@@ -109,7 +108,7 @@ void GyroRates::align()
         Unknowns gradient;
         const double sigmas[7] = {DELAY_SIGMA, AXES_SIGMA, AXES_SIGMA, AXES_SIGMA, BIAS_SIGMA, BIAS_SIGMA, BIAS_SIGMA};
         const double now[7] = {found.delay - start, found.turn[0], found.turn[1], found.turn[2],
-                               found.bias[0], found.bias[1], found.bias[2]};
+                               found.bias[0],       found.bias[1], found.bias[2]};
         for (int i = 0; i < 7; i++)
         {
             information(i, i) = 1 / (sigmas[i] * sigmas[i]);
@@ -165,7 +164,8 @@ Vec<double, 7> GyroRates::alignmentSigma() const
     return sigma;
 }
 
-// How much of the turns about the axes a gyro leaves with some delay, but for a bias that there may be; 1 if it is wrong.
+// How much of the turns about the axes a gyro leaves with some delay, but for a bias that there may be; 1 if it is
+// wrong.
 double GyroRates::shareLeft(double delay) const
 {
     const size_t first = turns.size() - std::min(turns.size(), 5 * DELAY_FRAMES);

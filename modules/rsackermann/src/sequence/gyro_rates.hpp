@@ -90,7 +90,7 @@ private:
     bool findDelay();
 
     std::deque<TurnOfPoints> turns;
-    double start;                  // the delay that is expected
+    double start; // the delay that is expected
     GyroAlignment found;
     Matx<double, 7, 7> covariance; // of delay, turn and bias
     Vec3d noise;                   // standard deviation of what the gyro leaves of the turns of points, rad/s

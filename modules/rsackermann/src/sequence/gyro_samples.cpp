@@ -34,8 +34,8 @@ void GyroSamples::add(const Mat& times_, const Mat& rates)
         const bool isFirst = i == 0 && samples.empty();
         const double last = i > 0 ? time[i - 1] : isFirst ? 0 : lastTime();
         if (!isFirst && !(time[i] > last))
-            CV_Error(Error::StsBadArg, format("times[%d] is %.9g; more than %.9g, the one before, is expected", i,
-                                              time[i], last));
+            CV_Error(Error::StsBadArg,
+                     format("times[%d] is %.9g; more than %.9g, the one before, is expected", i, time[i], last));
         for (int k = 0; k < 3; k++)
             if (!(std::abs(rates.at<double>(i, k)) <= fastest))
                 checkRange(rates.at<double>(i, k), -fastest, fastest, format("rates(%d, %d)", i, k).c_str());

@@ -212,7 +212,8 @@ void SequenceEstimator::compareGyro(double neighbour)
     const double *v = last.values, pitch = isEarlier ? v[FLOW_PITCH_BEFORE] : -v[FLOW_PITCH_AFTER],
                  roll = isEarlier ? v[FLOW_ROLL_BEFORE] : -v[FLOW_ROLL_AFTER],
                  yawRate = v[SEQUENCE_YAW_RATE] + v[FLOW_YAW_CHANGE] * neighbour / 2;
-    const TurnOfPoints turn = {filter.time + std::min(neighbour, 0.), filter.time + std::max(neighbour, 0.),
+    const TurnOfPoints turn = {filter.time + std::min(neighbour, 0.),
+                               filter.time + std::max(neighbour, 0.),
                                {mean - half, mean + half},
                                camera.uprightRotation.t() * Vec3d(-pitch / interval, yawRate, roll / interval)};
     gyro.add(turn);
@@ -230,8 +231,8 @@ void SequenceEstimator::useGyro()
 bool SequenceEstimator::measure(double seconds, InstantRate& pitch, InstantRate& roll, InstantRate& yaw) const
 {
     CameraRates now;
-    const bool isMeasured = std::isfinite(seconds) && camera.isRowShutter() && camera.secondsPerUnitTime() > 0 && !gyro.contradicts() &&
-                            gyro.at(seconds, RowSpan(camera), now);
+    const bool isMeasured = std::isfinite(seconds) && camera.isRowShutter() && camera.secondsPerUnitTime() > 0 &&
+                            !gyro.contradicts() && gyro.at(seconds, RowSpan(camera), now);
     if (!isMeasured)
         return false;
     now.about(camera.uprightRotation, pitch, yaw, roll);
