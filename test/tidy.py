@@ -7,6 +7,8 @@ usage: tidy.py BUILD CACHE SOURCE...
 BUILD has a compile_commands.json. A source in which nothing was found isn't looked at again until what the preprocessor
 makes of it changes, or clang-tidy or .clang-tidy does: for that the folder CACHE gets an empty file with the hash of
 these.
+
+Findings whose place is in a header of the system don't count: clang-tidy shows them if their path begins in a source.
 """
 
 import concurrent.futures
@@ -14,6 +16,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shlex
 import subprocess
 import sys
@@ -25,6 +28,14 @@ def preprocessed(command, directory):
     # With comments, as those of clang-tidy are among them.
     return subprocess.run(words[:end] + ['-E', '-C', '-P'] + words[end + 2:],
                           cwd=directory, check=True, stdout=subprocess.PIPE).stdout
+
+
+def findings(output, folder):
+    """The findings of clang-tidy, each with its notes, whose place is in a folder or has no file."""
+    heads = list(re.finditer(r'^(?:(/[^:\n]+):\d+:\d+: )?(?:warning|error|fatal error): .*$', output, re.M))
+    ends = [match.start() for match in heads[1:]] + [len(output)]
+    return ''.join(output[head.start():end] for head, end in zip(heads, ends)
+                   if not head[1] or pathlib.Path(os.path.realpath(head[1])).is_relative_to(folder))
 
 
 def main():
@@ -44,10 +55,12 @@ def main():
             return 0, ''
         result = subprocess.run(['clang-tidy', '--quiet', '-p', str(build), source],
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        if result.returncode == 0:
+        found = findings(result.stdout, pathlib.Path.cwd())
+        if result.returncode and not result.stdout:  # it didn't run
+            found = result.stderr or f'clang-tidy failed on {source}\n'
+        if not found:
             key.touch()
-        # Its errors also have the number of warnings that aren't shown.
-        return 1, result.stdout or (result.stderr if result.returncode else '')
+        return 1, found
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(look, sources))

@@ -161,8 +161,9 @@ void EdgeChains::cut(int begin, int end, int depth)
     step /= end - begin;
     const double allowed = STRAIGHT * STRAIGHT + noise * noise / (step * step);
     const ParabolaFit straight = fit(begin, end, false), curved = fit(begin, end, true);
-    const bool isBent = curved.squares <= allowed && std::abs(curved.curvature) * rowsSpanned / 4 < LARGEST_SAGITTA &&
-                        (end - begin) * (straight.squares - curved.squares) > significant * curved.squares;
+    const bool isBetter = (end - begin) * (straight.squares - curved.squares) > significant * curved.squares,
+               isBent = isBetter && curved.squares <= allowed &&
+                        std::abs(curved.curvature) * rowsSpanned / 4 < LARGEST_SAGITTA;
     if (isBent || straight.squares <= allowed)
         return add(begin, end, isBent);
     // Where two straight lines fit best.
