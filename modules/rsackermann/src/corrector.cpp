@@ -122,7 +122,7 @@ private:
     int64 last;
 };
 
-class RollingShutterCorrectorImpl CV_FINAL : public RollingShutterCorrector
+class RollingShutterCorrectorImpl CV_FINAL : public StoredAlgorithm<RollingShutterCorrector>
 {
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
@@ -276,14 +276,6 @@ public:
     bool isDepthUsed() const CV_OVERRIDE { return isDepthUsed_; }
 
     Vec4d getTimings() const CV_OVERRIDE { return timings; }
-
-    void write(FileStorage& fs) const CV_OVERRIDE
-    {
-        writeFormat(fs);
-        AlgorithmStorage<RollingShutterCorrector>::write(*this, fs);
-    }
-
-    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<RollingShutterCorrector>::read(fn, *this); }
 
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_RollingShutterCorrector"; }
 

@@ -103,6 +103,54 @@ private:
     }
 };
 
+/** What all of these algorithms have in common. @tparam Algorithm as of AlgorithmStorage. */
+template <class Algorithm>
+class StoredAlgorithm : public Algorithm
+{
+public:
+    void write(FileStorage& fs) const CV_OVERRIDE
+    {
+        this->writeFormat(fs);
+        AlgorithmStorage<Algorithm>::write(*this, fs);
+    }
+
+    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<Algorithm>::read(fn, *this); }
+};
+
+//! One of them with nothing that would have to follow its camera and its parameters.
+template <class Algorithm>
+class StatelessAlgorithm : public StoredAlgorithm<Algorithm>
+{
+public:
+    typedef typename Algorithm::Params Params;
+
+    StatelessAlgorithm(const RollingShutterCamera& camera_, const Params& params_) : camera(camera_), params(params_)
+    {
+        camera.check();
+        params.check();
+    }
+
+    void setCamera(const RollingShutterCamera& camera_) CV_OVERRIDE
+    {
+        camera_.check();
+        camera = camera_;
+    }
+
+    RollingShutterCamera getCamera() const CV_OVERRIDE { return camera; }
+
+    void setParams(const Params& params_) CV_OVERRIDE
+    {
+        params_.check();
+        params = params_;
+    }
+
+    Params getParams() const CV_OVERRIDE { return params; }
+
+protected:
+    RollingShutterCamera camera;
+    Params params;
+};
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_STORAGE_HPP

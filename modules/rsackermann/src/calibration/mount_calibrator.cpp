@@ -4,7 +4,6 @@
 
 #include "../precomp.hpp"
 #include "opencv2/rsackermann/calibration.hpp"
-#include "opencv2/rsackermann/calibration.hpp"
 #include "../camera/axis_rotations.hpp"
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
@@ -99,7 +98,7 @@ void rollAndPitchOf(const Vec3d& gravity, double& roll, double& pitch)
     }
 }
 
-class MountCalibratorImpl CV_FINAL : public MountCalibrator
+class MountCalibratorImpl CV_FINAL : public StoredAlgorithm<MountCalibrator>
 {
 public:
     MountCalibratorImpl(const RollingShutterCamera& camera, const Params& params_) : filter(camera, params_.estimator)
@@ -187,14 +186,6 @@ public:
         }
         return report(fit, before);
     }
-
-    void write(FileStorage& fs) const CV_OVERRIDE
-    {
-        writeFormat(fs);
-        AlgorithmStorage<MountCalibrator>::write(*this, fs);
-    }
-
-    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<MountCalibrator>::read(fn, *this); }
 
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_MountCalibrator"; }
 

@@ -20,30 +20,13 @@ static const double EXACT_GRAVITY = 1e-4;
 
 namespace {
 
-class AckermannEstimatorImpl CV_FINAL : public AckermannEstimator
+class AckermannEstimatorImpl CV_FINAL : public StatelessAlgorithm<AckermannEstimator>
 {
 public:
     AckermannEstimatorImpl(const RollingShutterCamera& camera_, const Params& params_)
+        : StatelessAlgorithm<AckermannEstimator>(camera_, params_)
     {
-        setCamera(camera_);
-        setParams(params_);
     }
-
-    void setCamera(const RollingShutterCamera& camera_) CV_OVERRIDE
-    {
-        camera_.check();
-        camera = camera_;
-    }
-
-    RollingShutterCamera getCamera() const CV_OVERRIDE { return camera; }
-
-    void setParams(const Params& params_) CV_OVERRIDE
-    {
-        params_.check();
-        params = params_;
-    }
-
-    Params getParams() const CV_OVERRIDE { return params; }
 
     AckermannMotion estimate(InputArray segments, OutputArray labels, const MotionPrior& prior) const CV_OVERRIDE
     {
@@ -63,14 +46,6 @@ public:
         return runAndCompare(segmentRows(found), labels, prior);
     }
 
-    void write(FileStorage& fs) const CV_OVERRIDE
-    {
-        writeFormat(fs);
-        AlgorithmStorage<AckermannEstimator>::write(*this, fs);
-    }
-
-    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<AckermannEstimator>::read(fn, *this); }
-
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_AckermannEstimator"; }
 
 private:
@@ -82,9 +57,6 @@ private:
     int findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion, Mat& labels) const;
     void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
                 AckermannMotion& motion) const;
-
-    RollingShutterCamera camera;
-    Params params;
 };
 
 RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits) const

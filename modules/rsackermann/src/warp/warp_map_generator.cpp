@@ -175,30 +175,13 @@ static void returnPlaces(const std::vector<Place>& places, const Mat& src, Outpu
 
 namespace {
 
-class WarpMapGeneratorImpl CV_FINAL : public WarpMapGenerator
+class WarpMapGeneratorImpl CV_FINAL : public StatelessAlgorithm<WarpMapGenerator>
 {
 public:
     WarpMapGeneratorImpl(const RollingShutterCamera& camera_, const Params& params_)
+        : StatelessAlgorithm<WarpMapGenerator>(camera_, params_)
     {
-        setCamera(camera_);
-        setParams(params_);
     }
-
-    void setCamera(const RollingShutterCamera& camera_) CV_OVERRIDE
-    {
-        camera_.check();
-        camera = camera_;
-    }
-
-    RollingShutterCamera getCamera() const CV_OVERRIDE { return camera; }
-
-    void setParams(const Params& params_) CV_OVERRIDE
-    {
-        params_.check();
-        params = params_;
-    }
-
-    Params getParams() const CV_OVERRIDE { return params; }
 
     void initRectifyMap(const AckermannMotion& motion, OutputArray map1, OutputArray map2, int m1type, OutputArray mask,
                         const DepthMap& depth) const CV_OVERRIDE
@@ -251,14 +234,6 @@ public:
         return optimalMatrix(camera, motion, alpha, size, global.matrix);
     }
 
-    void write(FileStorage& fs) const CV_OVERRIDE
-    {
-        writeFormat(fs);
-        AlgorithmStorage<WarpMapGenerator>::write(*this, fs);
-    }
-
-    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<WarpMapGenerator>::read(fn, *this); }
-
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_WarpMapGenerator"; }
 
 private:
@@ -294,9 +269,6 @@ private:
                  toDepths(depths.getMat(), points.size()), places);
         returnPlaces(places, src, dst, mask);
     }
-
-    RollingShutterCamera camera;
-    Params params;
 };
 
 } // namespace
