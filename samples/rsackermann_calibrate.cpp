@@ -90,7 +90,7 @@ Task readTask(const Options& options)
     return task;
 }
 
-// Values that the drive told go into the settings, the others stay.
+// Values that are observable go into the settings, the others stay.
 CameraSettings settingsOf(const MountCalibration& c, CameraSettings s)
 {
     s.size = c.camera.imageSize;

@@ -50,7 +50,7 @@ bool isMapOf(const cv::FileNode& node, const cv::Size& size)
 void readMaps(const std::string& path, const cv::Size& size, cv::Mat& map1, cv::Mat& map2)
 {
     cv::FileStorage fs(path, cv::FileStorage::READ);
-    // Looked at before cv::FileNode takes the memory for the size that is told.
+    // Looked at before cv::FileNode takes the memory for the size that is stated.
     if (!fs.isOpened() || !isMapOf(fs["map1"], size) || !isMapOf(fs["map2"], size))
         throw InputError(
             cv::format("%s holds no maps of the truth's size, %d x %d", path.c_str(), size.width, size.height));
@@ -91,7 +91,7 @@ int run(const Options& options)
         nlohmann::json vanishingPoint = report.value("delta", nlohmann::json());
         if (vanishingPoint.is_number())
             vanishingPoint = vanishingPoint.get<double>() * truth.camera.fx;
-        printRow("line at infinity, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, vanishingPoint);
+        printRow("vanishing point, px", std::tan(truth.scene.wallDirection) * truth.camera.fx, vanishingPoint);
     }
     if (truth.scene.left > 0 && truth.scene.right > 0)
         printRow("wall distances, left/right", truth.scene.left / truth.scene.right,

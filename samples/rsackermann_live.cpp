@@ -38,7 +38,7 @@ const char* const KEYS = "{help    |   | print this message}"
                          "{frames  | 0 | end after that many frames; 0: go on}"
                          "{picture |   | image file for the last picture shown, instead of a window}";
 
-// Frames with their times: of a camera those at which they arrive, of a video those that it tells.
+// Frames with their times: of a camera those at which they arrive, of a video those that it has.
 class Source
 {
 public:

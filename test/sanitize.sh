@@ -2,8 +2,8 @@
 # Runs the tests of the module and of the sample programs with AddressSanitizer and UndefinedBehaviorSanitizer, and the
 # tests about threads, detectors, estimator, maps and corrector with ThreadSanitizer and four threads. Fails if a test
 # fails or a sanitizer reports anything.
-# usage: sanitize.sh [--build=DIRECTORY] [address] [thread]     both if none is told
-# The programs of a run are built in DIRECTORY-address and DIRECTORY-thread, build-sanitize-... if none is told.
+# usage: sanitize.sh [--build=DIRECTORY] [address] [thread]     both if none is given
+# The programs of a run are built in DIRECTORY-address and DIRECTORY-thread, build-sanitize-... if none is given.
 
 . "$(dirname "$0")/../scripts/common.sh"
 base=$root/build-sanitize

@@ -68,7 +68,7 @@ measure()
         awk '/corrected: raw/ { print $9 } /^made worse/ { print $11 }' | xargs)"
     if [ ${#drives[@]} -gt 0 ]; then
         echo "nothing $(on_drives --every=6 ${controls:+"$controls"})"
-        echo "yaw_rate $(on_drives --every=6 --told=yaw_rate)"
+        echo "yaw_rate $(on_drives --every=6 --given=yaw_rate)"
     fi
 }
 

@@ -24,22 +24,22 @@ bool isAtRest(const street::StreetScene& scene)
     return scene.speed == 0 && scene.yawRate == 0;
 }
 
-// The camera as the estimator is told of it.
+// The camera as the estimator is given it.
 RollingShutterCamera givenCamera(const street::StreetCamera& truth, const Knowledge& knowledge, cv::RNG& rng)
 {
-    street::StreetCamera told = truth;
-    told.roll += rng.gaussian(knowledge.rollNoise);
-    told.pitch += rng.gaussian(knowledge.pitchNoise);
+    street::StreetCamera given = truth;
+    given.roll += rng.gaussian(knowledge.rollNoise);
+    given.pitch += rng.gaussian(knowledge.pitchNoise);
     const double focalError =
         knowledge.focalError + (knowledge.focalNoise > 0 ? rng.gaussian(knowledge.focalNoise) : 0);
-    told.fx *= 1 + focalError;
-    told.fy *= 1 + focalError;
-    RollingShutterCamera camera = libraryCamera(told);
-    camera.focalSigma = knowledge.focalNoise * told.fx;
+    given.fx *= 1 + focalError;
+    given.fy *= 1 + focalError;
+    RollingShutterCamera camera = libraryCamera(given);
+    camera.focalSigma = knowledge.focalNoise * given.fx;
     return camera;
 }
 
-// The motion as the estimator is told of it.
+// The motion as the estimator is given it.
 MotionPrior givenMotion(const street::StreetScene& truth, const Knowledge& knowledge, cv::RNG& rng)
 {
     MotionPrior prior;
@@ -185,7 +185,7 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     result.speedError = !ok                           ? -c.scene.speed * 3.6
                         : motion.speed(camera, speed) ? (speed - c.scene.speed) * 3.6
                                                       : NOT_KNOWN;
-    // The walls of a camera that looks to a side have their line at infinity far outside of the image.
+    // The walls of a camera that looks to a side have their vanishing point far outside of the image.
     const bool ahead = std::cos(c.scene.wallDirection) > 0.5;
     result.deltaError = ok && ahead && motion.wallSlope != 0
                             ? (motion.delta() - std::tan(c.scene.wallDirection)) * c.camera.fx

@@ -14,10 +14,10 @@ struct Knowledge
 {
     double rollNoise, pitchNoise; //!< standard deviations in radians of the errors of roll and pitch
     double focalError;            //!< of the focal length: 0.1 for 10 % too long
-    double focalNoise;            //!< standard deviation of further errors of it, of which the estimator is told
+    double focalNoise;            //!< standard deviation of further errors of it, of a size that the estimator is given
     double speedSigma;            //!< metres per second, of the error of a known speed; 0: it isn't known
     double yawRateSigma;          //!< radians per second, of the error of a known yaw rate; 0: it isn't known
-    double wallDirectionSigma;    //!< radians, of the error of a known line at infinity; 0: it isn't known
+    double wallDirectionSigma;    //!< radians, of the error of a known wall direction; 0: it isn't known
     bool exactPriors;             //!< known values have no error, whatever their standard deviation
 
     Knowledge()
@@ -82,10 +82,10 @@ struct Experiment
 cv::Mat makeImage(const Case& c);
 
 /** Estimates the motion from an image and compares the map with the true one.
-@param seed of the errors in what the estimator is told. */
+@param seed of the errors in what the estimator is given. */
 Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experiment, unsigned seed);
 
-//! What the estimator is told of the errors of roll and pitch, in radians; 0: there are none.
+//! What the estimator is given of the errors of roll and pitch, in radians; 0: there are none.
 void setGravitySigma(double sigma, cv::rsackermann::AckermannEstimator::Params& params);
 
 //! Quantile of the numbers among the values, NaN if there is none.

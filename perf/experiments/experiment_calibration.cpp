@@ -44,15 +44,15 @@ const double ROLL = 1.2 * DEGREE, PITCH = -0.8 * DEGREE, HEADING = 1.5 * DEGREE,
 struct Errors
 {
     std::vector<double> error, sigma; //!< absolute errors
-    int told;
+    int observed;
 
-    Errors() : told(0) {}
+    Errors() : observed(0) {}
 
     void add(double e, double s, bool isObserved)
     {
         error.push_back(std::abs(e));
         sigma.push_back(s);
-        told += isObserved;
+        observed += isObserved;
     }
 };
 
@@ -72,7 +72,7 @@ void print(const char* title, const Errors errors[4])
             within += e.error[k] <= 2 * e.sigma[k];
         std::printf("| %s | %s | %.3f | %.3f | %.3f | %.3f | %.0f | %d |\n", title, NAMES[i], quantile(e.error, 0.5),
                     quantile(e.error, 0.9), quantile(e.error, 1), quantile(e.sigma, 0.5),
-                    100. * within / double(e.error.size()), e.told);
+                    100. * within / double(e.error.size()), e.observed);
     }
 }
 
@@ -90,7 +90,7 @@ public:
             c = MountCalibrator::create(guess);
     }
 
-    //! @param addFrame of a calibrator and what it is told.
+    //! @param addFrame of a calibrator and what it is given.
     template <class AddFrame>
     void add(double yawRate, double speed, const AddFrame& addFrame)
     {
@@ -202,9 +202,8 @@ int run(const Options& arguments)
         progress.update(i + 1, drives, "drives");
     }
     progress.clear();
-    std::printf(
-        "| told | value | median error | 90 %% | largest | median sigma | within 2 sigma, %% | told by the drive |\n"
-        "|---|---|---|---|---|---|---|---|\n");
+    std::printf("| given | value | median error | 90 %% | largest | median sigma | within 2 sigma, %% | observable |\n"
+                "|---|---|---|---|---|---|---|---|\n");
     print("log", errors[0]);
     print("nothing", errors[1]);
     return 0;

@@ -27,7 +27,7 @@ const char* const KEYS =
     "{help       |        | print this message}"
     "{controls   |        | folder with frames of global-shutter cameras and frames.csv "
     "(file,width,fx,pitch_deg,roll_deg,heading_deg)}"
-    "{told       | none   | what the estimator is told of the drives: none, yaw_rate, speed or both}"
+    "{given      | none   | what the estimator is given of the drives: none, yaw_rate, speed or both}"
     "{gravity_sigma |     | degrees, in the place of the default}"
     "{drive      |        | a folder is one drive: each frame with what those before say}"
     "{smooth     |        | the same, and what the next frame says}"
@@ -75,15 +75,15 @@ void addYawRate(const RollingShutterCamera& camera, double truth, double truthSi
     outcome.deviation = variance > 0 ? std::abs(yawRate - truth) / std::hypot(std::sqrt(variance), truthSigma) : 0;
 }
 
-MotionPrior priorOf(const DriveFrame& frame, int told)
+MotionPrior priorOf(const DriveFrame& frame, int given)
 {
     MotionPrior prior;
-    if (told & 1)
+    if (given & 1)
     {
         prior.yawRate = frame.yawRate;
         prior.yawRateSigma = 1 * DEGREE;
     }
-    if (told & 2)
+    if (given & 2)
     {
         prior.speed = frame.speed;
         prior.speedSigma = 2 / 3.6;
@@ -105,7 +105,7 @@ Outcome measureFrame(const DriveFrame& frame, const AckermannMotion& motion, con
 }
 
 // All frames in their order, by one corrector; every N-th is measured.
-std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int every, bool smooth,
+std::vector<Outcome> measureWholeDrive(const std::string& folder, int given, int every, bool smooth,
                                        const AckermannEstimator::Params& params)
 {
     const std::vector<DriveFrame> frames = readDrive(folder);
@@ -120,7 +120,7 @@ std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int 
         const cv::Mat image = readImage(frames[i].file);
         cv::Mat corrected, maps[2];
         corrector->setTimestamp(time);
-        corrector->setPrior(priorOf(frames[i], told));
+        corrector->setPrior(priorOf(frames[i], given));
         // The second frame says what the first one can't say alone.
         if (i == 0 || smooth)
             corrector->setNextFrame(readImage(frames[i + 1].file), time + frames[i].secondsToNext);
@@ -135,7 +135,7 @@ std::vector<Outcome> measureWholeDrive(const std::string& folder, int told, int 
     return outcomes;
 }
 
-std::vector<Outcome> measureDrive(const std::string& folder, int told, int every,
+std::vector<Outcome> measureDrive(const std::string& folder, int given, int every,
                                   const AckermannEstimator::Params& params)
 {
     const std::vector<DriveFrame> frames = readDrive(folder);
@@ -149,7 +149,7 @@ std::vector<Outcome> measureDrive(const std::string& folder, int told, int every
                 const cv::Mat image = readImage(frame.file);
                 const FlowTruth truth(frame, image, readImage(frames[k * every + 1].file));
                 cv::Mat maps[2];
-                const AckermannMotion motion = estimateAndMap(image, frame.camera, params, priorOf(frame, told), maps);
+                const AckermannMotion motion = estimateAndMap(image, frame.camera, params, priorOf(frame, given), maps);
                 outcomes[k] = measureFrame(frame, motion, maps, truth);
             }
         },
@@ -160,7 +160,7 @@ std::vector<Outcome> measureDrive(const std::string& folder, int told, int every
 // Pixels are counted for a width of 1000.
 std::vector<Outcome> measureControls(const std::string& folder, const AckermannEstimator::Params& params)
 {
-    const double readOut = 0.03; // seconds, as the estimator is told
+    const double readOut = 0.03; // seconds, as the estimator is given
     std::vector<Outcome> outcomes;
     for (const std::vector<std::string>& row :
          readTable(folder + "/frames.csv", {"file", "width", "fx", "pitch_deg", "roll_deg", "heading_deg"}))
@@ -245,15 +245,15 @@ int run(const Options& options)
     AckermannEstimator::Params params;
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
-    const int told = options.choice("told", {"none", "yaw_rate", "speed", "both"}),
+    const int given = options.choice("given", {"none", "yaw_rate", "speed", "both"}),
               every = options.integer("every", 1, 1000000);
     const bool smooth = options.flag("smooth"), isDrive = smooth || options.flag("drive");
     const bool quiet = options.flag("quiet");
     std::vector<Outcome> all;
     for (const std::string& folder : options.arguments())
     {
-        const std::vector<Outcome> part = isDrive ? measureWholeDrive(folder, told, every, smooth, params)
-                                                  : measureDrive(folder, told, every, params);
+        const std::vector<Outcome> part = isDrive ? measureWholeDrive(folder, given, every, smooth, params)
+                                                  : measureDrive(folder, given, every, params);
         if (!quiet)
             printOutcomes(part);
         summariseDrives(folder.substr(folder.find_last_of('/') + 1).c_str(), part);

@@ -28,7 +28,7 @@ const char* const KEYS =
     "{help       |        | print this message}"
     "{frames     |        | folder with frames.csv (name,focal_px,roll_deg,pitch_deg,heading_deg) and, for each name, "
     "a folder with rolling.png and global_middle.png}"
-    "{gravity_sigma |     | degrees, what the estimator is told of roll and pitch, in the place of its default}"
+    "{gravity_sigma |     | degrees, what the estimator is given of roll and pitch, in the place of its default}"
     "{threads    |        | number of threads}";
 
 struct Frame

@@ -26,7 +26,7 @@ const char* const ABOUT =
 const char* const KEYS = "{help       |        | print this message}"
                          "{frames     | 1000   | number of frames}"
                          "{seed       | 0      | of the first frame}"
-                         "{told       | none   | none, yaw (the yaw rate +- 1 deg/s) or both (and the speed +- 2 km/h)}"
+                         "{given      | none   | none, yaw (the yaw rate +- 1 deg/s) or both (and the speed +- 2 km/h)}"
                          "{quiet      |        | print the summary only}"
                          "{threads    |        | number of threads}";
 
@@ -52,7 +52,7 @@ double randomYawRate(double speed, cv::RNG& rng)
     return std::min(std::max(any, -most), most);
 }
 
-Frame randomFrame(int seed, int told)
+Frame randomFrame(int seed, int given)
 {
     cv::RNG rng(seed * 7919u + 1);
     rng.next();
@@ -77,8 +77,8 @@ Frame randomFrame(int seed, int told)
     knowledge.rollNoise = 0.7 * DEGREE;
     knowledge.pitchNoise = 0.3 * DEGREE;
     knowledge.focalNoise = happens(0.3, rng) ? 0.05 : 0;
-    knowledge.yawRateSigma = told > 0 ? 1 * DEGREE : 0;
-    knowledge.speedSigma = told > 1 ? 2 * KMH : 0;
+    knowledge.yawRateSigma = given > 0 ? 1 * DEGREE : 0;
+    knowledge.speedSigma = given > 1 ? 2 * KMH : 0;
     return frame;
 }
 
@@ -137,13 +137,13 @@ int run(const Options& options)
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const int frames = options.integer("frames", 10, 1000000), first = options.integer("seed", 0, 1 << 30),
-              told = options.choice("told", {"none", "yaw", "both"});
+              given = options.choice("given", {"none", "yaw", "both"});
     std::vector<Result> results;
     std::vector<Score> scores;
     Progress progress;
     for (int i = 0; i < frames; i++)
     {
-        const Frame frame = randomFrame(first + i, told);
+        const Frame frame = randomFrame(first + i, given);
         cv::Mat image = makeImage(frame.street);
         if (frame.blur > 0)
             cv::GaussianBlur(image, image, cv::Size(), frame.blur);

@@ -26,7 +26,7 @@ const char* const KEYS = "{help       |        | print this message}"
                          "{seed       | 1      | of the street}"
                          "{stagger    | 1.5    | metres by which houses stand back}"
                          "{walls      |        | weave through a street whose walls come and go, instead}"
-                         "{roll       | 0.5    | amplitude of the suspension's roll, which isn't told, degrees}"
+                         "{roll       | 0.5    | amplitude of the suspension's roll, which isn't given, degrees}"
                          "{save       |        | folder for the images}"
                          "{quiet      |        | print the summary only}"
                          "{threads    |        | number of threads}";
@@ -81,9 +81,10 @@ void summarise(const char* name, const Series& s)
     std::printf("%-8s raw %.3f left mean %.3f median %.3f p99 %.3f largest %.3f flicker %.3f px\n", name, mean(s.raw),
                 mean(s.left), quantile(s.left, 0.5), quantile(s.left, 0.99), quantile(s.left, 1), std::sqrt(flicker));
     if (!s.yawRate.empty())
-        std::printf("%-8s yaw rate told in %d of %d frames: error median %.2f p99 %.2f deg/s, within 3 sigma %.1f %%\n",
-                    name, int(s.yawRate.size()), int(s.left.size()), quantile(s.yawRate, 0.5),
-                    quantile(s.yawRate, 0.99), 100. * s.within3 / double(s.yawRate.size()));
+        std::printf(
+            "%-8s yaw rate estimated in %d of %d frames: error median %.2f p99 %.2f deg/s, within 3 sigma %.1f %%\n",
+            name, int(s.yawRate.size()), int(s.left.size()), quantile(s.yawRate, 0.5), quantile(s.yawRate, 0.99),
+            100. * s.within3 / double(s.yawRate.size()));
 }
 
 int run(const Options& options)

@@ -27,8 +27,8 @@ const char* const ABOUT =
 const char* const KEYS = "{help     |     | print this message}"
                          "{speed    | 40  | km/h}"
                          "{yaw_rate | 20  | deg/s}"
-                         "{roll     | 2.5 | degrees, largest error of the told roll}"
-                         "{extent   | 90  | deg/s, largest yaw rate that is told}"
+                         "{roll     | 2.5 | degrees, largest error of the given roll}"
+                         "{extent   | 90  | deg/s, largest yaw rate that is given}"
                          "{steps    | 25  | of each to both sides}"
                          "{seed     | 0   | of the street}"
                          "{threads  |     | number of threads}";

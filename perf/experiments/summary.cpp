@@ -66,9 +66,9 @@ void printSummary(const std::vector<Result>& results)
         ok += r.status == cv::rsackermann::MOTION_OK;
         worse += r.left > r.raw + 1e-6;
     }
-    static const char* const names[] = {"displacement raw, px",       "displacement left, px",
-                                        "yaw rate error, deg/s",      "speed error, km/h",
-                                        "line at infinity error, px", "predicted by covariance, px"};
+    static const char* const names[] = {"displacement raw, px",      "displacement left, px",
+                                        "yaw rate error, deg/s",     "speed error, km/h",
+                                        "vanishing point error, px", "predicted by covariance, px"};
     std::printf("\n%d cases, %d with status ok, %d worse than the raw image\n", int(results.size()), ok, worse);
     std::printf("%-28s %8s %8s %8s %8s\n", "", "median", "p90", "mean", "max");
     for (int i = 0; i < COLUMNS; i++)

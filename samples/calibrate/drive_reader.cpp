@@ -17,7 +17,7 @@ namespace rsackermann_samples {
 
 namespace {
 
-const double INTERVAL = 1. / 30; // seconds from image to image unless the log tells
+const double INTERVAL = 1. / 30; // seconds from image to image unless the log has times
 // Seconds, so that nobody takes one video for the continuation of another
 const double BETWEEN_DRIVES = 3600;
 const double UNKNOWN = std::numeric_limits<double>::quiet_NaN();

@@ -85,7 +85,7 @@ std::vector<double> matrixOf(const cv::FileNode& node)
         return std::vector<double>();
     require(node.isMap() && node["data"].isSeq() && node["rows"].isInt() && node["cols"].isInt(),
             node.name() + " is not a matrix");
-    // cv::FileNode makes a matrix of the size that is told before it looks for the elements.
+    // cv::FileNode makes a matrix of the size that is stated before it looks for the elements.
     const int mostElements = 14, rows = node["rows"], cols = node["cols"];
     require(rows >= 0 && cols >= 0 && double(rows) * cols <= mostElements,
             cv::format("%s is %d x %d; a matrix of up to %d elements is accepted", node.name().c_str(), rows, cols,

@@ -18,7 +18,7 @@ damaged, cut short or of another kind.
 cv::Mat readImage(const std::string& path, std::vector<uchar>* exif = nullptr);
 
 /** The bytes of an image file, without loss of depth or channels; throws InputError.
-@param path its extension tells the format.
+@param path its extension stands for the format.
 @param exif Exif data, which are kept in the formats that addExif() knows. */
 std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image,
                                const std::vector<uchar>& exif = std::vector<uchar>());

@@ -110,7 +110,7 @@ NextFrame Batch::nextOf(size_t index) const
     }
 }
 
-// The error is told and not thrown, as the frames of a video may be there though its end isn't.
+// The error is reported and not thrown, as the frames of a video may be there though its end isn't.
 std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets, std::string& error)
 {
     const std::string& input = inputs_[index].name;

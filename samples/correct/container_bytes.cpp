@@ -68,7 +68,7 @@ bool readBox(Bytes& file, uint64_t at, ContainerPart& part)
     return part.isEndless || size >= length;
 }
 
-// A number of EBML, whose first byte tells its length by the zeros it begins with.
+// A number of EBML, whose first byte gives its length by the zeros it begins with.
 static bool readEbmlNumber(Bytes& file, uint64_t& at, bool withoutMark, uint64_t& value, bool& unknown)
 {
     uchar bytes[8];

@@ -43,7 +43,7 @@ struct ContainerPart
 {
     uint64_t name;       //!< its bytes
     uint64_t begin, end; //!< of the content; end may be beyond that of the file
-    bool isEndless;      //!< it tells no size and goes on to the end
+    bool isEndless;      //!< it states no size and goes on to the end
 };
 
 //! The part that begins there; false if there is none, or less than its head.

@@ -82,16 +82,16 @@ double readCell(const Column& column, const std::string& cell, const std::string
     return value;
 }
 
-// The value at a time between two samples that tell it.
+// The value at a time between two samples that give it.
 double interpolated(const std::vector<FrameFacts>& samples, double time, double FrameFacts::*value)
 {
-    const auto told = [value](const FrameFacts& sample) { return !std::isnan(sample.*value); };
+    const auto isGiven = [value](const FrameFacts& sample) { return !std::isnan(sample.*value); };
     const auto after = std::lower_bound(samples.begin(), samples.end(), time,
                                         [](const FrameFacts& a, double t) { return a.time < t; });
-    const auto right = std::find_if(after, samples.end(), told);
+    const auto right = std::find_if(after, samples.end(), isGiven);
     if (right != samples.end() && right->time == time)
         return *right.*value;
-    const auto left = std::find_if(std::make_reverse_iterator(after), samples.rend(), told);
+    const auto left = std::find_if(std::make_reverse_iterator(after), samples.rend(), isGiven);
     if (left == samples.rend() || right == samples.end())
         return UNKNOWN;
     const double share = (time - left->time) / (right->time - left->time);
@@ -182,14 +182,14 @@ const std::vector<FrameFacts>* DriveLog::samplesOf(const std::string& file) cons
     return nullptr;
 }
 
-bool DriveLog::tells(double FrameFacts::*value) const
+bool DriveLog::has(double FrameFacts::*value) const
 {
-    const auto told = [value](const FrameFacts& facts) { return !std::isnan(facts.*value); };
+    const auto isGiven = [value](const FrameFacts& facts) { return !std::isnan(facts.*value); };
     for (const std::pair<const Key, FrameFacts>& entry : named_)
-        if (told(entry.second))
+        if (isGiven(entry.second))
             return true;
     for (const std::pair<const std::string, std::vector<FrameFacts>>& entry : samples_)
-        if (std::any_of(entry.second.begin(), entry.second.end(), told))
+        if (std::any_of(entry.second.begin(), entry.second.end(), isGiven))
             return true;
     return false;
 }

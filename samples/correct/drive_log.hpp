@@ -12,7 +12,7 @@
 
 namespace rsackermann_samples {
 
-//! Facts on a frame, in the units of the options; NaN: not told.
+//! Facts on a frame, in the units of the options; NaN: not given.
 struct FrameFacts
 {
     double time;                      //!< seconds at which the frame's reference row was read
@@ -26,14 +26,14 @@ struct FrameFacts
 /** The log of a drive: a CSV file with a header.
 
 The columns are any of file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg,
-pitch_deg and gravity_sigma_deg; empty cells tell nothing. A row that names a frame tells of that frame alone: by an
+pitch_deg and gravity_sigma_deg; empty cells give nothing. A row that names a frame is about that frame alone: by an
 image's file, by a number, or, if there are several videos, by file and number. All other rows are samples: between two
 of them a value changes linearly in time.
 */
 class DriveLog
 {
 public:
-    //! A log that tells nothing.
+    //! A log that gives nothing.
     DriveLog() {}
 
     //! Throws UsageError with the row and the column of whatever isn't known or isn't understood.
@@ -47,16 +47,16 @@ public:
 
     //! Whether a row names the frame.
     bool names(const std::string& file, int number) const { return named(file, number) != nullptr; }
-    //! Whether a speed or a yaw rate is told anywhere.
-    bool tellsSpeed() const { return tells(&FrameFacts::speed); }
-    bool tellsYawRate() const { return tells(&FrameFacts::yawRate); }
+    //! Whether a speed or a yaw rate is given anywhere.
+    bool hasSpeed() const { return has(&FrameFacts::speed); }
+    bool hasYawRate() const { return has(&FrameFacts::yawRate); }
 
 private:
     typedef std::pair<std::string, int> Key; // file, empty: any; number, -1: an image that is named by its file
 
     const FrameFacts* named(const std::string& file, int number) const;
     const std::vector<FrameFacts>* samplesOf(const std::string& file) const;
-    bool tells(double FrameFacts::*value) const;
+    bool has(double FrameFacts::*value) const;
 
     std::map<Key, FrameFacts> named_;
     std::map<std::string, std::vector<FrameFacts>> samples_; // by the video's name, empty: any; increasing in time

@@ -12,7 +12,7 @@ namespace rsackermann_samples {
 
 namespace {
 
-const size_t MOST_FRAMES = 10000000; // a damaged index may tell more
+const size_t MOST_FRAMES = 10000000; // a damaged index may announce more
 
 typedef std::vector<ContainerPart> Parts;
 

@@ -10,10 +10,10 @@
 
 namespace rsackermann_samples {
 
-/** What the index of a container (MP4 and MOV, also with fragments; Matroska and WebM) tells of the frames of its
+/** What the index of a container (MP4 and MOV, also with fragments; Matroska and WebM) has on the frames of its
 video.
 
-OpenCV doesn't tell the times of the frames that a decoder gives back after the last packet (as many as it delays, by
+OpenCV doesn't report the times of the frames that a decoder gives back after the last packet (as many as it delays, by
 frames that are shown earlier than they are stored and by threads), and counts frames that an edit list hides. */
 struct FrameIndex
 {

@@ -110,9 +110,9 @@ MotionPrior readPrior(const Options& options, const Job& job)
         warnUseless("--speed", delay);
     if (yawRate && !metric)
         warnUseless("--yaw_rate", delay);
-    if (job.log.tellsSpeed() && !metric)
+    if (job.log.hasSpeed() && !metric)
         warnUseless("speed_kmh in the log", delay);
-    if (job.log.tellsYawRate() && !metric)
+    if (job.log.hasYawRate() && !metric)
         warnUseless("yaw_rate_deg_s in the log", delay);
     return prior;
 }
@@ -213,7 +213,7 @@ Job readJob(const Options& options)
     job.smooth = options.flag("smooth");
     job.params.sequence = job.smooth || options.flag("carry");
     if (job.params.sequence && job.params.estimator.model != MODEL_AUTO)
-        throw UsageError("--model and --carry exclude each other: tracked points tell the whole motion");
+        throw UsageError("--model and --carry exclude each other: tracked points determine the whole motion");
     job.prior = readPrior(options, job);
     job.output = target(options, "output");
     job.overlay = target(options, "overlay");

@@ -11,14 +11,14 @@
 
 namespace rsackermann_samples {
 
-//! Standard deviations of values that are told without one, km/h and deg/s.
+//! Standard deviations of values that are given without one, km/h and deg/s.
 const double SPEED_SIGMA = 2, YAW_RATE_SIGMA = 1;
 
 //! The prior of a frame from its facts; values that they leave open are those of the other prior.
 cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts,
                                      const cv::rsackermann::MotionPrior& other = cv::rsackermann::MotionPrior());
 
-/** Only videos know the time of their frames: a log has to name the images of which it tells.
+/** Only videos know the time of their frames: a log has to name the images that it is about.
 Throws UsageError if it names none of them, and warns if some are missing. */
 void checkLog(const DriveLog& log, const InputList& inputs, const std::string& program);
 

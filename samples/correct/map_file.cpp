@@ -50,7 +50,7 @@ void writeMaps(AtomicFile& file, const cv::Mat& map1, const cv::Mat& map2)
     const std::string format = extension(name);
     if (format != ".yml" && format != ".yaml" && format != ".xml" && format != ".json")
         throw InputError(file.path() + ": the extension is none of .yml, .yaml, .xml and .json, with or without .gz");
-    // In memory, as cv::FileStorage doesn't tell of a full disk. Base64 takes a quarter of the time of decimal numbers
+    // In memory, as cv::FileStorage doesn't report a full disk. Base64 takes a quarter of the time of decimal numbers
     // and two thirds of their room, and it is exact.
     cv::FileStorage fs(name, cv::FileStorage::WRITE_BASE64 | cv::FileStorage::MEMORY);
     fs << "map1" << map1 << "map2" << map2;

@@ -10,8 +10,8 @@
 
 namespace rsackermann_samples {
 
-/** Writes maps for cv::remap in the format of cv::FileStorage that the name's extension tells (.yml, .xml or .json,
-each also with .gz), with the nodes map1 and map2; throws InputError. */
+/** Writes maps for cv::remap in the format of cv::FileStorage that the name's extension stands for (.yml, .xml or
+.json, each also with .gz), with the nodes map1 and map2; throws InputError. */
 void writeMaps(AtomicFile& file, const cv::Mat& map1, const cv::Mat& map2);
 
 } // namespace rsackermann_samples

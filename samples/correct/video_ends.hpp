@@ -12,8 +12,8 @@ namespace rsackermann_samples {
 /** Whether a video's file ends before the container (AVI, MP4 and MOV, Matroska and WebM) says that it does; false for
 other formats.
 
-The number of frames that OpenCV announces doesn't tell: if the container has none it is a product of duration and rate,
-and wrong if the rate varies or the sound is longer than the pictures. */
+The number of frames that OpenCV announces isn't reliable: if the container has none it is a product of duration and
+rate, and wrong if the rate varies or the sound is longer than the pictures. */
 bool isVideoCutShort(const std::string& path);
 
 } // namespace rsackermann_samples

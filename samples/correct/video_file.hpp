@@ -18,7 +18,7 @@ public:
     VideoFile(const std::string& path, double framesPerSecond, const cv::Size& size);
 
     void add(const cv::Mat& frame);
-    //! Ends the video and reads it again, as writers of videos don't tell of errors; throws InputError.
+    //! Ends the video and reads it again, as writers of videos don't report errors; throws InputError.
     void close();
     //! Gives the file its final name.
     void commit() { file_.commit(); }

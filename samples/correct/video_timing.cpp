@@ -20,24 +20,24 @@ FrameClock::FrameClock(const cv::VideoCapture& capture, const FrameIndex& index)
 }
 
 // The time of the next frame in the index; 0, as OpenCV does it, if it is unknown.
-double FrameClock::indexedTime(double told)
+double FrameClock::indexedTime(double reported)
 {
     if (next_ == 0 && !index_.empty()) // OpenCV takes the time of decoding for that of the first frame
         return index_[next_++];
-    // Frames after the last packet are told no time, and damaged ones don't appear.
-    while (told > 0 && next_ < index_.size() && index_[next_] < told - ROUNDING)
+    // Frames after the last packet have no reported time, and damaged ones don't appear.
+    while (reported > 0 && next_ < index_.size() && index_[next_] < reported - ROUNDING)
         next_++;
-    if (next_ >= index_.size() || (told > 0 && std::abs(index_[next_] - told) > ROUNDING))
+    if (next_ >= index_.size() || (reported > 0 && std::abs(index_[next_] - reported) > ROUNDING))
         index_.clear();
-    return index_.empty() ? told : index_[next_++];
+    return index_.empty() ? reported : index_[next_++];
 }
 
 double FrameClock::timeOfFrame(const cv::VideoCapture& capture)
 {
-    const double told = indexedTime(capture.get(cv::CAP_PROP_POS_MSEC) / 1000);
+    const double reported = indexedTime(capture.get(cv::CAP_PROP_POS_MSEC) / 1000);
     // The announced rate is a better clock than milliseconds.
     const double next = time_ + interval_;
-    time_ = std::isfinite(told) && told > time_ && std::abs(told - next) > ROUNDING ? told : next;
+    time_ = std::isfinite(reported) && reported > time_ && std::abs(reported - next) > ROUNDING ? reported : next;
     return time_;
 }
 

@@ -10,7 +10,7 @@
 
 namespace rsackermann_samples {
 
-/** Times of a video's frames from its container's index, else as OpenCV tells them; if it doesn't tell them they have
+/** Times of a video's frames from its container's index, else as OpenCV reports them; if it doesn't they have
 equal distances. */
 class FrameClock
 {
@@ -23,7 +23,7 @@ public:
     double announcedRate() const { return 1 / interval_; }
 
 private:
-    double indexedTime(double told);
+    double indexedTime(double reported);
 
     double interval_, time_;
     std::vector<double> index_; // empty if it contradicts OpenCV

@@ -3,12 +3,12 @@
 # UndefinedBehaviorSanitizer. Prints for each fuzzer how often it ran; fails with the first input that crashes, isn't
 # finite, or takes longer than ten seconds.
 # usage: run.sh [--quick[=SECONDS] | --runs=N] [--plain] [--build=DIRECTORY] [FUZZER...]
-#   --quick    so many seconds for each fuzzer, 60 if none are told, but not more executions than two processors manage
+#   --quick    so many seconds for each fuzzer, 60 if none are given, but not more executions than two processors manage
 #              in 60 seconds, with the same inputs everywhere; this is the default
 #   --runs     so many executions for each fuzzer
 #   --plain    optimised and without sanitizers: some ten times as many executions, and an estimate must not take more
 #              than 0.1 s of processor time
-#   FUZZER     estimator, solvers, warp, files, command_line; all if none is told
+#   FUZZER     estimator, solvers, warp, files, command_line; all if none is given
 # What is found goes to DIRECTORY/found, the inputs that reached something new to DIRECTORY/corpus, from which the next
 # run goes on.
 

@@ -117,7 +117,7 @@ TEST_F(CorrectGyro, image_without_time)
     EXPECT_NE(std::string::npos, outcome.messages.find("--gyro has no effect on images without a time"));
 }
 
-// Gaps and saturated samples are told with their line; a frame in a gap does without the gyro.
+// Gaps and saturated samples are reported with their line; a frame in a gap does without the gyro.
 TEST_F(CorrectGyro, warnings)
 {
     Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n0.9,1,2,3\n1.2,1,2,3\n");

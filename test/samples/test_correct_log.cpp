@@ -163,7 +163,7 @@ TEST_F(CorrectLog, time_between_frames_of_a_drive)
     const std::vector<Json> far = resultsOf(runWithLog("file,time_s\na.png,0\nb.png,0.1\n", inputs, {"--carry"}));
     ASSERT_EQ(2u, untold.size());
     EXPECT_EQ(untold, close);
-    // The first one is told by the second.
+    // The first one is given by the second.
     EXPECT_NE(untold[0], far[0]);
     EXPECT_NE(untold[1], far[1]);
 }

@@ -14,7 +14,7 @@ typedef nlohmann::ordered_json Json;
 const int FRAMES = 4;
 const double FRAMES_PER_SECOND = 12;
 
-// A short drive: frames with and without motion, in an order that can be told.
+// A short drive: frames with and without motion, in an order that can be recognised.
 void writeVideo(const std::string& path)
 {
     cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), FRAMES_PER_SECOND, streetImage().size());
@@ -252,26 +252,26 @@ TEST_F(CorrectVideo, log_by_frame_and_by_time)
         frames.resize(FRAMES);
         return frames;
     };
-    const std::vector<Json> told = framesOfReport(correct(plain + Arguments{"--speed=66"})),
-                            untold = framesOfReport(correct(plain));
+    const std::vector<Json> given = framesOfReport(correct(plain + Arguments{"--speed=66"})),
+                            unknown = framesOfReport(correct(plain));
     const auto withLog = [&](const std::string& content) {
         writeContent(in_ / "log.csv", content);
         return framesOfReport(correct(plain + Arguments{"--log=" + (in_ / "log.csv")}));
     };
-    ASSERT_NE(told[2]["alpha"], untold[2]["alpha"]);
+    ASSERT_NE(given[2]["alpha"], unknown[2]["alpha"]);
     const std::vector<Json> byNumber = withLog("frame,speed_kmh\n2,66\n"),
                             byFile = withLog("file,frame,speed_kmh\ndrive.avi,2,66\nother.avi,0,66\n");
-    EXPECT_EQ(untold[0]["alpha"], byNumber[0]["alpha"]);
-    EXPECT_EQ(told[2]["alpha"], byNumber[2]["alpha"]);
-    EXPECT_EQ(untold[0]["alpha"], byFile[0]["alpha"]);
-    EXPECT_EQ(told[2]["alpha"], byFile[2]["alpha"]);
+    EXPECT_EQ(unknown[0]["alpha"], byNumber[0]["alpha"]);
+    EXPECT_EQ(given[2]["alpha"], byNumber[2]["alpha"]);
+    EXPECT_EQ(unknown[0]["alpha"], byFile[0]["alpha"]);
+    EXPECT_EQ(given[2]["alpha"], byFile[2]["alpha"]);
     // Frame 2 of 12 frames per second is at 1/6 s.
     const std::vector<Json> byTime = withLog("time_s,speed_kmh\n0.1,58\n0.2,70\n");
-    EXPECT_EQ(untold[0]["alpha"], byTime[0]["alpha"]);
-    EXPECT_NEAR(told[2]["alpha"].get<double>(), byTime[2]["alpha"].get<double>(),
-                1e-4 * std::abs(told[2]["alpha"].get<double>()));
+    EXPECT_EQ(unknown[0]["alpha"], byTime[0]["alpha"]);
+    EXPECT_NEAR(given[2]["alpha"].get<double>(), byTime[2]["alpha"].get<double>(),
+                1e-4 * std::abs(given[2]["alpha"].get<double>()));
     const std::vector<Json> byTimeOfRow = withLog("frame,time_s,speed_kmh\n2,10,\n,9,50\n,11,82\n");
-    EXPECT_EQ(told[2]["alpha"], byTimeOfRow[2]["alpha"]);
+    EXPECT_EQ(given[2]["alpha"], byTimeOfRow[2]["alpha"]);
 }
 
 TEST_F(CorrectVideo, lines_are_for_images)

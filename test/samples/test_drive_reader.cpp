@@ -62,10 +62,10 @@ TEST_F(ReadDrive, image_that_cannot_be_read_takes_its_time)
         EXPECT_NEAR(2 / 30., t[1] - t[0], 1e-9);
 
         writeContent(folder_ / "log.csv", "file,time_s\n000.png,5\n001.png,5.5\n");
-        const std::vector<double> told = times(DriveLog(folder_ / "log.csv"));
-        ASSERT_EQ(2u, told.size());
-        EXPECT_EQ(5, told[0]);
-        EXPECT_NEAR(5.5 + 1 / 30., told[1], 1e-9);
+        const std::vector<double> given = times(DriveLog(folder_ / "log.csv"));
+        ASSERT_EQ(2u, given.size());
+        EXPECT_EQ(5, given[0]);
+        EXPECT_NEAR(5.5 + 1 / 30., given[1], 1e-9);
 
         writeContent(folder_ / "log.csv", "frame,time_s\n0,5\n1,5.5\n2,7\n");
         const std::vector<double> byNumber = times(DriveLog(folder_ / "log.csv"));

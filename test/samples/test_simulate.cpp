@@ -108,8 +108,8 @@ TEST(Simulate, camera_that_looks_to_the_right_at_one_wall)
     const Outcome evaluated = evaluate({"--truth=" + (folder / "truth.json"), "--report=" + (folder / "report.jsonl"),
                                         "--maps=" + (folder / "maps.yml")});
     EXPECT_EQ(0, evaluated.exitCode);
-    // There is neither a line at infinity in the image nor a second wall.
-    for (const char* row : {"line at infinity", "wall distances"})
+    // There is neither a vanishing point in the image nor a second wall.
+    for (const char* row : {"vanishing point", "wall distances"})
         EXPECT_EQ(std::string::npos, evaluated.output.find(row)) << evaluated.output;
 }
 

@@ -40,7 +40,7 @@ std::string duration(double milliseconds)
     return element("\x44\x89", content);
 }
 
-// The frame of a drive: each differs, so that they can be told apart.
+// The frame of a drive: each differs, so that they can be distinguished.
 cv::Mat frameOf(int i)
 {
     cv::Mat frame = streetImage();

@@ -9,7 +9,7 @@
 
 namespace cv { namespace rsackermann {
 
-//! Of what a caller tells: its powers, and quotients of two of them, are finite.
+//! Of what a caller gives: its powers, and quotients of two of them, are finite.
 const double LARGEST_VALUE = 1e30;
 
 //! Throws unless the value is finite, and not absurd.

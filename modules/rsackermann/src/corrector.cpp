@@ -127,7 +127,7 @@ class RollingShutterCorrectorImpl CV_FINAL : public StoredAlgorithm<RollingShutt
 public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)),
-          generator(WarpMapGenerator::create(camera, params_.warp)), drive(camera, params_.estimator, estimator),
+          generator(WarpMapGenerator::create(camera, params_.warp)), sequence(camera, params_.estimator, estimator),
           time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false), isDepthUsed_(false)
     {
         params_.check();
@@ -139,7 +139,7 @@ public:
         const bool isSame = isSameButForGravity(camera, generator->getCamera());
         estimator->setCamera(camera);
         generator->setCamera(camera);
-        drive.set(camera, params.estimator);
+        sequence.set(camera, params.estimator);
         if (!isSame)
             reset();
     }
@@ -152,7 +152,7 @@ public:
         estimator->setParams(params_.estimator);
         generator->setParams(params_.warp);
         params = params_;
-        drive.set(generator->getCamera(), params.estimator);
+        sequence.set(generator->getCamera(), params.estimator);
     }
 
     Params getParams() const CV_OVERRIDE { return params; }
@@ -173,22 +173,22 @@ public:
 
     void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
     {
-        drive.gyro.samples.add(times.getMat(), rates.getMat());
+        sequence.gyro.samples.add(times.getMat(), rates.getMat());
     }
 
     bool getGyroAlignment(double& delay, Vec3d& axes, Vec3d& bias) const CV_OVERRIDE
     {
-        const GyroAlignment& found = drive.gyro.alignment();
+        const GyroAlignment& found = sequence.gyro.alignment();
         delay = found.delay;
         axes = found.turn;
         bias = found.bias;
-        return !drive.gyro.isWrong();
+        return !sequence.gyro.isWrong();
     }
 
     void clearGyro() CV_OVERRIDE
     {
-        drive.gyro.samples.clear();
-        drive.gyro.reset();
+        sequence.gyro.samples.clear();
+        sequence.gyro.reset();
     }
 
     void skipFrame() CV_OVERRIDE { passTo(timeOfFrame()); }
@@ -206,7 +206,7 @@ public:
 
     void reset() CV_OVERRIDE
     {
-        drive.reset();
+        sequence.reset();
         passTo(0);
     }
 
@@ -300,16 +300,16 @@ private:
     // The motion of a frame that follows from the one before.
     AckermannMotion estimateFrame(double seconds)
     {
-        // A clock that was set back tells nothing about the interval. Times that are sums are rounded.
+        // A clock that was set back says nothing about the interval. Times that are sums are rounded.
         const double shortest = 1e-4;
         if (seconds - time < shortest)
-            drive.reset();
+            sequence.reset();
         if (!std::isfinite(next.seconds))
             next.seconds = seconds + params.frameInterval;
         if (next.seconds - seconds < shortest)
             next = GrayFrame();
         const GrayFrame frame(params.trackPoints ? finder.reduced() : Mat(), finder.reduction(), seconds);
-        return drive.estimate(frame, next, segmentRows(segments), prior, labels);
+        return sequence.estimate(frame, next, segmentRows(segments), prior, labels);
     }
 
     AckermannMotion estimateAndWarp(InputArray src, OutputArray dst, OutputArray mask, const DepthMap& depth)
@@ -320,7 +320,7 @@ private:
         if (params.sequence)
             motion = estimateFrame(seconds);
         else
-            motion = drive.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
+            motion = sequence.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
         finder.release();
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask, depth);
@@ -381,7 +381,7 @@ private:
     Ptr<WarpMapGenerator> generator;
     SegmentFinder finder;
     MotionPrior prior;
-    SequenceEstimator drive;
+    SequenceEstimator sequence;
     GrayFrame next;   // what is known of the image after the next one
     double time;      // of the last frame
     double timestamp; // of the next one; not finite: not given

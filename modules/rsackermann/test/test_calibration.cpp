@@ -140,16 +140,16 @@ TEST(RSAckermann_Calibration, sigma_of_the_pitch_has_that_of_the_line_delay)
     StreetDrive::Options options;
     options.yawRate = options.tilt = 0;
     const RollingShutterCamera truth = mounted(1.2);
-    RollingShutterCamera told = guess();
-    told.lineDelay = truth.lineDelay;
-    told.lineDelaySigma = 0.001 * told.lineDelay;
+    RollingShutterCamera given = guess();
+    given.lineDelay = truth.lineDelay;
+    given.lineDelaySigma = 0.001 * given.lineDelay;
     double squares[2] = {0};
     for (int i = 0; i < 6; i++)
     {
         MountCalibration found[2];
         for (int k = 0; k < 2; k++)
         {
-            const Ptr<MountCalibrator> calibrator = MountCalibrator::create(k ? told : guess());
+            const Ptr<MountCalibrator> calibrator = MountCalibrator::create(k ? given : guess());
             drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, i), 60, false);
             found[k] = calibrator->calibrate();
             squares[k] += found[k].pitchSigma * found[k].pitchSigma;

@@ -210,7 +210,7 @@ TEST(RSAckermann_Compensation, jacobian_agrees_with_differences)
         double jacobian[PARAMETERS];
         int wall;
         const double residual = verticalResidual(candidate, scene.model, scene.heading, wall, jacobian);
-        // near the line at infinity a step may change the wall; close to the camera the columns run away
+        // near the vanishing point a step may change the wall; close to the camera the columns run away
         if (std::abs(residual) > 1)
             continue;
         for (int p = 0; p < PARAMETERS; p++)

@@ -632,7 +632,7 @@ TEST(RSAckermann_Corrector, next_frame)
 }
 
 // A recorded drive has the time to track more points.
-TEST(RSAckermann_Corrector, next_frame_refines_the_relief)
+TEST(RSAckermann_Corrector, next_frame_refines_the_offset)
 {
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(1600, 900));
     camera.lineDelay = 0.02 / 900;

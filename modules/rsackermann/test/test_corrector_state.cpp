@@ -120,7 +120,7 @@ void expectNear(const AckermannMotion& expected, const AckermannMotion& motion)
 
 typedef testing::TestWithParam<int> CorrectorState; // Mode
 
-// After reset() a corrector can't be told from a new one.
+// After reset() a corrector is like a new one.
 TEST_P(CorrectorState, reset_forgets_every_history)
 {
     const Sequence s;
@@ -214,7 +214,7 @@ TEST(RSAckermann_CorrectorState, random_events_in_a_sequence)
                 corrector->skipFrame();
                 continue;
             }
-            if (event == 1 && i > 0) // its time is known, and that of the lost one before isn't told
+            if (event == 1 && i > 0) // its time is known, and that of the lost one before isn't given
             {
                 if (++i == frames)
                     break;

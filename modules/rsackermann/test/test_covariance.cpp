@@ -18,7 +18,7 @@ struct Knowledge
     double speedSigma;   // m/s, of the error of a known speed; 0: it isn't known
     double focalNoise;   // standard deviation of the relative error of the focal length, which the estimator knows of
     double delayNoise;   // the same of the line delay
-    // Least shares within two and three sigma: yaw rate, speed, line at infinity, ratio of the walls
+    // Least shares within two and three sigma: yaw rate, speed, vanishing point, ratio of the walls
     double within2[4], within3[4];
 };
 
@@ -140,7 +140,7 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
         for (int k = 0; k < 4; k++)
             coverage[k].add(errors[k], covariance(k, k));
     }
-    static const char* const names[4] = {"yaw rate", "speed", "line at infinity", "ratio of wall distances"};
+    static const char* const names[4] = {"yaw rate", "speed", "vanishing point", "ratio of wall distances"};
     for (int k = 0; k < 4; k++)
     {
         const Coverage& c = coverage[k];

@@ -312,7 +312,7 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_stand_on_it)
         EXPECT_NEAR(sigma, std::sqrt(variance) / G, error) << k;
         EXPECT_LT(G, (k == 1 ? 0.8 : 1) * open);
         EXPECT_GT(G, (k == 0 ? 0.98 : 0) * open);
-        // What is told is not to be corrected by what is seen.
+        // What is given is not to be corrected by what is seen.
         Params params;
         params.roadRatio = 5;
         makeDrive(camera, MotionPrior(), params).road(model, contact, G, variance);

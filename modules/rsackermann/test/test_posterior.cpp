@@ -149,8 +149,8 @@ TEST(RSAckermann_Posterior, roll_that_is_not_told_is_no_motion)
     int moved = 0;
     for (int i = 0; i < 100; i++)
     {
-        const RollingShutterCamera told = tiltedAtRandom(rng);
-        moved += estimate(told, leaningSegments(carCamera(), 60, 0.3 * degree, rng)).status == MOTION_OK;
+        const RollingShutterCamera given = tiltedAtRandom(rng);
+        moved += estimate(given, leaningSegments(carCamera(), 60, 0.3 * degree, rng)).status == MOTION_OK;
     }
     EXPECT_LE(moved, 5);
 }
@@ -177,10 +177,10 @@ TEST(RSAckermann_Posterior, verticals_do_not_overrule_a_gyro)
         MotionPrior prior;
         prior.yawRate = yawRate + rng.gaussian(sigma);
         prior.yawRateSigma = sigma;
-        const RollingShutterCamera told = tiltedAtRandom(rng);
-        const AckermannMotion motion = estimate(told, streetSegments(street, rng), prior);
+        const RollingShutterCamera given = tiltedAtRandom(rng);
+        const AckermannMotion motion = estimate(given, streetSegments(street, rng), prior);
         double found = 0;
-        if (motion.status == MOTION_OK && motion.yawRate(told, found))
+        if (motion.status == MOTION_OK && motion.yawRate(given, found))
             beyond += std::abs(found - yawRate) > 2.5 * sigma;
     }
     EXPECT_LE(beyond, 2);
@@ -236,8 +236,8 @@ TEST(RSAckermann_Posterior, improves_what_it_expects_to_improve)
         const double walls[2] = {8 * std::exp(rng.gaussian(0.5)), 8 * std::exp(rng.gaussian(0.5))};
         const double direction = rng.gaussian(0.03);
         const Simulator street = Simulator::fromMetric(carCamera(), yawRate, speed, walls[0], walls[1], direction);
-        const RollingShutterCamera told = tiltedAtRandom(rng);
-        const AckermannMotion motion = estimate(told, streetSegments(street, rng));
+        const RollingShutterCamera given = tiltedAtRandom(rng);
+        const AckermannMotion motion = estimate(given, streetSegments(street, rng));
         if (motion.status != MOTION_OK)
         {
             EXPECT_EQ(motion.expectedRaw, motion.expectedResidual);
@@ -247,7 +247,7 @@ TEST(RSAckermann_Posterior, improves_what_it_expects_to_improve)
         EXPECT_LT(motion.expectedResidual, motion.expectedRaw);
         const AckermannMotion truth = motionFromMetric(carCamera(), yawRate, speed, walls[0], walls[1], direction);
         const double before = mapDistance(carCamera(), AckermannMotion(), carCamera(), truth);
-        const double after = mapDistance(told, motion, carCamera(), truth);
+        const double after = mapDistance(given, motion, carCamera(), truth);
         raw += before;
         left += after;
         expectedRaw += motion.expectedRaw;
@@ -280,10 +280,10 @@ TEST(RSAckermann_Posterior, roll_and_yaw_rate_are_told_apart_by_a_gyro_only)
         MotionPrior gyro;
         gyro.yawRate = 0.3;
         gyro.yawRateSigma = 0.2 * degree;
-        const AckermannMotion alone = estimate(camera, segments), told = estimate(camera, segments, gyro);
+        const AckermannMotion alone = estimate(camera, segments), given = estimate(camera, segments, gyro);
         ASSERT_EQ(MOTION_OK, alone.status) << scan;
         EXPECT_TRUE(alone.rollYawAmbiguous) << scan;
-        EXPECT_FALSE(told.rollYawAmbiguous) << scan;
+        EXPECT_FALSE(given.rollYawAmbiguous) << scan;
     }
 }
 
@@ -312,7 +312,8 @@ TEST(RSAckermann_Posterior, usual_yaw_rates_are_told)
     EXPECT_LT(error[1], 0.5 * error[0]);
 }
 
-// Of a street that is open to one side the wall alone is enough, if a motion is told; trees may stand on the open side.
+// Of a street that is open to one side the wall alone is enough, if a motion is given; trees may stand on the open
+// side.
 TEST(RSAckermann_Posterior, one_wall_of_two)
 {
     const int frames = 20;
@@ -337,8 +338,8 @@ TEST(RSAckermann_Posterior, one_wall_of_two)
     EXPECT_LT(left, 0.2 * raw);
 }
 
-// A camera that isn't told how a shutter's rows are timed has no yaw rate, and neither has a motion of which nothing is
-// known.
+// A camera that isn't given how a shutter's rows are timed has no yaw rate, and neither has a motion of which nothing
+// is known.
 TEST(RSAckermann_Posterior, nothing_is_known_without_segments)
 {
     const AckermannMotion motion = estimate(carCamera(), Mat(0, 4, CV_64F));

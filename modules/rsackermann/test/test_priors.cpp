@@ -60,12 +60,12 @@ Errors errors(const MotionPrior& prior)
     return result;
 }
 
-//! A told value is as exact as it was told, and it helps.
-void expectHelps(const MotionPrior& prior, std::vector<double> Errors::*told, double sigma)
+//! A given value is as exact as it was given, and it helps.
+void expectHelps(const MotionPrior& prior, std::vector<double> Errors::*given, double sigma)
 {
     const Errors with = errors(prior), without = errors(MotionPrior());
-    EXPECT_LT(largest(with.*told), 3 * sigma);
-    EXPECT_LT(median(with.*told), median(without.*told));
+    EXPECT_LT(largest(with.*given), 3 * sigma);
+    EXPECT_LT(median(with.*given), median(without.*given));
     EXPECT_LT(median(with.displacement), median(without.displacement));
 }
 

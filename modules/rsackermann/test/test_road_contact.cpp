@@ -56,7 +56,7 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
         AckermannEstimator::Params params;
         params.scaleFromRoad = true;
         params.gravitySigma = 0;
-        MotionPrior prior; // verticals alone say little of the line at infinity, and with it of the distance
+        MotionPrior prior; // verticals alone say little of the vanishing point, and with it of the distance
         prior.wallDirectionSigma = 0.005;
         const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
         ASSERT_EQ(MOTION_OK, motion.status);
@@ -129,7 +129,7 @@ TEST(RSAckermann_RoadContact, road_of_a_narrow_street)
         const Simulator simulator = Simulator::fromMetric(camera, 0.02, speed, left, right, 0);
         Mat segments;
         addContacts(simulator, camera.height, 30, rng, segments);
-        MotionPrior prior; // roll and yaw rate can't be told apart, and don't matter here
+        MotionPrior prior; // roll and yaw rate are hard to distinguish, and don't matter here
         prior.yawRate = 0.02;
         prior.yawRateSigma = 0.01;
         const double G = speed * camera.secondsPerUnitTime() / camera.height;

@@ -235,10 +235,10 @@ TEST_P(Scans, motion_is_found)
             bearingsOf(camera, randomPairs(simulator, 0.05, 250, 0.3, 0.2, rng), 0.05);
         if (bearings.size() < 100)
             continue;
-        const SequenceFit fit = fitDrive(camera, bearings, std::vector<UprightSegment>(),
+        const SequenceFit fit = fitFrame(camera, bearings, std::vector<UprightSegment>(),
                                          SequenceState(camera, AckermannEstimator::Params()), true);
         EXPECT_TRUE(fit.moves) << i;
-        EXPECT_LT(fit.left, 0.5) << i;
+        EXPECT_LT(fit.residual, 0.5) << i;
         EXPECT_GT(fit.agreeing, 0.7) << i;
         yaw.push_back(std::abs(fit.state.value[SEQUENCE_YAW_RATE] - truth.yawRate) / DEGREE);
         speed.push_back(std::abs(fit.state.value[SEQUENCE_SPEED] / truth.speed - 1));
@@ -266,7 +266,7 @@ TEST(RSAckermann_Sequence, rest_is_rest)
         std::vector<PointPair> pairs = randomPairs(simulate(camera, moving), 0.05, 200, 0, 0, rng);
         for (size_t k = 0; k < pairs.size(); k++)
             pairs[k].other = pairs[k].now + gaussianPoint(rng, 0.2);
-        const SequenceFit fit = fitDrive(camera, bearingsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
+        const SequenceFit fit = fitFrame(camera, bearingsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
                                          SequenceState(camera, AckermannEstimator::Params()), true);
         EXPECT_FALSE(fit.moves) << i;
         EXPECT_LT(std::abs(fit.state.value[SEQUENCE_YAW_RATE]), 0.5 * DEGREE) << i;
@@ -298,7 +298,7 @@ double roadErrorBeside(int otherPoints, const Point2d& moved, bool isUninitialis
         }
         const SequenceState before =
             isUninitialised ? SequenceState(camera, AckermannEstimator::Params()) : stateOf(camera, truth);
-        const SequenceFit fit = fitDrive(camera, bearingsOf(camera, pairs, seconds), std::vector<UprightSegment>(),
+        const SequenceFit fit = fitFrame(camera, bearingsOf(camera, pairs, seconds), std::vector<UprightSegment>(),
                                          before, isUninitialised);
         EXPECT_TRUE(fit.moves) << i;
         largest = std::max(largest, std::abs(fit.state.value[SEQUENCE_ROAD] * camera.height - 1));
@@ -329,7 +329,7 @@ TEST(RSAckermann_Sequence, sudden_stop_is_rest)
         std::vector<PointPair> pairs = randomPairs(simulate(camera, randomTruth(rng)), 0.05, 200, 0, 0, rng);
         for (size_t k = 0; k < pairs.size(); k++)
             pairs[k].other = pairs[k].now + gaussianPoint(rng, 0.2);
-        const SequenceFit fit = fitDrive(camera, bearingsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
+        const SequenceFit fit = fitFrame(camera, bearingsOf(camera, pairs, 0.05), std::vector<UprightSegment>(),
                                          stateOf(camera, randomTruth(rng)), false);
         EXPECT_FALSE(fit.moves) << i;
         EXPECT_GT(fit.agreeing, 0.9) << i;
@@ -367,7 +367,7 @@ double rollError(bool hasPoints)
             for (int k = 0; k < SEQUENCE_ROLL; k++)
                 prediction.covariance(k, k) *= 1e-6;
         }
-        const SequenceFit fit = fitDrive(believed, bearings, verticals, prediction, hasPoints);
+        const SequenceFit fit = fitFrame(believed, bearings, verticals, prediction, hasPoints);
         errors.push_back(std::abs(fit.state.value[SEQUENCE_ROLL] - roll) / DEGREE);
     }
     return median(errors);

@@ -130,7 +130,7 @@ TEST(RSAckermann_Gyro, alignment_is_found)
     EXPECT_LT(std::sqrt(squares / shown), 0.05);
 }
 
-// What isn't a gyro of this camera isn't used, and is told from one whose clock differs.
+// What isn't a gyro of this camera isn't used, and is distinguished from one whose clock differs.
 TEST(RSAckermann_Gyro, contradictions_are_noticed)
 {
     const char* const names[] = {"nothing", "degrees", "wrong sign", "other axes", "noise"};

@@ -82,7 +82,7 @@ private:
         // the left wall is at distance 1
         const double beta = motion == ROTATION ? 0 : rng.uniform(0.02, 0.6) * (rng.uniform(0, 2) ? 1 : -1);
         const double lambda = twoWalls ? rng.uniform(0.4, 2.5) : 0;
-        // both walls are seen if their line at infinity is in the image
+        // both walls are seen if their vanishing point is in the image
         const double direction =
             twoWalls ? rng.uniform(-0.4, 0.4) + (rng.uniform(0, 2) ? CV_PI : 0) : rng.uniform(-CV_PI, CV_PI);
         result.options.heading = randomHeading(rng);

@@ -25,7 +25,7 @@ TEST(RSAckermann_Storage, motion)
     checkStorage(exampleMotion(), "alpha", &AckermannMotion::alpha);
 }
 
-TEST(RSAckermann_Storage, motion_without_relief)
+TEST(RSAckermann_Storage, motion_without_offset)
 {
     AckermannMotion motion = exampleMotion(), restored = motion;
     motion.inverseDepthOffset.release();

@@ -17,7 +17,7 @@ public:
 
     //! Mean distance in pixels of the pixels from where they belong.
     double raw() const { return raw_; }
-    //! The same after the correction by a motion; by the camera as the estimator was told of it.
+    //! The same after the correction by a motion; by the camera as the estimator was given it.
     double left(const cv::rsackermann::RollingShutterCamera& camera,
                 const cv::rsackermann::AckermannMotion& motion) const;
 

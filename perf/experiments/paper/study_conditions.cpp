@@ -80,10 +80,10 @@ void studyConditions(const StudyOptions& options)
         const street::StreetScene scene = paperScene(speed, yawRate, 0);
         const street::StreetRenderer renderer(view, scene);
         const DenseTruth truth(renderer, view.size);
-        street::StreetCamera told = view;
-        told.fx *= 1 + c.focalError;
-        told.fy *= 1 + c.focalError;
-        Problem problem = {rsackermann_samples::libraryCamera(told), cv::Mat(), scene.left,
+        street::StreetCamera given = view;
+        given.fx *= 1 + c.focalError;
+        given.fy *= 1 + c.focalError;
+        Problem problem = {rsackermann_samples::libraryCamera(given), cv::Mat(), scene.left,
                            makePrior(c.known, scene, rng), options.seed + item};
         std::vector<int> walls;
         verticalLines(renderer, view, c.segments, 0.3, c.outliers, rng, walls).convertTo(problem.segments, CV_32F);

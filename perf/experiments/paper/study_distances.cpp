@@ -40,9 +40,9 @@ void studyDistances(const StudyOptions& options)
         detectSegments(renderer.rollingShutter(), segments, DETECTOR);
         for (const Mistake& mistake : mistakes)
         {
-            street::StreetCamera told = view;
-            told.height += mistake.height;
-            const Problem problem = {rsackermann_samples::libraryCamera(told), segments, scene.left + mistake.wall,
+            street::StreetCamera given = view;
+            given.height += mistake.height;
+            const Problem problem = {rsackermann_samples::libraryCamera(given), segments, scene.left + mistake.wall,
                                      MotionPrior(), options.seed + i};
             for (const Contestant& contestant : contestants)
             {

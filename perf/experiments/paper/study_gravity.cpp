@@ -56,10 +56,10 @@ void studyGravity(const StudyOptions& options)
         detectSegments(renderer.rollingShutter(), segments, DETECTOR);
         for (size_t k = item % parts; k < tilts.size(); k += parts)
         {
-            street::StreetCamera told = view;
-            told.roll = tilts[k].roll * DEGREE;
-            told.pitch = tilts[k].pitch * DEGREE;
-            const Problem problem = {rsackermann_samples::libraryCamera(told), segments, scene.left, MotionPrior(),
+            street::StreetCamera given = view;
+            given.roll = tilts[k].roll * DEGREE;
+            given.pitch = tilts[k].pitch * DEGREE;
+            const Problem problem = {rsackermann_samples::libraryCamera(given), segments, scene.left, MotionPrior(),
                                      options.seed + int(k)};
             for (const Contestant& contestant : contestants)
             {

@@ -16,7 +16,7 @@ cv::rsackermann::VerticalSegment verticalSegment(const cv::rsackermann::RollingS
 /** Difference of the compensated columns of the ends of a vertical's image in units of the focal length; 0 for exact
 lines.
 
-The wall is the one on whose side of the line at infinity the segment is. See doc/theory.md, "Compensation". */
+The wall is the one on whose side of the vanishing point the segment is. See doc/theory.md, "Compensation". */
 double columnDifference(const cv::rsackermann::VerticalSegment& segment, const cv::rsackermann::MinimalSolution& motion,
                         double heading);
 

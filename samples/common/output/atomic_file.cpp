@@ -23,7 +23,7 @@ namespace {
 
 const char* const PREFIX = ".rsackermann-";
 
-// All of a compound extension, since it tells cv::FileStorage the format.
+// All of a compound extension, since cv::FileStorage takes the format from it.
 std::string extensionsOf(const std::string& name)
 {
     const std::string last = extension(name);

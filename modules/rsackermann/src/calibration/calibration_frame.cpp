@@ -136,8 +136,8 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
     }
 }
 
-void FrameProblem::addMisses(const CalibrationFrame& frame, std::vector<double>& across,
-                             std::vector<DepthResidual>& along) const
+void FrameProblem::addPointResiduals(const CalibrationFrame& frame, std::vector<double>& across,
+                                     std::vector<DepthResidual>& along) const
 {
     const Matx33d R = tilt(frame.value);
     const double shift = timeShift(frame.interval, givenUnit, unit);
@@ -158,7 +158,7 @@ void FrameProblem::addMisses(const CalibrationFrame& frame, std::vector<double>&
     }
 }
 
-void FrameProblem::addSlants(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const
+void FrameProblem::addSlantResiduals(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const
 {
     Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const PreparedModel model = modelOf(frame, &byValues);

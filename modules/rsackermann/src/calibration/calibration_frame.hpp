@@ -78,9 +78,10 @@ public:
     FrameEquations evaluate(const CalibrationFrame& frame, const FrameVector& value) const;
 
     //! Adds residuals of points across that line and along it, in pixels.
-    void addMisses(const CalibrationFrame& frame, std::vector<double>& across, std::vector<DepthResidual>& along) const;
+    void addPointResiduals(const CalibrationFrame& frame, std::vector<double>& across,
+                           std::vector<DepthResidual>& along) const;
     //! Adds residuals of verticals, in usual sigmas.
-    void addSlants(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const;
+    void addSlantResiduals(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const;
 
 private:
     void addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const;

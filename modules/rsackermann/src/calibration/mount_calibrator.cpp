@@ -16,10 +16,10 @@
 
 namespace cv { namespace rsackermann {
 
-// Frames that are kept or left out together, since what connects neighbours tells the suspension
+// Frames that are kept or left out together, since what connects neighbours shows the suspension
 static const int RUN = 30;
 static const double PRIOR_READOUT = 0.5; // of the time between two frames, if no line delay is given
-// Of the standard deviation before, at most, for a value that the drive tells
+// Of the standard deviation before, at most, for a value that is observable
 static const double OBSERVED = 0.5;
 
 MountCalibration::MountCalibration()
@@ -210,9 +210,9 @@ private:
         return sigma;
     }
 
-    //! @param look sets the points of the frame, by the seconds since the one before.
-    template <class Look>
-    bool add(const Mat& segments, double seconds, const MotionPrior& prior, const Look& look)
+    //! @param setPoints sets the points of the frame, by the seconds since the one before.
+    template <class SetPoints>
+    bool add(const Mat& segments, double seconds, const MotionPrior& prior, const SetPoints& setPoints)
     {
         const double passed = seconds - filter.time;
         // Frames that go back in time are those of another drive.
@@ -229,7 +229,7 @@ private:
             start.lineDelay = PRIOR_READOUT * passed / start.imageSize.height;
             filter.reset(start, gates);
         }
-        look(passed);
+        setPoints(passed);
         if (!follows || features.bearings.size() < LEAST_POINTS)
             return false;
         features.setSegments(start, gates, segments);

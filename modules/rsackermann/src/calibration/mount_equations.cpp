@@ -86,7 +86,7 @@ double ReducedMount::solve(MountState& step) const
     return gain;
 }
 
-std::vector<MountVector> ReducedMount::pulls() const
+std::vector<MountVector> ReducedMount::scores() const
 {
     std::vector<MountVector> result;
     for (size_t k = 0; k < scenes.size(); k++)
@@ -99,12 +99,12 @@ std::vector<MountVector> ReducedMount::pulls() const
         for (int i = 0; i < terms[t].count; i++)
         {
             const int a = terms[t].unknown[i];
-            MountVector& pull = result[terms[t].frame];
+            MountVector& score = result[terms[t].frame];
             const double along = terms[t].slope[i] * terms[t].value;
             if (a < 0)
-                pull[~a] += along;
+                score[~a] += along;
             else
-                pull -= along * linked.byOthers.row(a).transpose();
+                score -= along * linked.byOthers.row(a).transpose();
         }
     return result;
 }

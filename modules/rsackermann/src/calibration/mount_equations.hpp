@@ -62,7 +62,7 @@ public:
     double solve(MountState& step) const;
 
     //! The contribution of each frame to the gradient of the mount, if the values of the frames follow.
-    std::vector<MountVector> pulls() const;
+    std::vector<MountVector> scores() const;
 
     //! How the linked values follow the mount: minus the derivatives.
     const Eigen::Matrix<double, Eigen::Dynamic, MOUNT_VALUES>& linkedByMount() const { return linked.byOthers; }

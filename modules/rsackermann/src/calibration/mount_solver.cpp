@@ -14,7 +14,7 @@ static const int STEPS = 12; // at each scale
 // By which the change of a tilt differs from the turn between two frames. These differences add up, so that a larger
 // one lets tilts follow the yaw rate like a line delay.
 static const double SAME_TURN = 0.005 * CV_PI / 180;
-// rad/s^2: a drive that tells the line delay weaves, and many frames tell the change
+// rad/s^2: a drive that shows the line delay weaves, and many frames determine the change
 static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180;
 static const double YAW_CHANGE_MEMORY = 0.5; // seconds
 static const double SAME_TIME = 1e-6;        // seconds, as times are rounded
@@ -31,7 +31,7 @@ namespace {
 
 // Tilts and what they are of the mount
 const int TILTS[] = {LINKED_ROLL, LINKED_PITCH}, MOUNTS[] = {MOUNT_ROLL, MOUNT_PITCH};
-// What of each frame scatters: both tilts, and its pulls at the mount.
+// What of each frame scatters: both tilts, and its score, the gradient by the mount.
 enum { SERIES_VALUES = 2 + MOUNT_VALUES };
 typedef Eigen::Matrix<double, SERIES_VALUES, 1> SeriesVector;
 typedef Eigen::Matrix<double, SERIES_VALUES, SERIES_VALUES> SeriesMatrix;
@@ -106,29 +106,29 @@ public:
         std::vector<DepthResidual> along, slants;
         for (size_t k = 0; k < frames.size(); k++)
         {
-            problem.addMisses(frames[k], across, along);
-            problem.addSlants(frames[k], slants);
+            problem.addPointResiduals(frames[k], across, along);
+            problem.addSlantResiduals(frames[k], slants);
         }
         if (!across.empty())
             sigmas.points = std::min(std::max(median(across) / (MEDIAN * POINT_SIGMA), LEAST_POINT_SIGMA), 1.);
-        sigmas.depths = learn(
+        sigmas.depths = solveScale(
             along, 0, [&](double depths, double by) { return std::hypot(POINT_SIGMA * sigmas.points, depths * by); });
-        sigmas.slants = learn(slants, LEAST_SLANT_SIGMA,
-                              [&](double slant, double by) { return std::hypot(slant, sigmas.depths * by); });
+        sigmas.slants = solveScale(slants, LEAST_SLANT_SIGMA,
+                                   [&](double slant, double by) { return std::hypot(slant, sigmas.depths * by); });
     }
 
     MountFit result() const
     {
         const ReducedMount reduced(equations);
         const MountMatrix inverse = reduced.information.inverse();
-        const SeriesMatrix scatter = slowScatter(reduced.pulls());
+        const SeriesMatrix scatter = scatterOfMeans(reduced.scores());
         // The information of the weights joins what the frames show as some more frames would.
         const double more = ASSUMED_FRAMES / (double(frames.size()) + ASSUMED_FRAMES);
-        const MountMatrix ofPulls = (1 - more) * scatter.bottomRightCorner<MOUNT_VALUES, MOUNT_VALUES>() +
-                                    more * (reduced.information - prior());
+        const MountMatrix ofScores = (1 - more) * scatter.bottomRightCorner<MOUNT_VALUES, MOUNT_VALUES>() +
+                                     more * (reduced.information - prior());
         MountFit fit;
         fit.value = mount;
-        fit.sigma = MountMatrix(inverse * (ofPulls + prior()) * inverse).diagonal().cwiseSqrt();
+        fit.sigma = MountMatrix(inverse * (ofScores + prior()) * inverse).diagonal().cwiseSqrt();
         fit.turningSigma =
             std::sqrt(MountMatrix((reduced.information - sameDelay()).inverse())(MOUNT_DELAY, MOUNT_DELAY));
         takeMeanTilts(scatter, reduced.linkedByMount(), inverse, fit);
@@ -145,7 +145,7 @@ private:
     // The value up to 1 with which residuals have the median of a normal distribution of the standard deviations
     // sigmaOf(value, byDepth), which grow with it.
     template <class SigmaOf>
-    static double learn(const std::vector<DepthResidual>& residuals, double least, const SigmaOf& sigmaOf)
+    static double solveScale(const std::vector<DepthResidual>& residuals, double least, const SigmaOf& sigmaOf)
     {
         const int halvings = 10;
         double low = least, high = 1;
@@ -232,17 +232,17 @@ private:
         return Eigen::Vector2d(frames[k].value[SEQUENCE_ROLL], frames[k].value[SEQUENCE_PITCH]);
     }
 
-    // Of the mean tilts and of the sum of all pulls.
-    SeriesMatrix slowScatter(const std::vector<MountVector>& pull) const
+    // Of the mean tilts and of the sum of all scores.
+    SeriesMatrix scatterOfMeans(const std::vector<MountVector>& score) const
     {
         const double n = double(frames.size());
         std::vector<SeriesVector> series(frames.size());
         for (size_t k = 0; k < frames.size(); k++)
-            series[k] << tilts(k) / n, pull[k];
+            series[k] << tilts(k) / n, score[k];
         SeriesVector memories = SeriesVector::Zero();
-        memories.head<2 + 2>().setConstant(suspension.memory); // the mount is pulled by the same tilts
+        memories.head<2 + 2>().setConstant(suspension.memory); // the same tilts are in its scores
         memories[2 + MOUNT_HEADING] = DIRECTION_MEMORY;
-        return slowCovarianceOfSum(series, seconds(), memories);
+        return hacCovariance(series, seconds(), memories);
     }
 
     double seconds() const
@@ -270,12 +270,12 @@ private:
                 byMount.row(i) -= linkedByMount.row(unknownOf(k, TILTS[i])) / n;
         }
         // Tilts that frames don't show are those of the mount, and all of them follow heading and line delay: what
-        // pulls these pulls the mean as well, beside what a frame's tilt itself does to it.
-        const Eigen::Matrix<double, 2, MOUNT_VALUES> byPulls = byMount * inverse;
+        // moves these moves the mean as well, beside what a frame's tilt itself does to it.
+        const Eigen::Matrix<double, 2, MOUNT_VALUES> byScores = byMount * inverse;
         Eigen::Matrix<double, 2, SERIES_VALUES> bySeries;
-        bySeries << Eigen::Matrix2d::Identity(), -byPulls;
+        bySeries << Eigen::Matrix2d::Identity(), -byScores;
         const Eigen::Matrix2d covariance =
-            bySeries * scatter * bySeries.transpose() + byPulls * prior() * byPulls.transpose();
+            bySeries * scatter * bySeries.transpose() + byScores * prior() * byScores.transpose();
         for (int i = 0; i < 2; i++)
         {
             fit.value[MOUNTS[i]] = mean[i];

@@ -10,7 +10,7 @@
 
 namespace cv { namespace rsackermann {
 
-const size_t LEAST_FRAMES = LEAST_WAVES + 1; //!< fewer don't tell how much they err together
+const size_t LEAST_FRAMES = LEAST_WAVES + 1; //!< fewer don't show how much they err together
 
 //! How suspension and road tilt a car.
 struct Suspension

@@ -13,7 +13,7 @@ namespace cv { namespace rsackermann {
 
 const double LONGEST_INTERVAL = 1; //!< seconds between two frames of one scene
 const size_t LEAST_POINTS = 20;
-const double POINT_SIGMA = 1.5; //!< pixels by which points of the scene miss its planes
+const double POINT_SIGMA = 1.5; //!< pixels, residuals of points of the scene, which are off its planes
 
 //! A tracked point as upright bearings with z = 1, and the row times at which it was seen, from the present reference
 //! row.

@@ -108,7 +108,7 @@ void PointTracker::follow(const std::vector<Mat>& to, std::vector<PointPair>& pa
         if (!found[i] || !foundAgain[i] || norm(returned[i] - points[i]) >= RETURN)
             continue;
         const Point2d centre = centreOf(points[i]), other = centre + Point2d(there[i] - points[i]);
-        // Texture in nearly one direction alone doesn't tell it.
+        // Texture in nearly one direction alone doesn't determine it.
         if (2 * norm(centre - Point2d(points[i])) > WINDOW || !inside.contains(centre))
             continue;
         const PointPair pair = {other * scale + origin, centre * scale + origin};

@@ -17,11 +17,11 @@ enum Parameter {
     P_LAMBDA,
     P_ROLL, // corrections of gravity, radians
     P_PITCH,
-    P_STREET, // azimuth of the street if there is no translation to tell it
+    P_STREET, // azimuth of the street if there is no translation to show it
     PARAMETERS
 };
 
-//! A motion while it is being estimated: AckermannMotion without the values that verticals can't tell.
+//! A motion while it is being estimated: AckermannMotion without the values that verticals don't determine.
 struct Model
 {
     double value[PARAMETERS];

@@ -23,7 +23,7 @@ enum SequenceValue {
     SEQUENCE_VALUES
 };
 
-/** The state of a drive, and the differences of other frames from the present one: the change of the yaw rate, and
+/** The state of a sequence, and the differences of other frames from the present one: the change of the yaw rate, and
 turns about the other axes from the frame before and to the frame after. */
 enum {
     FLOW_YAW_CHANGE = SEQUENCE_VALUES, //!< rad/s^2

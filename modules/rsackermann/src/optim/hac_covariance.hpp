@@ -13,7 +13,7 @@
 
 namespace cv { namespace rsackermann {
 
-const int LEAST_WAVES = 4; //!< oscillations that tell how a series scatters
+const int LEAST_WAVES = 4; //!< oscillations that show how a series scatters
 //! Hz; a car's body swings at 1 to 1.5 Hz, and below a sixth of that its spectrum is flat to 5 %.
 const double SLOW = 0.2;
 
@@ -25,8 +25,8 @@ slowest oscillations, the cosines of half a period and more over the series [laz
 @param memories seconds after which each value that wanders has come back; what a series is too short for to show counts
 as well. */
 template <class V>
-Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> slowCovarianceOfSum(const std::vector<V>& values,
-                                                                                      double seconds, const V& memories)
+Eigen::Matrix<double, V::RowsAtCompileTime, V::RowsAtCompileTime> hacCovariance(const std::vector<V>& values,
+                                                                                double seconds, const V& memories)
 {
     CV_Assert(values.size() > size_t(LEAST_WAVES));
     const int n = int(values.size()), waves = std::min(std::max(LEAST_WAVES, int(seconds * 2 * SLOW)), n - 1);

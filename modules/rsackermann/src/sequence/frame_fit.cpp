@@ -38,15 +38,15 @@ struct Minimum
     FlowEquations equations;
 };
 
-class DriveProblem
+class FrameFitProblem
 {
 public:
     typedef Unknowns State;
     typedef Unknowns Step;
     typedef FlowEquations Equations;
 
-    DriveProblem(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings_,
-                 const std::vector<UprightSegment>& verticals_, const SequenceState& prediction)
+    FrameFitProblem(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings_,
+                    const std::vector<UprightSegment>& verticals_, const SequenceState& prediction)
         : bearings(bearings_), residual(camera), verticals(verticals_),
           pointWeights(bearings_.size(), Matx22d::eye() * (1 / POINT_SIGMA)), slantWeights(verticals_.size(), 1.),
           heading(camera.heading), unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0)), scale(1)
@@ -145,27 +145,27 @@ private:
     FlowEquations::Matrix prior;
 };
 
-// The share of the displacement that is left, as the points show it; those that don't move with the scene don't count.
+// The residual over the displacement, as the points show it; those that don't move with the scene don't count.
 // Returns the share of all points that agree.
-double expect(const DriveProblem& problem, const Unknowns& u, double focal, SequenceFit& fit)
+double expect(const FrameFitProblem& problem, const Unknowns& u, double focal, SequenceFit& fit)
 {
     size_t count = 0, others = 0;
-    double displacement = 0, missed = 0;
+    double displacement = 0, residuals = 0;
     for (size_t i = 0; i < problem.bearings.size(); i++)
     {
         const TrackedBearing& s = problem.bearings[i];
-        const double left = norm(problem.residual.evaluate(s, u.data(), 0));
-        if (!(left < AGREES * POINT_SIGMA))
+        const double residual = norm(problem.residual.evaluate(s, u.data(), 0));
+        if (!(residual < AGREES * POINT_SIGMA))
         {
             others += !s.isStill; // what stands still is of the car itself
             continue;
         }
         count++;
         displacement += FlowResidual::shutterPart(s) * focal * norm(s.now - s.other);
-        missed += FlowResidual::shutterPart(s) * left;
+        residuals += FlowResidual::shutterPart(s) * residual;
     }
     fit.agreeing = count > 0 ? double(count) / double(count + others) : 0;
-    fit.left = displacement > 0 ? missed / displacement : 1;
+    fit.residual = displacement > 0 ? residuals / displacement : 1;
     // A motion has to explain more than its unknowns would by chance.
     const int unknowns = 6;
     Unknowns still = u;
@@ -176,12 +176,12 @@ double expect(const DriveProblem& problem, const Unknowns& u, double focal, Sequ
 
 } // namespace
 
-SequenceFit fitDrive(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
+SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
                      const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
                      bool isUninitialised)
 {
     const double enough = 0.5; // of the points agree
-    DriveProblem problem(camera, bearings, verticals, prediction);
+    FrameFitProblem problem(camera, bearings, verticals, prediction);
     SequenceFit fit(prediction);
     Unknowns u = Unknowns::Zero();
     for (int i = 0; i < SEQUENCE_VALUES; i++)

@@ -10,17 +10,17 @@
 
 namespace cv { namespace rsackermann {
 
-//! The evidence of a frame of a drive.
+//! The evidence of a frame of a sequence.
 struct SequenceFit
 {
     SequenceState state;        //!< prediction and frame together
     double values[FLOW_VALUES]; //!< state and turns
-    bool moves;                 //!< whether the points tell the motion from a camera at rest
-    double left;     //!< by which part of their displacement in the raw image the points that agree miss the motion
-    double agreeing; //!< share of the points that agree with the motion, without those on the car itself
+    bool moves;                 //!< whether the points rule out a camera at rest
+    double residual;            //!< of the points that agree, over their displacement in the raw image
+    double agreeing;            //!< share of the points that agree with the motion, without those on the car itself
 
     explicit SequenceFit(const SequenceState& prediction)
-        : state(prediction), values(), moves(false), left(1), agreeing(0)
+        : state(prediction), values(), moves(false), residual(1), agreeing(0)
     {
     }
 };
@@ -31,7 +31,7 @@ the verticals of the present one, together with the state of the frames before (
 @param isUninitialised whether the prediction is hardly more than the usual values: motions that differ from it are
 tried, too.
 */
-SequenceFit fitDrive(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
+SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
                      const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
                      bool isUninitialised);
 

@@ -13,14 +13,14 @@
 namespace cv { namespace rsackermann {
 
 // How the residuals of points and verticals are weighed; doc/theory.md, "Sequence", has the reasons.
-const double AGREES = 4;           //!< sigmas by which a point of the scene may miss its planes
+const double AGREES = 4;           //!< sigmas by which a point of the scene may be off its planes
 const double POINT_DEPENDENCE = 5; //!< neighbouring points err together
 const double END_SIGMA = 0.5;      //!< pixels, of a vertical's slant in the image
 const double SLANT_SCALE = 2;      //!< of the robust loss, in sigmas
 const double SLANT_DEPENDENCE = 5; //!< verticals of one facade err together
 //! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
 const double DEVIATION_SIGMA = 0.03;
-const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars steer usually: two frames hardly tell it
+const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars usually steer: two frames hardly determine it
 const double TURN_SIGMA = 0.5 * CV_PI / 180;     //!< of pitch and roll from frame to frame
 
 //! Whether a point is seen on the car itself: it stands still where the scene moves. @param squared its residual, in

@@ -55,12 +55,6 @@ void GyroSamples::add(const Mat& times_, const Mat& rates)
     }
 }
 
-void GyroSamples::forget(double time)
-{
-    if (!samples.empty())
-        samples.erase(samples.begin(), samples.begin() + std::ptrdiff_t(before(time)));
-}
-
 // The sample before a time, or the first or the last but one.
 size_t GyroSamples::before(double time) const
 {

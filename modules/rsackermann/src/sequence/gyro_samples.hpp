@@ -20,8 +20,6 @@ public:
     //! @param times seconds, increasing, after those that are there: N x 1 or 1 x N, CV_64F. @param rates rad/s about
     //! x, y and z: N x 3, CV_64F. Throws cv::Exception if they are others.
     void add(const Mat& times, const Mat& rates);
-    //! Without samples before that time, except the last one.
-    void forget(double before);
     void clear() { samples.clear(); }
     bool empty() const { return samples.empty(); }
     double lastTime() const { return samples.back().time; }

@@ -22,7 +22,7 @@ namespace {
 struct Deviation
 {
     Point2d place;
-    double along;  // pixels by which it misses the planes, on the way on which its depth moves it
+    double along;  // residual in pixels, on the way on which its depth moves it
     double across; // and across
     double slope;  // pixels along for each unit of the offset
 };

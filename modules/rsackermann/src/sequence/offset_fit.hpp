@@ -9,7 +9,7 @@
 
 namespace cv { namespace rsackermann {
 
-/** Finds by how much the scene deviates from the planes of a motion: what the points miss them by (doc/theory.md,
+/** Finds by how much the scene deviates from the planes of a motion: the residuals of the points (doc/theory.md,
 "Inverse-depth offset").
 @param bearings points, those of the fit or others.
 @param values of the fit, FLOW_VALUES of them.

@@ -240,7 +240,7 @@ bool SequenceEstimator::measure(double seconds, InstantRate& pitch, InstantRate&
     return true;
 }
 
-// Points aren't spread as pixels are: they show the share of the displacement that is left.
+// Points aren't spread as pixels are: they show the residual over the displacement.
 Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMotion& motion) const
 {
     const double unit = camera.secondsPerUnitTime();
@@ -264,7 +264,7 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
     motion.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
     const double unknown = DisplacementField::meanDistance(displacement, displacement, variances);
-    motion.expectedResidual = std::hypot(unknown, motion.expectedRaw * fit.left);
+    motion.expectedResidual = std::hypot(unknown, motion.expectedRaw * fit.residual);
     return model;
 }
 

@@ -20,7 +20,7 @@ public:
     SequenceEstimator(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                       const Ptr<AckermannEstimator>& single);
 
-    //! The same drive, with another gravity or other parameters.
+    //! The same sequence, with another gravity or other parameters.
     void set(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 
     /** Goes on to the next frame and estimates its motion: from points that are seen in the frame before or in the one

@@ -30,7 +30,7 @@ bool SequenceFilter::advance(double seconds, const RollingShutterCamera& camera,
 bool SequenceFilter::update(const FrameFeatures& frame, const RollingShutterCamera& camera,
                             const AckermannEstimator::Params& params, SequenceFit& fit)
 {
-    fit = fitDrive(camera, frame.bearings, frame.verticals, state, isUninitialised);
+    fit = fitFrame(camera, frame.bearings, frame.verticals, state, isUninitialised);
     if (fit.agreeing < LEAST_AGREEING)
     {
         reset(camera, params);

@@ -14,7 +14,7 @@ namespace cv { namespace rsackermann {
 
 Samples for two walls take all but one of their segments from one side of the image and the last one from the other
 side: the three leftmost on the left wall and the rightmost on the right wall, and the mirror image of it. A yaw rate, a
-speed or a line at infinity that the prior knows makes a sample smaller by one.
+speed or a wall direction that the prior knows makes a sample smaller by one.
 */
 class CandidateConsensus
 {

@@ -10,7 +10,7 @@
 
 namespace cv { namespace rsackermann {
 
-//! By how much verticals may miss a model and still agree with it.
+//! How large the residuals of verticals that agree with a model may be.
 struct Agreement
 {
     double focal;     // pixels

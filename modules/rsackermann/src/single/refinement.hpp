@@ -57,7 +57,7 @@ struct RefinementProblem
     std::vector<Point2d> ends() const;
 };
 
-//! Whether a model has its walls where verticals are: two walls are seen together if the line at infinity lies between
+//! Whether a model has its walls where verticals are: two walls are seen together if the vanishing point lies between
 //! them.
 bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 

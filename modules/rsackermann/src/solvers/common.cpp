@@ -28,7 +28,7 @@ bool solveWalls(const Constraint& first, const Constraint& second, const Constra
     solution.wallOffset = D;
     solution.wallRatio = 0;
     if (!(B * B + D * D > degenerate * degenerate))
-        return false; // vertical lines that stay where they are tell nothing about walls
+        return false; // vertical lines that stay where they are show nothing of walls
     return !right || solveRatio(*right, solution);
 }
 
@@ -59,8 +59,8 @@ bool solveWallsFromThree(const Constraint c[3], const Constraint* right, Minimal
     return solveWalls(c[best], c[(best + 1) % 3], right, solution);
 }
 
-// The side of the line at infinity on which a bearing is seen, as the sign of its scaled inverse depth; 0 behind the
-// camera.
+// The side of the walls' vanishing point on which a bearing is seen, as the sign of its scaled inverse depth; 0 behind
+// the camera.
 static int wallSide(const RotatedBearing& bearing, double B, double D)
 {
     const double z = bearing.M + bearing.gamma * B;

@@ -80,8 +80,8 @@ inline bool isWithinLimits(const MinimalSolution& s, const SolverOptions& option
     return std::abs(s.alpha) <= options.maxAlpha && std::hypot(s.wallSlope, s.wallOffset) <= options.maxScaledSpeed;
 }
 
-/** Whether all segments are seen on walls in front of the camera and on the same side of the line at infinity: those on
-the left (or only) wall first, then, if twoWalls, one on the right wall.
+/** Whether all segments are seen on walls in front of the camera and on the same side of the walls' vanishing point:
+those on the left (or only) wall first, then, if twoWalls, one on the right wall.
 */
 bool areOnWalls(const MinimalSolution& solution, const RotatedSegment* segments, int left, bool twoWalls);
 

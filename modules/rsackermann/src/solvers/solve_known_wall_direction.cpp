@@ -44,7 +44,7 @@ static bool solveSpeed(const Disagreement& d, const Constraint* constraints, boo
 {
     const double standstill = 1e-6, q0 = d.q(constraints[0]), q1 = d.q(constraints[1]);
     const double scaledSpeed = -(constraints[0].e * q0 + constraints[1].e * q1) / (q0 * q0 + q1 * q1);
-    // Vertical lines that stay where they are tell nothing about walls. Nor does a scaledSpeed that isn't finite.
+    // Vertical lines that stay where they are show nothing of walls. Nor does a scaledSpeed that isn't finite.
     if (!(std::abs(scaledSpeed) > standstill))
         return false;
     solution.wallSlope = scaledSpeed * d.walls.c;

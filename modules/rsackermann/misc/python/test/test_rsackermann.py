@@ -352,22 +352,22 @@ class rsackermann_test(NewOpenCVTests):
         return values
 
     def test_pickle_and_copy(self):
-        for value, told in self.make_values():
+        for value, state in self.make_values():
             default = type(value)()
-            self.assertNotEqual(told(value), told(default))
+            self.assertNotEqual(state(value), state(default))
             for other in (pickle.loads(pickle.dumps(value)), copy.copy(value), copy.deepcopy(value)):
                 self.assertIs(type(other), type(value))
-                self.assertEqual(told(other), told(value))
+                self.assertEqual(state(other), state(value))
 
     def test_storage(self):
-        for value, told in self.make_values():
+        for value, state in self.make_values():
             storage = cv.FileStorage('.yml', cv.FileStorage_WRITE + cv.FileStorage_MEMORY)
             value.write(storage)
             text = storage.releaseAndGetString()
             other = type(value)()
             storage = cv.FileStorage(text, cv.FileStorage_READ + cv.FileStorage_MEMORY)  # its nodes don't keep it alive
             other.read(storage.root())
-            self.assertEqual(told(other), told(value))
+            self.assertEqual(state(other), state(value))
 
     def test_save_and_load(self):
         params = cv.rsackermann.AckermannEstimator.Params()

@@ -18,7 +18,7 @@ bool TileDistorter::fillByPatches(const Rect& square, MapWriter::Tile& tile) con
 {
     Nodes nodes;
     // Its depth isn't known before the place is.
-    if (!shutter.depthOffset.empty() || !look(square, nodes))
+    if (!shutter.depthOffset.empty() || !evaluate(square, nodes))
         return false;
     int visible[PLANES];
     const int count = visiblePlanes(nodes, visible);
@@ -33,20 +33,20 @@ bool TileDistorter::fillByPatches(const Rect& square, MapWriter::Tile& tile) con
     return true;
 }
 
-bool TileDistorter::look(const Rect& square, Nodes& nodes) const
+bool TileDistorter::evaluate(const Rect& square, Nodes& nodes) const
 {
     const Point2d first = square.tl();
     nodes.step = square.width / (NODES - 1.);
     for (int i = 0; i < NODES * NODES; i++)
-        if (!look(first + nodes.step * Point2d(Point(i % NODES, i / NODES)), nodes.grid[i / NODES][i % NODES]))
+        if (!evaluate(first + nodes.step * Point2d(Point(i % NODES, i / NODES)), nodes.grid[i / NODES][i % NODES]))
             return false;
     for (int i = 0; i < MapPatch::CHECKS; i++)
-        if (!look(first + MapPatch::check(i, nodes.step), nodes.checks[i]))
+        if (!evaluate(first + MapPatch::check(i, nodes.step), nodes.checks[i]))
             return false;
     return true;
 }
 
-bool TileDistorter::look(const Point2d& pixel, Node& node) const
+bool TileDistorter::evaluate(const Point2d& pixel, Node& node) const
 {
     if (!distorter.view(pixel, node.view))
         return false;

@@ -39,8 +39,8 @@ private:
         Node grid[NODES][NODES], checks[MapPatch::CHECKS];
     };
 
-    bool look(const Point2d& pixel, Node& node) const;
-    bool look(const Rect& square, Nodes& nodes) const;
+    bool evaluate(const Point2d& pixel, Node& node) const;
+    bool evaluate(const Rect& square, Nodes& nodes) const;
     int visiblePlanes(const Nodes& nodes, int visible[PLANES]) const;
     bool fitPatch(const Nodes& nodes, int plane, MapPatch& patch) const;
     bool fitDepth(const Nodes& nodes, int plane, Bicubic& depth) const;

@@ -12,7 +12,7 @@ namespace cv { namespace rsackermann {
 /** Fills tiles of a map (doc/theory.md, "Warp").
 
 On each plane of the scene a map is smooth. A square of it is interpolated between 4 x 4 places for each plane that can
-be seen in it, and every pixel takes the nearest plane. Further places in between tell the error; a square in which it
+be seen in it, and every pixel takes the nearest plane. Further places in between show the error; a square in which it
 is too large, or in which one of the places doesn't exist, is divided into quarters, and small ones are solved pixel by
 pixel. The values of a square depend on its place alone: not on the size of the map, other tiles or the number of
 threads.

@@ -108,7 +108,7 @@ int TileRectifier::visiblePlanes(const Rect& square, PlaneInverseDepth visible[P
 
 bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth, MapPatch& patch) const
 {
-    // First the first row and column of the places, then the last corner: they tell the row times of the others.
+    // First the first row and column of the places, then the last corner: they give the row times of the others.
     static const int order[MapPatch::NODES * MapPatch::NODES][2] = {{0, 0}, {3, 0}, {0, 3}, {3, 3}, {1, 0}, {2, 0},
                                                                     {0, 1}, {0, 2}, {1, 1}, {2, 1}, {3, 1}, {1, 2},
                                                                     {2, 2}, {3, 2}, {1, 3}, {2, 3}};

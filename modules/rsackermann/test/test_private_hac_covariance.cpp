@@ -26,7 +26,7 @@ double covered(double memory, const std::function<Sway(RNG&)>& sway)
         Value sum(0);
         for (int k = 0; k < frames; k++)
             sum += values[k] = Value(at(seconds * k / frames));
-        const double variance = cv::rsackermann::slowCovarianceOfSum(values, seconds, Value(memory))(0, 0);
+        const double variance = cv::rsackermann::hacCovariance(values, seconds, Value(memory))(0, 0);
         within += sum[0] * sum[0] <= 4 * variance;
     }
     ::testing::Test::RecordProperty("within_2_sigma_percent", cvRound(100. * within / drives));
@@ -35,21 +35,21 @@ double covered(double memory, const std::function<Sway(RNG&)>& sway)
 
 const double USUAL = 0.5; // seconds, of a car on its springs
 
-TEST(RSAckermann_PrivateSlowCovariance, rough_road)
+TEST(RSAckermann_PrivateHacCovariance, rough_road)
 {
     const double share = covered(USUAL, [](RNG& rng) { return onSprings(0.1, rng); });
     EXPECT_GE(share, 0.93);
     EXPECT_LE(share, 0.98);
 }
 
-TEST(RSAckermann_PrivateSlowCovariance, tilts_that_wander)
+TEST(RSAckermann_PrivateHacCovariance, tilts_that_wander)
 {
     const double share = covered(USUAL, [](RNG& rng) { return wandering(0.25, USUAL, rng); });
     EXPECT_GE(share, 0.93);
     EXPECT_LE(share, 0.98);
 }
 
-TEST(RSAckermann_PrivateSlowCovariance, tilts_that_wander_slowly_and_are_said_to)
+TEST(RSAckermann_PrivateHacCovariance, tilts_that_wander_slowly_and_are_said_to)
 {
     const double memory = 2;
     const double share = covered(memory, [&](RNG& rng) { return wandering(0.25, memory, rng); });
@@ -57,7 +57,7 @@ TEST(RSAckermann_PrivateSlowCovariance, tilts_that_wander_slowly_and_are_said_to
     EXPECT_LE(share, 0.99);
 }
 
-TEST(RSAckermann_PrivateSlowCovariance, noise)
+TEST(RSAckermann_PrivateHacCovariance, noise)
 {
     const double share = covered(0, [](RNG& rng) {
         RNG fresh(rng.next());
