@@ -71,7 +71,8 @@ def instrument(text, file, found):
                 entries.append(entry)
                 continue
             found.append((file, label, value))
-            asked = ['ablated("%s", %s)' % (label, e.strip()) for e in elements]
+            kind = match.group('head').split()[-1]
+            asked = ['ablated<%s>("%s", %s)' % (kind, label, e.strip()) for e in elements]
             entries.append(' %s = %s' % (name, '{%s}' % ', '.join(asked) if value.startswith('{') else asked[0]))
         return '%s%s %s;' % (match.group('indent'), match.group('head'), ','.join(entries).strip())
     return DECLARATION.sub(replace, text)
