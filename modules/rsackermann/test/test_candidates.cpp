@@ -83,12 +83,6 @@ TEST(RSAckermann_Candidates, limits)
     m[P_LAMBDA] = 0;
     m[P_D] = 0.81 * limits.maxScaledSpeed;
     EXPECT_FALSE(limits.allow(m));
-    m[P_D] = 0;
-    m[P_ROLL] = 0.31;
-    EXPECT_FALSE(limits.allow(m));
-    m[P_ROLL] = 0;
-    m[P_PITCH] = -0.31;
-    EXPECT_FALSE(limits.allow(m));
 }
 
 TEST(RSAckermann_Candidates, sorts_segments)

@@ -83,38 +83,4 @@ TEST(RSAckermann_Consensus, near_right_wall)
     EXPECT_LT(errorOf(models, consensus.generate(threeRight, models), truth), 0.05);
 }
 
-TEST(RSAckermann_Consensus, what_is_known_saves_a_segment)
-{
-    const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.5, 20, 2.5, 3, 0);
-    const double unit = street.camera.secondsPerUnitTime();
-    AckermannEstimator::Params params;
-    params.wallDistance = 2.5;
-    int left;
-    RefinementProblem problem = exactProblem(street, params, left);
-    const int sample[] = {1, left - 1, 38};
-    for (int k = 0; k < 3; k++)
-    {
-        MotionPrior exact, vague;
-        for (int v = 0; v < 2; v++)
-        {
-            MotionPrior& prior = v ? vague : exact;
-            (k == 0 ? prior.yawRate : k == 1 ? prior.speed : prior.wallDirection) = k == 0 ? 0.5 : k == 1 ? 20 : 0;
-            (k == 0   ? prior.yawRateSigma
-             : k == 1 ? prior.speedSigma
-                      : prior.wallDirectionSigma) = k == 0   ? (v ? 0.3 : 0.01) * problem.limits.maxAlpha * 2 / unit
-                                                    : k == 1 ? (v ? 6 : 0.2)
-                                                             : (v ? 0.1 : 0.001);
-        }
-        const DrivingPrior little(vague, street.camera, params, problem.limits),
-            much(exact, street.camera, params, problem.limits);
-        problem.prior = &little;
-        EXPECT_EQ(4, CandidateConsensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5).sampleSize()) << k;
-        problem.prior = &much;
-        CandidateConsensus consensus(problem, MotionHypothesis(MODEL_4LA, 2), 0.5);
-        ASSERT_EQ(3, consensus.sampleSize()) << k;
-        Model models[CandidateConsensus::MAX_MODELS];
-        EXPECT_LT(errorOf(models, consensus.generate(sample, models), modelOf(street)), 0.05) << k;
-    }
-}
-
 }} // namespace

@@ -4,13 +4,13 @@
 
 #include "../precomp.hpp"
 #include "../optim/levenberg_marquardt.hpp"
+#include "../sequence/frame_terms.hpp"
 #include "mount_equations.hpp"
 #include "mount_solver.hpp"
 #include <Eigen/LU>
 
 namespace cv { namespace rsackermann {
 
-static const int STEPS = 12; // at each scale
 // By which the change of a tilt differs from the turn between two frames. These differences add up, so that a larger
 // one lets tilts follow the yaw rate like a line delay.
 static const double SAME_TURN = 0.005 * CV_PI / 180;
@@ -20,12 +20,10 @@ static const double YAW_CHANGE_MEMORY = 0.5; // seconds
 static const double SAME_TIME = 1e-6;        // seconds, as times are rounded
 // Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
 static const double SAME_DELAY = 0.01;
-// Seconds: cars slip and streets bend, so that the direction in which a car goes wanders
-static const double DIRECTION_MEMORY = 1;
 static const double ASSUMED_FRAMES = 3; // as many count as the weights say
 static const double MEDIAN = 0.67;      // of a normal distribution's absolute value, in sigmas
 // Of residuals, over the usual ones: points are tracked to some hundredths of a pixel at best
-static const double LEAST_POINT_SIGMA = 0.03, LEAST_SLANT_SIGMA = 0.15;
+static const double LEAST_SIGMA = 0.03;
 
 namespace {
 
@@ -110,10 +108,10 @@ public:
             problem.addSlantResiduals(frames[k], slants);
         }
         if (!across.empty())
-            sigmas.points = std::min(std::max(median(across) / (MEDIAN * POINT_SIGMA), LEAST_POINT_SIGMA), 1.);
+            sigmas.points = std::min(std::max(median(across) / (MEDIAN * POINT_SIGMA), LEAST_SIGMA), 1.);
         sigmas.depths = solveScale(
             along, 0, [&](double depths, double by) { return std::hypot(POINT_SIGMA * sigmas.points, depths * by); });
-        sigmas.slants = solveScale(slants, LEAST_SLANT_SIGMA,
+        sigmas.slants = solveScale(slants, LEAST_SIGMA,
                                    [&](double slant, double by) { return std::hypot(slant, sigmas.depths * by); });
     }
 
@@ -241,7 +239,7 @@ private:
             series[k] << tilts(k) / n, score[k];
         SeriesVector memories = SeriesVector::Zero();
         memories.head<2 + 2>().setConstant(suspension.memory); // the same tilts are in its scores
-        memories[2 + MOUNT_HEADING] = DIRECTION_MEMORY;
+        memories[2 + MOUNT_HEADING] = MEMORY[SEQUENCE_DIRECTION];
         return hacCovariance(series, seconds(), memories);
     }
 

@@ -9,6 +9,9 @@
 
 namespace cv { namespace rsackermann {
 
+//! Least depth of a direction that counts as ahead, of its length; and of a depth, of that at the reference row.
+const double IN_FRONT = 0.1;
+
 //! Raw pixels to undistorted rays (x, y, 1) of the camera frame; finite, but meaningless if the lens model has none.
 void undistortedRays(const RollingShutterCamera& camera, const std::vector<Point2d>& raw, std::vector<Point2d>& rays);
 

@@ -17,7 +17,6 @@ static const double LOG_SECONDS_SIGMA = 1;
 // Times the probability of standing: who is given a motion is seldom at rest.
 static const double STANDING_IF_GIVEN = 0.3;
 static const double KNOWN_HEIGHT_SIGMA = 0.15; // of the inverse of a given height: a camera that bounces
-static const double EXACT_TILT = 1e-6;         // radians
 
 GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera, double wallDistance)
     : GivenValues()
@@ -257,8 +256,8 @@ void stationaryState(const RollingShutterCamera& camera, const AckermannEstimato
                  heightSigma = camera.height > 0 ? KNOWN_HEIGHT_SIGMA : params.priorHeightLogSigma;
     const double directionSigma = params.wallDeviationSigma > 0 ? params.wallDeviationSigma : 1;
     const bool isExact = !(params.gravitySigma > 0);
-    const double rollSigma = isExact ? EXACT_TILT : params.gravitySigma,
-                 pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? EXACT_TILT : params.vehiclePitchSigma;
+    const double rollSigma = isExact ? EXACT_GRAVITY : params.gravitySigma,
+                 pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? EXACT_GRAVITY : params.vehiclePitchSigma;
     mean = SequenceVector(0, speed, camera.heading, wall[0], wall[0], 1 / height, 0, 0);
     // Over seconds yaw rates stay what they are, and bends of three times the expected ones are no exception.
     sigma = SequenceVector(3 * params.priorYawRate, speedSigma, directionSigma, wall[1], wall[1], heightSigma / height,

@@ -11,6 +11,7 @@
 
 namespace cv { namespace rsackermann {
 
+const double EXACT_GRAVITY = 1e-4;  //!< radians: a gravity that is given as exact is as good as that
 const double LOG_RATIO_SIGMA = 0.8; //!< of the ratio of the walls' distances
 
 //! What segments that stand on the road say about its distance.

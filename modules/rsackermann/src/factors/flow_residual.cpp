@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../camera/rays.hpp"
 #include "flow_residual.hpp"
 
 namespace cv { namespace rsackermann {
@@ -15,8 +16,6 @@ FlowResidual::FlowResidual(const RollingShutterCamera& camera)
 FlowResidual::FlowResidual(double heading_, double unit_, double focal_) : heading(heading_), unit(unit_), focal(focal_)
 {
 }
-
-static const double LEAST = 0.1; // of a depth, relative to what it is at the reference row
 
 FlowResidual::View FlowResidual::predict(const TrackedBearing& s, const double* u) const
 {
@@ -31,8 +30,8 @@ FlowResidual::View FlowResidual::predict(const TrackedBearing& s, const double* 
     // The inverse depth of the nearest plane, over the speed. A camera that would have passed a wall is kept before it.
     const double across = sine * v.ray[2] - cosine * v.ray[0],
                  passed = length * (sine * v.place[2] - cosine * v.place[0]);
-    const double planes[3] = {u[SEQUENCE_LEFT] * across / std::max(LEAST, 1 - u[SEQUENCE_LEFT] * passed),
-                              -u[SEQUENCE_RIGHT] * across / std::max(LEAST, 1 + u[SEQUENCE_RIGHT] * passed),
+    const double planes[3] = {u[SEQUENCE_LEFT] * across / std::max(IN_FRONT, 1 - u[SEQUENCE_LEFT] * passed),
+                              -u[SEQUENCE_RIGHT] * across / std::max(IN_FRONT, 1 + u[SEQUENCE_RIGHT] * passed),
                               u[SEQUENCE_ROAD] * v.ray[1]};
     v.plane = int(std::max_element(planes, planes + 3) - planes);
     v.inverseDepth = length * std::max(0., planes[v.plane]);
@@ -51,7 +50,7 @@ Point2d FlowResidual::residualOf(const TrackedBearing& s, const double* u, const
     const double turnedX = c * x - sn * z, turnedZ = sn * x + c * z, behind = 1e3; // pixels
     if (byInverseDepth)
         *byInverseDepth = Point2d();
-    if (!(turnedZ > LEAST))
+    if (!(turnedZ > IN_FRONT))
         return Point2d(behind, behind);
     const double px = turnedX / turnedZ, py = v.ray[1] / turnedZ;
     if (byInverseDepth)

@@ -13,6 +13,9 @@
 
 namespace cv { namespace rsackermann {
 
+const double DEPENDENCE = 5;  //!< residuals that count as one: points of one object, verticals of one facade
+const double SLANT_SCALE = 2; //!< sigmas, of the loss of slants
+
 //! w r2 s^2 / (s^2 + r2) of Geman and McClure, at most w s^2. @tparam T double or a vector of numbers.
 template <class T>
 struct GemanMcClureLoss

@@ -7,8 +7,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double SAGITTA_PART = 0.3;
-
 void SegmentArrays::assign(const std::vector<UprightSegment>& segments)
 {
     count = (int)segments.size();
@@ -24,10 +22,11 @@ void SegmentArrays::assign(const std::vector<UprightSegment>& segments)
     rounded.assign(numbers.begin(), numbers.begin() + size_t(SCALE) * padded);
 }
 
-// A detector fits a chord to an image that the lens has bent: its ends are off by a part of the sagitta.
+// A detector fits a chord to an image that the lens has bent, to a parabola: its distance is the sagitta times
+// sqrt(4 / 45), in the root mean square (doc/theory.md, "Estimation").
 static double detectionSigma(const UprightSegment& segment, double sigma)
 {
-    return std::hypot(sigma, SAGITTA_PART * segment.sagitta);
+    return std::hypot(sigma, std::sqrt(4. / 45) * segment.sagitta);
 }
 
 void SegmentArrays::weigh(const std::vector<UprightSegment>& segments, double focal, double sigma, double lean)

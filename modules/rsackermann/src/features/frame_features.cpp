@@ -8,13 +8,10 @@
 
 namespace cv { namespace rsackermann {
 
-static const size_t MANY_POINTS = 80;    // if next to none of them was there before, it is another scene
-static const double LEAST_TRACKED = 0.3; // of the points that a frame has
-
 void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
                  std::vector<TrackedBearing>& bearings)
 {
-    const double inFront = 0.1, unit = camera.secondsPerUnitTime();
+    const double unit = camera.secondsPerUnitTime();
     if (!(unit > 0))
         return;
     std::vector<Point2d> pixels, rays;
@@ -28,7 +25,7 @@ void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair
     {
         const Vec3d a = camera.uprightRotation * Vec3d(rays[2 * i].x, rays[2 * i].y, 1);
         const Vec3d b = camera.uprightRotation * Vec3d(rays[2 * i + 1].x, rays[2 * i + 1].y, 1);
-        if (!(a[2] > inFront && b[2] > inFront))
+        if (!(a[2] > IN_FRONT && b[2] > IN_FRONT))
             continue;
         const TrackedBearing s = {Point2d(a[0] / a[2], a[1] / a[2]),
                                   Point2d(b[0] / b[2], b[1] / b[2]),
@@ -50,7 +47,7 @@ void FrameFeatures::reset()
 
 bool FrameFeatures::hasManyPoints() const
 {
-    return tracker.pointCount() > MANY_POINTS;
+    return SAME_SCENE * tracker.pointCount() > LEAST_POINTS;
 }
 
 void FrameFeatures::setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed)
@@ -82,12 +79,12 @@ void FrameFeatures::follow(const RollingShutterCamera& camera, PointTracker& poi
                            double passed, const GrayFrame* next, std::vector<TrackedBearing>& found)
 {
     points.track(frame.gray, frame.scale, pairs);
-    if (pairs.size() >= LEAST_TRACKED * points.pointCount())
+    if (pairs.size() >= SAME_SCENE * points.pointCount())
         addBearings(camera, pairs, passed, found);
     if (!next)
         return;
     points.trackNext(next->gray, pairs);
-    if (pairs.size() >= LEAST_TRACKED * points.pointCount())
+    if (pairs.size() >= SAME_SCENE * points.pointCount())
         addBearings(camera, pairs, frame.seconds - next->seconds, found);
 }
 

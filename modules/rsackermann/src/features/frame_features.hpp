@@ -13,7 +13,8 @@ namespace cv { namespace rsackermann {
 
 const double LONGEST_INTERVAL = 1; //!< seconds between two frames of one scene
 const size_t LEAST_POINTS = 20;
-const double POINT_SIGMA = 1.5; //!< pixels, residuals of points of the scene, which are off its planes
+//! Least share of the points that are found again, and of those that agree with one motion, in frames of one scene.
+const double SAME_SCENE = 0.3;
 
 //! A tracked point as upright bearings with z = 1, and the row times at which it was seen, from the present reference
 //! row.

@@ -14,6 +14,8 @@ const size_t COARSE_PIXELS = 300000;
 //! For the inverse-depth offset, which more points show better, if there is time.
 const size_t FINE_PIXELS = 1200000;
 
+const double POINT_SIGMA = 1.5; //!< pixels, residuals of points of the scene, which are off its planes
+
 //! A point of the scene in the present raw image and in another one, pixels.
 struct PointPair
 {

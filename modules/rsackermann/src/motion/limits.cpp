@@ -8,7 +8,6 @@
 namespace cv { namespace rsackermann {
 
 static const double LARGEST_RATIO = 20;  // of the walls' distances
-static const double LARGEST_TILT = 0.3;  // radians, of the corrections of gravity
 static const double SLANTS_OF_SPEED = 4; // largest slants that the scaled speed may be without metric limits
 
 MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
@@ -35,8 +34,7 @@ bool MotionLimits::allow(const Model& m) const
 {
     const double speed = std::hypot(m[P_B], m[P_D]);
     return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxScaledSpeed && isPlausibleRatio(m[P_LAMBDA]) &&
-           m[P_LAMBDA] * speed <= maxRightScaledSpeed && std::abs(m[P_ROLL]) < LARGEST_TILT &&
-           std::abs(m[P_PITCH]) < LARGEST_TILT;
+           m[P_LAMBDA] * speed <= maxRightScaledSpeed;
 }
 
 double MotionLimits::maxSlant(double x, double heading) const

@@ -10,8 +10,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const int STEPS = 10; // at each scale
-
 std::vector<TrackedBearing> withoutOwnCar(const RollingShutterCamera& camera,
                                           const std::vector<TrackedBearing>& bearings, const double* values)
 {

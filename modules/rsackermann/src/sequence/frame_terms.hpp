@@ -13,11 +13,9 @@
 namespace cv { namespace rsackermann {
 
 // How the residuals of points and verticals are weighed; doc/theory.md, "Sequence", has the reasons.
-const double AGREES = 4;           //!< sigmas by which a point of the scene may be off its planes
-const double POINT_DEPENDENCE = 5; //!< neighbouring points err together
-const double END_SIGMA = 0.5;      //!< pixels, of a vertical's slant in the image
-const double SLANT_SCALE = 2;      //!< of the robust loss, in sigmas
-const double SLANT_DEPENDENCE = 5; //!< verticals of one facade err together
+const int STEPS = 10;         //!< of a fit, at each scale of the loss
+const double AGREES = 4;      //!< sigmas by which a point of the scene may be off its planes
+const double END_SIGMA = 0.5; //!< pixels, of a vertical's slant in the image
 //! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
 const double DEVIATION_SIGMA = 0.03;
 const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars usually steer: two frames hardly determine it
@@ -58,7 +56,7 @@ template <int UNKNOWNS, class Evaluate, class Equations>
 void addPoints(const std::vector<TrackedBearing>& bearings, const std::vector<Matx22d>& weights, double scale,
                const Evaluate& evaluate, Equations& equations)
 {
-    const CauchyLoss loss(scale, 1 / POINT_DEPENDENCE);
+    const CauchyLoss loss(scale, 1 / DEPENDENCE);
     for (size_t i = 0; i < bearings.size(); i++)
     {
         Eigen::Matrix<double, UNKNOWNS, 2> J;
@@ -79,7 +77,7 @@ template <int UNKNOWNS, class Evaluate, class Equations>
 void addVerticals(const std::vector<UprightSegment>& verticals, const std::vector<double>& weights, double scale,
                   const Evaluate& evaluate, Equations& equations)
 {
-    const CauchyLoss loss(scale, 1 / SLANT_DEPENDENCE);
+    const CauchyLoss loss(scale, 1 / DEPENDENCE);
     for (size_t i = 0; i < verticals.size(); i++)
     {
         Eigen::Matrix<double, UNKNOWNS, 1> J;

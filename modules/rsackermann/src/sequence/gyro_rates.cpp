@@ -9,7 +9,6 @@ namespace cv { namespace rsackermann {
 
 typedef Vec<double, 7> Unknowns; // of GyroAlignment
 
-static const double GYRO_MEMORY = 10;                  // seconds: a bias wanders, and a delay may
 static const double DELAY_SIGMA = 0.02;                // seconds, of clocks that are said to be the same
 static const double AXES_SIGMA = 2 * CV_PI / 180;      // of the gyro's axes
 static const double BIAS_SIGMA = 1 * CV_PI / 180;      // rad/s
@@ -69,7 +68,7 @@ void GyroRates::add(const TurnOfPoints& turn)
 {
     judge(turn);
     turns.push_back(turn);
-    while (std::abs(turn.end - turns.front().end) > GYRO_MEMORY)
+    while (std::abs(turn.end - turns.front().end) > RATE_MEMORY)
         turns.pop_front();
     align();
     unexplainedFrames = contradicts() ? unexplainedFrames + 1 : 0;
@@ -88,7 +87,7 @@ void GyroRates::judge(const TurnOfPoints& turn)
         return;
     const double large = 2 * TURN_RATE_NOISE; // what is left beyond may be wrong points
     const auto loss = [=](const Vec3d& r) { return large * large * std::log1p(r.dot(r) / (large * large)); };
-    const double kept = turns.empty() ? 1 : std::exp(-std::abs(turn.end - turns.back().end) / GYRO_MEMORY);
+    const double kept = turns.empty() ? 1 : std::exp(-std::abs(turn.end - turns.back().end) / RATE_MEMORY);
     left = kept * left + loss(turn.rate - g - found.turn.cross(g) - found.bias);
     unexplained = kept * unexplained + loss(turn.rate - meanTurn * (count / (count + 1)));
     meanTurn = (meanTurn * (kept * count) + turn.rate) * (1 / (kept * count + 1));
@@ -122,7 +121,7 @@ void GyroRates::align()
             if (!expected(turns[k], found.delay - h, before) || !expected(turns[k], found.delay + h, after))
                 continue;
             const Vec3d g = (before + after) * 0.5;
-            const double kept = std::exp(-std::abs(turns[k].end - turns.back().end) / GYRO_MEMORY);
+            const double kept = std::exp(-std::abs(turns[k].end - turns.back().end) / RATE_MEMORY);
             const Vec3d slope = (after - before) * (1 / (2 * h)),
                         r = turns[k].rate - g - found.turn.cross(g) - found.bias;
             double squared = 0;

@@ -7,6 +7,9 @@
 
 namespace cv { namespace rsackermann {
 
+//! Seconds in which a camera shakes alike, and the bias and the delay of a gyro stay.
+const double RATE_MEMORY = 10;
+
 //! A rate at one instant with its standard deviation, per second; 0: not known.
 struct InstantRate
 {

@@ -13,8 +13,7 @@
 namespace cv { namespace rsackermann {
 
 static const int REWEIGHTINGS = 3; // by the robust loss
-static const double IN_FRONT = 0.1;
-static const double WIDEST = 2; // x and y in the upright frame up to which there are cells
+static const double WIDEST = 2;    // x and y in the upright frame up to which there are cells
 
 namespace {
 
@@ -71,7 +70,7 @@ Rect2d seenArea(const RollingShutterCamera& camera, const Matx33d& upright)
 Size controlCount(size_t points, const Rect2d& area)
 {
     const int most = 32;
-    const double cells = double(points) / POINT_DEPENDENCE, across = std::sqrt(cells * area.width / area.height);
+    const double cells = double(points) / DEPENDENCE, across = std::sqrt(cells * area.width / area.height);
     const int added = SplineWeights::ALONG - 1;
     return Size(added + std::min(std::max(cvRound(across), 1), most),
                 added + std::min(std::max(cvRound(cells / across), 1), most));

@@ -7,8 +7,7 @@
 
 namespace cv { namespace rsackermann {
 
-static const double RATE_MEMORY = 10; // seconds in which a camera shakes alike
-static const double RATE_FRAMES = 4;  // for which coefficients of 0 count
+static const double RATE_FRAMES = 4; // for which coefficients of 0 count
 
 RateProcess::RateProcess() : products(Matx22d::zeros()), count(0), changes(0), errors(0), known(0) {}
 

@@ -7,8 +7,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double LEAST_AGREEING = 0.3; // share of the points; with fewer of them it is another scene
-
 bool SequenceFilter::isFollowedBy(double seconds) const
 {
     return hasFrame && seconds != time && std::abs(seconds - time) < LONGEST_INTERVAL;
@@ -31,7 +29,7 @@ bool SequenceFilter::update(const FrameFeatures& frame, const RollingShutterCame
                             const AckermannEstimator::Params& params, SequenceFit& fit)
 {
     fit = fitFrame(camera, frame.bearings, frame.verticals, state, isUninitialised);
-    if (fit.agreeing < LEAST_AGREEING)
+    if (fit.agreeing < SAME_SCENE)
     {
         reset(camera, params);
         return false;

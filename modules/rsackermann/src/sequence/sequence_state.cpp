@@ -9,9 +9,7 @@
 
 namespace cv { namespace rsackermann {
 
-// Seconds after which a value is forgotten, for each SequenceValue: each wanders about its stationary mean (an
-// Ornstein-Uhlenbeck process).
-static const double MEMORY[SEQUENCE_VALUES] = {2, 10, 1, 1, 1, 1, 10, 10};
+const double MEMORY[SEQUENCE_VALUES] = {2, 10, 1, 1, 1, 1, 10, 10};
 
 SequenceState::SequenceState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {

@@ -10,6 +10,9 @@
 
 namespace cv { namespace rsackermann {
 
+//! Seconds after which a value is forgotten: each wanders about its stationary mean (an Ornstein-Uhlenbeck process).
+extern const double MEMORY[SEQUENCE_VALUES];
+
 /** The motion of the car and the scene with a covariance (doc/theory.md, "Sequence").
 
 A wall that isn't there is infinitely far away: walls come, go and change sides without a change of the unknowns.

@@ -9,10 +9,6 @@
 
 namespace cv { namespace rsackermann {
 
-// Standard deviations below which a prior takes the place of a segment in a sample.
-static const double PRECISE = 0.1;            // of the largest alpha, or of the scaled speed
-static const double PRECISE_DIRECTION = 0.02; // radians
-
 CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const MotionHypothesis& hypothesis_,
                                        double threshold_)
     : problem(problem_), hypothesis(hypothesis_), threshold(threshold_), verticals(problem_.verticals.size())
@@ -27,32 +23,6 @@ CandidateConsensus::CandidateConsensus(const RefinementProblem& problem_, const 
     }
 }
 
-// A prior that leaves much open says less than another segment.
-bool CandidateConsensus::knowsYawRate() const
-{
-    const GivenValues given = problem.given();
-    return hypothesis.motion == MODEL_4LA && given.alphaSigma > 0 &&
-           given.alphaSigma < PRECISE * problem.limits.maxAlpha;
-}
-
-bool CandidateConsensus::knowsSpeed() const
-{
-    const GivenValues given = problem.given();
-    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && given.scaledSpeedSigma > 0 &&
-           given.scaledSpeedSigma < PRECISE * std::abs(given.scaledSpeed);
-}
-
-bool CandidateConsensus::knowsWallDirection() const
-{
-    return hypothesis.motion == MODEL_4LA && !knowsYawRate() && !knowsSpeed() && problem.given().streetSigma > 0 &&
-           problem.given().streetSigma < PRECISE_DIRECTION;
-}
-
-int CandidateConsensus::sampleSize() const
-{
-    return hypothesis.sampleSize() - (knowsYawRate() || knowsSpeed() || knowsWallDirection() ? 1 : 0);
-}
-
 int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* solutions) const
 {
     SolverOptions options;
@@ -60,12 +30,6 @@ int CandidateConsensus::solve(const VerticalSegment* segments, MinimalSolution* 
     options.maxAlpha = problem.limits.maxAlpha;
     options.maxScaledSpeed = problem.limits.maxRightScaledSpeed; // either wall may be the first one
     const bool twoWalls = hypothesis.walls == 2;
-    if (knowsYawRate())
-        return solveKnownYawRate(segments, twoWalls, problem.given().alpha, options, solutions);
-    if (knowsSpeed())
-        return solveKnownSpeed(segments, twoWalls, std::abs(problem.given().scaledSpeed), options, solutions);
-    if (knowsWallDirection())
-        return solveKnownWallDirection(segments, twoWalls, problem.given().street, options, solutions);
     switch (hypothesis.motion)
     {
     case MODEL_1LA:
@@ -98,8 +62,7 @@ static void nameWalls(const Heading& heading, Model& m)
 int CandidateConsensus::generate(const int* sample, Model* models)
 {
     const int n = sampleSize();
-    // The speed is known in terms of the left wall's distance, so that the right wall can't take its place.
-    const int arrangements = hypothesis.walls == 2 && !knowsSpeed() ? 2 : 1;
+    const int arrangements = hypothesis.walls == 2 ? 2 : 1;
     int count = 0;
     for (int mirrored = 0; mirrored < arrangements; mirrored++)
     {

@@ -13,8 +13,7 @@ namespace cv { namespace rsackermann {
 /** Consensus of the candidates on one motion hypothesis; the Estimator of loRansac().
 
 Samples for two walls take all but one of their segments from one side of the image and the last one from the other
-side: the three leftmost on the left wall and the rightmost on the right wall, and the mirror image of it. A yaw rate, a
-speed or a wall direction that the prior knows makes a sample smaller by one.
+side: the three leftmost on the left wall and the rightmost on the right wall, and the mirror image of it.
 */
 class CandidateConsensus
 {
@@ -26,15 +25,12 @@ public:
     CandidateConsensus(const RefinementProblem& problem, const MotionHypothesis& hypothesis, double threshold);
 
     int size() const { return (int)problem.verticals.size(); }
-    int sampleSize() const;
+    int sampleSize() const { return hypothesis.sampleSize(); }
     int generate(const int* sample, Model* models);
     double score(const Model& model, double best, int& inliers) const;
     void optimize(Model& model) const;
 
 private:
-    bool knowsYawRate() const;
-    bool knowsSpeed() const;
-    bool knowsWallDirection() const;
     int solve(const VerticalSegment* segments, MinimalSolution* solutions) const;
     int directionOf(const MinimalSolution& solution, const VerticalSegment& left) const;
 

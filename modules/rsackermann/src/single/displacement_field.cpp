@@ -24,7 +24,7 @@ DisplacementField::DisplacementField(const RollingShutterCamera& camera, const s
     for (int k = 0; k < POINTS; k++)
     {
         const Vec3d bearing = camera.uprightRotation * Vec3d(rays[k].x, rays[k].y, 1);
-        const double z = std::max(bearing[2], 0.1); // never behind a camera that looks steeply up or down
+        const double z = std::max(bearing[2], IN_FRONT); // never behind a camera that looks steeply up or down
         points[k].x = bearing[0] / z;
         points[k].y = bearing[1] / z;
         points[k].t = camera.rowTime(pixels[k]);

@@ -15,8 +15,6 @@ namespace cv { namespace rsackermann {
 
 // First guesses for the segments of a detector: the noise of the image is measured.
 static const double FIRST_SIGMA = 0.25, FIRST_OTHERS_SIGMA = 1; // pixels
-// radians: a gravity that is given as exact is as good as that
-static const double EXACT_GRAVITY = 1e-4;
 
 namespace {
 

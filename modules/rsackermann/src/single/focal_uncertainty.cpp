@@ -7,8 +7,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const int ITERATIONS = 8;
-
 // The road keeps its distance over that of the wall.
 static double roadOf(const Posterior& found, const Model& model)
 {
@@ -37,9 +35,12 @@ void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterC
         return; // a camera that sees nothing upright
     rescaled.arrange();
 
-    Model model = found.model, otherModel = found.model;
-    if (!(refine(problem, found.hypothesis, ALL_SEGMENTS, ITERATIONS, model) < DBL_MAX) ||
-        !(refine(rescaled, found.hypothesis, ALL_SEGMENTS, ITERATIONS, otherModel) < DBL_MAX))
+    Fit fit(found.hypothesis), otherFit(found.hypothesis);
+    Model &model = fit.model, &otherModel = otherFit.model;
+    model = otherModel = found.model;
+    fit.refine(problem);
+    otherFit.refine(rescaled);
+    if (!(fit.cost < DBL_MAX && otherFit.cost < DBL_MAX))
         return;
     DisplacementField::Values displacement, otherDisplacement;
     DisplacementField(camera, problem.ends()).displacement(model, roadOf(found, model), displacement);

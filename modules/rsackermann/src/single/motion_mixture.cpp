@@ -8,8 +8,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double NEGLIGIBLE = 1e-5; // probability
-
 void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight)
 {
     if (!(logWeight > -DBL_MAX && logWeight < DBL_MAX))

@@ -9,6 +9,8 @@
 
 namespace cv { namespace rsackermann {
 
+const double NEGLIGIBLE = 1e-4; //!< probability of a motion that doesn't count
+
 /** The motions that are possible with their weights, and the correction that is decided upon (doc/theory.md,
 "Posterior"). */
 class MotionMixture

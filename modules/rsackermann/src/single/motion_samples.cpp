@@ -8,8 +8,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double LEAST_WEIGHT = 1e-4; // of a motion whose uncertainty counts, too
-
 Correction Correction::scaled(double factor) const
 {
     Correction result = *this;
@@ -56,7 +54,7 @@ void MotionSamples::add(const Model& model, const Matx<double, PARAMETERS, PARAM
     prior.road(model, contact, G, variance);
     const Parameter walls[3] = {P_B, P_D, P_LAMBDA};
     const int unknowns = model.direction == 0 ? 0 : model[P_LAMBDA] > 0 ? 3 : 2;
-    if (unknowns == 0 || weight < LEAST_WEIGHT)
+    if (unknowns == 0)
     {
         addSample(model, G, weight);
         return;

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../factors/robust_losses.hpp"
 #include "consensus.hpp"
 #include "lo_ransac.hpp"
 #include "motion_mixture.hpp"
@@ -15,7 +16,6 @@ namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
 static const int CONSENSUS_ITERATIONS = 500;  // it is one start of several
-static const double FIRST_LOSS_SCALE = 2;     // in scales of the slants, before their noise is known
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
 static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
 static const double WALLS_PRIOR = 0.7;
@@ -25,8 +25,7 @@ static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion th
 static const double SAME_LEAN = 1.3;                // ratio below which the noise counts as unchanged
 static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
-static const double IMPROBABLE = 7; // logarithm of a density below the highest one
-static const double BETTER = 4;     // cost by which another minimum is a better one
+static const double BETTER = 4; // cost by which another minimum is a better one
 
 namespace {
 
@@ -49,7 +48,7 @@ public:
 
     bool run(Posterior& result)
     {
-        problem.lossScale = FIRST_LOSS_SCALE;
+        problem.lossScale = SLANT_SCALE; // until the noise is known
         problem.lean = 0;
         problem.weigh();
         const std::vector<WeighedHypothesis> all = hypotheses();
@@ -213,12 +212,10 @@ private:
             if (problem.lean < SAME_LEAN * before && before < SAME_LEAN * problem.lean)
                 break;
         }
-        const Fit& best = cheapest(fits);
-        const Slants slants(problem, best.model, best.hypothesis.translates());
-        dependence = dependenceOf(slants, noise, problem.focal, problem.rollSigma());
+        dependence = dependenceOf(problem.rollSigma());
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
-        ownNoise = ownNoiseOf(best);
+        ownNoise = ownNoiseOf(cheapest(fits));
         refineAll(fits);
     }
 
@@ -393,7 +390,7 @@ private:
                 last.model = next;
                 const double added = addPinned(fit.hypothesis, (1 + STEP_GROWTH) / 2 * step, last, swept);
                 highest = std::max(highest, added);
-                if (added < highest - IMPROBABLE)
+                if (added < highest + std::log(NEGLIGIBLE))
                     break;
             }
         }

@@ -10,21 +10,18 @@
 
 namespace cv { namespace rsackermann {
 
-static const double BELOW_HORIZON = 0.02; // tangent; nearer to the horizon the ratio of small numbers says little
-static const double SAME_RATIO = 1.06;    // of the largest to the smallest of the contacts that agree
+static const double SAME_RATIO = 1.06; // of the largest to the smallest of the contacts that agree
 static const size_t LEAST_CONTACTS = 3;
-static const size_t CONTACTS_OF_ONE = 10; // one in so many has to agree
 
 // The smallest ratio on which several agree; 0: there is none.
 static double smallestAgreed(std::vector<double>& ratios)
 {
     std::sort(ratios.begin(), ratios.end());
-    const size_t enough = std::max<size_t>(LEAST_CONTACTS, ratios.size() / CONTACTS_OF_ONE);
-    for (size_t first = 0; first + enough <= ratios.size(); first++)
+    for (size_t first = 0; first + LEAST_CONTACTS <= ratios.size(); first++)
     {
         const size_t end =
             std::upper_bound(ratios.begin() + first, ratios.end(), ratios[first] * SAME_RATIO) - ratios.begin();
-        if (end - first >= enough)
+        if (end - first >= LEAST_CONTACTS)
             return ratios[first + (end - first) / 2];
     }
     return 0;
@@ -51,7 +48,7 @@ RoadContact findRoadContact(const RefinementProblem& problem, const Model& model
         const Point2d& low = u.y > v.y ? u : v;
         const bool isLeft = wall == Scene::LEFT_WALL;
         const double w = model.direction * (isLeft ? 1 : -1) * (model[P_D] - model[P_B] * low.x);
-        if (low.y > BELOW_HORIZON && w > 0)
+        if (low.y > 0 && w > 0)
             ratios[isLeft ? 0 : 1].push_back(w / (size * low.y));
     }
     const double left = smallestAgreed(ratios[0]), right = lambda * smallestAgreed(ratios[1]);

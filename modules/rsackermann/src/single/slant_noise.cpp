@@ -4,17 +4,14 @@
 
 #include "../precomp.hpp"
 #include "slant_noise.hpp"
+#include "../factors/robust_losses.hpp"
 #include "../factors/vertical_residual.hpp"
 
 namespace cv { namespace rsackermann {
 
-static const double FACADE_WIDTH = 0.07; // of the columns between verticals that err together: 4 degrees
-static const double FREEDOM = 3;         // of Student's t
-// How many more verticals say what one would, if roll and pitch are free
-static const double HIDDEN_DEPENDENCE = 4; // at a roll of one degree, which hides a part of what verticals share
-static const double HIDING_ROLL = CV_PI / 180;
+static const double FREEDOM = 3;                                  // of Student's t
+static const double HIDING_ROLL = CV_PI / 180;                    // hides what verticals share
 static const double OTHER_LEAN = 3 * CV_PI / 180;                 // usual scale for lines that aren't vertical
-static const double DISTINCT = 2;                                 // least ratio of both scales
 static const double DETECTOR_ERRORS[] = {0.005, 0.05, 0.15, 0.4}; // pixels that are tried
 
 Slants::Slants(const RefinementProblem& problem, const Model& model, bool translates)
@@ -27,7 +24,6 @@ Slants::Slants(const RefinementProblem& problem, const Model& model, bool transl
         const double l = norm(c.u - c.v);
         length.push_back(l);
         slant.push_back(verticalResidual(c, prepared, wall, 0) / l);
-        column.push_back((c.u[0] + c.v[0]) / 2);
     }
 }
 
@@ -89,7 +85,7 @@ void improve(const Slants& s, double error, SlantNoise& noise)
     }
     noise.share = std::min(0.95, (s.size() - verticals + 1) / (s.size() + 2));
     noise.lean = scaleOf(squares, verticals, PRIOR_LEAN);
-    noise.otherLean = std::max(DISTINCT * noise.lean, scaleOf(otherSquares, s.size() - verticals, OTHER_LEAN));
+    noise.otherLean = std::max(noise.lean, scaleOf(otherSquares, s.size() - verticals, OTHER_LEAN));
 }
 
 double logLikelihood(const Slants& s, double error, const SlantNoise& noise)
@@ -159,22 +155,9 @@ double logLikelihoodWithoutVerticals(const Slants& slants)
     return sum;
 }
 
-double dependenceOf(const Slants& s, const SlantNoise& noise, double focal, double rollSigma)
+double dependenceOf(double rollSigma)
 {
-    // Robust: the influence of each slant.
-    std::vector<double> influence(s.size());
-    double squares = 0, products = 0;
-    for (size_t i = 0; i < s.size(); i++)
-    {
-        const Densities d(s, i, noise, noise.pixels / focal);
-        influence[i] = s.slant[i] / std::sqrt(d.variance) * d.vertical.q;
-        squares += influence[i] * influence[i];
-    }
-    for (size_t i = 0; i < s.size(); i++)
-        for (size_t j = i + 1; j < s.size() && s.column[j] - s.column[i] < FACADE_WIDTH; j++)
-            products += influence[i] * influence[j];
-    const double seen = squares > 0 ? 1 + 2 * products / squares : 1;
-    return std::max(seen, 1 + HIDDEN_DEPENDENCE * std::min(1., rollSigma / HIDING_ROLL));
+    return 1 + (DEPENDENCE - 1) * std::min(1., rollSigma / HIDING_ROLL);
 }
 
 }} // namespace cv::rsackermann

@@ -13,7 +13,6 @@ namespace cv { namespace rsackermann {
 struct Slants
 {
     std::vector<double> slant, length; // tangents, and lengths of the segments for a focal length of 1
-    std::vector<double> column;        // in ascending order
 
     Slants(const RefinementProblem& problem, const Model& model, bool translates);
     size_t size() const { return slant.size(); }
@@ -43,9 +42,9 @@ SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* s
 //! The highest logarithm of the likelihood if no slant is that of a vertical.
 double logLikelihoodWithoutVerticals(const Slants& slants);
 
-/** By how much the slants say less than their number (doc/theory.md, "Evidence"): verticals of one facade err together.
+/** By how much slants say less than their number (doc/theory.md, "Evidence"): an uncertain roll hides what they share.
 @param rollSigma of gravity. */
-double dependenceOf(const Slants& slants, const SlantNoise& noise, double focal, double rollSigma);
+double dependenceOf(double rollSigma);
 
 }} // namespace cv::rsackermann
 
