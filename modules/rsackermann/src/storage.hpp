@@ -126,8 +126,8 @@ public:
 
     StatelessAlgorithm(const RollingShutterCamera& camera_, const Params& params_) : camera(camera_), params(params_)
     {
-        camera.check();
-        params.check();
+        camera_.check();
+        params_.check();
     }
 
     void setCamera(const RollingShutterCamera& camera_) CV_OVERRIDE

@@ -86,7 +86,7 @@ ResidualSums expectedSums(const std::vector<UprightSegment>& segments, const Pre
     for (size_t i = 0; i < segments.size(); i++)
     {
         const double leaning = FOCAL * LEAN * cv::norm(segments[i].u - segments[i].v);
-        const double scale = FOCAL / std::hypot(std::hypot(SIGMA, 0.3 * segments[i].sagitta), leaning);
+        const double scale = FOCAL / std::hypot(std::hypot(SIGMA, std::sqrt(4. / 45) * segments[i].sagitta), leaning);
         double jacobian[PARAMETERS];
         const double r = scale * residual(segments[i], m, jacobian), s2 = loss.scale2, q = s2 + r * r;
         const double weight = loss.weight * s2 * s2 / (q * q), influence = weight * r;

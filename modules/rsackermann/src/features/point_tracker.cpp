@@ -10,8 +10,10 @@
 namespace cv { namespace rsackermann {
 
 static const int WINDOW = 11;       // pixels, of the tracker
+static const int LEVELS = 4;        // of the pyramid, besides the image itself
 static const int CELL = 8;          // pixels of the halved image; each cell has one point at most
 static const double TEXTURE = 4e-4; // least of cornerMinEigenVal for grey values from 0 to 1
+static const double RETURN = 0.3;   // pixels by which a point that is followed back may miss its origin
 
 double PointTracker::reach(const Size& imageSize, size_t maxPixels)
 {
@@ -60,8 +62,7 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
         resize(image, target, Size(std::max(image.cols / 2, 1), std::max(image.rows / 2, 1)), 0, 0, INTER_AREA);
         image = target;
     }
-    const int all = 30; // it ends where the window has the size of the image
-    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), all, true, BORDER_REFLECT_101,
+    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), LEVELS, true, BORDER_REFLECT_101,
                                      BORDER_CONSTANT, false);
     return halvings;
 }
@@ -104,7 +105,7 @@ void PointTracker::follow(const std::vector<Mat>& to, std::vector<PointPair>& pa
     const Rect2d inside(0, 0, now[0].cols - 1, now[0].rows - 1);
     for (size_t i = 0; i < points.size(); i++)
     {
-        if (!found[i] || !foundAgain[i] || norm(returned[i] - points[i]) >= POINT_SIGMA)
+        if (!found[i] || !foundAgain[i] || norm(returned[i] - points[i]) >= RETURN)
             continue;
         const Point2d centre = centreOf(points[i]), other = centre + Point2d(there[i] - points[i]);
         // Texture in nearly one direction alone doesn't determine it.

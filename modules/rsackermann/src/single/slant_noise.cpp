@@ -12,6 +12,7 @@ namespace cv { namespace rsackermann {
 static const double FREEDOM = 3;                                  // of Student's t
 static const double HIDING_ROLL = CV_PI / 180;                    // hides what verticals share
 static const double OTHER_LEAN = 3 * CV_PI / 180;                 // usual scale for lines that aren't vertical
+static const double DISTINCT = 2;                                 // least ratio of both scales
 static const double DETECTOR_ERRORS[] = {0.005, 0.05, 0.15, 0.4}; // pixels that are tried
 
 Slants::Slants(const RefinementProblem& problem, const Model& model, bool translates)
@@ -85,7 +86,7 @@ void improve(const Slants& s, double error, SlantNoise& noise)
     }
     noise.share = std::min(0.95, (s.size() - verticals + 1) / (s.size() + 2));
     noise.lean = scaleOf(squares, verticals, PRIOR_LEAN);
-    noise.otherLean = std::max(noise.lean, scaleOf(otherSquares, s.size() - verticals, OTHER_LEAN));
+    noise.otherLean = std::max(DISTINCT * noise.lean, scaleOf(otherSquares, s.size() - verticals, OTHER_LEAN));
 }
 
 double logLikelihood(const Slants& s, double error, const SlantNoise& noise)
