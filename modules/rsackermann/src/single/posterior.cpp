@@ -25,7 +25,8 @@ static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion th
 static const double SAME_LEAN = 1.3;                // ratio below which the noise counts as unchanged
 static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
-static const double BETTER = 4; // cost by which another minimum is a better one
+static const double SAME_COST = 0.01; // of two fits that are the same minimum
+static const double BETTER = 4;       // cost by which another minimum is a better one
 
 namespace {
 
@@ -53,8 +54,12 @@ public:
         problem.weigh();
         const std::vector<WeighedHypothesis> all = hypotheses();
         std::vector<Fit> fits(1, restFit());
+        std::vector<size_t> ends; // of the fits of a hypothesis
         for (size_t i = 0; i < all.size(); i++)
-            fits.push_back(bestFit(all[i].hypothesis));
+        {
+            addMinima(all[i].hypothesis, fits);
+            ends.push_back(fits.size());
+        }
         if (!(cheapest(fits).cost < DBL_MAX))
             return false;
         measureNoise(fits);
@@ -67,7 +72,7 @@ public:
             addSceneWithoutVerticals(fits[0]);
         for (size_t i = 0; i < all.size(); i++)
         {
-            const Fit& fit = fits[i + 1];
+            const Fit fit = *cheapest(fits.begin() + (i > 0 ? ends[i - 1] : 1), fits.begin() + ends[i]);
             if (fit.cost < DBL_MAX && fit.hypothesis.turns())
                 sweep(fit, all[i].logPrior);
             else if (fit.cost < DBL_MAX)
@@ -171,9 +176,10 @@ private:
         return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
     }
 
-    Fit bestFit(const MotionHypothesis& hypothesis) const
+    // All minima that the starts lead to: which is the least depends on the noise, which isn't known yet.
+    void addMinima(const MotionHypothesis& hypothesis, std::vector<Fit>& fits) const
     {
-        Fit best(hypothesis);
+        const size_t first = fits.size();
         const std::vector<Model> models = starts(hypothesis);
         for (size_t i = 0; i < models.size(); i++)
         {
@@ -187,17 +193,21 @@ private:
                 Fit fit(hypothesis);
                 fit.model = start;
                 fit.refine(problem);
-                if (fit.cost < best.cost)
-                    best = fit;
+                const auto isSame = [&](const Fit& other) { return std::abs(other.cost - fit.cost) < SAME_COST; };
+                if (std::none_of(fits.begin() + first, fits.end(), isSame))
+                    fits.push_back(fit);
             }
         }
-        return best;
+        if (fits.size() == first)
+            fits.push_back(Fit(hypothesis));
     }
 
-    static const Fit& cheapest(const std::vector<Fit>& fits)
+    typedef std::vector<Fit>::const_iterator FitIterator;
+    static FitIterator cheapest(FitIterator begin, FitIterator end)
     {
-        return *std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
+        return std::min_element(begin, end, [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
     }
+    static const Fit& cheapest(const std::vector<Fit>& fits) { return *cheapest(fits.begin(), fits.end()); }
 
     // Noise and fits, in turn, until the noise stays about the same; then by how much the evidence says less than its
     // number.
