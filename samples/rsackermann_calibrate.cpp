@@ -7,6 +7,7 @@
 #include "calibrate/drive_reader.hpp"
 #include "camera_file.hpp"
 #include "estimator_options.hpp"
+#include "gyro_file.hpp"
 #include "log_use.hpp"
 #include "output/interrupt.hpp"
 #include "output/output_plan.hpp"
@@ -47,6 +48,7 @@ struct Task
     CameraSettings camera;
     MountCalibrator::Params params;
     DriveLog log;
+    GyroRecording gyro;
     std::string output;
 };
 
@@ -71,6 +73,7 @@ Task readTask(const Options& options)
         task.log = DriveLog(options.inputFile("log"));
         checkLog(task.log, task.inputs, "rsackermann_calibrate");
     }
+    task.gyro = readGyroOptions(options, "rsackermann_calibrate");
 #ifndef RSACKERMANN_WITH_VIDEOIO
     for (const Input& input : task.inputs.inputs)
         if (isVideo(input.name))
@@ -130,7 +133,15 @@ void print(const MountCalibration& c, int frames)
     print("pitch", c.pitchObserved, c.pitch / DEGREE, c.pitchSigma / DEGREE, "deg", few);
     print("heading", c.headingObserved, c.heading / DEGREE, c.headingSigma / DEGREE, "deg", few);
     print("line delay", c.lineDelayObserved, c.lineDelay * 1e6, c.lineDelaySigma * 1e6, "us",
-          "the drive has too few frames, or too few bends with verticals in sight");
+          "the drive has too few frames, or too few bends with verticals in sight and no gyro (--gyro) that shows "
+          "shaking");
+    if (c.gyroFrames > 0)
+    {
+        std::printf("gyro        used in %d frames\n", c.gyroFrames);
+        print("gyro delay", true, c.gyroDelay * 1e3, c.gyroDelaySigma * 1e3, "ms", "");
+        const double f = c.camera.cameraMatrix(0, 0);
+        print("its focal length", true, c.focalScale * f, c.focalScaleSigma * f, "px", "");
+    }
     const cv::Vec3d h = c.horizon();
     std::printf("horizon     %.5f x %+.5f y %+.2f = 0 in pixels without lens distortion\n", h[0], h[1], h[2]);
 }
@@ -149,7 +160,10 @@ int run(const Options& options)
     };
     const auto use = [&](const DriveFrame& frame, double done) {
         if (!calibrator)
+        {
             calibrator = MountCalibrator::create(task.camera.makeCamera(frame.image.size()), task.params);
+            calibrator->addGyro(task.gyro.times, task.gyro.rates);
+        }
         calibrator->addFrame(frame.image, frame.facts.time, priorOf(frame.facts));
         frames++;
         progress.update(done, 1, task.output);
@@ -169,6 +183,10 @@ int run(const Options& options)
     if (calibration.frames == 0)
         throw InputError("no frame shows a car that moves: consecutive frames are needed, at their times");
     print(calibration, frames);
+    if (!task.gyro.times.empty() && calibration.gyroFrames == 0)
+        std::cerr
+            << "rsackermann_calibrate: the images contradict the gyro, which isn't used: its unit, axes or clock may "
+               "be another, or it doesn't cover the drive\n";
     writeCameraFile(task.output, settingsOf(calibration, task.camera));
     return failures ? 1 : 0;
 }
@@ -177,5 +195,5 @@ int run(const Options& options)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(ABOUT, std::string(KEYS) + DETECTOR_KEY + CAMERA_KEYS, run, argc, argv);
+    return runProgram(ABOUT, std::string(KEYS) + GYRO_KEYS + DETECTOR_KEY + CAMERA_KEYS, run, argc, argv);
 }

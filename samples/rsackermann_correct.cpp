@@ -29,5 +29,5 @@ int run(const Options& options)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(ABOUT, std::string(JOB_KEYS) + DETECTOR_KEY + CAMERA_KEYS, run, argc, argv);
+    return runProgram(ABOUT, std::string(JOB_KEYS) + GYRO_KEYS + DETECTOR_KEY + CAMERA_KEYS, run, argc, argv);
 }

@@ -31,9 +31,6 @@ const char* const JOB_KEYS =
     "{log        |        | CSV file with values for each frame (columns file, frame, time_s, speed_kmh, "
     "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it overrides "
     "the options}"
-    "{gyro       |        | rates of a gyro on the camera, on the clock of time_s or of the video: CSV file (columns "
-    "time_s, yaw_rate_deg_s, pitch_rate_deg_s, roll_rate_deg_s) or a log of Gyroflow (.gcsv)}"
-    "{gyro_delay |        | seconds by which the clock of --gyro is ahead of that of the frames (default 0)}"
     "{depth      |        | depth of the images: a file, a folder with files of the images' names, or a printf pattern with "
     "as many files as images; PNG of 16 bits, TIFF, EXR or .npy}"
     "{depth_kind | metric | metric or disparity; a disparity needs --baseline}"
@@ -202,14 +199,7 @@ Job readJob(const Options& options)
     checkScale(job);
     if (options.given("log"))
         job.log = DriveLog(options.inputFile("log"));
-    if (options.given("gyro"))
-    {
-        job.gyro = readGyro(options.inputFile("gyro"), "rsackermann_correct");
-        if (options.given("gyro_delay"))
-            job.gyro.times -= options.number("gyro_delay", -1e12, 1e12);
-    }
-    else if (options.given("gyro_delay"))
-        throw UsageError("--gyro_delay needs --gyro");
+    job.gyro = readGyroOptions(options, "rsackermann_correct");
     job.smooth = options.flag("smooth");
     job.params.sequence = job.smooth || options.flag("carry");
     if (job.params.sequence && job.params.estimator.model != MODEL_AUTO)

@@ -115,7 +115,7 @@ public:
     {
         Options()
             : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), sway(oscillating), points(150), feet(0),
-              segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0)
+              segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0), rowsTurn(false)
         {
         }
         double yawRate;                         // rad/s, standard deviation
@@ -127,6 +127,7 @@ public:
         double endNoise;                        // pixels, of the ends of a segment
         double outliers, clutter;               // shares of points and of segments
         double unevenness; // 1/m, standard deviation of the points' inverse depth from that of their surface
+        bool rowsTurn;     // whether the suspension tilts the car during the read-out as well
     };
 
     //! The views of a camera of the car and the measurements of the car at a time.
@@ -177,7 +178,20 @@ public:
         return f;
     }
 
+    //! What a gyro on the camera measures, rad/s about its axes.
+    Vec3d rateAt(double seconds) const
+    {
+        return camera.uprightRotation.t() *
+               Vec3d(-rateOf(swayPitch, seconds), yawRate.at(seconds), rateOf(swayRoll, seconds));
+    }
+
 private:
+    static double rateOf(const Sway& sway, double seconds)
+    {
+        const double h = 1e-3;
+        return (sway(seconds + h) - sway(seconds - h)) / (2 * h);
+    }
+
     cv::rsackermann::RollingShutterCamera tilted(double seconds) const
     {
         cv::rsackermann::RollingShutterCamera c = camera;
@@ -196,6 +210,11 @@ private:
                                             8 + right.at(seconds), camera.heading + direction.at(seconds));
         const double unit = c.secondsPerUnitTime(), h = 1e-3;
         s.drive.yawChange = (yawRate.at(seconds + h) - yawRate.at(seconds - h)) / (2 * h) * unit * unit;
+        if (options.rowsTurn)
+            s.drive.shaking = [=](double t) {
+                return Point2d(rollAt(seconds + t * unit) - rollAt(seconds),
+                               pitchAt(seconds + t * unit) - pitchAt(seconds));
+            };
         return s;
     }
 
@@ -216,7 +235,10 @@ private:
         double inverse = 1 / now.street.distance(surface, place, ray);
         if (options.unevenness > 0)
             inverse += rng.gaussian(options.unevenness);
-        const bool isSeen = inverse > 0 && before.project(now.drive.toCamera(place + ray * (1 / inverse), -T), past);
+        // The camera of the frame before has its own tilt.
+        Drive way = now.drive;
+        way.shaking = nullptr;
+        const bool isSeen = inverse > 0 && before.project(way.toCamera(place + ray * (1 / inverse), -T), past);
         return isSeen ? surface : NOTHING;
     }
 

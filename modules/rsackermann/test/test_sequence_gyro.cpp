@@ -44,16 +44,19 @@ struct TrueGyro
 {
     double delay, noise; // seconds, rad/s
     Vec3d bias, axes;    // rad/s, radians
+    double scale;        // of what images show of pitch and yaw to what the gyro does
 };
 
-//! What the gyro shows: rate = (1 + [axes]) shown + bias.
+//! What the gyro shows: rate = scale (1 + [axes]) shown + bias.
 void measure(const Turning& turning, const TrueGyro& gyro, double end, RNG& rng, Mat& times, Mat& rates)
 {
     std::vector<double> t;
     std::vector<Vec3d> r;
     for (double s = -1; s < end + 1; s += 1 / 411.)
     {
-        const Vec3d a = turning.rate(s) - gyro.bias;
+        Vec3d a = turning.rate(s) - gyro.bias;
+        a[0] /= gyro.scale;
+        a[1] /= gyro.scale;
         t.push_back(s + gyro.delay);
         r.push_back(a - gyro.axes.cross(a) +
                     Vec3d(rng.gaussian(gyro.noise), rng.gaussian(gyro.noise), rng.gaussian(gyro.noise)));
@@ -80,7 +83,7 @@ TurnOfPoints turnOfPoints(const Turning& turning, int frame, double noise, RNG& 
 
 const RowSpan IMAGE(-0.016, 0.016);
 
-// Over many seeds all seven values are found, and their sigmas are true; so are those of the rates.
+// Over many seeds all eight values are found, and their sigmas are true; so are those of the rates.
 TEST(RSAckermann_Gyro, alignment_is_found)
 {
     int within = 0, count = 0, ratesWithin = 0, rates = 0;
@@ -97,6 +100,7 @@ TEST(RSAckermann_Gyro, alignment_is_found)
             truth.bias[i] = rng.gaussian(0.7 * DEGREE);
             truth.axes[i] = rng.gaussian(1.5 * DEGREE);
         }
+        truth.scale = 1 + rng.gaussian(0.02);
         const int frames = 120;
         Mat times, values;
         measure(turning, truth, frames * INTERVAL, rng, times, values);
@@ -106,13 +110,13 @@ TEST(RSAckermann_Gyro, alignment_is_found)
             gyro.add(turnOfPoints(turning, k, 0.5 * DEGREE, rng));
         EXPECT_FALSE(gyro.contradicts()) << seed;
         const GyroAlignment& found = gyro.alignment();
-        const Vec<double, 7> sigma = gyro.alignmentSigma();
-        const double errors[7] = {found.delay - truth.delay,     found.turn[0] - truth.axes[0],
+        const Vec<double, 8> sigma = gyro.alignmentSigma();
+        const double errors[8] = {found.delay - truth.delay,     found.turn[0] - truth.axes[0],
                                   found.turn[1] - truth.axes[1], found.turn[2] - truth.axes[2],
                                   found.bias[0] - truth.bias[0], found.bias[1] - truth.bias[1],
-                                  found.bias[2] - truth.bias[2]};
+                                  found.bias[2] - truth.bias[2], found.scale - truth.scale};
         EXPECT_LT(std::abs(errors[0]), 0.002) << seed;
-        for (int i = 0; i < 7; i++, count++)
+        for (int i = 0; i < 8; i++, count++)
             within += std::abs(errors[i]) < 2 * sigma[i];
         for (int k = frames / 2; k <= frames; k += 5)
         {
@@ -140,7 +144,7 @@ TEST(RSAckermann_Gyro, contradictions_are_noticed)
             SCOPED_TRACE(format("%s %d", names[kind], seed));
             RNG rng(200 + seed);
             const Turning turning(rng, 0.3 * DEGREE);
-            const TrueGyro truth = {0, 0, Vec3d(), Vec3d()};
+            const TrueGyro truth = {0, 0, Vec3d(), Vec3d(), 1};
             const int frames = 60;
             Mat times, values;
             measure(turning, truth, frames * INTERVAL, rng, times, values);
@@ -178,7 +182,7 @@ TEST(RSAckermann_Gyro, another_clock_is_found)
     {
         RNG rng(300);
         const Turning turning(rng, 0.3 * DEGREE);
-        const TrueGyro truth = {delay, 0.2 * DEGREE, Vec3d(0.5, -0.5, 0.3) * DEGREE, Vec3d()};
+        const TrueGyro truth = {delay, 0.2 * DEGREE, Vec3d(0.5, -0.5, 0.3) * DEGREE, Vec3d(), 1};
         Mat times, values;
         measure(turning, truth, 3, rng, times, values);
         GyroRates gyro;

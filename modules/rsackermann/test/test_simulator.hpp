@@ -6,6 +6,7 @@
 #define OPENCV_TEST_RSACKERMANN_SIMULATOR_HPP
 
 #include <limits>
+#include <functional>
 #include "test_metric_motion.hpp"
 #include "test_lens_models.hpp"
 #include "test_random.hpp"
@@ -24,12 +25,13 @@ namespace simulation {
 //! The car's motion, circular but for a change of the yaw rate; time is row time, 0 at the reference row.
 struct Drive
 {
-    double yaw;       // radians per unit of time, positive to the right
-    double speed;     // length per unit of time, negative in reverse
-    double heading;   // radians from the optical axis to the forward direction at time 0
-    double yawChange; // of yaw per unit of time
-    double pitch;     // radians per unit of time, downward
-    double roll;      // the same, clockwise seen from behind
+    double yaw;                             // radians per unit of time, positive to the right
+    double speed;                           // length per unit of time, negative in reverse
+    double heading;                         // radians from the optical axis to the forward direction at time 0
+    double yawChange;                       // of yaw per unit of time
+    double pitch;                           // radians per unit of time, downward
+    double roll;                            // the same, clockwise seen from behind
+    std::function<Point2d(double)> shaking; // instead of these: angles of roll and pitch since time 0
 
     Drive() : yaw(0), speed(0), heading(0), yawChange(0), pitch(0), roll(0) {}
     Drive(double yaw_, double speed_, double heading_)
@@ -60,23 +62,26 @@ struct Drive
     {
         // A camera that has pitched down sees what is ahead further up, one that has rolled clockwise sees it turned
         // the other way round.
-        const Vec3d level(d[0], std::cos(pitch * t) * d[1] + std::sin(pitch * t) * d[2],
-                          std::cos(pitch * t) * d[2] - std::sin(pitch * t) * d[1]);
-        const double c = std::cos(roll * t), s = std::sin(roll * t);
-        return rotated(Vec3d(c * level[0] - s * level[1], s * level[0] + c * level[1], level[2]), turned(t));
+        const Point2d a = tilted(t);
+        const double cp = std::cos(a.y), sp = std::sin(a.y), cr = std::cos(a.x), sr = std::sin(a.x);
+        const Vec3d level(d[0], cp * d[1] + sp * d[2], cp * d[2] - sp * d[1]);
+        return rotated(Vec3d(cr * level[0] - sr * level[1], sr * level[0] + cr * level[1], level[2]), turned(t));
     }
 
     //! A point at rest as the camera at time t has it.
     Vec3d toCamera(const Vec3d& P, double t) const
     {
         const Vec3d ahead = rotated(P - position(t), -turned(t));
-        const double c = std::cos(roll * t), s = std::sin(roll * t);
-        const Vec3d q(c * ahead[0] + s * ahead[1], c * ahead[1] - s * ahead[0], ahead[2]);
-        return Vec3d(q[0], std::cos(pitch * t) * q[1] - std::sin(pitch * t) * q[2],
-                     std::cos(pitch * t) * q[2] + std::sin(pitch * t) * q[1]);
+        const Point2d a = tilted(t);
+        const double cp = std::cos(a.y), sp = std::sin(a.y), cr = std::cos(a.x), sr = std::sin(a.x);
+        const Vec3d q(cr * ahead[0] + sr * ahead[1], cr * ahead[1] - sr * ahead[0], ahead[2]);
+        return Vec3d(q[0], cp * q[1] - sp * q[2], cp * q[2] + sp * q[1]);
     }
 
 private:
+    //! Roll and pitch since time 0.
+    Point2d tilted(double t) const { return shaking ? shaking(t) : Point2d(roll * t, pitch * t); }
+
     static Vec3d rotated(const Vec3d& d, double angle)
     {
         const double c = std::cos(angle), s = std::sin(angle);

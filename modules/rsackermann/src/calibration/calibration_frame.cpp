@@ -43,9 +43,9 @@ FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector
     : heading(camera.heading + mount[MOUNT_HEADING]),
       unit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_PASSING])), givenUnit(camera.secondsPerUnitTime()),
       focal(camera.cameraMatrix(0, 0)), reach(PointTracker::reach(camera.imageSize, COARSE_PIXELS)),
-      turning(std::exp(mount[MOUNT_DELAY] - mount[MOUNT_PASSING])), residual(heading, unit, focal),
-      perturbedHeading(heading + STEP, unit, focal), perturbedDelay(heading, unit * (1 + STEP), focal),
-      pointLoss(pointScale), sigmas(sigmas_)
+      turningUnit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_DELAY])), turning(turningUnit / unit),
+      residual(heading, unit, focal), perturbedHeading(heading + STEP, unit, focal),
+      perturbedDelay(heading, unit * (1 + STEP), focal), pointLoss(pointScale), sigmas(sigmas_)
 {
 }
 
@@ -63,6 +63,12 @@ static Model imageMotion(const FrameVector& value, double unit, double turning,
     if (jacobian)
         (*jacobian)(P_ALPHA, SEQUENCE_YAW_RATE) *= turning;
     return m;
+}
+
+// A point of a frame from a camera of another tilt and line delay, whose rows a gyro has turned back.
+TrackedBearing FrameProblem::seen(const TrackedBearing& point, const CalibrationFrame& frame, const Matx33d& R) const
+{
+    return transformed(frame.rowTurns.removedFrom(point, turningUnit), R, timeShift(frame.interval, givenUnit, unit));
 }
 
 PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame,
@@ -107,12 +113,11 @@ double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFram
 void FrameProblem::weigh(CalibrationFrame& frame) const
 {
     const Matx33d R = tilt(frame.value);
-    const double shift = timeShift(frame.interval, givenUnit, unit);
     const double pointSigma = POINT_SIGMA * sigmas.points;
     frame.pointWeights.clear();
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
-        const TrackedBearing now = transformed(frame.bearings[i], R, shift);
+        const TrackedBearing now = seen(frame.bearings[i], frame, R);
         const FlowResidual::View view = residual.predict(now, frame.value.data());
         if (isAtFoot(view, frame.value.data()))
         {
@@ -140,12 +145,11 @@ void FrameProblem::addPointResiduals(const CalibrationFrame& frame, std::vector<
                                      std::vector<DepthResidual>& along) const
 {
     const Matx33d R = tilt(frame.value);
-    const double shift = timeShift(frame.interval, givenUnit, unit);
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
         if (frame.pointWeights[i] == Matx22d::zeros())
             continue;
-        const TrackedBearing now = transformed(frame.bearings[i], R, shift);
+        const TrackedBearing now = seen(frame.bearings[i], frame, R);
         const FlowResidual::View view = residual.predict(now, frame.value.data());
         const Point2d d = byDepth(now, frame.value.data(), view),
                       r = residual.residualOf(now, frame.value.data(), view);
@@ -178,16 +182,18 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
     const double shift = timeShift(frame.interval, givenUnit, unit),
                  perturbedShift = timeShift(frame.interval, givenUnit, unit * (1 + STEP));
     const auto evaluatePoint = [&](const TrackedBearing& s, Eigen::Matrix<double, COLUMNS, 2>& J) {
-        const TrackedBearing now = transformed(s, R, shift);
+        const TrackedBearing back = frame.rowTurns.removedFrom(s, turningUnit), now = transformed(back, R, shift);
+        const TrackedBearing slower = transformed(frame.rowTurns.removedFrom(s, turningUnit * (1 + STEP)), R, shift);
         Eigen::Matrix<double, FLOW_VALUES, 2> byValues;
         const Point2d r = residual.evaluate(now, u, byValues.data());
         const auto slope = [&](const Point2d& there) {
             return Eigen::RowVector2d((there.x - r.x) / STEP, (there.y - r.y) / STEP);
         };
-        J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)), Eigen::RowVector2d::Zero(),
-            slope(perturbedDelay.evaluate(transformed(s, R, perturbedShift), u, 0));
-        J.row(SEQUENCE_ROLL) = slope(residual.evaluate(transformed(s, rolled, shift), u, 0));
-        J.row(SEQUENCE_PITCH) = slope(residual.evaluate(transformed(s, pitched, shift), u, 0));
+        J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)),
+            slope(residual.evaluate(slower, u, 0)),
+            slope(perturbedDelay.evaluate(transformed(back, R, perturbedShift), u, 0));
+        J.row(SEQUENCE_ROLL) = slope(residual.evaluate(transformed(back, rolled, shift), u, 0));
+        J.row(SEQUENCE_PITCH) = slope(residual.evaluate(transformed(back, pitched, shift), u, 0));
         return r;
     };
     rsackermann::addPoints<COLUMNS>(frame.bearings, frame.pointWeights, pointLoss, evaluatePoint, equations);

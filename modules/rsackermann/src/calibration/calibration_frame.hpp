@@ -8,6 +8,7 @@
 #include "../factors/prepared_model.hpp"
 #include "../sequence/frame_fit.hpp"
 #include "../optim/normal_equations.hpp"
+#include "row_turns.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -48,6 +49,8 @@ struct CalibrationFrame
     double time, interval; //!< seconds; since the frame before
     std::vector<TrackedBearing> bearings;
     std::vector<UprightSegment> verticals;
+    TurnOfPoints turn; //!< since the frame before
+    RowTurns rowTurns;
     FrameVector value; //!< unknowns of the frame, with the whole corrections of roll and pitch
     double expected[SCENE_VALUES], sigma[SCENE_VALUES]; //!< of the first of them, as known before
     // By what residuals are multiplied: see FrameProblem::weigh().
@@ -86,6 +89,7 @@ public:
 private:
     void addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const;
     void addVerticals(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const;
+    TrackedBearing seen(const TrackedBearing& point, const CalibrationFrame& frame, const Matx33d& R) const;
     PreparedModel modelOf(const CalibrationFrame& frame, Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian = 0) const;
     bool isAtFoot(const FlowResidual::View& view, const double* values) const;
     Point2d byDepth(const TrackedBearing& point, const double* values, const FlowResidual::View& view) const;
@@ -93,7 +97,7 @@ private:
                         const Matx<double, PARAMETERS, SEQUENCE_VALUES>& byValues) const;
 
     double heading, unit, givenUnit, focal, reach; // unit: as the passing of the scene shows it
-    double turning;                                // the unit as the turning shows it, over that
+    double turningUnit, turning;                   // the unit as the turning shows it, and over that
     FlowResidual residual, perturbedHeading,
         perturbedDelay; // of this heading and line delay, and of slightly larger ones
     double pointLoss;

@@ -12,6 +12,7 @@
 #include "../storage.hpp"
 #include "../sequence/frame_terms.hpp"
 #include "../sequence/sequence_filter.hpp"
+#include "gyro_of_drive.hpp"
 #include "mount_solver.hpp"
 
 namespace cv { namespace rsackermann {
@@ -24,7 +25,8 @@ static const double OBSERVED = 0.5;
 
 MountCalibration::MountCalibration()
     : frames(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0), headingSigma(0), lineDelay(0),
-      lineDelaySigma(0), rollObserved(false), pitchObserved(false), headingObserved(false), lineDelayObserved(false)
+      lineDelaySigma(0), rollObserved(false), pitchObserved(false), headingObserved(false), lineDelayObserved(false),
+      gyroFrames(0), gyroDelay(0), gyroDelaySigma(0), focalScale(1), focalScaleSigma(0)
 {
 }
 
@@ -173,18 +175,31 @@ public:
         return add(segmentsOfFrame, seconds, prior, [&](double passed) { features.setPoints(start, pairs, passed); });
     }
 
+    void addGyro(InputArray times, InputArray rates) CV_OVERRIDE { gyro.add(times.getMat(), rates.getMat()); }
+
+    void clearGyro() CV_OVERRIDE { gyro.clear(); }
+
     MountCalibration calibrate() const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         const MountVector before = sigmaBefore();
         MountFit fit = {MountVector::Zero(), before, before[MOUNT_DELAY]};
+        GyroOfDrive aligned;
         if (frames.size() >= LEAST_FRAMES)
         {
-            std::vector<CalibrationFrame> fitted = frames;
             const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
-            fit = fitMount(start, fitted, before, suspension);
+            std::vector<CalibrationFrame> fitted = frames;
+            // The first pass finds how frames turn, whatever their rows do, for the second.
+            const int passes = gyro.empty() ? 1 : 2;
+            for (int pass = 0; pass < passes; pass++)
+            {
+                aligned = alignGyro(gyro, start, std::exp(fit.value[MOUNT_DELAY]), fitted);
+                for (size_t k = 0; k < frames.size(); k++)
+                    fitted[k].value = frames[k].value;
+                fit = fitMount(start, fitted, before, suspension);
+            }
         }
-        return report(fit, before);
+        return report(fit, before, aligned);
     }
 
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_MountCalibrator"; }
@@ -247,6 +262,7 @@ private:
         frame.drive = drive;
         frame.time = filter.time;
         frame.interval = passed;
+        frame.turn = TurnOfPoints(start, features.bearings, fit.values, filter.time, -passed);
         frame.verticals = features.verticals;
         for (int i = 0; i < FRAME_VALUES; i++)
             frame.value[i] = i < SEQUENCE_VALUES ? fit.state.value[i] : 0;
@@ -284,7 +300,7 @@ private:
         }
     }
 
-    MountCalibration report(const MountFit& fit, const MountVector& before) const
+    MountCalibration report(const MountFit& fit, const MountVector& before, const GyroOfDrive& aligned) const
     {
         MountCalibration c;
         c.frames = int(frames.size());
@@ -310,6 +326,11 @@ private:
         c.lineDelaySigma = (c.lineDelayObserved ? sigma : before)[MOUNT_DELAY] * c.lineDelay;
         if (c.lineDelayObserved)
             c.camera.lineDelaySigma = c.lineDelaySigma;
+        c.gyroFrames = aligned.frames;
+        c.gyroDelay = aligned.alignment.delay;
+        c.gyroDelaySigma = aligned.delaySigma;
+        c.focalScale = aligned.alignment.scale;
+        c.focalScaleSigma = aligned.scaleSigma;
         return c;
     }
 
@@ -325,6 +346,7 @@ private:
     FrameFeatures features;
     Mat found;
 
+    GyroSamples gyro;
     std::vector<CalibrationFrame> frames;
     std::vector<int> numbers; // of each frame's run
     int number, drive, stride;

@@ -7,15 +7,20 @@
 
 namespace cv { namespace rsackermann {
 
-typedef Vec<double, 7> Unknowns; // of GyroAlignment
+typedef Vec<double, GyroRates::UNKNOWNS> Unknowns; // of GyroAlignment
+typedef Matx<double, GyroRates::UNKNOWNS, GyroRates::UNKNOWNS> UnknownsMatrix;
 
 static const double DELAY_SIGMA = 0.02;                // seconds, of clocks that are said to be the same
 static const double AXES_SIGMA = 2 * CV_PI / 180;      // of the gyro's axes
 static const double BIAS_SIGMA = 1 * CV_PI / 180;      // rad/s
+static const double SCALE_SIGMA = 0.03;                // of focal lengths and of gyros
 static const double TURN_RATE_NOISE = 1 * CV_PI / 180; // rad/s about each axis, of turns of points at worst
 static const size_t DELAY_FRAMES = 12;                 // that show such a delay
 static const double EXPLAINED = 0.5;                   // share of the turns' loss that a true gyro leaves at most
 static const double SMALL = 0.3 * CV_PI / 180;         // rad/s about each axis that it may leave in any case
+
+static const Unknowns SIGMAS(DELAY_SIGMA, AXES_SIGMA, AXES_SIGMA, AXES_SIGMA, BIAS_SIGMA, BIAS_SIGMA, BIAS_SIGMA,
+                             SCALE_SIGMA);
 
 RowSpan::RowSpan(const RollingShutterCamera& camera)
 {
@@ -23,6 +28,30 @@ RowSpan::RowSpan(const RollingShutterCamera& camera)
                  last = unit * camera.rowTime(Point2d(camera.imageSize.width - 1, camera.imageSize.height - 1));
     from = std::min(first, last);
     to = std::max(first, last);
+}
+
+TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
+                           const double* values, double seconds, double neighbour)
+    : begin(seconds + std::min(neighbour, 0.)), end(seconds + std::max(neighbour, 0.)), rows(0, 0)
+{
+    const double unit = camera.secondsPerUnitTime(), interval = std::abs(neighbour);
+    const bool isEarlier = neighbour < 0;
+    double count = 0, sum = 0, squares = 0;
+    for (const TrackedBearing& s : bearings)
+        if ((s.pitch == FLOW_PITCH_BEFORE) == isEarlier)
+        {
+            const double after = s.timeNow * unit;
+            count++;
+            sum += after;
+            squares += after * after;
+        }
+    // As if they were spread evenly.
+    const double mean = sum / count, half = std::sqrt(3 * std::max(squares / count - mean * mean, 0.)),
+                 pitch = isEarlier ? values[FLOW_PITCH_BEFORE] : -values[FLOW_PITCH_AFTER],
+                 roll = isEarlier ? values[FLOW_ROLL_BEFORE] : -values[FLOW_ROLL_AFTER],
+                 yawRate = values[SEQUENCE_YAW_RATE] + values[FLOW_YAW_CHANGE] * neighbour / 2;
+    rows = RowSpan(mean - half, mean + half);
+    rate = camera.uprightRotation.t() * Vec3d(-pitch / interval, yawRate, roll / interval);
 }
 
 void CameraRates::about(const Matx33d& rotation, InstantRate& x, InstantRate& y, InstantRate& z) const
@@ -46,13 +75,7 @@ void GyroRates::reset()
     turns.clear();
     found = GyroAlignment();
     start = 0;
-    covariance = Matx<double, 7, 7>::zeros();
-    covariance(0, 0) = DELAY_SIGMA * DELAY_SIGMA;
-    for (int i = 0; i < 3; i++)
-    {
-        covariance(1 + i, 1 + i) = AXES_SIGMA * AXES_SIGMA;
-        covariance(4 + i, 4 + i) = BIAS_SIGMA * BIAS_SIGMA;
-    }
+    covariance = UnknownsMatrix::diag(SIGMAS.mul(SIGMAS));
     noise = Vec3d::all(TURN_RATE_NOISE);
     meanTurn = Vec3d();
     count = left = unexplained = 0;
@@ -88,30 +111,41 @@ void GyroRates::judge(const TurnOfPoints& turn)
     const double large = 2 * TURN_RATE_NOISE; // what is left beyond may be wrong points
     const auto loss = [=](const Vec3d& r) { return large * large * std::log1p(r.dot(r) / (large * large)); };
     const double kept = turns.empty() ? 1 : std::exp(-std::abs(turn.end - turns.back().end) / RATE_MEMORY);
-    left = kept * left + loss(turn.rate - g - found.turn.cross(g) - found.bias);
+    left = kept * left + loss(turn.rate - found.toCamera(g, 1));
     unexplained = kept * unexplained + loss(turn.rate - meanTurn * (count / (count + 1)));
     meanTurn = (meanTurn * (kept * count) + turn.rate) * (1 / (kept * count + 1));
     count = kept * count + 1;
 }
 
+// Of a rate about the i-th axis of the camera, by the unknowns. @param slope of the gyro's rate g by time.
+static Unknowns derivatives(const Vec3d& g, const Vec3d& slope, int i)
+{
+    const int j = (i + 1) % 3, l = (i + 2) % 3;
+    Unknowns J;
+    J[0] = slope[i];
+    J[1 + j] = g[l];
+    J[1 + l] = -g[j];
+    J[4 + i] = 1;
+    J[7] = i < 2 ? g[i] : 0; // a roll is the same for any focal length
+    return J;
+}
+
 // Gauss-Newton from what was found before, with Cauchy's loss.
 void GyroRates::align()
 {
-    typedef Matx<double, 7, 7> Matrix;
     // Each frame goes on from the one before.
     const int iterations = turns.size() < DELAY_FRAMES ? 3 : 1;
     const double h = 1e-3, noiseFrames = 4; // that TURN_RATE_NOISE counts for
     for (int iteration = 0; iteration < iterations; iteration++)
     {
-        Matrix information = Matrix::zeros();
+        UnknownsMatrix information = UnknownsMatrix::zeros();
         Unknowns gradient;
-        const double sigmas[7] = {DELAY_SIGMA, AXES_SIGMA, AXES_SIGMA, AXES_SIGMA, BIAS_SIGMA, BIAS_SIGMA, BIAS_SIGMA};
-        const double now[7] = {found.delay - start, found.turn[0], found.turn[1], found.turn[2],
-                               found.bias[0],       found.bias[1], found.bias[2]};
-        for (int i = 0; i < 7; i++)
+        const Unknowns now(found.delay - start, found.turn[0], found.turn[1], found.turn[2], found.bias[0],
+                           found.bias[1], found.bias[2], found.scale - 1);
+        for (int i = 0; i < UNKNOWNS; i++)
         {
-            information(i, i) = 1 / (sigmas[i] * sigmas[i]);
-            gradient[i] = now[i] / (sigmas[i] * sigmas[i]);
+            information(i, i) = 1 / (SIGMAS[i] * SIGMAS[i]);
+            gradient[i] = now[i] * information(i, i);
         }
         Vec3d squares = Vec3d::all(noiseFrames * TURN_RATE_NOISE * TURN_RATE_NOISE);
         double weights = 0;
@@ -122,20 +156,14 @@ void GyroRates::align()
                 continue;
             const Vec3d g = (before + after) * 0.5;
             const double kept = std::exp(-std::abs(turns[k].end - turns.back().end) / RATE_MEMORY);
-            const Vec3d slope = (after - before) * (1 / (2 * h)),
-                        r = turns[k].rate - g - found.turn.cross(g) - found.bias;
+            const Vec3d slope = (after - before) * (1 / (2 * h)), r = turns[k].rate - found.toCamera(g, 1);
             double squared = 0;
             for (int i = 0; i < 3; i++)
                 squared += r[i] * r[i] / (noise[i] * noise[i]);
             const double weight = kept / (1 + squared / 9);
             for (int i = 0; i < 3; i++)
             {
-                const int j = (i + 1) % 3, l = (i + 2) % 3;
-                Unknowns J; // of the expected rate
-                J[0] = slope[i];
-                J[1 + j] = g[l];
-                J[1 + l] = -g[j];
-                J[4 + i] = 1;
+                const Unknowns J = derivatives(g, slope, i);
                 const double w = weight / (noise[i] * noise[i]);
                 information = information + J * J.t() * w;
                 gradient -= J * (w * r[i]);
@@ -146,6 +174,7 @@ void GyroRates::align()
         covariance = information.inv(DECOMP_CHOLESKY);
         const Unknowns step = covariance * gradient;
         found.delay -= step[0];
+        found.scale -= step[7];
         for (int i = 0; i < 3; i++)
         {
             found.turn[i] -= step[1 + i];
@@ -155,10 +184,10 @@ void GyroRates::align()
     }
 }
 
-Vec<double, 7> GyroRates::alignmentSigma() const
+Unknowns GyroRates::alignmentSigma() const
 {
-    Vec<double, 7> sigma;
-    for (int i = 0; i < 7; i++)
+    Unknowns sigma;
+    for (int i = 0; i < UNKNOWNS; i++)
         sigma[i] = std::sqrt(covariance(i, i));
     return sigma;
 }
@@ -241,15 +270,10 @@ bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) cons
     if (!samples.rowRate(instant, rows.from, rows.to, g) || !samples.rowRate(instant - h, rows.from, rows.to, before) ||
         !samples.rowRate(instant + h, rows.from, rows.to, after))
         return false;
-    rates.value = g + found.turn.cross(g) + found.bias;
+    rates.value = found.toCamera(g, 1);
     for (int i = 0; i < 3; i++)
     {
-        const int j = (i + 1) % 3, l = (i + 2) % 3;
-        Unknowns J;
-        J[0] = (after[i] - before[i]) / (2 * h);
-        J[1 + j] = g[l];
-        J[1 + l] = -g[j];
-        J[4 + i] = 1;
+        const Unknowns J = derivatives(g, (after - before) * (1 / (2 * h)), i);
         rates.sigma[i] = std::sqrt((J.t() * covariance * J)(0) + noise[i] * noise[i] / 4);
     }
     return true;

@@ -5,6 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_GYRO_RATES_HPP
 #define OPENCV_RSACKERMANN_SRC_SEQUENCE_GYRO_RATES_HPP
 
+#include "../features/frame_features.hpp"
 #include "gyro_samples.hpp"
 #include "instant_rate.hpp"
 #include "opencv2/rsackermann/camera.hpp"
@@ -29,10 +30,19 @@ struct TurnOfPoints
     RowSpan rows;      // on which the points are seen
     Vec3d rate;        // mean, rad/s about the axes of the camera
 
+    TurnOfPoints() : begin(0), end(0), rows(0, 0) {}
     TurnOfPoints(double begin_, double end_, const RowSpan& rows_, const Vec3d& rate_)
         : begin(begin_), end(end_), rows(rows_), rate(rate_)
     {
     }
+
+    /** As the fit of a frame has found it.
+    @param values of the fit, FLOW_VALUES of them.
+    @param seconds time of the frame.
+    @param neighbour seconds from there to the other frame, negative if it is earlier.
+    */
+    TurnOfPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
+                 double seconds, double neighbour);
 };
 
 //! What is between a gyro and the camera, as the points of a sequence show it.
@@ -41,6 +51,15 @@ struct GyroAlignment
     double delay; //!< seconds by which the gyro's clock is ahead of the camera's
     Vec3d turn;   //!< by which the gyro's axes differ from those of the camera, radians
     Vec3d bias;   //!< rad/s that the gyro shows too little
+    double scale; //!< of what images show of pitch and yaw to what the gyro does: the true focal length over the given
+
+    GyroAlignment() : delay(0), scale(1) {}
+    //! As the images show it, about the axes of the camera. @param angle that the gyro has turned in some seconds.
+    Vec3d toCamera(const Vec3d& angle, double seconds) const
+    {
+        const Vec3d turned = angle + turn.cross(angle);
+        return Vec3d(scale * turned[0], scale * turned[1], turned[2]) + bias * seconds;
+    }
 };
 
 //! Rates and their standard deviations about the axes of the camera, rad/s.
@@ -79,8 +98,9 @@ public:
     //! Whether it even differs from them so much that something is wrong.
     bool isWrong() const;
     const GyroAlignment& alignment() const { return found; }
-    //! Of a delay, a turn and a bias.
-    Vec<double, 7> alignmentSigma() const;
+    enum { UNKNOWNS = 8 };
+    //! Of a delay, a turn, a bias and a scale.
+    Vec<double, UNKNOWNS> alignmentSigma() const;
 
 private:
     bool expected(const TurnOfPoints& turn, double delay, Vec3d& rate) const;
@@ -92,12 +112,12 @@ private:
     std::deque<TurnOfPoints> turns;
     double start; // the delay that is expected
     GyroAlignment found;
-    Matx<double, 7, 7> covariance; // of delay, turn and bias
-    Vec3d noise;                   // standard deviation of what the gyro leaves of the turns of points, rad/s
-    Vec3d meanTurn;                // of the points, rad/s
-    double count;                  // of the turns; those that are forgotten count less
-    size_t unexplainedFrames;      // in a row, since a delay was looked for
-    double left, unexplained;      // losses of their predictions with the gyro and without it
+    Matx<double, UNKNOWNS, UNKNOWNS> covariance; // of delay, turn, bias and scale
+    Vec3d noise;              // standard deviation of what the gyro leaves of the turns of points, rad/s
+    Vec3d meanTurn;           // of the points, rad/s
+    double count;             // of the turns; those that are forgotten count less
+    size_t unexplainedFrames; // in a row, since a delay was looked for
+    double left, unexplained; // losses of their predictions with the gyro and without it
 };
 
 }} // namespace cv::rsackermann

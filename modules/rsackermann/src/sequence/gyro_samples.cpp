@@ -96,6 +96,14 @@ bool GyroSamples::meanRate(double begin, double end, double from, double to, Vec
     return true;
 }
 
+bool GyroSamples::turn(double begin, double end, Vec3d& angle) const
+{
+    if (!covers(begin, end))
+        return false;
+    angle = angleAt(end) - angleAt(begin);
+    return true;
+}
+
 bool GyroSamples::rowRate(double instant, double from, double to, Vec3d& rate) const
 {
     if (!covers(instant + std::min(from, 0.), instant + std::max(to, 0.)))

@@ -31,6 +31,9 @@ public:
     @return false if samples are missing. */
     bool meanRate(double begin, double end, double from, double to, Vec3d& rate) const;
 
+    //! How far it has turned from one instant to a later one, radians. @return false if samples are missing.
+    bool turn(double begin, double end, Vec3d& angle) const;
+
     /** The rates that turn the rows of an image most nearly as the gyro has turned: least squares of the angle since an
     instant, over the times that are later by from .. to seconds.
     @return false if samples are missing. */

@@ -187,36 +187,10 @@ void SequenceEstimator::updateRates(double before, double after)
     if (gyro.samples.empty())
         return;
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
-        compareGyro(-before);
+        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, -before));
     else if (after != 0 && isSeen[after > 0 ? 1 : 0])
-        compareGyro(after);
+        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, after));
     useGyro();
-}
-
-// With the turn to a frame that is later by some seconds, or earlier.
-void SequenceEstimator::compareGyro(double neighbour)
-{
-    const double unit = camera.secondsPerUnitTime(), interval = std::abs(neighbour);
-    const bool isEarlier = neighbour < 0;
-    double count = 0, sum = 0, squares = 0;
-    for (const TrackedBearing& s : features.bearings)
-        if ((s.pitch == FLOW_PITCH_BEFORE) == isEarlier)
-        {
-            const double seconds = s.timeNow * unit;
-            count++;
-            sum += seconds;
-            squares += seconds * seconds;
-        }
-    // As if they were spread evenly.
-    const double mean = sum / count, half = std::sqrt(3 * std::max(squares / count - mean * mean, 0.));
-    const double *v = last.values, pitch = isEarlier ? v[FLOW_PITCH_BEFORE] : -v[FLOW_PITCH_AFTER],
-                 roll = isEarlier ? v[FLOW_ROLL_BEFORE] : -v[FLOW_ROLL_AFTER],
-                 yawRate = v[SEQUENCE_YAW_RATE] + v[FLOW_YAW_CHANGE] * neighbour / 2;
-    const TurnOfPoints turn = {filter.time + std::min(neighbour, 0.),
-                               filter.time + std::max(neighbour, 0.),
-                               {mean - half, mean + half},
-                               camera.uprightRotation.t() * Vec3d(-pitch / interval, yawRate, roll / interval)};
-    gyro.add(turn);
 }
 
 // A gyro that the points confirm knows the instant.

@@ -49,7 +49,6 @@ private:
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
     void updateRates(double before, double after);
-    void compareGyro(double neighbour);
     bool measure(double seconds, InstantRate& pitch, InstantRate& roll, InstantRate& yaw) const;
     void useGyro();
     void turnAlone(double seconds, AckermannMotion& motion) const;

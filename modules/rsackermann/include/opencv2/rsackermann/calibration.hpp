@@ -47,8 +47,19 @@ public:
     CV_PROP_RW bool rollObserved;
     CV_PROP_RW bool pitchObserved;   //!< the same of the pitch
     CV_PROP_RW bool headingObserved; //!< the same of the heading
-    //! The same of the line delay, which is observable in bends; if not, as after a straight drive, it isn't changed
+    //! The same of the line delay, which is observable in bends, or with a gyro if the camera shakes; if not, as after
+    //! a straight drive, it isn't changed
     CV_PROP_RW bool lineDelayObserved;
+
+    //! Frames whose rows MountCalibrator::addGyro() has turned: 0 if there is no gyro, or the points contradict it.
+    //! Then the following aren't known
+    CV_PROP_RW int gyroFrames;
+    CV_PROP_RW double gyroDelay;      //!< seconds by which the gyro's clock is ahead of that of the frames, at the end
+    CV_PROP_RW double gyroDelaySigma; //!< standard deviation of gyroDelay
+    //! The true focal length over the one of the camera, if the gyro's scale is right: the camera keeps its own. It is
+    //! within 3 % (one standard deviation) before
+    CV_PROP_RW double focalScale;
+    CV_PROP_RW double focalScaleSigma; //!< standard deviation of focalScale
 };
 
 /** @brief Self-calibrates mounting angles and line delay from a drive.
@@ -157,6 +168,19 @@ public:
      */
     CV_WRAP virtual bool addPoints(InputArray points, InputArray segments, double seconds,
                                    const MotionPrior& prior = MotionPrior()) = 0;
+
+    /** @brief Adds what a gyro on the camera has measured: how rows turn while a camera that shakes is read out.
+
+    It shows the line delay much better than bends do. Bias, axes and the delay of its clock are found from the points,
+    as RollingShutterCorrector::addGyro does; where they contradict the gyro it isn't used.
+    @param times seconds, increasing, after those that were added before, on the clock of the frames or up to two
+    seconds beside it: N x 1 or 1 x N of type CV_64F.
+    @param rates rad/s about the axes x (to the right), y (down) and z (ahead) of the camera: N x 3 of type CV_64F.
+    Throws cv::Exception if they are others.
+     */
+    CV_WRAP virtual void addGyro(InputArray times, InputArray rates) = 0;
+    //! Forgets all samples of addGyro().
+    CV_WRAP virtual void clearGyro() = 0;
 
     /** @brief Fits all frames together.
     @return mount and line delay; may be called again after more frames.

@@ -197,6 +197,23 @@ Samples readColumns(const CsvTable& table, const std::string& path)
 
 } // namespace
 
+const char* const GYRO_KEYS =
+    "{gyro       |        | rates of a gyro on the camera, on the clock of time_s or of the video: CSV file (columns "
+    "time_s, yaw_rate_deg_s, pitch_rate_deg_s, roll_rate_deg_s) or a log of Gyroflow (.gcsv)}"
+    "{gyro_delay |        | seconds by which the clock of --gyro is ahead of that of the frames (default 0)}";
+
+GyroRecording readGyroOptions(const Options& options, const std::string& program)
+{
+    if (!options.given("gyro") && options.given("gyro_delay"))
+        throw UsageError("--gyro_delay needs --gyro");
+    if (!options.given("gyro"))
+        return GyroRecording();
+    GyroRecording gyro = readGyro(options.inputFile("gyro"), program);
+    if (options.given("gyro_delay"))
+        gyro.times -= options.number("gyro_delay", -1e12, 1e12);
+    return gyro;
+}
+
 GyroRecording readGyro(const std::string& path, const std::string& program)
 {
     const CsvTable table = readCsv(path, isGcsv);

@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_GYRO_FILE_HPP
 
 #include "opencv2/core.hpp"
+#include "options.hpp"
 #include <string>
 
 namespace rsackermann_samples {
@@ -23,6 +24,11 @@ roll_rate_deg_s (clockwise), or a log of Gyroflow (.gcsv), known by its first li
 Throws UsageError with line and column for whatever isn't understood, and warns of samples that saturate and of gaps.
 @param program name in front of warnings. */
 GyroRecording readGyro(const std::string& path, const std::string& program);
+
+//! The options of a program that reads a gyro.
+extern const char* const GYRO_KEYS;
+//! The recording of --gyro, on the clock of the frames by --gyro_delay; empty without it. @param program as above.
+GyroRecording readGyroOptions(const Options& options, const std::string& program);
 
 } // namespace rsackermann_samples
 

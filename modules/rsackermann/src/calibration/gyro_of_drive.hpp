@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_CALIBRATION_GYRO_OF_DRIVE_HPP
+#define OPENCV_RSACKERMANN_SRC_CALIBRATION_GYRO_OF_DRIVE_HPP
+
+#include "calibration_frame.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! What is between a gyro and a camera at the end of a drive.
+struct GyroOfDrive
+{
+    int frames; //!< whose rows it turns
+    GyroAlignment alignment;
+    double delaySigma, scaleSigma;
+
+    GyroOfDrive() : frames(0), delaySigma(0), scaleSigma(0) {}
+};
+
+/** Gives frames the turns of their rows, with the clock, axes and bias that the points of the seconds around them show.
+Where they contradict the gyro it isn't used.
+@param delayRatio the line delay over the camera's one, as far as it is known. */
+GyroOfDrive alignGyro(const GyroSamples& samples, const RollingShutterCamera& camera, double delayRatio,
+                      std::vector<CalibrationFrame>& frames);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_CALIBRATION_GYRO_OF_DRIVE_HPP

@@ -1,0 +1,54 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "row_turns.hpp"
+
+namespace cv { namespace rsackermann {
+
+RowTurns::RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_, const RollingShutterCamera& camera,
+                   double unit, const std::vector<TrackedBearing>& bearings, double seconds, double interval_)
+    : samples(0), alignment(alignment_), toUpright(camera.uprightRotation), givenUnit(camera.secondsPerUnitTime()),
+      interval(interval_), middle(0)
+{
+    for (const TrackedBearing& point : bearings)
+        middle += point.timeNow / double(bearings.size());
+    middleOfNow = seconds + alignment.delay + unit * middle;
+    // Line delays that are tried may be longer.
+    const RowSpan rows(camera);
+    const double readOut = rows.to - rows.from;
+    if (!samples_.covers(middleOfNow - interval - readOut, middleOfNow + readOut))
+        return;
+    samples = &samples_;
+    ofFrame = turned(middleOfNow - interval, middleOfNow);
+}
+
+Vec3d RowTurns::turned(double begin, double end) const
+{
+    Vec3d angle;
+    samples->turn(begin, end, angle);
+    return toUpright * alignment.toCamera(angle, end - begin);
+}
+
+// A bearing as the middle row of its frame has it.
+Point2d RowTurns::atMiddle(const Point2d& p, double middleOfFrame, double after) const
+{
+    const double steady = ofFrame[1] * after / interval; // the yaw rate, which turns rows in the fit
+    const Vec3d turn = turned(middleOfFrame, middleOfFrame + after) - Vec3d(0, steady, 0), bearing(p.x, p.y, 1),
+                seen = bearing + turn.cross(bearing);
+    return Point2d(seen[0] / seen[2], seen[1] / seen[2]);
+}
+
+TrackedBearing RowTurns::removedFrom(const TrackedBearing& point, double unit) const
+{
+    if (!samples)
+        return point;
+    const double rowOfOther = point.timeOther + interval / givenUnit;
+    TrackedBearing result = point;
+    result.now = atMiddle(point.now, middleOfNow, unit * (point.timeNow - middle));
+    result.other = atMiddle(point.other, middleOfNow - interval, unit * (rowOfOther - middle));
+    return result;
+}
+
+}} // namespace cv::rsackermann

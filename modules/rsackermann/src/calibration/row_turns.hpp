@@ -1,0 +1,47 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_CALIBRATION_ROW_TURNS_HPP
+#define OPENCV_RSACKERMANN_SRC_CALIBRATION_ROW_TURNS_HPP
+
+#include "../sequence/gyro_rates.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** How the rows of a frame and of the one before have turned since the middle of their frames, by a gyro, beyond a
+steady yaw rate (doc/theory.md, "Self-calibration"): the longer the read-out, the more. */
+class RowTurns
+{
+public:
+    RowTurns() : samples(0) {} //!< there is no gyro
+
+    /** @param samples_ must exist as long as this object.
+    @param bearings of the points: at their mean row the clocks agree, whatever the line delay.
+    @param unit of the row time in seconds, with which the clocks were compared.
+    @param seconds time of the frame.
+    @param interval_ since the frame before. */
+    RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_, const RollingShutterCamera& camera,
+             double unit, const std::vector<TrackedBearing>& bearings, double seconds, double interval_);
+
+    bool known() const { return samples != 0; }
+
+    //! A point as it would be seen without them. @param unit seconds per unit of row time.
+    TrackedBearing removedFrom(const TrackedBearing& point, double unit) const;
+
+private:
+    Vec3d turned(double begin, double end) const;
+    Point2d atMiddle(const Point2d& p, double middleOfFrame, double after) const;
+
+    const GyroSamples* samples;
+    GyroAlignment alignment;
+    Matx33d toUpright;
+    double givenUnit, interval;
+    double middle;      // row time
+    double middleOfNow; // seconds of the gyro's clock
+    Vec3d ofFrame;      // turn from the middle of the frame before, about the upright axes
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_CALIBRATION_ROW_TURNS_HPP

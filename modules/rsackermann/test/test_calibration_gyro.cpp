@@ -1,0 +1,157 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
+#include "test_drive_simulator.hpp"
+
+// The line delay of a camera that shakes, by a gyro (doc/theory.md, "Self-calibration").
+
+namespace opencv_test { namespace {
+
+using simulation::StreetDrive;
+
+const int FRAMES = 60;
+const double INTERVAL = 1. / 30;
+
+RollingShutterCamera camera(double readOut)
+{
+    RollingShutterCamera c(Size(960, 540), Matx33d(700, 0, 470, 0, 720, 280, 0, 0, 1));
+    c.setRollPitch(1.2 * degree, -0.8 * degree);
+    c.heading = 1.5 * degree;
+    c.lineDelay = readOut / 540;
+    c.height = 1.4;
+    return c;
+}
+
+//! A camera on a holder that shakes, in a car that hardly bends.
+StreetDrive::Options shaking(double size)
+{
+    StreetDrive::Options options;
+    options.yawRate = 1 * degree;
+    options.tilt = size;
+    options.rowsTurn = true;
+    options.sway = [](double deviation, RNG& rng) -> simulation::Sway {
+        const simulation::Oscillation oscillation(deviation, 0.2, 0.6, rng);
+        return [oscillation](double seconds) { return oscillation.at(seconds); };
+    };
+    return options;
+}
+
+struct Gyro
+{
+    double delay;
+    Mat times, rates;
+
+    Gyro(const StreetDrive& street, double delay_, RNG& rng) : delay(delay_)
+    {
+        const Vec3d bias(0.3 * degree, -0.2 * degree, 0.1 * degree);
+        for (double t = -0.5; t < FRAMES * INTERVAL + 0.5; t += 1 / 200.)
+        {
+            const Vec3d noise(rng.gaussian(0.1), rng.gaussian(0.1), rng.gaussian(0.1)),
+                rate = street.rateAt(t) + bias + noise * degree;
+            times.push_back(t + delay);
+            rates.push_back(Mat(rate.t()));
+        }
+    }
+};
+
+//! @param focalScale what is given over the true focal length.
+RollingShutterCamera given(const RollingShutterCamera& truth, double delayRatio, double focalScale = 1)
+{
+    RollingShutterCamera c = truth;
+    c.lineDelay *= delayRatio;
+    c.cameraMatrix(0, 0) *= focalScale;
+    c.cameraMatrix(1, 1) *= focalScale;
+    return c;
+}
+
+MountCalibration calibrate(const RollingShutterCamera& known, StreetDrive street, const Gyro* gyro)
+{
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(known);
+    if (gyro)
+        calibrator->addGyro(gyro->times, gyro->rates);
+    for (int i = 0; i < FRAMES; i++)
+    {
+        const StreetDrive::Frame f = street.frame(i * INTERVAL, INTERVAL);
+        calibrator->addPoints(f.points, f.segments, f.seconds);
+    }
+    return calibrator->calibrate();
+}
+
+// Without bends, from 30 % too small to 30 % too large, or none at all; with the clock and the focal length. The sigmas
+// are those of the errors.
+TEST(RSAckermann_CalibrationWithGyro, line_delay_clock_and_focal_length)
+{
+    const double ratios[] = {1, 0.7, 1.3, 0};
+    const int drives = 12;
+    int within[3] = {0, 0, 0};
+    for (int i = 0; i < drives; i++)
+    {
+        SCOPED_TRACE(i);
+        RNG rng(500 + i);
+        const RollingShutterCamera truth = camera(rng.uniform(0.015, 0.03));
+        const StreetDrive street(truth, 1.2 * degree, -0.8 * degree, shaking(0.4 * degree), 60 + i);
+        const double focalScale = 1 + rng.gaussian(0.02);
+        const Gyro gyro(street, i % 3 == 2 ? 0.7 : rng.gaussian(0.01), rng);
+        const MountCalibration c = calibrate(given(truth, ratios[i % 4], focalScale), street, &gyro);
+        EXPECT_GT(c.gyroFrames, FRAMES * 3 / 4);
+        ASSERT_TRUE(c.lineDelayObserved);
+        EXPECT_EQ(c.lineDelay, c.camera.lineDelay);
+        EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03);
+        EXPECT_LT(c.lineDelaySigma, 0.03 * truth.lineDelay);
+        EXPECT_NEAR(gyro.delay, c.gyroDelay, 0.003);
+        EXPECT_LT(c.gyroDelaySigma, 0.002);
+        EXPECT_LT(c.focalScaleSigma, 0.01);
+        within[0] += std::abs(c.lineDelay - truth.lineDelay) < 2 * c.lineDelaySigma;
+        within[1] += std::abs(c.gyroDelay - gyro.delay) < 2 * c.gyroDelaySigma;
+        within[2] += std::abs(c.focalScale - 1 / focalScale) < 2 * c.focalScaleSigma;
+    }
+    for (int k = 0; k < 3; k++)
+        EXPECT_GE(within[k], drives - 2) << k;
+}
+
+// A gyro of another drive isn't used, and neither is one that was removed.
+TEST(RSAckermann_CalibrationWithGyro, that_is_wrong_changes_nothing)
+{
+    const RollingShutterCamera truth = camera(0.025);
+    const StreetDrive street(truth, 0, 0, shaking(0.4 * degree), 80), other(truth, 0, 0, shaking(0.4 * degree), 81);
+    const MountCalibration without = calibrate(given(truth, 0.7), street, 0);
+    EXPECT_EQ(0, without.gyroFrames);
+    EXPECT_EQ(0, without.gyroDelaySigma);
+    EXPECT_EQ(0, without.focalScaleSigma);
+    EXPECT_EQ(1, without.focalScale);
+    RNG rng(82);
+    Gyro gyro(other, 0, rng);
+    const MountCalibration with = calibrate(given(truth, 0.7), street, &gyro);
+    EXPECT_LE(with.gyroFrames, 3);
+    EXPECT_NEAR(without.lineDelay, with.lineDelay, 0.01 * truth.lineDelay);
+    gyro = Gyro(street, 0, rng);
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(given(truth, 0.7));
+    calibrator->addGyro(gyro.times, gyro.rates);
+    calibrator->clearGyro();
+    StreetDrive again = street;
+    for (int i = 0; i < FRAMES; i++)
+    {
+        const StreetDrive::Frame f = again.frame(i * INTERVAL, INTERVAL);
+        calibrator->addPoints(f.points, f.segments, f.seconds);
+    }
+    EXPECT_EQ(without.lineDelay, calibrator->calibrate().lineDelay);
+    EXPECT_EQ(0, calibrator->calibrate().gyroFrames);
+}
+
+TEST(RSAckermann_CalibrationWithGyro, bad_samples_throw)
+{
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera(0.025));
+    const Mat times = (Mat_<double>(3, 1) << 0, 0.01, 0.02), rates(3, 3, CV_64F, Scalar(0));
+    EXPECT_THROW(calibrator->addGyro(times, rates.colRange(0, 2)), cv::Exception);
+    EXPECT_THROW(calibrator->addGyro(times, Mat(3, 3, CV_32F, Scalar(0))), cv::Exception);
+    calibrator->addGyro(times, rates);
+    EXPECT_THROW(calibrator->addGyro(times, rates), cv::Exception); // not after those
+    calibrator->clearGyro();
+    EXPECT_NO_THROW(calibrator->addGyro(times, rates));
+}
+
+}} // namespace opencv_test
