@@ -41,9 +41,11 @@ const char* const KEYS =
 cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const std::vector<MotionFrame>& frames)
 {
     const CameraSettings settings = readCameraOptions(options);
-    cv::Size size = options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : settings.size;
-    if (size.area() == 0 && !frames.empty())
+    cv::Size size = options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : cv::Size();
+    if (size.empty() && !frames.empty())
         size = frames[0].size;
+    if (size.empty())
+        size = settings.size;
     if (size.area() == 0)
         throw UsageError("--size is missing: the size of the images isn't known");
     return settings.makeCamera(size);

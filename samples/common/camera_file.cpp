@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "camera_file.hpp"
+#include "lens_profile.hpp"
 #include "output/atomic_file.hpp"
 #include "parsable_text.hpp"
 
@@ -204,14 +205,17 @@ void readYaml(const std::string& text, CameraSettings& s)
     // cv::FileStorage writes a directive that isn't YAML.
     const bool hasDirective = text.compare(0, 5, "%YAML") == 0;
     const YAML::Node file = YAML::Load(hasDirective ? text.substr(std::min(text.find('\n'), text.size())) : text);
-    require(file.IsMap(), "is neither a calibration of OpenCV nor a camera_info of ROS nor a camchain of Kalibr");
+    require(
+        file.IsMap(),
+        "is neither a calibration of OpenCV nor a camera_info of ROS nor a camchain of Kalibr nor a lens profile of "
+        "Gyroflow");
     const YAML::Node root = file["cam0"] ? file["cam0"] : file;
     if (root["intrinsics"])
         readKalibr(root, s);
     else if (firstOf(root, {"camera_matrix", "K", "k"}).IsDefined())
         readRos(root, s);
     else
-        throw UsageError("has neither camera_matrix (OpenCV, ROS) nor cam0 (Kalibr)");
+        throw UsageError("has neither camera_matrix (OpenCV, ROS) nor cam0 (Kalibr) nor fisheye_params (Gyroflow)");
     readShutterAndMounting(
         [&](const std::string& key, double& value) {
             if (root[key])
@@ -242,6 +246,8 @@ void readCameraFile(const std::string& path, CameraSettings& settings)
         const std::string text = readParsableText(path);
         if (isOpenCvFile(text))
             readOpenCv(text, settings);
+        else if (isLensProfile(text))
+            readLensProfile(text, settings);
         else
             readYaml(text, settings);
         // A camera of any size shows whether the values make sense.

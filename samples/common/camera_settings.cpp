@@ -6,6 +6,8 @@
 #include "camera_file.hpp"
 #include "units.hpp"
 
+#include <cmath>
+
 namespace rsackermann_samples {
 
 using namespace cv::rsackermann;
@@ -13,7 +15,8 @@ using namespace cv::rsackermann;
 const std::vector<std::string> SCAN_WORDS = {"top_to_bottom", "bottom_to_top", "left_to_right", "right_to_left"};
 
 const char* const CAMERA_KEYS =
-    "{camera     |        | file with the camera's calibration: of OpenCV, ROS (camera_info) or Kalibr (camchain)}"
+    "{camera     |        | file with the camera's calibration: of OpenCV, ROS (camera_info) or Kalibr (camchain), or a "
+    "lens profile of Gyroflow}"
     "{focal      |        | focal length in pixels, if there is no calibration (default 0.9 times the longer side, +- "
     "20 %)}"
     "{focal_sigma |       | standard deviation of the focal length in pixels}"
@@ -28,18 +31,33 @@ const char* const CAMERA_KEYS =
     "{height     |        | metres of the camera above the road}";
 
 CameraSettings::CameraSettings()
-    : calibrated(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0), readOut(0),
-      scan(SCAN_TOP_TO_BOTTOM), reference("middle"), roll(0), pitch(0), heading(0), height(0), rollSigma(0),
+    : calibrated(false), isScaled(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0),
+      readOut(0), scan(SCAN_TOP_TO_BOTTOM), reference("middle"), roll(0), pitch(0), heading(0), height(0), rollSigma(0),
       pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0)
 {
 }
 
+cv::Matx33d scaledIntrinsics(cv::Matx33d K, double widthFactor, double heightFactor)
+{
+    K(0, 0) *= widthFactor;
+    K(1, 1) *= heightFactor;
+    K(0, 2) = (K(0, 2) + 0.5) * widthFactor - 0.5;
+    K(1, 2) = (K(1, 2) + 0.5) * heightFactor - 0.5;
+    return K;
+}
+
 RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
 {
-    if (size.area() > 0 && size != imageSize)
-        throw InputError(cv::format("the image has %d x %d pixels, but the camera file is for %d x %d", imageSize.width,
-                                    imageSize.height, size.width, size.height));
-    RollingShutterCamera camera = calibrated ? RollingShutterCamera(imageSize, K, lens, lensModel)
+    const double widthFactor = size.empty() ? 1 : double(imageSize.width) / size.width,
+                 heightFactor = size.empty() ? 1 : double(imageSize.height) / size.height;
+    // Sizes are rounded to whole pixels, often even ones.
+    const double sameShape = 0.02;
+    if (isScaled ? std::abs(widthFactor / heightFactor - 1) > sameShape : !size.empty() && size != imageSize)
+        throw InputError(cv::format("the image has %d x %d pixels, but the camera file is for %d x %d%s",
+                                    imageSize.width, imageSize.height, size.width, size.height,
+                                    isScaled ? " and others of this shape" : ""));
+    const cv::Matx33d intrinsics = isScaled ? scaledIntrinsics(K, widthFactor, heightFactor) : K;
+    RollingShutterCamera camera = calibrated ? RollingShutterCamera(imageSize, intrinsics, lens, lensModel)
                                              : RollingShutterCamera::fromFocal(imageSize, focal);
     camera.scanDirection = scan;
     const int lines = camera.isRowShutter() ? imageSize.height : imageSize.width;

@@ -16,6 +16,7 @@ struct CameraSettings
 {
     bool calibrated; //!< whether K, lens and lensModel are known
     cv::Size size;   //!< of the calibration; 0 x 0: unknown
+    bool isScaled;   //!< whether the calibration also is that of images of other sizes but the same shape
     cv::Matx33d K;
     std::vector<double> lens;
     int lensModel;
@@ -31,9 +32,13 @@ struct CameraSettings
     CameraSettings();
 
     /** The camera for an image.
-    Throws InputError if the image hasn't the size of the calibration. */
+    Throws InputError if the image hasn't the size of the calibration, or the shape if that is scaled. */
     cv::rsackermann::RollingShutterCamera makeCamera(const cv::Size& imageSize) const;
 };
+
+/** The camera matrix of images that are scaled by factors for width and height: the centre of the first pixel is at 0,
+and the sides of the image stay its sides. */
+cv::Matx33d scaledIntrinsics(cv::Matx33d K, double widthFactor, double heightFactor);
 
 //! The words for cv::rsackermann::ScanDirection, in its order.
 extern const std::vector<std::string> SCAN_WORDS;

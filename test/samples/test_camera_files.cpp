@@ -27,6 +27,15 @@ const char* const ROS =
 const char* const ROS_MESSAGE =
     "height: 380\nwidth: 640\ndistortion_model: plumb_bob\nD: [-0.1, 0.02, 0.001, -0.002, 0.003]\n"
     "K: [816, 0, 319.5, 0, 815, 189.5, 0, 0, 1]\n";
+// Of an anamorphic lens: calibrated with images that were stretched to 960 x 380, as others of 640 x 380.
+const char* const GYROFLOW = R"({
+  "name": "front", "calib_dimension": {"w": 960, "h": 380}, "orig_dimension": {"w": 960, "h": 380},
+  "output_dimension": {"w": 960, "h": 380}, "frame_readout_time": 19.0, "input_horizontal_stretch": 1.5,
+  "input_vertical_stretch": 1.0, "num_images": 14, "fps": 30.0, "crop": null, "asymmetrical": false,
+  "fisheye_params": {"RMS_error": 0.7, "camera_matrix": [[750, 0, 470], [0, 500, 180], [0, 0, 1]],
+  "distortion_coeffs": [0.25, -0.08, 0.22, -0.11], "radial_distortion_limit": null},
+  "compatible_settings": [], "distortion_model": null, "digital_lens": null, "global_shutter": false
+})";
 const char* const KALIBR =
     "cam0:\n  camera_model: pinhole\n  intrinsics: [816, 815, 319.5, 189.5]\n  distortion_model: radtan\n"
     "  distortion_coeffs: [-0.1, 0.02, 0.001, -0.002]\n  resolution: [640, 380]\n"
@@ -286,6 +295,138 @@ TEST(CameraFiles, written_and_read)
     EXPECT_EQ(s.pitch, r.pitch);
     EXPECT_EQ(s.heading, r.heading);
     EXPECT_EQ(s.height, r.height);
+}
+
+// A profile with another value of a field; null takes it away.
+std::string profileWith(const std::string& pointer, const nlohmann::json& value)
+{
+    nlohmann::json profile = nlohmann::json::parse(GYROFLOW);
+    profile[nlohmann::json::json_pointer(pointer)] = value;
+    return profile.dump();
+}
+
+TEST(CameraFiles, lens_profile)
+{
+    const rsackermann_samples::CameraSettings s = read(GYROFLOW);
+    EXPECT_EQ(cv::Size(640, 380), s.size);
+    EXPECT_EQ(cv::rsackermann::LENS_FISHEYE, s.lensModel);
+    EXPECT_EQ(std::vector<double>({0.25, -0.08, 0.22, -0.11}), s.lens);
+    EXPECT_EQ(cv::rsackermann::SCAN_TOP_TO_BOTTOM, s.scan);
+    const cv::rsackermann::RollingShutterCamera same = s.makeCamera(s.size);
+    EXPECT_LT(cv::norm(same.cameraMatrix - cv::Matx33d(500, 0, 319.5, 0, 500, 189.5, 0, 0, 1)), 1e-9);
+    EXPECT_DOUBLE_EQ(0.019 / 380, same.lineDelay);
+    // Twice as large: the read-out takes as long.
+    const cv::rsackermann::RollingShutterCamera twice = s.makeCamera(cv::Size(1280, 760));
+    EXPECT_LT(cv::norm(twice.cameraMatrix - cv::Matx33d(1000, 0, 639.5, 0, 1000, 379.5, 0, 0, 1)), 1e-9);
+    EXPECT_DOUBLE_EQ(0.019 / 760, twice.lineDelay);
+    // Sizes that are rounded to even numbers.
+    EXPECT_NEAR(500 * 424 / 640., s.makeCamera(cv::Size(424, 252)).cameraMatrix(0, 0), 1e-9);
+    EXPECT_THROW(s.makeCamera(cv::Size(960, 380)), rsackermann_samples::InputError);
+}
+
+TEST(CameraFiles, lens_profile_fields)
+{
+    const cv::Matx33d asymmetrical(500, 0, (470 + 0.5) / 1.5 - 0.5, 0, 500, 180, 0, 0, 1);
+    EXPECT_LT(cv::norm(read(profileWith("/asymmetrical", true)).K - asymmetrical), 1e-9);
+    EXPECT_EQ(625, read(profileWith("/crop", 0.8)).K(1, 1));
+    EXPECT_EQ(cv::Size(960, 380), read(profileWith("/input_horizontal_stretch", 0)).size);
+    EXPECT_EQ(cv::Size(640, 190), read(profileWith("/input_vertical_stretch", 2)).size);
+    EXPECT_EQ(0, read(profileWith("/frame_readout_time", nullptr)).readOut);
+    const rsackermann_samples::CameraSettings upwards = read(profileWith("/frame_readout_time", -25));
+    EXPECT_EQ(0.025, upwards.readOut);
+    EXPECT_EQ(cv::rsackermann::SCAN_BOTTOM_TO_TOP, upwards.scan);
+    EXPECT_EQ(cv::rsackermann::SCAN_RIGHT_TO_LEFT, read(profileWith("/frame_readout_direction", "RightToLeft")).scan);
+    EXPECT_EQ(cv::rsackermann::LENS_PINHOLE, read(profileWith("/distortion_model", "opencv_standard")).lensModel);
+}
+
+// Each message names the file and the field.
+TEST(CameraFiles, lens_profiles_that_are_refused)
+{
+    typedef nlohmann::json Json;
+    std::string overflow = GYROFLOW, notANumber = GYROFLOW;
+    overflow.replace(overflow.find("19.0"), 4, "1e999");
+    notANumber.replace(notANumber.find("750"), 3, "NaN");
+    const std::pair<std::string, std::string> cases[] = {
+        {profileWith("/distortion_model", "poly5"), "distortion_model poly5 isn't known"},
+        {profileWith("/distortion_model", 5), "distortion_model is not a word"},
+        {profileWith("/digital_lens", "gopro_superview"), "digital_lens gopro_superview isn't known"},
+        {profileWith("/global_shutter", true), "global_shutter"},
+        {profileWith("/global_shutter", 1), "global_shutter is neither true nor false"},
+        {profileWith("/fisheye_params", nullptr), "fisheye_params is missing"},
+        {profileWith("/fisheye_params", 7), "fisheye_params is not an object"},
+        {profileWith("/fisheye_params/camera_matrix", nullptr), "fisheye_params.camera_matrix is missing"},
+        {profileWith("/fisheye_params/camera_matrix", Json::array()), "fisheye_params.camera_matrix hasn't 3 rows"},
+        {profileWith("/fisheye_params/camera_matrix/1", {0, 500}), "fisheye_params.camera_matrix, row 2"},
+        {profileWith("/fisheye_params/camera_matrix/0/0", "a"), "fisheye_params.camera_matrix, row 1: \"a\""},
+        {profileWith("/fisheye_params/camera_matrix/0/0", -5), "focal length isn't above 0"},
+        {profileWith("/fisheye_params/distortion_coeffs", nullptr), "fisheye_params.distortion_coeffs is missing"},
+        {profileWith("/fisheye_params/distortion_coeffs", Json::array()), "has 0 numbers; 4 are expected"},
+        {profileWith("/fisheye_params/distortion_coeffs/2", "x"), "fisheye_params.distortion_coeffs: \"x\""},
+        {profileWith("/calib_dimension", nullptr), "calib_dimension is missing"},
+        {profileWith("/calib_dimension/w", nullptr), "calib_dimension.w is missing"},
+        {profileWith("/calib_dimension/h", 0), "calib_dimension.h: 0 is none of an image"},
+        {profileWith("/calib_dimension/h", 380.5), "calib_dimension.h: 380.5 is none of an image"},
+        {profileWith("/frame_readout_time", "long"), "frame_readout_time: \"long\" is not a number"},
+        {profileWith("/frame_readout_time", 1e6), "frame_readout_time: 1e+06 is not from"},
+        {profileWith("/frame_readout_direction", "Sideways"), "frame_readout_direction"},
+        {profileWith("/input_horizontal_stretch", 1000), "input_horizontal_stretch: 1000 is none of a lens"},
+        {profileWith("/input_vertical_stretch", {1}), "input_vertical_stretch: [1] is not a number"},
+        {profileWith("/crop", 0), "crop: 0 is not above 0"},
+        {profileWith("/asymmetrical", "yes"), "asymmetrical is neither true nor false"},
+        {overflow, "frame_readout_time: "},
+        {notANumber, "camera_matrix: "},
+        {std::string(GYROFLOW).substr(0, 300), "asymmetrical: "}};
+    const TemporaryFolder folder;
+    for (const std::pair<std::string, std::string>& refused : cases)
+    {
+        writeContent(folder / "lens.json", refused.first);
+        rsackermann_samples::CameraSettings settings;
+        try
+        {
+            rsackermann_samples::readCameraFile(folder / "lens.json", settings);
+            ADD_FAILURE() << refused.first;
+        }
+        catch (const rsackermann_samples::UsageError& e)
+        {
+            const std::string message = e.what();
+            EXPECT_EQ(0u, message.find("camera file " + (folder / "lens.json") + ": ")) << message;
+            EXPECT_NE(std::string::npos, message.find(refused.second)) << message << "\n" << refused.second;
+        }
+    }
+}
+
+// The corrected image of a profile's camera is that of the same camera in OpenCV's format; --readout goes before it.
+TEST(CameraFiles, lens_profile_of_a_program)
+{
+    const TemporaryFolder folder;
+    nlohmann::json profile = nlohmann::json::parse(GYROFLOW);
+    profile["calib_dimension"] = {{"w", 1920}, {"h", 1140}};
+    profile["fisheye_params"]["camera_matrix"] = {{2448, 0, 960}, {0, 2448, 570}, {0, 0, 1}};
+    profile["input_horizontal_stretch"] = 1;
+    profile["frame_readout_time"] = -40;
+    writeContent(folder / "lens.json", profile.dump());
+    writeContent(folder / "camera.yml", "width: 640\nheight: 380\ndistortion_model: equidistant\n"
+                                        "D: [0.25, -0.08, 0.22, -0.11]\n"
+                                        "K: [816, 0, 319.5, 0, 816, 189.5, 0, 0, 1]\n"
+                                        "scan: bottom_to_top\nreadout: 0.04\n");
+    const std::string image = streetFolder() + "/rolling.png";
+    for (const char* readOut : {"", "--readout=0.02"})
+    {
+        nlohmann::json lines[2];
+        for (int k = 0; k < 2; k++)
+        {
+            Arguments arguments = {image, "--camera=" + (folder / (k == 0 ? "lens.json" : "camera.yml")), "--report=-"};
+            if (*readOut)
+                arguments.push_back(readOut);
+            const Outcome outcome = correct(arguments);
+            ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+            lines[k] = nlohmann::json::parse(outcome.output);
+        }
+        EXPECT_EQ("ok", lines[0]["status"]);
+        EXPECT_NEAR(lines[1]["yaw_rate_deg_s"].get<double>(), lines[0]["yaw_rate_deg_s"].get<double>(), 1e-3);
+        EXPECT_NEAR(lines[1]["speed_km_h"].is_null() ? 0 : lines[1]["speed_km_h"].get<double>(),
+                    lines[0]["speed_km_h"].is_null() ? 0 : lines[0]["speed_km_h"].get<double>(), 1e-3);
+    }
 }
 
 TEST(CameraFiles, options_go_before_the_file)

@@ -1,0 +1,206 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "lens_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace rsackermann_samples {
+
+using namespace cv::rsackermann;
+
+namespace {
+
+typedef nlohmann::json Json;
+
+const double LARGEST = 65535;        // pixels, of most formats of images
+const double LEAST_STRETCH = 0.01;   // Gyroflow takes less for a stretch that isn't given
+const double LONGEST_READ_OUT = 100; // seconds, as --readout
+const char* const DIRECTIONS[] = {"TopToBottom", "BottomToTop", "LeftToRight", "RightToLeft"}; // as SCAN_WORDS
+
+void require(bool condition, const std::string& message)
+{
+    if (!condition)
+        throw UsageError(message);
+}
+
+// A number that no double holds and NaN, which isn't JSON, end the parser; the field is the last one that has begun.
+Json parse(const std::string& text)
+{
+    std::string field;
+    try
+    {
+        return Json::parse(text, [&field](int, Json::parse_event_t event, Json& value) {
+            if (event == Json::parse_event_t::key)
+                field = value.get<std::string>();
+            return true;
+        });
+    }
+    catch (const Json::exception& e)
+    {
+        throw UsageError(field.empty() ? e.what() : field + ": " + e.what());
+    }
+}
+
+double numberOf(const Json& value, const std::string& name)
+{
+    require(value.is_number(), name + ": " + value.dump() + " is not a number");
+    return value.get<double>();
+}
+
+std::vector<double> numbersOf(const Json& list, const std::string& name)
+{
+    require(list.is_array(), name + " is not a list, but " + list.dump());
+    std::vector<double> values;
+    for (const Json& element : list)
+        values.push_back(numberOf(element, name));
+    return values;
+}
+
+//! A JSON object and what messages call it; null counts as missing.
+class Fields
+{
+public:
+    Fields(const Json& object, const std::string& prefix) : object_(object), prefix_(prefix) {}
+
+    std::string nameOf(const std::string& key) const { return prefix_ + key; }
+    bool has(const std::string& key) const { return object_.contains(key) && !object_.at(key).is_null(); }
+    const Json& at(const std::string& key) const
+    {
+        require(has(key), nameOf(key) + " is missing");
+        return object_.at(key);
+    }
+    Fields object(const std::string& key) const
+    {
+        const Json& value = at(key);
+        require(value.is_object(), nameOf(key) + " is not an object, but " + value.dump());
+        return Fields(value, nameOf(key) + ".");
+    }
+    double number(const std::string& key) const { return numberOf(at(key), nameOf(key)); }
+    double number(const std::string& key, double otherwise) const { return has(key) ? number(key) : otherwise; }
+    bool flag(const std::string& key) const
+    {
+        require(!has(key) || at(key).is_boolean(), nameOf(key) + " is neither true nor false");
+        return has(key) && at(key).get<bool>();
+    }
+    std::string word(const std::string& key, const std::string& otherwise) const
+    {
+        require(!has(key) || at(key).is_string(), nameOf(key) + " is not a word");
+        return has(key) ? at(key).get<std::string>() : otherwise;
+    }
+    std::vector<double> numbers(const std::string& key) const { return numbersOf(at(key), nameOf(key)); }
+
+private:
+    const Json& object_;
+    std::string prefix_;
+};
+
+cv::Matx33d matrixOf(const Fields& params)
+{
+    const std::string name = params.nameOf("camera_matrix");
+    const Json& rows = params.at("camera_matrix");
+    require(rows.is_array() && rows.size() == 3, name + " hasn't 3 rows");
+    cv::Matx33d K;
+    for (int i = 0; i < 3; i++)
+    {
+        const std::vector<double> row = numbersOf(rows[size_t(i)], name + cv::format(", row %d", i + 1));
+        require(row.size() == 3, name + cv::format(", row %d hasn't 3 numbers", i + 1));
+        std::copy(row.begin(), row.end(), &K(i, 0));
+    }
+    require(K(0, 0) > 0 && K(1, 1) > 0, name + ": the focal length isn't above 0");
+    return K;
+}
+
+double lengthOf(const Fields& dimension, const char* key)
+{
+    const double length = dimension.number(key);
+    require(length == std::floor(length) && length >= 2 && length <= LARGEST,
+            dimension.nameOf(key) + cv::format(": %g is none of an image", length));
+    return length;
+}
+
+double stretchOf(const Fields& profile, const char* key)
+{
+    const double stretch = profile.number(key, 1);
+    require(std::abs(stretch) <= 100, profile.nameOf(key) + cv::format(": %g is none of a lens", stretch));
+    return stretch > LEAST_STRETCH ? stretch : 1;
+}
+
+void readLens(const Fields& profile, CameraSettings& s)
+{
+    const std::string model = profile.word("distortion_model", "opencv_fisheye");
+    require(model == "opencv_fisheye" || model == "opencv_standard",
+            "distortion_model " + model + " isn't known, only opencv_fisheye and opencv_standard are");
+    const std::string digital = profile.word("digital_lens", "");
+    require(digital.empty(), "digital_lens " + digital + " isn't known: only lenses are undone, no other warps");
+    s.lensModel = model == "opencv_fisheye" ? LENS_FISHEYE : LENS_PINHOLE;
+    const Fields params = profile.object("fisheye_params");
+    s.lens = params.numbers("distortion_coeffs");
+    const size_t n = s.lens.size();
+    require(n == 4 || (s.lensModel == LENS_PINHOLE && (n == 5 || n == 8 || n == 12)),
+            params.nameOf("distortion_coeffs") + cv::format(" has %d numbers; ", int(n)) +
+                (s.lensModel == LENS_FISHEYE ? "4 are expected" : "4, 5, 8 or 12 are expected"));
+}
+
+/** The camera matrix of the pixels of the file. Profiles of anamorphic lenses are calibrated with images that were
+stretched to the right shape. */
+void readIntrinsics(const Fields& profile, CameraSettings& s)
+{
+    const Fields dimension = profile.object("calib_dimension");
+    const cv::Size2d calibrated(lengthOf(dimension, "w"), lengthOf(dimension, "h"));
+    s.size = cv::Size(cvRound(calibrated.width / stretchOf(profile, "input_horizontal_stretch")),
+                      cvRound(calibrated.height / stretchOf(profile, "input_vertical_stretch")));
+    require(s.size.width >= 2 && s.size.height >= 2 && s.size.width <= LARGEST && s.size.height <= LARGEST,
+            cv::format("input_horizontal_stretch and input_vertical_stretch make an image of %d x %d pixels",
+                       s.size.width, s.size.height));
+    s.K = matrixOf(profile.object("fisheye_params"));
+    // Gyroflow uses the principal point of lenses that are said to be asymmetrical alone.
+    if (!profile.flag("asymmetrical"))
+    {
+        s.K(0, 2) = (calibrated.width - 1) / 2;
+        s.K(1, 2) = (calibrated.height - 1) / 2;
+    }
+    const double crop = profile.number("crop", 1);
+    require(crop > 0 && crop <= 100, cv::format("crop: %g is not above 0 and up to 100", crop));
+    s.K(0, 0) /= crop;
+    s.K(1, 1) /= crop;
+    s.K = scaledIntrinsics(s.K, s.size.width / calibrated.width, s.size.height / calibrated.height);
+    s.calibrated = s.isScaled = true;
+}
+
+void readShutter(const Fields& profile, CameraSettings& s)
+{
+    require(!profile.flag("global_shutter"), "global_shutter: there is no rolling shutter to be undone");
+    const double seconds = profile.number("frame_readout_time", 0) / 1000;
+    require(std::abs(seconds) <= LONGEST_READ_OUT,
+            cv::format("frame_readout_time: %g is not from %g to %g ms", seconds * 1000, -LONGEST_READ_OUT * 1000,
+                       LONGEST_READ_OUT * 1000));
+    s.readOut = std::abs(seconds);
+    const std::string direction =
+        profile.word("frame_readout_direction", DIRECTIONS[seconds < 0 ? SCAN_BOTTOM_TO_TOP : SCAN_TOP_TO_BOTTOM]);
+    s.scan = parseWord(direction, "frame_readout_direction", std::vector<std::string>(DIRECTIONS, DIRECTIONS + 4));
+}
+
+} // namespace
+
+bool isLensProfile(const std::string& text)
+{
+    const size_t begin = text.find_first_not_of(" \t\r\n");
+    return begin != std::string::npos && text[begin] == '{' &&
+           (text.find("\"fisheye_params\"") != std::string::npos ||
+            text.find("\"calib_dimension\"") != std::string::npos);
+}
+
+void readLensProfile(const std::string& text, CameraSettings& settings)
+{
+    const Json json = parse(text);
+    const Fields profile(json, "");
+    readLens(profile, settings);
+    readIntrinsics(profile, settings);
+    readShutter(profile, settings);
+}
+
+} // namespace rsackermann_samples
