@@ -6,6 +6,7 @@
 
 #include "camera_settings.hpp"
 #include "export/colmap.hpp"
+#include "export/gyro_log.hpp"
 #include "export/row_poses.hpp"
 #include "export/st_map.hpp"
 #include "export/tracks.hpp"
@@ -35,6 +36,7 @@ const char* const KEYS =
     "{stmap_format  | png   | png (16 bits) or exr}"
     "{tracks        |       | CSV file with points of the raw images, columns file, x, y and maybe depth}"
     "{tracks_output |       | CSV file: the same table with the points of the corrected images}"
+    "{gcsv          |       | gyro log of Gyroflow: the rates of a drive's frames at their times}"
     "{mesh          |       | JSON file: a coarse grid with the places of its nodes}"
     "{mesh_size     | 17x10 | nodes in a row and in a column}";
 
@@ -53,10 +55,10 @@ cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const s
 
 void checkResults(const Options& options)
 {
-    for (const char* name : {"row_poses", "colmap", "stmap", "tracks", "mesh"})
+    for (const char* name : {"row_poses", "colmap", "stmap", "tracks", "gcsv", "mesh"})
         if (options.given(name))
             return;
-    throw UsageError("nothing to do: give --row_poses, --colmap, --stmap, --tracks or --mesh");
+    throw UsageError("nothing to do: give --row_poses, --colmap, --stmap, --tracks, --gcsv or --mesh");
 }
 
 // No result may replace an input or another result.
@@ -66,7 +68,7 @@ void checkTargets(const Options& options, const std::vector<MotionFrame>& frames
     plan.addInputs(options.inputFiles());
     if (options.given("tracks"))
         plan.addInput(options.inputFile("tracks"));
-    for (const char* name : {"row_poses", "tracks_output", "mesh"})
+    for (const char* name : {"row_poses", "tracks_output", "gcsv", "mesh"})
         if (options.given(name))
             plan.addOutput(options.text(name), std::string("--") + name);
     const bool hasMasks = options.given("colmap"), hasStMaps = options.given("stmap");
@@ -107,6 +109,8 @@ int run(const Options& options)
     const cv::rsackermann::RollingShutterCamera camera = readCamera(options, frames);
     checkResults(options);
     checkTargets(options, frames);
+    if (options.given("gcsv"))
+        writeFile(options.text("gcsv"), gyroLogText(camera, frames));
     if (options.given("row_poses"))
         writeFile(options.text("row_poses"), rowPosesText(camera, frames));
     if (options.given("colmap"))

@@ -21,7 +21,8 @@ namespace rsackermann_samples {
 using namespace cv::rsackermann;
 
 MotionFrame::MotionFrame()
-    : frame(-1), roll(std::numeric_limits<double>::quiet_NaN()), pitch(std::numeric_limits<double>::quiet_NaN())
+    : frame(-1), time(std::numeric_limits<double>::quiet_NaN()), roll(std::numeric_limits<double>::quiet_NaN()),
+      pitch(std::numeric_limits<double>::quiet_NaN())
 {
 }
 
@@ -130,6 +131,7 @@ std::vector<MotionFrame> readReport(const std::string& path)
             MotionFrame frame;
             frame.input = line.at("input").get<std::string>();
             frame.frame = line.value("frame", -1);
+            frame.time = line.value("time_s", frame.time);
             frame.size = cv::Size(line.value("width", 0), line.value("height", 0));
             frame.roll = line.value("roll_deg", frame.roll);
             frame.pitch = line.value("pitch_deg", frame.pitch);

@@ -16,6 +16,7 @@ struct MotionFrame
 {
     std::string input;  //!< as the report names it
     int frame;          //!< number of a video's frame; -1: the input is an image
+    double time;        //!< seconds; NaN: unknown
     cv::Size size;      //!< of the image; 0 x 0: unknown
     double roll, pitch; //!< degrees, of the camera in this frame; NaN: as in all frames
     cv::rsackermann::AckermannMotion motion;

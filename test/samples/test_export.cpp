@@ -6,6 +6,8 @@
 // truth.
 
 #include "program.hpp"
+#include "camera_settings.hpp"
+#include "gyro_file.hpp"
 #include "street_model.hpp"
 #include "truth_file.hpp"
 
@@ -542,6 +544,133 @@ TEST_F(Export, images_of_one_pixel_across)
     }
 }
 
+// A drive of which the rates are known, and the log of it that the program's own reader has read.
+class ExportGyroLog : public Export
+{
+public:
+    // Rates in deg/s.
+    json frame(const std::string& input, double time, double yaw, double pitch, double roll) const
+    {
+        const double unit = 500 * 0.03 / 480 * CV_PI / 180; // seconds of a row time, radians of a degree
+        return {{"input", input},
+                {"time_s", time},
+                {"width", 640},
+                {"height", 480},
+                {"status", "ok"},
+                {"alpha", yaw * unit / 2},
+                {"beta", 0},
+                {"wall_offset", 0},
+                {"wall_ratio", 0},
+                {"road_slope", 0},
+                {"direction", 1},
+                {"pitch_rate", pitch * unit},
+                {"roll_rate", roll * unit},
+                {"roll_correction_deg", 0},
+                {"pitch_correction_deg", 0},
+                {"wall_distance_m", 0},
+                {"scale", "unknown"}};
+    }
+
+    Outcome run(const std::vector<json>& lines, const Arguments& options = {"--readout=0.03"}) const
+    {
+        std::string report;
+        for (const json& line : lines)
+            report += line.dump() + "\n";
+        writeContent(folder / "report.jsonl", report);
+        Arguments all = {"--report=" + (folder / "report.jsonl"), "--focal=500", "--gcsv=" + (folder / "drive.gcsv")};
+        all.insert(all.end(), options.begin(), options.end());
+        return exportMotion(all);
+    }
+
+    cv::Mat rates() const { return rsackermann_samples::readGyro(folder / "drive.gcsv", "test").rates; }
+};
+
+TEST_F(ExportGyroLog, is_read_as_the_rates_of_the_report)
+{
+    json still = frame("4.png", 1.3, 0, 0, 0);
+    still["status"] = "not_significant";
+    const Outcome outcome = run({frame("1.png", 1, 30, 0, 0), frame("3.png", 1 + 1 / 15., -12, 3, -4.5),
+                                 frame("2.png", 1 + 1 / 30., 7, -20, 10), still});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const rsackermann_samples::GyroRecording log = rsackermann_samples::readGyro(folder / "drive.gcsv", "test");
+    const double times[] = {1, 1 + 1 / 30., 1 + 1 / 15., 1.3},
+                 expected[][3] = {{0, 30, 0}, {20, 7, 10}, {-3, -12, -4.5}, {0, 0, 0}}; // about right, down, ahead
+    ASSERT_EQ(4, log.times.rows);
+    for (int i = 0; i < 4; i++)
+    {
+        EXPECT_NEAR(times[i], log.times.at<double>(i), 1e-9);
+        for (int k = 0; k < 3; k++)
+            EXPECT_NEAR(expected[i][k], log.rates.at<double>(i, k) * 180 / CV_PI, 1e-6) << i << ", " << k;
+    }
+}
+
+// A camera that leans and looks down turns about its own axes, of which none is the vertical.
+TEST_F(ExportGyroLog, yaw_is_about_the_vertical)
+{
+    ASSERT_EQ(0, run({frame("1.png", 1, 30, 0, 0), frame("2.png", 2, 30, 0, 0)},
+                     {"--readout=0.03", "--roll=10", "--pitch=20"})
+                     .exitCode);
+    const double roll = 10 * CV_PI / 180, pitch = 20 * CV_PI / 180, rate = 30 * CV_PI / 180;
+    const cv::Matx13d down(std::sin(roll), std::cos(roll) * std::cos(pitch), std::sin(pitch));
+    const cv::Mat found = rates();
+    EXPECT_LT(cv::norm(found.row(1), cv::Mat(down * (rate / cv::norm(down)))), 1e-7) << found;
+}
+
+// The rates come back out of rsackermann_correct, which has nothing but the log.
+TEST_F(ExportGyroLog, turns_images_again)
+{
+    std::vector<json> lines;
+    for (int i = 0; i < 40; i++)
+        lines.push_back(frame(cv::format("%02d.png", i), 0.5 + i / 30., 30, -20, 10));
+    ASSERT_EQ(0, run(lines).exitCode);
+    cv::imwrite(folder / "dark.png", cv::Mat(480, 640, CV_8U, cv::Scalar(0)));
+    writeContent(folder / "log.csv", "file,time_s\ndark.png,1\n");
+    const Outcome outcome = correct({folder / "dark.png", "--focal=500", "--readout=0.03", "--report=-",
+                                     "--gyro=" + (folder / "drive.gcsv"), "--log=" + (folder / "log.csv")});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const json line = json::parse(outcome.output);
+    EXPECT_NEAR(30, line["yaw_rate_deg_s"].get<double>(), 1e-3);
+    EXPECT_NEAR(-20, line["pitch_rate_deg_s"].get<double>(), 1e-3);
+    EXPECT_NEAR(10, line["roll_rate_deg_s"].get<double>(), 1e-3);
+}
+
+TEST_F(ExportGyroLog, what_has_no_log_is_refused)
+{
+    const json first = frame("1.png", 1, 30, 0, 0);
+    json timeless = frame("2.png", 2, 30, 0, 0), video = first, other = frame("b.mp4", 2, 30, 0, 0);
+    timeless.erase("time_s");
+    video["input"] = "a.mp4";
+    video["frame"] = other["frame"] = 1;
+    const auto expectRefused = [&](const std::vector<json>& lines, const std::string& part) {
+        const Outcome outcome = run(lines);
+        EXPECT_EQ(1, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find(part)) << outcome.messages;
+        EXPECT_FALSE(cv::utils::fs::exists(folder / "drive.gcsv"));
+    };
+    expectRefused({first, timeless}, "the time of 2.png isn't known");
+    expectRefused({first, frame("2.png", 1, 3, 0, 0)}, "1.png and 2.png have the same time, 1 s");
+    expectRefused({first, first}, "fewer than two frames");
+    expectRefused({video, other}, "a.mp4 and b.mp4 have clocks of their own");
+    expectRefused({first, video}, "1.png and a.mp4 have clocks of their own");
+    const Outcome outcome = run({first, frame("2.png", 2, 3, 0, 0)}, {});
+    EXPECT_EQ(2, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("--gcsv needs the line delay")) << outcome.messages;
+}
+
+// A profile's size needn't be that of the images.
+TEST_F(Export, lens_profile_is_scaled_to_the_report)
+{
+    writeContent(folder / "lens.json",
+                 "{\"calib_dimension\": {\"w\": 1280, \"h\": 760}, \"fisheye_params\": {\"camera_matrix\": "
+                 "[[1632, 0, 640], [0, 1632, 380], [0, 0, 1]], \"distortion_coeffs\": [0, 0, 0, 0]}}");
+    const std::string camera = "--camera=" + (folder / "lens.json");
+    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", camera, "--report=" + (folder / "r.jsonl")}).exitCode);
+    const Outcome outcome =
+        exportMotion({"--report=" + (folder / "r.jsonl"), camera, "--row_poses=" + (folder / "poses.json")});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_EQ(640, json::parse(contentOf(folder / "poses.json"))["width"]);
+}
+
 TEST_F(Export, usage)
 {
     const std::string motion = "--motion=" + (folder / "motion.yml"),
@@ -586,6 +715,7 @@ TEST_F(Export, no_result_replaces_an_input_or_another_result)
     const Arguments conflicts[] = {{"--mesh=" + report},
                                    {"--tracks=" + tracks, "--tracks_output=" + folder.path() + "/./t.csv"},
                                    {"--mesh=" + (folder / "a.json"), "--row_poses=" + (folder / "a.json")},
+                                   {"--gcsv=" + report},
                                    {"--colmap=" + (folder / "colmap")},
                                    {"--stmap=" + (folder / "stmap")}};
     for (const Arguments& conflict : conflicts)
