@@ -9,6 +9,7 @@
 #include "output/atomic_file.hpp"
 #include "output/output_plan.hpp"
 #include "progress.hpp"
+#include "simulate/drive_files.hpp"
 #include "street_model.hpp"
 #include "truth_file.hpp"
 #include "units.hpp"
@@ -24,7 +25,8 @@ const char* const ABOUT =
     "Makes a rolling-shutter image with known truth: renders a street, or distorts a global-shutter image of one.\n"
     "Writes rolling.png, global.png (the view of a global shutter, without a lens), truth.json and camera.yml (for\n"
     "rsackermann_correct --camera) to a folder; with --depth also rolling_depth.png and global_depth.png (16 bits,\n"
-    "1/256 m along the optical axis, 0 for the sky and beyond 255 m).\n"
+    "1/256 m along the optical axis, 0 for the sky and beyond 255 m). With --frames it renders a drive instead:\n"
+    "frames/NNNNNN.png, log.csv with their times, gyro.csv (for rsackermann_correct --gyro), truth.jsonl and camera.yml.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
 const char* const KEYS =
@@ -46,7 +48,8 @@ const char* const KEYS =
     "{heading    | 0       | degrees from the optical axis to the vehicle's forward direction, positive to the right}"
     "{height     | 1.2     | metres of the camera above the road}"
     "{speed      | 60      | km/h, negative in reverse}"
-    "{yaw_rate   | 40      | deg/s, positive if the car turns to the right}"
+    "{yaw_rate   |         | deg/s, positive if the car turns to the right (default 40); of a drive the greatest one "
+    "(default 10)}"
     "{left       | 2.5     | metres to the left wall, 0: there is none}"
     "{right      | 3       | metres to the right wall, 0: there is none}"
     "{wall_direction |     | degrees from the optical axis to the direction along the walls (default: the heading)}"
@@ -55,6 +58,15 @@ const char* const KEYS =
     "this}"
     "{obstacles  | 0       | parked cars, posts and leaning trees on 100 m of each side of the rendered street; cars "
     "park only if the camera passes the wall at 2.8 m or more}"
+    "{frames     |         | render a drive of so many frames, 30 a second, instead of one image: the car weaves, to and "
+    "fro in 4 s}"
+    "{shake      | none    | what shakes the camera: none, suspension (pitch and roll about 1.4 Hz), engine (20 to 40 "
+    "Hz) or phone (an arm at 7 Hz)}"
+    "{shake_rate |         | deg/s, root mean square of the pitch rate of shaking (default: 1.5, 5 or 11)}"
+    "{gyro_rate  | 200     | of the gyro on the camera of a drive, samples per second}"
+    "{gyro_noise | 0.1     | deg/s, standard deviation of a sample}"
+    "{gyro_bias  | 0       | deg/s that it shows too much about each axis}"
+    "{gyro_delay | 0       | seconds by which its clock is ahead}"
     "{depth      |         | write the true depth of both rendered images, too}"
     "{noise      | 1       | of the rendered image, grey levels}"
     "{samples    | 3       | rays across and down a pixel}"
@@ -101,7 +113,8 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
 
     street::StreetScene& scene = truth.scene;
     scene.speed = options.number("speed", -500, 500) * KMH;
-    scene.yawRate = options.number("yaw_rate", -360, 360) * DEGREE;
+    const double usualYawRate = options.given("frames") ? 10 : 40;
+    scene.yawRate = (options.given("yaw_rate") ? options.number("yaw_rate", -360, 360) : usualYawRate) * DEGREE;
     scene.left = options.number("left", 0, 1000);
     scene.right = options.number("right", 0, 1000);
     scene.wallDirection =
@@ -111,7 +124,24 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
     scene.obstacles = options.number("obstacles", 0, 100);
     scene.noise = options.number("noise", 0, 100);
     scene.seed = unsigned(options.integer("seed", 0, 1 << 30));
+    const int shake = options.choice("shake", street::Shake::words());
+    if (options.given("shake_rate") && shake == street::Shake::NONE)
+        throw UsageError("--shake_rate needs --shake");
+    const double shakeRate =
+        options.given("shake_rate") ? options.number("shake_rate", 0, 1000) * DEGREE : street::Shake::usualRate(shake);
+    truth.camera.shake = street::Shake(shake, shakeRate, scene.seed);
     return truth;
+}
+
+street::SimulatedGyro readGyroOptions(const Options& options, unsigned seed)
+{
+    street::SimulatedGyro gyro;
+    gyro.rate = options.number("gyro_rate", 0, 1e5, false);
+    gyro.noise = options.number("gyro_noise", 0, 100) * DEGREE;
+    gyro.bias = cv::Vec3d::all(options.number("gyro_bias", -100, 100) * DEGREE);
+    gyro.delay = options.number("gyro_delay", -1e6, 1e6);
+    gyro.seed = seed;
+    return gyro;
 }
 
 // The rolling-shutter image of a global-shutter one; parts that it doesn't show are mirrored, since a border would be
@@ -142,15 +172,49 @@ cv::Mat depthImage(const cv::Mat& metres)
     return image;
 }
 
+// No result replaces an input, and none an existing file unless that is wanted.
+void checkResults(const Options& options, const std::vector<std::string>& results)
+{
+    for (const std::string& path : results)
+        if (!options.flag("overwrite") && cv::utils::fs::exists(path))
+            throw InputError(path + " exists (--overwrite replaces it)");
+    OutputPlan plan;
+    plan.addInputs(options.inputFiles());
+    for (const std::string& path : results)
+        plan.addOutput(path, path);
+}
+
+void writeDrive(const Options& options, const CameraSettings& settings, const Truth& truth)
+{
+    const DriveFiles files = {options.text("output") + "/", options.integer("frames", 1, 100000),
+                              options.integer("samples", 1, 16), settings, readGyroOptions(options, truth.scene.seed)};
+    checkResults(options, files.names());
+    street::RenderedDrive drive(truth.camera, truth.scene);
+    drive.course = street::RenderedDrive::WEAVING;
+    files.write(drive);
+}
+
+void checkTogether(const Options& options)
+{
+    if (options.given("image"))
+        for (const char* name : {"size", "clutter", "stagger", "obstacles", "depth", "noise", "samples", "seed",
+                                 "frames", "shake", "shake_rate"})
+            if (options.given(name))
+                throw UsageError(std::string("--") + name + " is for rendered streets, not for --image");
+    for (const char* name : {"depth", "wall_direction"})
+        if (options.given("frames") && options.given(name))
+            throw UsageError(std::string("--") + name + " is for one image, not for --frames");
+    for (const char* name : {"gyro_rate", "gyro_noise", "gyro_bias", "gyro_delay"})
+        if (!options.given("frames") && options.given(name))
+            throw UsageError(std::string("--") + name + " needs --frames");
+}
+
 int run(const Options& options)
 {
     options.refuseArguments();
     if (!options.given("output"))
         throw UsageError("--output is missing");
-    if (options.given("image"))
-        for (const char* name : {"size", "clutter", "stagger", "obstacles", "depth", "noise", "samples", "seed"})
-            if (options.given(name))
-                throw UsageError(std::string("--") + name + " is for rendered streets, not for --image");
+    checkTogether(options);
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 4096));
 
@@ -161,6 +225,11 @@ int run(const Options& options)
     const CameraSettings settings =
         readSettings(options, size, image.empty() ? 816 : 0.9 * std::max(size.width, size.height));
     const Truth truth = readTruthOptions(options, settings);
+    if (options.given("frames"))
+    {
+        writeDrive(options, settings, truth);
+        return 0;
+    }
     const int samples = options.integer("samples", 1, 16);
 
     const std::string folder = options.text("output") + "/";
@@ -170,13 +239,7 @@ int run(const Options& options)
     std::vector<std::string> results = {rolling, global, truthFile, camera};
     if (options.flag("depth"))
         results.insert(results.end(), {rollingDepth, globalDepth});
-    for (const std::string& path : results)
-        if (!options.flag("overwrite") && cv::utils::fs::exists(path))
-            throw InputError(path + " exists (--overwrite replaces it)");
-    OutputPlan plan;
-    plan.addInputs(options.inputFiles());
-    for (const std::string& path : results)
-        plan.addOutput(path, path);
+    checkResults(options, results);
 
     const street::StreetRenderer renderer(truth.camera, truth.scene);
     Progress progress;

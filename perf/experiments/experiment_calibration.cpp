@@ -158,8 +158,12 @@ void render(int seed, int frames, int width, const StreetDrive::Options& options
     camera.pitch = PITCH;
     camera.heading = HEADING;
     scene.seed = unsigned(seed);
-    experiments::RenderedDrive drive(camera, scene);
-    drive.course = experiments::RenderedDrive::WEAVING;
+    scene.speed = 12;
+    scene.yawRate = 10 * CV_PI / 180;
+    scene.left = 6;
+    scene.right = 11;
+    street::RenderedDrive drive(camera, scene);
+    drive.course = street::RenderedDrive::WEAVING;
     drive.phase = seed;
     cv::RNG rng(seed);
     for (opencv_test::simulation::Sway& sway : drive.sway)

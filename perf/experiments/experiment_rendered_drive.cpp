@@ -5,6 +5,7 @@
 #include "experiment.hpp"
 #include "options.hpp"
 #include "rendered_drive.hpp"
+#include "simulated_gyro.hpp"
 
 #include "opencv2/imgcodecs.hpp"
 #include <cstdio>
@@ -18,7 +19,7 @@ namespace {
 const char* const ABOUT =
     "Renders a drive (straight, a bend to and fro, a stop, a wall that ends, roll of the suspension) and measures what\n"
     "the correction leaves, frame by frame alone and as a drive, against the true correspondence; and how much the\n"
-    "correction flickers.\n"
+    "correction flickers. With --shake also by how much shaking alone moves the rows, and what is left with a gyro.\n"
     "usage: rsackermann_experiment_rendered_drive [--option=value]...\n";
 
 const char* const KEYS = "{help       |        | print this message}"
@@ -27,11 +28,17 @@ const char* const KEYS = "{help       |        | print this message}"
                          "{stagger    | 1.5    | metres by which houses stand back}"
                          "{walls      |        | weave through a street whose walls come and go, instead}"
                          "{roll       | 0.5    | amplitude of the suspension's roll, which isn't given, degrees}"
+                         "{shake      | none   | what shakes the camera: none, suspension, engine or phone}"
+                         "{shake_rate |        | deg/s, root mean square of the pitch rate (default: 1.5, 5 or 11)}"
+                         "{gyro_delay | 0.008  | seconds by which the gyro's clock is ahead, which isn't given}"
+                         "{gyro_bias  | 0.5    | deg/s that the gyro shows too much about each axis}"
+                         "{gyro_noise | 0.1    | deg/s, of each of 200 samples a second}"
                          "{save       |        | folder for the images}"
                          "{quiet      |        | print the summary only}"
                          "{threads    |        | number of threads}";
 
 const double DEGREE = CV_PI / 180;
+const int STEP = 20; // pixels between the points of the grid
 
 struct Series
 {
@@ -43,15 +50,34 @@ struct Series
     Series() : within3(0) {}
 };
 
+// Mean distance in pixels by which the shaking alone has moved the points of a grid.
+double displacementByShaking(const street::StreetRenderer& renderer, street::StreetCamera camera,
+                             const street::StreetScene& scene)
+{
+    camera.shake = camera.shake.heldAt(camera.seconds);
+    const street::StreetRenderer held(camera, scene);
+    double sum = 0;
+    int count = 0;
+    for (int y = STEP / 2; y < camera.size.height; y += STEP)
+        for (int x = STEP / 2; x < camera.size.width; x += STEP)
+        {
+            cv::Point2d place, heldPlace;
+            if (!renderer.toRolling(cv::Point2d(x, y), place) || !held.toRolling(cv::Point2d(x, y), heldPlace))
+                continue;
+            sum += cv::norm(place - heldPlace);
+            count++;
+        }
+    return sum / std::max(count, 1);
+}
+
 // Adds what maps leave at the points of a grid.
 void measure(const street::StreetRenderer& renderer, const cv::Mat maps[2], Series& series)
 {
-    const int step = 20;
     double raw = 0, left = 0, change = 0;
     int count = 0;
     std::vector<cv::Point2d> errors;
-    for (int y = step / 2; y < maps[0].rows; y += step)
-        for (int x = step / 2; x < maps[0].cols; x += step)
+    for (int y = STEP / 2; y < maps[0].rows; y += STEP)
+        for (int x = STEP / 2; x < maps[0].cols; x += STEP)
         {
             const cv::Point2d p(x, y), q(maps[0].at<float>(y, x), maps[1].at<float>(y, x));
             cv::Point2d truth;
@@ -87,6 +113,27 @@ void summarise(const char* name, const Series& s)
             100. * s.within3 / double(s.yawRate.size()));
 }
 
+street::Shake readShake(const Options& options)
+{
+    const int kind = options.choice("shake", street::Shake::words());
+    const double rate =
+        options.given("shake_rate") ? options.number("shake_rate", 0, 1000) * DEGREE : street::Shake::usualRate(kind);
+    return street::Shake(kind, rate, unsigned(options.integer("seed", 0, INT_MAX)));
+}
+
+// Of all of a drive.
+void addGyro(const Options& options, const street::RenderedDrive& drive, double end, RollingShutterCorrector& corrector)
+{
+    street::SimulatedGyro gyro;
+    gyro.noise = options.number("gyro_noise", 0, 100) * DEGREE;
+    gyro.bias = cv::Vec3d::all(options.number("gyro_bias", -10, 10) * DEGREE);
+    gyro.delay = options.number("gyro_delay", -1, 1);
+    gyro.seed = unsigned(options.integer("seed", 0, INT_MAX));
+    cv::Mat times, rates;
+    gyro.measure([&drive](double seconds) { return drive.ratesAt(seconds); }, -0.5, end + 0.5, times, rates);
+    corrector.addGyro(times, rates);
+}
+
 int run(const Options& options)
 {
     if (options.given("threads"))
@@ -96,11 +143,16 @@ int run(const Options& options)
     scene.seed = unsigned(options.integer("seed", 0, INT_MAX));
     scene.stagger = options.number("stagger", 0, 10);
     scene.clutter = 0.2;
-    RenderedDrive drive(eye, scene);
+    scene.speed = 12;
+    scene.yawRate = 10 * DEGREE;
+    scene.left = 6;
+    scene.right = 11;
+    eye.shake = readShake(options);
+    street::RenderedDrive drive(eye, scene);
     const double roll = options.number("roll", 0, 10) * DEGREE;
     drive.sway[0] = [roll](double seconds) { return roll * std::sin(2 * seconds) * std::cos(0.7 * seconds); };
     if (options.flag("walls"))
-        drive.course = RenderedDrive::CHANGING_WALLS;
+        drive.course = street::RenderedDrive::CHANGING_WALLS;
     const int frames = options.integer("frames", 2, 3000);
     const bool quiet = options.flag("quiet");
 
@@ -108,40 +160,51 @@ int run(const Options& options)
     camera.lineDelay = eye.lineDelay;
     camera.height = eye.height;
     RollingShutterCorrector::Params params;
-    const cv::Ptr<RollingShutterCorrector> alone = RollingShutterCorrector::create(camera, params);
+    std::vector<cv::Ptr<RollingShutterCorrector>> correctors = {RollingShutterCorrector::create(camera, params)};
     params.sequence = true;
-    const cv::Ptr<RollingShutterCorrector> carried = RollingShutterCorrector::create(camera, params);
-    Series series[2];
+    correctors.push_back(RollingShutterCorrector::create(camera, params));
+    if (eye.shake.kind() != street::Shake::NONE)
+    {
+        correctors.push_back(RollingShutterCorrector::create(camera, params));
+        addGyro(options, drive, frames / street::RenderedDrive::framesPerSecond(), *correctors.back());
+    }
+    const char* const names[] = {"alone", "carried", "gyro"};
+    std::vector<Series> series(correctors.size());
+    std::vector<double> shaken; // pixels
     for (int i = 0; i < frames; i++)
     {
         const street::StreetRenderer renderer = drive.next();
         const cv::Mat image = renderer.rollingShutter(2);
         if (options.given("save"))
             cv::imwrite(options.text("save") + cv::format("/%03d.jpg", i), image);
-        cv::Mat corrected, maps[2][2];
-        carried->setTimestamp(drive.seconds());
-        for (int k = 0; k < 2; k++)
+        const double trueYawRate = street::turnRates(drive.camera(), drive.yawRate())[1];
+        shaken.push_back(displacementByShaking(renderer, drive.camera(), drive.street()));
+        cv::Mat corrected, maps[2];
+        for (size_t k = 0; k < correctors.size(); k++)
         {
-            const AckermannMotion motion = (k == 0 ? alone : carried)->correct(image, corrected);
-            (k == 0 ? alone : carried)->getMaps(maps[k][0], maps[k][1]);
-            measure(renderer, maps[k], series[k]);
+            if (k > 0)
+                correctors[k]->setTimestamp(drive.seconds());
+            const AckermannMotion motion = correctors[k]->correct(image, corrected);
+            correctors[k]->getMaps(maps[0], maps[1]);
+            measure(renderer, maps, series[k]);
             double yawRate = 0;
             if (motion.status == MOTION_OK && motion.yawRate(camera, yawRate))
             {
                 const double sigma = std::sqrt(motion.metricCovariance(camera)(0, 0));
-                series[k].yawRate.push_back(std::abs(yawRate - drive.yawRate()) / DEGREE);
-                series[k].within3 += std::abs(yawRate - drive.yawRate()) <= 3 * sigma;
+                series[k].yawRate.push_back(std::abs(yawRate - trueYawRate) / DEGREE);
+                series[k].within3 += std::abs(yawRate - trueYawRate) <= 3 * sigma;
             }
             if (!quiet)
                 std::printf(
-                    "%3d %s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n",
-                    i, k == 0 ? "alone  " : "carried", drive.speed(), drive.yawRate() / DEGREE, yawRate / DEGREE,
-                    motion.status, series[k].raw.back(), series[k].left.back(), motion.expectedRaw,
-                    motion.expectedResidual);
+                    "%3d %-7s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n",
+                    i, names[k], drive.speed(), trueYawRate / DEGREE, yawRate / DEGREE, motion.status,
+                    series[k].raw.back(), series[k].left.back(), motion.expectedRaw, motion.expectedResidual);
         }
     }
-    summarise("alone", series[0]);
-    summarise("carried", series[1]);
+    if (eye.shake.kind() != street::Shake::NONE)
+        std::printf("shaking  mean %.3f p99 %.3f px\n", mean(shaken), quantile(shaken, 0.99));
+    for (size_t k = 0; k < series.size(); k++)
+        summarise(names[k], series[k]);
     return 0;
 }
 

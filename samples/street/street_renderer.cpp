@@ -35,8 +35,20 @@ cv::Vec3d turned(double c, double s, const cv::Vec3d& v)
 
 StreetCamera::StreetCamera(const cv::Size& imageSize, double focal, double delay, double metres)
     : size(imageSize), fx(focal), fy(focal), cx((imageSize.width - 1) / 2.), cy((imageSize.height - 1) / 2.),
-      lineDelay(delay), scan(0), reference((imageSize.height - 1) / 2.), roll(0), pitch(0), heading(0), height(metres)
+      lineDelay(delay), scan(0), reference((imageSize.height - 1) / 2.), roll(0), pitch(0), heading(0), height(metres),
+      seconds(0)
 {
+}
+
+cv::Vec3d turnRates(const StreetCamera& camera, double yawRate)
+{
+    const double step = 1e-5; // of seconds: between rounding and the curvature of the fastest shaking
+    const cv::Matx33d mount = uprightFrom(camera.roll, camera.pitch),
+                      before = camera.shake.rotation(camera.seconds - step),
+                      now = camera.shake.rotation(camera.seconds), after = camera.shake.rotation(camera.seconds + step);
+    const cv::Matx33d turn = before.t() * after, twice = turn - turn.t();
+    return cv::Vec3d(twice(2, 1), twice(0, 2), twice(1, 0)) * (1 / (4 * step)) +
+           (mount * now).t() * cv::Vec3d(0, yawRate, 0);
 }
 
 StreetScene::StreetScene()
@@ -46,7 +58,7 @@ StreetScene::StreetScene()
 }
 
 StreetRenderer::StreetRenderer(const StreetCamera& camera, const StreetScene& scene)
-    : camera_(camera), scene_(scene), upright_(uprightFrom(camera.roll, camera.pitch)),
+    : camera_(camera), scene_(scene), mount_(uprightFrom(camera.roll, camera.pitch)),
       along_(std::sin(scene.wallDirection), 0, std::cos(scene.wallDirection)),
       across_(std::cos(scene.wallDirection), 0, -std::sin(scene.wallDirection)),
       left_(Facade(2 * scene.seed, scene.clutter, 1.05), scene.left, scene.stagger, scene.obstacles, 2 * scene.seed),
@@ -71,22 +83,32 @@ StreetRenderer::Pose StreetRenderer::poseAt(double seconds) const
     const double yaw = scene_.yawRate * seconds, half = yaw / 2;
     const double arc = scene_.speed * seconds, chord = std::abs(half) < 1e-8 ? arc : arc * std::sin(half) / half;
     const double direction = half + camera_.heading;
-    const Pose pose = {std::cos(yaw), std::sin(yaw),
+    const Pose pose = {mount_ * camera_.shake.rotation(camera_.seconds + seconds), std::cos(yaw), std::sin(yaw),
                        cv::Vec3d(chord * std::sin(direction), 0, chord * std::cos(direction))};
     return pose;
 }
 
-cv::Vec3d StreetRenderer::uprightRay(const cv::Point2d& pixel, bool throughLens) const
+std::vector<StreetRenderer::Pose> StreetRenderer::posesOfLines(bool moving) const
+{
+    // All of a line is read at one instant.
+    std::vector<Pose> poses;
+    const int lines = camera_.scan < 2 ? camera_.size.height : camera_.size.width;
+    for (int i = 0; i < lines; i++)
+        poses.push_back(poseAt(moving ? secondsAt(i) : 0));
+    return poses;
+}
+
+cv::Vec3d StreetRenderer::uprightRay(const Pose& pose, const cv::Point2d& pixel, bool throughLens) const
 {
     cv::Point2d p((pixel.x - camera_.cx) / camera_.fx, (pixel.y - camera_.cy) / camera_.fy);
     if (throughLens)
         p = undistortPoint(camera_.lens, p);
-    return upright_ * cv::Vec3d(p.x, p.y, 1);
+    return pose.upright * cv::Vec3d(p.x, p.y, 1);
 }
 
-bool StreetRenderer::project(const cv::Vec3d& upright, bool throughLens, cv::Point2d& pixel) const
+bool StreetRenderer::project(const Pose& pose, const cv::Vec3d& upright, bool throughLens, cv::Point2d& pixel) const
 {
-    const cv::Vec3d v = upright_.t() * upright;
+    const cv::Vec3d v = pose.upright.t() * upright;
     if (v[2] <= 1e-9)
         return false;
     cv::Point2d p(v[0] / v[2], v[1] / v[2]);
@@ -175,12 +197,12 @@ cv::Mat StreetRenderer::render(bool moving, int samples, Rays rays) const
     cv::Mat image(camera_.size, CV_32FC3);
     const bool byRow = camera_.scan < 2;
     const double shift = rays == STAGGERED ? 1. / samples : 0;
+    const std::vector<Pose> poses = posesOfLines(moving);
     cv::parallel_for_(cv::Range(0, image.rows), [&](const cv::Range& range) {
         for (int y = range.start; y < range.end; y++)
             for (int x = 0; x < image.cols; x++)
             {
-                // All of a line is read at one instant.
-                const Pose pose = poseAt(moving ? secondsAt(byRow ? y : x) : 0);
+                const Pose& pose = poses[size_t(byRow ? y : x)];
                 cv::Vec3f sum(0, 0, 0);
                 for (int i = 0; i < samples; i++)
                     for (int j = 0; j < samples; j++)
@@ -188,7 +210,7 @@ cv::Mat StreetRenderer::render(bool moving, int samples, Rays rays) const
                         const double u = j + 0.5 + shift * (i - (samples - 1) / 2.),
                                      v = i + 0.5 + shift * (j - (samples - 1) / 2.);
                         const cv::Point2d p(x + u / samples - 0.5, y + v / samples - 0.5);
-                        sum += colour(pose.centre, turned(pose.c, pose.s, uprightRay(p, moving)));
+                        sum += colour(pose.centre, turned(pose.c, pose.s, uprightRay(pose, p, moving)));
                     }
                 image.at<cv::Vec3f>(y, x) = sum * (1.f / (samples * samples));
             }
@@ -209,12 +231,13 @@ cv::Mat StreetRenderer::depth(bool moving) const
 {
     cv::Mat result(camera_.size, CV_32FC1);
     const bool byRow = camera_.scan < 2;
+    const std::vector<Pose> poses = posesOfLines(moving);
     cv::parallel_for_(cv::Range(0, result.rows), [&](const cv::Range& range) {
         for (int y = range.start; y < range.end; y++)
             for (int x = 0; x < result.cols; x++)
             {
-                const Pose pose = poseAt(moving ? secondsAt(byRow ? y : x) : 0);
-                const cv::Vec3d ray = uprightRay(cv::Point2d(x, y), moving); // 1 along the optical axis
+                const Pose& pose = poses[size_t(byRow ? y : x)];
+                const cv::Vec3d ray = uprightRay(pose, cv::Point2d(x, y), moving); // 1 along the optical axis
                 const cv::Vec3d direction = turned(pose.c, pose.s, ray);
                 const Hit hit = cast(pose.centre, direction);
                 const bool empty = !hit.plane || isSky(hit, pose.centre + direction * hit.distance);
@@ -244,22 +267,22 @@ cv::Mat StreetRenderer::globalShutter(int samples) const
 bool StreetRenderer::toGlobal(const cv::Point2d& rolling, cv::Point2d& global) const
 {
     const Pose pose = poseAt(secondsAt(lineOf(rolling)));
-    const cv::Vec3d ray = turned(pose.c, pose.s, uprightRay(rolling, true));
+    const cv::Vec3d ray = turned(pose.c, pose.s, uprightRay(pose, rolling, true));
     const Hit hit = cast(pose.centre, ray);
     // If no plane is met the scene is infinitely far away, and only the rotation counts.
-    return project(hit.plane ? pose.centre + ray * hit.distance : ray, false, global);
+    return project(poseAt(0), hit.plane ? pose.centre + ray * hit.distance : ray, false, global);
 }
 
 bool StreetRenderer::toRolling(const cv::Point2d& global, cv::Point2d& rolling) const
 {
-    const cv::Vec3d ray = uprightRay(global, false);
+    const cv::Vec3d ray = uprightRay(poseAt(0), global, false);
     const Hit hit = cast(cv::Vec3d(0, 0, 0), ray);
     const cv::Vec3d place = hit.plane ? ray * hit.distance : ray;
 
     // The instant is found when the line at which the point is seen is the line being read.
     auto miss = [&](double line, double& value) {
         const Pose pose = poseAt(secondsAt(line));
-        if (!project(turned(pose.c, -pose.s, hit.plane ? place - pose.centre : place), true, rolling))
+        if (!project(pose, turned(pose.c, -pose.s, hit.plane ? place - pose.centre : place), true, rolling))
             return false;
         value = lineOf(rolling) - line;
         return true;

@@ -5,6 +5,7 @@
 #ifndef RSACKERMANN_SAMPLES_STREET_RENDERER_HPP
 #define RSACKERMANN_SAMPLES_STREET_RENDERER_HPP
 
+#include "shake.hpp"
 #include "street_side.hpp"
 
 namespace street {
@@ -21,6 +22,8 @@ struct StreetCamera
     double roll, pitch;       //!< radians
     double heading;           //!< radians from the optical axis to the direction of driving
     double height;            //!< metres above the road
+    Shake shake;              //!< of the camera against the mount that roll and pitch are those of
+    double seconds;           //!< time of the reference line on the clock of the shake
 
     //! A camera at a given height that looks ahead, with its principal point and reference at the image's centre.
     StreetCamera(const cv::Size& size, double focal, double lineDelay, double height);
@@ -45,11 +48,15 @@ struct StreetScene
     StreetScene();
 };
 
+//! Radians per second at which a camera turns about its axes (x to the right, y down, z ahead) at the reference line's
+//! instant. @param yawRate of the car, radians per second.
+cv::Vec3d turnRates(const StreetCamera& camera, double yawRate);
+
 /** Renders a street and knows the true correspondence of rolling and global shutter.
 
 Every line of the image is cast with the pose that the camera has at that line's instant: yaw 2 alpha t about the
-vertical, position on the chord of the circle that the car drives. Nothing here is shared with the library, which is
-measured by it.
+vertical, position on the chord of the circle that the car drives, and as the camera shakes. Nothing here is shared with
+the library, which is measured by it.
 */
 class StreetRenderer
 {
@@ -86,8 +93,9 @@ public:
 private:
     struct Pose
     {
-        double c, s;      // of the yaw
-        cv::Vec3d centre; // metres
+        cv::Matx33d upright; // turns the camera frame into the upright one of the mount
+        double c, s;         // of the yaw
+        cv::Vec3d centre;    // metres
     };
 
     struct Hit
@@ -104,8 +112,9 @@ private:
     Pose poseAt(double seconds) const;
     double secondsAt(double line) const;
     double lineOf(const cv::Point2d& p) const { return camera_.scan < 2 ? p.y : p.x; }
-    cv::Vec3d uprightRay(const cv::Point2d& pixel, bool throughLens) const;
-    bool project(const cv::Vec3d& upright, bool throughLens, cv::Point2d& pixel) const;
+    std::vector<Pose> posesOfLines(bool moving) const;
+    cv::Vec3d uprightRay(const Pose& pose, const cv::Point2d& pixel, bool throughLens) const;
+    bool project(const Pose& pose, const cv::Vec3d& upright, bool throughLens, cv::Point2d& pixel) const;
     Hit cast(const cv::Vec3d& origin, const cv::Vec3d& ray) const;
     void castUneven(const cv::Vec3d& origin, const cv::Vec3d& ray, Hit& hit) const;
     // In the terms of the side of the street of a plane.
@@ -114,7 +123,7 @@ private:
 
     StreetCamera camera_;
     StreetScene scene_;
-    cv::Matx33d upright_; // turns the camera frame upright
+    cv::Matx33d mount_; // turns the frame of the mount upright
     cv::Vec3d along_, across_;
     StreetSide left_, right_;
 };

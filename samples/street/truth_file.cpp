@@ -12,11 +12,10 @@
 
 namespace rsackermann_samples {
 
-std::string truthText(const Truth& truth)
+static void addTo(nlohmann::ordered_json& json, const Truth& truth)
 {
     const street::StreetCamera& c = truth.camera;
     const street::StreetScene& s = truth.scene;
-    nlohmann::ordered_json json;
     json["yaw_rate_deg_s"] = s.yawRate / DEGREE;
     json["speed_km_h"] = s.speed / KMH;
     json["left_wall_m"] = s.left;
@@ -39,7 +38,33 @@ std::string truthText(const Truth& truth)
     json["roll_deg"] = c.roll / DEGREE;
     json["pitch_deg"] = c.pitch / DEGREE;
     json["heading_deg"] = c.heading / DEGREE;
+    json["travelled_m"] = s.travelled;
+    json["time_s"] = c.seconds;
+    if (c.shake.kind() != street::Shake::NONE)
+    {
+        json["shake"] = street::Shake::words()[size_t(c.shake.kind())];
+        json["shake_rate_deg_s"] = c.shake.rate() / DEGREE;
+        json["shake_seed"] = c.shake.seed();
+    }
+    const cv::Vec3d rates = street::turnRates(c, s.yawRate);
+    json["camera_yaw_rate_deg_s"] = rates[1] / DEGREE;
+    json["camera_pitch_rate_deg_s"] = (0 - rates[0]) / DEGREE; // positive if the camera looks further down
+    json["camera_roll_rate_deg_s"] = rates[2] / DEGREE;
+}
+
+std::string truthText(const Truth& truth)
+{
+    nlohmann::ordered_json json;
+    addTo(json, truth);
     return json.dump(2) + "\n";
+}
+
+std::string truthLine(const std::string& file, const Truth& truth)
+{
+    nlohmann::ordered_json json;
+    json["file"] = file;
+    addTo(json, truth);
+    return json.dump() + "\n";
 }
 
 // What doesn't fit into an integer can't be converted to one.
@@ -80,6 +105,15 @@ try
     c.roll = json.at("roll_deg").get<double>() * DEGREE;
     c.pitch = json.at("pitch_deg").get<double>() * DEGREE;
     c.heading = json.at("heading_deg").get<double>() * DEGREE;
+    if (json.contains("shake"))
+    {
+        const int kind = parseWord(json.at("shake"), path, street::Shake::words());
+        const double rate = inRange(path, json, "shake_rate_deg_s", 0, 1000) * DEGREE;
+        c.shake = street::Shake(kind, rate, unsigned(inRange(path, json, "shake_seed", 0, UINT_MAX)));
+    }
+    // Files of before 0.2 haven't them.
+    c.seconds = json.contains("time_s") ? inRange(path, json, "time_s", 0, 1e6) : 0;
+    s.travelled = json.value("travelled_m", 0.);
     return truth;
 }
 catch (const nlohmann::json::exception& e)

@@ -16,8 +16,11 @@ struct Truth
     street::StreetScene scene;
 };
 
-//! The truth as JSON, with angles in degrees and the speed in km/h; it suffices to make the true map.
+//! The truth as JSON, with angles in degrees and the speed in km/h; it suffices to make the true map. The rates
+//! of the camera, at the reference line, are those about its own axes: the car's and those of its shaking.
 std::string truthText(const Truth& truth);
+//! The same in one line, of a frame of a drive.
+std::string truthLine(const std::string& file, const Truth& truth);
 //! Reads a file with the text of truthText(); throws InputError.
 Truth readTruth(const std::string& path);
 

@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_SIMULATE_DRIVE_FILES_HPP
+#define RSACKERMANN_SAMPLES_SIMULATE_DRIVE_FILES_HPP
+
+#include "camera_settings.hpp"
+#include "rendered_drive.hpp"
+#include "simulated_gyro.hpp"
+
+namespace rsackermann_samples {
+
+//! A drive to be rendered, and the files that it makes.
+struct DriveFiles
+{
+    std::string folder; //!< with a slash at its end
+    int frames, samples;
+    CameraSettings camera;
+    street::SimulatedGyro gyro;
+
+    //! Names of all files.
+    std::vector<std::string> names() const;
+
+    /** Renders the drive: frames/NNNNNN.png, and once they are there log.csv with their times, gyro.csv, truth.jsonl
+    (a line for each frame) and camera.yml. Throws UsageError, before there is a file, if the car reaches a wall. */
+    void write(const street::RenderedDrive& drive) const;
+
+private:
+    std::string frameName(int number) const;
+    std::string gyroText(const street::RenderedDrive& drive) const;
+};
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_SIMULATE_DRIVE_FILES_HPP
