@@ -10,6 +10,8 @@
 #include "truth_file.hpp"
 #include "units.hpp"
 
+#include "opencv2/core/utils/filesystem.hpp"
+
 namespace rsackermann_samples {
 
 static const double CLEARANCE = 0.5; // metres from the camera to a wall
@@ -61,6 +63,9 @@ std::string DriveFiles::gyroText(const street::RenderedDrive& drive) const
 void DriveFiles::write(const street::RenderedDrive& from) const
 {
     checkClearance(from, frames);
+    const std::string behind = folder + "frames/" + frameName(frames);
+    if (cv::utils::fs::exists(behind))
+        throw InputError(behind + " is of a longer drive; remove that first");
     street::RenderedDrive drive = from;
     std::string truths, log = "file,time_s\n";
     Progress progress;

@@ -23,7 +23,8 @@ struct DriveFiles
     std::vector<std::string> names() const;
 
     /** Renders the drive: frames/NNNNNN.png, and once they are there log.csv with their times, gyro.csv, truth.jsonl
-    (a line for each frame) and camera.yml. Throws UsageError, before there is a file, if the car reaches a wall. */
+    (a line for each frame) and camera.yml. Before there is a file it throws UsageError if the car reaches a wall, and
+    InputError if the folder has more frames. */
     void write(const street::RenderedDrive& drive) const;
 
 private:

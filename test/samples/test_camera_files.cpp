@@ -336,7 +336,14 @@ TEST(CameraFiles, lens_profile_fields)
     EXPECT_EQ(0.025, upwards.readOut);
     EXPECT_EQ(cv::rsackermann::SCAN_BOTTOM_TO_TOP, upwards.scan);
     EXPECT_EQ(cv::rsackermann::SCAN_RIGHT_TO_LEFT, read(profileWith("/frame_readout_direction", "RightToLeft")).scan);
-    EXPECT_EQ(cv::rsackermann::LENS_PINHOLE, read(profileWith("/distortion_model", "opencv_standard")).lensModel);
+    for (const size_t count : {4, 5, 8, 12})
+    {
+        nlohmann::json standard = nlohmann::json::parse(profileWith("/distortion_model", "opencv_standard"));
+        standard["fisheye_params"]["distortion_coeffs"] = std::vector<double>(count, 1e-4);
+        const rsackermann_samples::CameraSettings s = read(standard.dump());
+        EXPECT_EQ(cv::rsackermann::LENS_PINHOLE, s.lensModel);
+        EXPECT_EQ(count, s.lens.size());
+    }
 }
 
 // Each message names the file and the field.

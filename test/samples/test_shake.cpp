@@ -223,6 +223,8 @@ TEST(SimulatedDrive, refusals)
         simulate({"--output=" + (folder / "out"), "--image=" + streetFolder() + "/global.png", "--frames=3"}).exitCode);
     ASSERT_EQ(0, simulateDrive(folder / "out", {"--frames=2"}).exitCode);
     expectRefused(1, {"--frames=2"}, "exists (--overwrite replaces it)");
+    expectRefused(1, {"--frames=1", "--overwrite"}, "000001.png is of a longer drive");
+    EXPECT_EQ(0, simulateDrive(folder / "out", {"--frames=3", "--overwrite"}).exitCode);
 }
 
 // Root mean square over the frames but the first ones, deg/s.
