@@ -11,6 +11,7 @@
 #include "units.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include <algorithm>
 
 namespace rsackermann_samples {
 
