@@ -128,6 +128,11 @@ std::string reportLine(const FrameReport& frame)
     line["pitch_rate_sigma"] = orNull(tilts, m.pitchRateSigma / unit / DEGREE);
     line["roll_rate_deg_s"] = orNull(tilts, m.rollRate / unit / DEGREE);
     line["roll_rate_sigma"] = orNull(tilts, m.rollRateSigma / unit / DEGREE);
+    const MotionPrior& p = frame.prior;
+    line["given_yaw_rate_deg_s"] = orNull(p.yawRateSigma > 0, p.yawRate / DEGREE);
+    line["given_yaw_rate_sigma"] = orNull(p.yawRateSigma > 0, p.yawRateSigma / DEGREE);
+    line["given_speed_km_h"] = orNull(p.speedSigma > 0, p.speed / KMH);
+    line["given_speed_sigma"] = orNull(p.speedSigma > 0, p.speedSigma / KMH);
     line["contradicts_prior"] = m.contradictsPrior;
     line["seen_yaw_rate_deg_s"] = orNull(m.seenYawRateSigma > 0, m.seenYawRate / DEGREE);
     line["seen_yaw_rate_sigma"] = orNull(m.seenYawRateSigma > 0, m.seenYawRateSigma / DEGREE);

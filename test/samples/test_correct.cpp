@@ -112,6 +112,10 @@ TEST(Correct, report_keys)
                                 "pitch_rate_sigma",
                                 "roll_rate_deg_s",
                                 "roll_rate_sigma",
+                                "given_yaw_rate_deg_s",
+                                "given_yaw_rate_sigma",
+                                "given_speed_km_h",
+                                "given_speed_sigma",
                                 "contradicts_prior",
                                 "seen_yaw_rate_deg_s",
                                 "seen_yaw_rate_sigma",
@@ -233,9 +237,15 @@ TEST(Correct, speed_and_yaw_rate_known_from_elsewhere)
     EXPECT_NEAR(60, speed["speed_km_h"].get<double>(), 0.3);
     EXPECT_LE(speed["speed_sigma"].get<double>(), 0.1);
     EXPECT_GT(speed["speed_sigma"].get<double>(), 0.05);
+    EXPECT_NEAR(60, speed["given_speed_km_h"].get<double>(), 1e-9);
+    EXPECT_NEAR(0.1, speed["given_speed_sigma"].get<double>(), 1e-9);
+    EXPECT_TRUE(speed["given_yaw_rate_deg_s"].is_null());
     const Json yawRate = resultOf(correct(street + Arguments{"--yaw_rate=40", "--yaw_rate_sigma=0.1"}));
     EXPECT_NEAR(40, yawRate["yaw_rate_deg_s"].get<double>(), 0.3);
     EXPECT_LE(yawRate["yaw_rate_sigma"].get<double>(), 0.1);
+    EXPECT_NEAR(40, yawRate["given_yaw_rate_deg_s"].get<double>(), 1e-9);
+    EXPECT_NEAR(0.1, yawRate["given_yaw_rate_sigma"].get<double>(), 1e-9);
+    EXPECT_TRUE(yawRate["given_speed_km_h"].is_null());
 
     EXPECT_EQ(
         resultOf(correct(street + Arguments{"--speed=58", "--speed_sigma=2", "--yaw_rate=41", "--yaw_rate_sigma=1"})),
