@@ -6,9 +6,9 @@
 #include "caption.hpp"
 #include "log_use.hpp"
 #include "map_distance.hpp"
+#include "picture.hpp"
 #include "units.hpp"
 
-#include "opencv2/imgproc.hpp"
 #include <cmath>
 #include <iostream>
 
@@ -21,21 +21,6 @@ namespace {
 double orElse(double value, double other)
 {
     return std::isnan(value) ? other : value;
-}
-
-// The 8-bit colour picture of an image, to draw upon.
-cv::Mat pictureOf(const cv::Mat& image)
-{
-    cv::Mat picture;
-    if (image.depth() == CV_16U)
-        image.convertTo(picture, CV_8U, 1 / 257.);
-    else
-        picture = image.clone();
-    if (picture.channels() == 1)
-        cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
-    else if (picture.channels() == 4)
-        cv::cvtColor(picture, picture, cv::COLOR_BGRA2BGR);
-    return picture;
 }
 
 } // namespace

@@ -251,11 +251,4 @@ void setGravitySigma(double degrees, const CameraSettings& camera, AckermannEsti
         params.vehiclePitchSigma = params.gravitySigma;
 }
 
-std::string resultPath(const std::string& target, bool isFolder, const std::string& name)
-{
-    if (!isFolder || target.empty())
-        return target;
-    return target + (target.back() == '/' ? "" : "/") + name;
-}
-
 } // namespace rsackermann_samples

@@ -43,10 +43,6 @@ void setGravitySigma(double degrees, const CameraSettings& camera, cv::rsackerma
 //! Reads the command line; throws UsageError.
 Job readJob(const Options& options);
 
-//! Where a result goes; empty if it isn't wanted.
-//! @param name without folders, for a result in a folder.
-std::string resultPath(const std::string& target, bool isFolder, const std::string& name);
-
 } // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_JOB_HPP

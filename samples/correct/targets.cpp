@@ -4,6 +4,7 @@
 
 #include "targets.hpp"
 #include "files.hpp"
+#include "output/result_names.hpp"
 #ifdef RSACKERMANN_WITH_VIDEOIO
 #include "video_timing.hpp"
 #endif
@@ -14,13 +15,6 @@
 namespace rsackermann_samples {
 
 static const char* const MAPS_EXTENSION = ".yml.gz";
-
-// Pictures of segments have colours, which not every format of an image has.
-static std::string overlayName(const std::string& input)
-{
-    const std::string format = extension(input);
-    return format == ".pgm" || format == ".pbm" ? stem(input) + ".png" : fileName(input);
-}
 
 Targets::Targets(const Job& job, const std::string& input)
     : output(resultPath(job.output, job.outputIsFolder, fileName(input))),

@@ -7,13 +7,12 @@
 #include "motion_words.hpp"
 #include "options.hpp"
 #include "parsable_text.hpp"
+#include "report_lines.hpp"
 #include "units.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 namespace rsackermann_samples {
@@ -115,34 +114,20 @@ AckermannMotion motionOf(const Json& line, const std::string& source)
 
 std::vector<MotionFrame> readReport(const std::string& path)
 {
-    std::ifstream file(path.c_str());
-    if (!file)
-        throw InputError(path + " can't be read");
     std::vector<MotionFrame> frames;
-    int number = 0;
-    for (std::string text; std::getline(file, text);)
-    {
-        const std::string source = path + cv::format(", line %d", ++number);
-        try
-        {
-            const Json line = Json::parse(text);
-            if (line.at("status") == "failed")
-                continue;
-            MotionFrame frame;
-            frame.input = line.at("input").get<std::string>();
-            frame.frame = line.value("frame", -1);
-            frame.time = line.value("time_s", frame.time);
-            frame.size = cv::Size(line.value("width", 0), line.value("height", 0));
-            frame.roll = line.value("roll_deg", frame.roll);
-            frame.pitch = line.value("pitch_deg", frame.pitch);
-            frame.motion = motionOf(line, source);
-            frames.push_back(frame);
-        }
-        catch (const Json::exception& e)
-        {
-            throw InputError(source + " isn't one of a report: " + e.what());
-        }
-    }
+    readReportLines(path, [&](const Json& line, const std::string& source) {
+        if (line.at("status") == "failed")
+            return;
+        MotionFrame frame;
+        frame.input = line.at("input").get<std::string>();
+        frame.frame = line.value("frame", -1);
+        frame.time = line.value("time_s", frame.time);
+        frame.size = cv::Size(line.value("width", 0), line.value("height", 0));
+        frame.roll = line.value("roll_deg", frame.roll);
+        frame.pitch = line.value("pitch_deg", frame.pitch);
+        frame.motion = motionOf(line, source);
+        frames.push_back(frame);
+    });
     return frames;
 }
 

@@ -1,0 +1,24 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "result_names.hpp"
+#include "files.hpp"
+
+namespace rsackermann_samples {
+
+std::string resultPath(const std::string& target, bool isFolder, const std::string& name)
+{
+    if (!isFolder || target.empty())
+        return target;
+    return target + (target.back() == '/' ? "" : "/") + name;
+}
+
+std::string overlayName(const std::string& input)
+{
+    // It has colours, which not every format of an image has.
+    const std::string format = extension(input);
+    return format == ".pgm" || format == ".pbm" ? stem(input) + ".png" : fileName(input);
+}
+
+} // namespace rsackermann_samples

@@ -1,0 +1,21 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_RESULT_NAMES_HPP
+#define RSACKERMANN_SAMPLES_RESULT_NAMES_HPP
+
+#include <string>
+
+namespace rsackermann_samples {
+
+//! Where a result goes; empty if it isn't wanted.
+//! @param name without folders, for a result in a folder.
+std::string resultPath(const std::string& target, bool isFolder, const std::string& name);
+
+//! The name, without folders, of the picture of an input's segments.
+std::string overlayName(const std::string& input);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_RESULT_NAMES_HPP

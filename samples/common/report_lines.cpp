@@ -1,0 +1,33 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "report_lines.hpp"
+#include "options.hpp"
+
+#include <fstream>
+
+namespace rsackermann_samples {
+
+void readReportLines(const std::string& path,
+                     const std::function<void(const nlohmann::json& line, const std::string& source)>& use)
+{
+    std::ifstream file(path.c_str());
+    if (!file)
+        throw InputError(path + " can't be read");
+    int number = 0;
+    for (std::string text; std::getline(file, text);)
+    {
+        const std::string source = path + cv::format(", line %d", ++number);
+        try
+        {
+            use(nlohmann::json::parse(text), source);
+        }
+        catch (const nlohmann::json::exception& e)
+        {
+            throw InputError(source + " isn't one of a report: " + e.what());
+        }
+    }
+}
+
+} // namespace rsackermann_samples
