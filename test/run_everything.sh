@@ -8,7 +8,7 @@
 . "$(dirname "$0")/../scripts/common.sh"
 build=$root/build-test
 slow_parts=(versions-4.10.0 versions-5.0.0 arm64 package clone coverage faults)
-quick_parts=(statistics analysis address thread fuzzers)
+quick_parts=(statistics browser analysis address thread fuzzers)
 turn=no minutes='' parts=()
 for argument in "$@"; do
     case $argument in
@@ -39,6 +39,7 @@ command_of()
     case $1 in
         tests) command=("$root/test/run_tests.sh" "$build") ;;
         statistics) command=("$root/test/run_tests.sh" --long "$build") ;;
+        browser) command=("$root/test/run_tests.sh" --browser "$build") ;;
         analysis) command=("$root/test/analyse.sh" --tidy) ;;
         address | thread) command=("$root/test/sanitize.sh" "--build=$build-sanitize" "$1") ;;
         fuzzers) command=("$root/test/fuzz/run.sh" --quick "--build=$build-fuzz-sanitized") ;;

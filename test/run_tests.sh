@@ -5,16 +5,19 @@
 #   each),
 # - the module inside of OpenCV's source tree, with its tests, performance tests (one sample each) and Python tests.
 # Prints the number of test cases as its last line and fails if one of them failed. run_everything.sh has the rest.
-# usage: run_tests.sh [--long | --ts-source=DIRECTORY] [BUILD_DIRECTORY]
+# usage: run_tests.sh [--long | --browser | --ts-source=DIRECTORY] [BUILD_DIRECTORY]
 #   --long        only the tests of the module against the installed OpenCV, with those that take long
+#   --browser     only the test of pages in a browser, which is installed for it; without this option the test is
+#                 skipped where there is none
 #   --ts-source   take opencv_ts from this source of OpenCV, which may be of another version, and build nothing inside
 #                 of OpenCV
 
 . "$(dirname "$0")/../scripts/common.sh"
-ts_source='' long=no build=$root/build-test
+ts_source='' long=no browser=no build=$root/build-test
 for argument in "$@"; do
     case $argument in
         --long) long=yes ;;
+        --browser) browser=yes ;;
         --ts-source=*) ts_source=${argument#*=} ;;
         -*) die "unknown option $argument" ;;
         *) build=$argument ;;
@@ -62,6 +65,9 @@ run_tests()
 }
 
 install_packages "$logs/apt-install.log" "${packages_build[@]}" "${packages_test[@]}"
+if [ $browser = yes ]; then
+    install_packages "$logs/apt-install-browser.log" "${packages_browser[@]}"
+fi
 opencv_source=$ts_source
 python=OFF # the package is made from OpenCV's source, too, of exactly the version that is installed
 if [ -z "$ts_source" ]; then
@@ -79,11 +85,13 @@ logged "$logs/configure.log" cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_C
 logged "$logs/build.log" cmake --build "$build"
 if [ $long = yes ]; then
     run_tests "With those that take long" "$build" "$logs/ctest-long.log" --build-config Long --tests-regex _long
+elif [ $browser = yes ]; then
+    run_tests "In a browser" "$build" "$logs/ctest-browser.log" --tests-regex page_in_browser
 else
     run_tests "Against the installed OpenCV" "$build" "$logs/ctest.log"
 fi
 
-if [ -n "$ts_source" ] || [ $long = yes ]; then
+if [ -n "$ts_source" ] || [ $long = yes ] || [ $browser = yes ]; then
     finished=yes
     exit
 fi

@@ -30,6 +30,12 @@ namespace opencv_test {
 
 typedef std::vector<std::string> Arguments;
 
+inline Arguments operator+(Arguments a, const Arguments& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
 //! The outcome of a program.
 struct Outcome
 {

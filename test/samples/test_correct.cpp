@@ -18,12 +18,6 @@ Arguments streetArguments()
     return {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--wall=2.5"};
 }
 
-Arguments operator+(Arguments a, const Arguments& b)
-{
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
 // The only line of a report.
 Json reportOf(const std::string& path)
 {

@@ -36,12 +36,6 @@ std::vector<cv::Mat> framesOf(const std::string& path)
     return frames;
 }
 
-Arguments operator+(Arguments a, const Arguments& b)
-{
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
 class CorrectVideo : public testing::Test
 {
 protected:

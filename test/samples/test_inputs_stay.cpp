@@ -57,7 +57,8 @@ TEST_F(InputsStay, whatever_reads_and_writes_them)
         {EXPORT_PROGRAM,
          {"--motion=" + (folder / "motion.yml"), "--size=64x48", "--tracks_output=" + (folder / "t.csv")},
          {"--tracks="},
-         {"--row_poses=", "--mesh="}}};
+         {"--row_poses=", "--mesh="}},
+        {PAGE_PROGRAM, {}, {"--report="}, {"--output="}}};
     writeContent(folder / "motion.yml", files["--motion="]);
     for (const Reads& reads : programs)
         for (const std::string& input : reads.inputs)
