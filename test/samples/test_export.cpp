@@ -245,7 +245,7 @@ TEST_F(Export, tracks_keep_their_other_columns)
 TEST_F(Export, damaged_tracks_are_refused_with_their_line)
 {
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"x,z\n1,2\n", "a header with x, y"},
+        {"x,z\n1,2\n", "a header with x and y"},
         {"x,y\n1,2\n1,2,3\n", "line 3"},
         {"x,y\n1,abc\n", "line 2"},
         {"file,x,y\nother.png,1,2\n", "no motion of the file other.png"},
