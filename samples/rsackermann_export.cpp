@@ -5,6 +5,7 @@
 // Writes the motion that rsackermann_correct has found in the forms that other tools read.
 
 #include "camera_settings.hpp"
+#include "export/cloud.hpp"
 #include "export/colmap.hpp"
 #include "export/gyro_log.hpp"
 #include "export/row_poses.hpp"
@@ -36,6 +37,9 @@ const char* const KEYS =
     "{stmap_format  | png   | png (16 bits) or exr}"
     "{tracks        |       | CSV file with points of the raw images, columns file, x, y and maybe depth}"
     "{tracks_output |       | CSV file: the same table with the points of the corrected images}"
+    "{points        |       | CSV file with points of a lidar in the frame of the camera, columns file, x, y and z in "
+    "metres}"
+    "{points_output |       | CSV file: the same table with u and v, the places in the raw images}"
     "{gcsv          |       | gyro log of Gyroflow: the rates of a drive's frames at their times}"
     "{mesh          |       | JSON file: a coarse grid with the places of its nodes}"
     "{mesh_size     | 17x10 | nodes in a row and in a column}";
@@ -55,10 +59,10 @@ cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const s
 
 void checkResults(const Options& options)
 {
-    for (const char* name : {"row_poses", "colmap", "stmap", "tracks", "gcsv", "mesh"})
+    for (const char* name : {"row_poses", "colmap", "stmap", "tracks", "points", "gcsv", "mesh"})
         if (options.given(name))
             return;
-    throw UsageError("nothing to do: give --row_poses, --colmap, --stmap, --tracks, --gcsv or --mesh");
+    throw UsageError("nothing to do: give --row_poses, --colmap, --stmap, --tracks, --points, --gcsv or --mesh");
 }
 
 // No result may replace an input or another result.
@@ -66,9 +70,10 @@ void checkTargets(const Options& options, const std::vector<MotionFrame>& frames
 {
     OutputPlan plan;
     plan.addInputs(options.inputFiles());
-    if (options.given("tracks"))
-        plan.addInput(options.inputFile("tracks"));
-    for (const char* name : {"row_poses", "tracks_output", "gcsv", "mesh"})
+    for (const char* name : {"tracks", "points"})
+        if (options.given(name))
+            plan.addInput(options.inputFile(name));
+    for (const char* name : {"row_poses", "tracks_output", "points_output", "gcsv", "mesh"})
         if (options.given(name))
             plan.addOutput(options.text(name), std::string("--") + name);
     const bool hasMasks = options.given("colmap"), hasStMaps = options.given("stmap");
@@ -94,8 +99,9 @@ int run(const Options& options)
     options.refuseArguments();
     if (options.given("report") == options.given("motion"))
         throw UsageError("either --report or --motion is needed");
-    if (options.given("tracks") != options.given("tracks_output"))
-        throw UsageError("--tracks and --tracks_output belong together");
+    for (const std::string name : {"tracks", "points"})
+        if (options.given(name) != options.given(name + "_output"))
+            throw UsageError("--" + name + " and --" + name + "_output belong together");
     for (const auto& pair : {std::make_pair("stmap_format", "stmap"), std::make_pair("mesh_size", "mesh")})
         if (options.given(pair.first) && !options.given(pair.second))
             throw UsageError(std::string("--") + pair.first + " needs --" + pair.second);
@@ -119,6 +125,8 @@ int run(const Options& options)
         writeStMaps(options.text("stmap"), format, camera, frames);
     if (options.given("tracks"))
         writeFile(options.text("tracks_output"), correctTracks(options.text("tracks"), camera, frames));
+    if (options.given("points"))
+        writeFile(options.text("points_output"), cloudInRawImages(options.text("points"), camera, frames));
     if (options.given("mesh"))
         writeFile(options.text("mesh"), warpMeshText(camera, frames, nodes.width, nodes.height));
     return 0;

@@ -62,8 +62,8 @@ LINE_DELAY = 0.025 / SIZE[1]
 
 
 def make_inputs(folder):
-    """street.jpg, frames/ with images and depth/ with theirs, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml, and what is in
-    MADE_BY."""
+    """street.jpg, frames/ with images and depth/ with theirs, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml,
+    cloud.csv with points of a frame, and what is in MADE_BY."""
     def render(name, *options):
         subprocess.run(['rsackermann_simulate', '--output=one', '--overwrite', '--size=%dx%d' % SIZE, '--focal=400',
                         '--line_delay=%r' % LINE_DELAY, '--left=6', '--right=7', '--speed=36', '--yaw_rate=12',
@@ -84,6 +84,8 @@ def make_inputs(folder):
     with open(os.path.join(folder, 'drive.csv'), 'w', encoding='utf-8') as file:
         file.write('frame,time_s,speed_kmh,yaw_rate_deg_s\n')
         file.writelines('%d,%r,36,12\n' % (i, i / 30) for i in range(FRAMES))
+    with open(os.path.join(folder, 'cloud.csv'), 'w', encoding='utf-8') as file:
+        file.write('file,x,y,z\n0001.png,-1,0.5,8\n')
     shutil.copy(os.path.join(folder, 'frames', '0000.png'), os.path.join(folder, 'street.jpg'))
     shutil.copy(os.path.join(folder, 'camera.yml'), os.path.join(folder, 'calibrated.yml'))
     subprocess.run(['rsackermann_correct', 'frames', '--camera=camera.yml', '--report=report.jsonl'],

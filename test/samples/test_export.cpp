@@ -262,6 +262,110 @@ TEST_F(Export, damaged_tracks_are_refused_with_their_line)
     }
 }
 
+// The place of a point in the row that sees it; false if it is behind or the image doesn't show it.
+bool placeInRaw(const Truth& truth, const cv::Vec3d& point, cv::Point2d& place)
+{
+    place.y = truth.camera.reference;
+    for (int i = 0; i < 100; i++)
+    {
+        const cv::Vec4d seen = viewAt(truth, place.y) * cv::Vec4d(point[0], point[1], point[2], 1);
+        if (seen[2] <= 0)
+            return false;
+        place = cv::Point2d(truth.camera.cx + truth.camera.fx * seen[0] / seen[2],
+                            truth.camera.cy + truth.camera.fy * seen[1] / seen[2]);
+    }
+    return place.x >= -0.5 && place.y >= -0.5 && place.x <= truth.camera.size.width - 0.5 &&
+           place.y <= truth.camera.size.height - 0.5;
+}
+
+TEST_F(Export, points_of_a_lidar_are_where_their_row_sees_them)
+{
+    cv::RNG rng(1);
+    std::vector<cv::Vec3d> points;
+    std::string table = "ring,x,y,z\n";
+    for (int i = 0; i < 1000; i++)
+    {
+        const double z = rng.uniform(-5., 40.);
+        points.push_back(cv::Vec3d(rng.uniform(-20., 20.), rng.uniform(-5., 3.), z));
+        table += cv::format("r%d,%.17g,%.17g,%.17g\n", i % 64, points[size_t(i)][0], points[size_t(i)][1], z);
+    }
+    writeContent(folder / "cloud.csv", table);
+    write({"--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")});
+    const std::vector<std::string> lines = linesOf(folder / "places.csv"), read = linesOf(folder / "cloud.csv");
+    ASSERT_EQ(1 + points.size(), lines.size());
+    EXPECT_EQ("ring,x,y,z,u,v", lines[0]);
+    int seen = 0;
+    double farthest = 0;
+    for (size_t i = 0; i < points.size(); i++)
+    {
+        cv::Point2d exact, place;
+        if (!placeInRaw(truth, points[i], exact))
+        {
+            EXPECT_EQ(read[1 + i] + ",,", lines[1 + i]);
+            continue;
+        }
+        seen++;
+        ASSERT_EQ(read[1 + i] + ",", lines[1 + i].substr(0, read[1 + i].size() + 1));
+        ASSERT_EQ(2, std::sscanf(lines[1 + i].c_str() + read[1 + i].size(), ",%lf,%lf", &place.x, &place.y));
+        EXPECT_LT(cv::norm(place - exact), 1e-6);
+        const cv::Point2d global(truth.camera.cx + truth.camera.fx * points[i][0] / points[i][2],
+                                 truth.camera.cy + truth.camera.fy * points[i][1] / points[i][2]);
+        farthest = std::max(farthest, cv::norm(place - global));
+    }
+    EXPECT_GT(seen, 200);
+    EXPECT_LT(seen, 800);
+    EXPECT_GT(farthest, 5);
+}
+
+TEST_F(Export, points_of_several_frames)
+{
+    const std::string still = "{\"input\": \"still.png\", \"status\": \"not_significant\"}\n";
+    writeContent(folder / "report.jsonl", still + "{\"input\": \"other.png\", \"status\": \"no_consensus\"}\n");
+    const Arguments arguments = {"--report=" + (folder / "report.jsonl"), "--camera=" + streetFolder() + "/camera.yml",
+                                 "--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")};
+    writeContent(folder / "cloud.csv", "file,x,y,z\nother.png,0,0,7\nstill.png,1,0.5,10\nstill.png,1,1,0\n");
+    ASSERT_EQ(0, exportMotion(arguments).exitCode);
+    const std::vector<std::string> lines = linesOf(folder / "places.csv");
+    ASSERT_EQ(4u, lines.size());
+    EXPECT_EQ(cv::format("other.png,0,0,7,%.6f,%.6f", truth.camera.cx, truth.camera.cy), lines[1]);
+    EXPECT_EQ(cv::format("still.png,1,0.5,10,%.6f,%.6f", truth.camera.cx + truth.camera.fx / 10,
+                         truth.camera.cy + truth.camera.fy / 20),
+              lines[2]);
+    EXPECT_EQ("still.png,1,1,0,,", lines[3]);
+
+    const std::pair<const char*, const char*> damaged[] = {
+        {"x,y,z\n1,2,3\n", "a header with x, y, z and file"},
+        {"file,x,y,z,u\n", "there is a column u already"},
+        {"file,x,y,z\nstill.png,1,,3\n", "cloud.csv, line 2"},
+        {"file,x,y,z\nthird.png,1,2,3\n", "no motion of the file third.png"}};
+    for (const std::pair<const char*, const char*>& table : damaged)
+    {
+        writeContent(folder / "cloud.csv", table.first);
+        const Outcome outcome = exportMotion(arguments);
+        EXPECT_EQ(2, outcome.exitCode) << table.first;
+        EXPECT_NE(std::string::npos, outcome.messages.find(table.second)) << outcome.messages;
+    }
+}
+
+TEST_F(Export, points_need_metres)
+{
+    cv::rsackermann::AckermannMotion motion = rsackermann_samples::libraryMotion(truth.camera, truth.scene);
+    motion.wallDistance = 0;
+    motion.scale = cv::rsackermann::SCALE_UNKNOWN;
+    {
+        cv::FileStorage fs(folder / "motion.yml", cv::FileStorage::WRITE);
+        fs.write("input", std::string("street.png"));
+        motion.write(fs);
+    }
+    writeContent(folder / "cloud.csv", "x,y,z\n1,2,3\n");
+    const Outcome outcome =
+        exportMotion({"--motion=" + (folder / "motion.yml"), "--camera=" + streetFolder() + "/camera.yml",
+                      "--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("street.png: ")) << outcome.messages;
+    EXPECT_FALSE(cv::utils::fs::exists(folder / "places.csv"));
+}
+
 // The mesh as a warper takes it: the four nodes around a pixel, bilinear.
 TEST_F(Export, mesh_has_the_error_that_it_says)
 {
@@ -679,6 +783,7 @@ TEST_F(Export, usage)
     EXPECT_EQ(2, exportMotion({motion, camera, "--report=x"}).exitCode);
     EXPECT_EQ(2, exportMotion({motion}).exitCode); // the size isn't known
     EXPECT_EQ(2, exportMotion({motion, camera, "--tracks=x"}).exitCode);
+    EXPECT_EQ(2, exportMotion({motion, camera, "--points=x"}).exitCode);
     EXPECT_EQ(2, exportMotion({motion, camera, "--stmap=x", "--stmap_format=jpg"}).exitCode);
     EXPECT_EQ(2, exportMotion({motion, camera, "--mesh=x", "--mesh_size=1x5"}).exitCode);
     EXPECT_EQ(2, exportMotion({motion, camera, "--mesh=x", "--mesh_size=10000x10000"}).exitCode);

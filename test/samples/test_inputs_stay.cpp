@@ -34,6 +34,7 @@ protected:
         files["@"] = (folder / "a.png") + "\n";
         files["--report="] = "{\"input\":\"a.png\",\"status\":\"not_significant\"}\n";
         files["--tracks="] = "file,x,y\na.png,1,2\n";
+        files["--points="] = "file,x,y,z\na.png,1,2,3\n";
         files["--image="] = contentOf(folder / "a.png");
         files["--motion="] = "%YAML:1.0\n---\nstatus: 1\n";
     }
@@ -58,6 +59,11 @@ TEST_F(InputsStay, whatever_reads_and_writes_them)
          {"--motion=" + (folder / "motion.yml"), "--size=64x48", "--tracks_output=" + (folder / "t.csv")},
          {"--tracks="},
          {"--row_poses=", "--mesh="}},
+        {EXPORT_PROGRAM,
+         {"--motion=" + (folder / "motion.yml"), "--size=64x48", "--points_output=" + (folder / "p.csv")},
+         {"--points="},
+         {"--row_poses="}},
+        {EXPORT_PROGRAM, {"--motion=" + (folder / "motion.yml"), "--size=64x48"}, {"--points="}, {"--points_output="}},
         {PAGE_PROGRAM, {}, {"--report="}, {"--output="}}};
     writeContent(folder / "motion.yml", files["--motion="]);
     for (const Reads& reads : programs)
