@@ -71,16 +71,16 @@ PointTable::PointTable(const std::string& path, const std::vector<std::string>& 
                        const std::vector<MotionFrame>& frames)
     : path_(path), table_(readCsv(path)), rows_(frames.size())
 {
-    std::string missing;
     std::vector<std::string> all = needed;
     if (frames.size() != 1)
         all.push_back("file");
     const auto isMissing = [this](const std::string& name) { return column(name) == table_.header.size(); };
     if (std::any_of(all.begin(), all.end(), isMissing))
     {
+        std::string words;
         for (size_t i = 0; i < all.size(); i++)
-            missing += (i == 0 ? "" : i + 1 < all.size() ? ", " : " and ") + all[i];
-        throw UsageError(path + ": a header with " + missing + " is needed");
+            words += (i == 0 ? "" : i + 1 < all.size() ? ", " : " and ") + all[i];
+        throw UsageError(path + ": a header with " + words + " is needed");
     }
     const FrameNames names(frames);
     const size_t file = column("file");

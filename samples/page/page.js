@@ -42,7 +42,7 @@ function draw(chart) {
     shown.filter(f => f[key] != null).map(f => f[key] + share * (f[sigma] ?? 0))).sort((a, b) => a - b);
   const values = all(0), lower = all(-2), upper = all(2), end = values.length - 1;
   const rare = Math.floor(values.length / 20); // the widest bands are cut off, or no other would be seen
-  const low = words ? -0.5 : Math.min(0, values[0] ?? 0, lower[rare] ?? 0);
+  const low = words ? -0.5 : 1.05 * Math.min(0, values[0] ?? 0, lower[rare] ?? 0);
   const high = words ? words.length - 0.5 : Math.max(low + 1e-3, 1.05 * Math.max(0, values[end] ?? 1, upper[end - rare] ?? 1));
   chart.X = x => LEFT + (x - first) / (last - first) * (right - LEFT);
   chart.Y = y => BOTTOM - (y - low) / (high - low) * (BOTTOM - TOP);
