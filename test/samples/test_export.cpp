@@ -323,15 +323,17 @@ TEST_F(Export, points_of_several_frames)
     writeContent(folder / "report.jsonl", still + "{\"input\": \"other.png\", \"status\": \"no_consensus\"}\n");
     const Arguments arguments = {"--report=" + (folder / "report.jsonl"), "--camera=" + streetFolder() + "/camera.yml",
                                  "--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")};
-    writeContent(folder / "cloud.csv", "file,x,y,z\nother.png,0,0,7\nstill.png,1,0.5,10\nstill.png,1,1,0\n");
+    writeContent(folder / "cloud.csv", "file,x,y,z\nother.png,0,0,7\nstill.png,1,0.5,10\nstill.png,1,1,0\n"
+                                       "still.png,1,0.5,-10\n");
     ASSERT_EQ(0, exportMotion(arguments).exitCode);
     const std::vector<std::string> lines = linesOf(folder / "places.csv");
-    ASSERT_EQ(4u, lines.size());
+    ASSERT_EQ(5u, lines.size());
     EXPECT_EQ(cv::format("other.png,0,0,7,%.6f,%.6f", truth.camera.cx, truth.camera.cy), lines[1]);
     EXPECT_EQ(cv::format("still.png,1,0.5,10,%.6f,%.6f", truth.camera.cx + truth.camera.fx / 10,
                          truth.camera.cy + truth.camera.fy / 20),
               lines[2]);
     EXPECT_EQ("still.png,1,1,0,,", lines[3]);
+    EXPECT_EQ("still.png,1,0.5,-10,,", lines[4]);
 
     const std::pair<const char*, const char*> damaged[] = {
         {"x,y,z\n1,2,3\n", "a header with x, y, z and file"},
