@@ -140,7 +140,7 @@ void print(const MountCalibration& c, int frames)
         std::printf("gyro        used in %d frames\n", c.gyroFrames);
         print("gyro delay", true, c.gyroDelay * 1e3, c.gyroDelaySigma * 1e3, "ms", "");
         const double f = c.camera.cameraMatrix(0, 0);
-        print("its focal length", true, c.focalScale * f, c.focalScaleSigma * f, "px", "");
+        print("gyro focal", true, c.focalScale * f, c.focalScaleSigma * f, "px", "");
     }
     const cv::Vec3d h = c.horizon();
     std::printf("horizon     %.5f x %+.5f y %+.2f = 0 in pixels without lens distortion\n", h[0], h[1], h[2]);

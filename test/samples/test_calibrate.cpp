@@ -161,6 +161,54 @@ TEST_F(Calibrate, focal_length_takes_the_place_of_a_camera_file)
     EXPECT_NEAR(LINE_DELAY, c.lineDelay, 1e-12);
 }
 
+// Milliseconds that are printed.
+double gyroDelay(const std::string& output)
+{
+    const std::string name = "gyro delay ";
+    const size_t at = output.find(name);
+    EXPECT_NE(std::string::npos, at) << output;
+    return at == std::string::npos ? -1 : std::stod(output.substr(at + name.size()));
+}
+
+// A phone on an arm, on a straight drive of a second: no bend shows the line delay. The clock of the gyro is 10 ms
+// ahead.
+TEST_F(Calibrate, shaking_and_a_gyro_show_the_line_delay)
+{
+    const std::string drive = folder_ / "drive";
+    ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=30", "--speed=40", "--yaw_rate=0", "--left=6", "--right=8",
+                           "--shake=phone", "--gyro_bias=0.5", "--gyro_delay=0.01"})
+                     .exitCode);
+    CameraSettings truth = readCamera(drive + "/camera.yml");
+    const double lineDelay = truth.makeCamera(truth.size).lineDelay;
+    const Arguments given = {drive + "/frames",
+                             "--camera=" + drive + "/camera.yml",
+                             "--log=" + drive + "/log.csv",
+                             cv::format("--line_delay=%.17g", 0.7 * lineDelay),
+                             "--output=" + output_,
+                             "--overwrite"};
+    Arguments arguments = given;
+    arguments.push_back("--gyro=" + drive + "/gyro.csv");
+    Outcome outcome = calibrate(arguments);
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const CameraSettings c = readCamera(output_);
+    EXPECT_NEAR(lineDelay, c.lineDelay, 3 * c.lineDelaySigma);
+    EXPECT_LT(c.lineDelaySigma, 0.02 * lineDelay);
+    EXPECT_NE(std::string::npos, outcome.output.find("used in 29 frames")) << outcome.output;
+    EXPECT_NEAR(10, gyroDelay(outcome.output), 0.5);
+    arguments.push_back("--gyro_delay=0.01");
+    outcome = calibrate(arguments);
+    EXPECT_NEAR(0, gyroDelay(outcome.output), 0.5);
+    // One that measures something else, and none.
+    arguments = given;
+    writeContent(folder_ / "still.csv",
+                 "time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n-1,0,0,0\n-0.95,0,0,0\n");
+    arguments.push_back("--gyro=" + (folder_ / "still.csv"));
+    outcome = calibrate(arguments);
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("contradict the gyro")) << outcome.messages;
+    EXPECT_EQ(std::string::npos, outcome.output.find("gyro delay")) << outcome.output;
+}
+
 TEST_F(Calibrate, mount_sigma_adds_to_the_vehicles)
 {
     addBend(25, 0, 1);
@@ -199,6 +247,8 @@ TEST_F(Calibrate, bad_arguments)
         {{inputs_[0], camera, output, "--detector=canny"}, "canny"},
         {{inputs_[0], camera, output, "--scan=left_to_right"}, "columns"},
         {{inputs_[0], camera, output, "--log=" + (folder_ / "none.csv")}, "none.csv"},
+        {{inputs_[0], camera, output, "--gyro=" + (folder_ / "none.csv")}, "none.csv"},
+        {{inputs_[0], camera, output, "--gyro_delay=1"}, "--gyro_delay needs --gyro"},
         {{inputs_[0], camera, "--output=" + (folder_ / "camera.yml"), "--overwrite"}, "camera.yml"},
         {{inputs_[0], camera, "--output=" + inputs_[0], "--overwrite"}, "000.png"}};
     for (const std::pair<Arguments, const char*>& usage : usages)
