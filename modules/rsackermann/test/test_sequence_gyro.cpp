@@ -227,6 +227,32 @@ TEST(RSAckermann_Gyro, samples_and_gaps)
     samples.add(Mat(), Mat());
 }
 
+// What shakes up to five times slower than samples follow isn't lost between them, nor where they come in two parts.
+TEST(RSAckermann_Gyro, samples_of_fast_shaking)
+{
+    const double omega = 2 * CV_PI * 40, step = 1 / 200.;
+    Mat times, rates;
+    for (int i = 0; i < 60; i++)
+    {
+        times.push_back(i * step);
+        rates.push_back(Mat(Matx13d(omega * std::cos(omega * i * step), 0.3, i * step)));
+    }
+    GyroSamples samples;
+    samples.add(times.rowRange(0, 25), rates.rowRange(0, 25));
+    samples.add(times.rowRange(25, 60), rates.rowRange(25, 60));
+    double worst = 0;
+    for (double begin = 0.02; begin < 0.2; begin += 0.0013)
+    {
+        Vec3d turn;
+        const double end = begin + 0.0117;
+        ASSERT_TRUE(samples.turn(begin, end, turn));
+        worst = std::max(worst, std::abs(turn[0] - (std::sin(omega * end) - std::sin(omega * begin))));
+        EXPECT_NEAR(0.3 * (end - begin), turn[1], 1e-12);
+        EXPECT_NEAR((end * end - begin * begin) / 2, turn[2], 1e-12);
+    }
+    EXPECT_LT(worst, 0.1); // of 2; straight pieces leave 0.25
+}
+
 //! Mean squares of the errors of pitch, roll and yaw rate, (rad/s)^2, over frames that are corrected one after another.
 Vec3d errorsOf(const Ptr<RollingShutterCorrector>& corrector, const ShakingCamera& shaking, int frames, int from)
 {

@@ -43,16 +43,28 @@ void GyroSamples::add(const Mat& times_, const Mat& rates)
     samples.reserve(samples.size() + size_t(rates.rows));
     for (int i = 0; i < rates.rows; i++)
     {
-        Sample s = {time[i], Vec3d(rates.ptr<double>(i)), Vec3d(), 0};
-        if (!samples.empty())
-        {
-            const Sample& last = samples.back();
-            const double interval = s.time - last.time;
-            s.angle = last.angle + (last.rate + s.rate) * (interval / 2);
-            s.gaps = last.gaps + (interval > GYRO_GAP);
-        }
+        const Sample s = {time[i], Vec3d(rates.ptr<double>(i)), Vec3d(), Vec3d(), 0};
         samples.push_back(s);
+        // The one before has a neighbour now.
+        for (size_t k = std::max<size_t>(samples.size(), 3) - 2; k < samples.size(); k++)
+            integrate(k);
     }
+}
+
+// From the sample before a later one to that: a cubic through the rates, whose slopes are those of the chords on both
+// sides. Straight pieces would lose what shakes nearly as fast as samples follow.
+void GyroSamples::integrate(size_t k)
+{
+    Sample &a = samples[k - 1], &b = samples[k];
+    const double interval = b.time - a.time;
+    const Vec3d chord = (b.rate - a.rate) * (1 / interval);
+    const bool isGap = interval > GYRO_GAP,
+               hasNext = k + 1 < samples.size() && samples[k + 1].time - b.time <= GYRO_GAP && !isGap;
+    b.slope = hasNext ? (samples[k + 1].rate - a.rate) * (1 / (samples[k + 1].time - a.time)) : isGap ? Vec3d() : chord;
+    if (k == 1 || isGap || samples[k - 1].gaps > samples[k - 2].gaps)
+        a.slope = isGap ? a.slope : chord;
+    b.angle = a.angle + (a.rate + b.rate) * (interval / 2) + (a.slope - b.slope) * (interval * interval / 12);
+    b.gaps = a.gaps + isGap;
 }
 
 // The sample before a time, or the first or the last but one.
@@ -77,8 +89,12 @@ Vec3d GyroSamples::angleAt(double time) const
 {
     const size_t i = before(time);
     const Sample &a = samples[i], &b = samples[i + 1];
-    const double t = time - a.time;
-    return a.angle + a.rate * t + (b.rate - a.rate) * (t * t / (2 * (b.time - a.time)));
+    const double interval = b.time - a.time, t = (time - a.time) / interval;
+    // Hermite's cubic, integrated.
+    const Vec3d ofRates = a.rate * (t - t * t * t + t * t * t * t / 2) + b.rate * (t * t * t - t * t * t * t / 2),
+                ofSlopes = a.slope * (t * t / 2 - 2 * t * t * t / 3 + t * t * t * t / 4) +
+                           b.slope * (t * t * t * t / 4 - t * t * t / 3);
+    return a.angle + ofRates * interval + ofSlopes * (interval * interval);
 }
 
 bool GyroSamples::meanRate(double begin, double end, double from, double to, Vec3d& rate) const

@@ -10,7 +10,7 @@
 
 namespace cv { namespace rsackermann {
 
-/** The rates that a gyro has measured about the axes of the camera, and how far it has turned: linear between samples.
+/** The rates that a gyro has measured about the axes of the camera, and how far it has turned: cubic between samples.
 
 Times are those of the gyro's clock, in seconds; angles are first integrals of the rates, which add up as long as turns
 are small. */
@@ -43,10 +43,11 @@ private:
     struct Sample
     {
         double time;
-        Vec3d rate, angle;
-        int gaps; // before it
+        Vec3d rate, slope, angle; // slope of the rate
+        int gaps;                 // before it
     };
 
+    void integrate(size_t k);
     size_t before(double time) const;
     Vec3d angleAt(double time) const;
 
