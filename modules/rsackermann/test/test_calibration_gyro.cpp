@@ -27,10 +27,10 @@ RollingShutterCamera camera(double readOut)
 }
 
 //! A camera on a holder that shakes, in a car that hardly bends.
-StreetDrive::Options shaking(double size)
+StreetDrive::Options shaking(double size, double yawRate = 1 * degree)
 {
     StreetDrive::Options options;
-    options.yawRate = 1 * degree;
+    options.yawRate = yawRate;
     options.tilt = size;
     options.rowsTurn = true;
     options.sway = [](double deviation, RNG& rng) -> simulation::Sway {
@@ -111,6 +111,21 @@ TEST(RSAckermann_CalibrationWithGyro, line_delay_clock_and_focal_length)
     }
     for (int k = 0; k < 3; k++)
         EXPECT_GE(within[k], drives - 2) << k;
+}
+
+// The car's own turning counts once.
+TEST(RSAckermann_CalibrationWithGyro, bends)
+{
+    for (int i = 0; i < 3; i++)
+    {
+        RNG rng(600 + i);
+        const RollingShutterCamera truth = camera(0.025);
+        const StreetDrive street(truth, 1.2 * degree, -0.8 * degree, shaking(0.1 * degree, 15 * degree), 70 + i);
+        const Gyro gyro(street, 0, rng);
+        const MountCalibration c = calibrate(given(truth, 0.8), street, &gyro);
+        EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03) << i;
+        EXPECT_NEAR(truth.heading / degree, c.heading / degree, 0.1) << i;
+    }
 }
 
 // A gyro of another drive isn't used, and neither is one that was removed.
