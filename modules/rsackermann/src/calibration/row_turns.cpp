@@ -10,7 +10,7 @@ namespace cv { namespace rsackermann {
 RowTurns::RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_, const RollingShutterCamera& camera,
                    double unit, const std::vector<TrackedBearing>& bearings, double seconds, double interval_)
     : samples(0), alignment(alignment_), toUpright(camera.uprightRotation), givenUnit(camera.secondsPerUnitTime()),
-      interval(interval_), middle(0)
+      interval(interval_), middle(0), middleOfNow(0)
 {
     for (const TrackedBearing& point : bearings)
         middle += point.timeNow / double(bearings.size());

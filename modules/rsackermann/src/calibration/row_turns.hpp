@@ -14,7 +14,7 @@ steady yaw rate (doc/theory.md, "Self-calibration"): the longer the read-out, th
 class RowTurns
 {
 public:
-    RowTurns() : samples(0) {} //!< there is no gyro
+    RowTurns() : samples(0), givenUnit(0), interval(0), middle(0), middleOfNow(0) {} //!< there is no gyro
 
     /** @param samples_ must exist as long as this object.
     @param bearings of the points: at their mean row the clocks agree, whatever the line delay.

@@ -51,7 +51,9 @@ private:
 
     const DepthPlaces& placesOf(WarpDirection warp) const
     {
-        return warp == WARP_RECTIFY ? static_cast<const DepthPlaces&>(rectify) : distort;
+        if (warp == WARP_RECTIFY)
+            return rectify;
+        return distort;
     }
 
     // What the other image shows is known from its own map.
