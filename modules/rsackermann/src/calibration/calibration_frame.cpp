@@ -183,14 +183,16 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
                  perturbedShift = timeShift(frame.interval, givenUnit, unit * (1 + STEP));
     const auto evaluatePoint = [&](const TrackedBearing& s, Eigen::Matrix<double, COLUMNS, 2>& J) {
         const TrackedBearing back = frame.rowTurns.removedFrom(s, turningUnit), now = transformed(back, R, shift);
-        const TrackedBearing slower = transformed(frame.rowTurns.removedFrom(s, turningUnit * (1 + STEP)), R, shift);
         Eigen::Matrix<double, FLOW_VALUES, 2> byValues;
         const Point2d r = residual.evaluate(now, u, byValues.data());
         const auto slope = [&](const Point2d& there) {
             return Eigen::RowVector2d((there.x - r.x) / STEP, (there.y - r.y) / STEP);
         };
-        J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)),
-            slope(residual.evaluate(slower, u, 0)),
+        Eigen::RowVector2d byTurning = Eigen::RowVector2d::Zero();
+        if (frame.rowTurns.known())
+            byTurning = slope(residual.evaluate(
+                transformed(frame.rowTurns.removedFrom(s, turningUnit * (1 + STEP)), R, shift), u, 0));
+        J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)), byTurning,
             slope(perturbedDelay.evaluate(transformed(back, R, perturbedShift), u, 0));
         J.row(SEQUENCE_ROLL) = slope(residual.evaluate(transformed(back, rolled, shift), u, 0));
         J.row(SEQUENCE_PITCH) = slope(residual.evaluate(transformed(back, pitched, shift), u, 0));
