@@ -120,7 +120,7 @@ public:
         CV_PROP_RW double priorHeight;         //!< metres; median height of the camera, default 1.3
         CV_PROP_RW double priorHeightLogSigma; //!< standard deviation of its logarithm, default 0.35
         CV_PROP_RW double
-            standingProbability; //!< that the car stands, or that the shutter isn't a rolling one, default 1/3
+            standingProbability; //!< that the car stands, or that the shutter isn't a rolling one, default 1/2
         CV_PROP_RW double reverseProbability; //!< that the car drives backward, default 0.02
         //! @}
         /** How many pixels of expected residual one pixel of expected harm is worth, E[max(0, residual - raw)]: the
