@@ -173,11 +173,11 @@ TEST(RSAckermann_DrivingPrior, speed)
 TEST(RSAckermann_DrivingPrior, rest)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
-    EXPECT_NEAR(std::log(0.5), makeDrive(camera).logRest(), 1e-12);
-    EXPECT_NEAR(std::log(0.1 / 0.9) - 0.5 * 3 * 3, makeDrive(camera, givenSpeed(6, 2)).logRest(), 1e-9);
+    EXPECT_NEAR(0, makeDrive(camera).logRest(), 1e-12);
+    EXPECT_NEAR(std::log(0.15 / 0.85) - 0.5 * 3 * 3, makeDrive(camera, givenSpeed(6, 2)).logRest(), 1e-9);
     MotionPrior gyro;
     gyro.yawRateSigma = 0.01;
-    EXPECT_NEAR(std::log(0.1 / 0.9), makeDrive(camera, gyro).logRest(), 1e-12);
+    EXPECT_NEAR(std::log(0.15 / 0.85), makeDrive(camera, gyro).logRest(), 1e-12);
 }
 
 TEST(RSAckermann_DrivingPrior, volume)
