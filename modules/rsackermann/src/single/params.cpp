@@ -20,8 +20,7 @@ AckermannEstimator::Params::Params()
       maxSpeed(200 / 3.6), wallDistance(0), roadRatio(0), scaleFromRoad(false), gravitySigma(CV_PI / 180),
       vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4), priorYawRate(5 * CV_PI / 180), priorSpeed(12),
       priorSpeedLogSigma(0.8), priorWallDistance(15), priorWallDistanceLogSigma(0.9), priorSpeedWallCorrelation(0.6),
-      priorHeight(1.3), priorHeightLogSigma(0.35), standingProbability(.5), reverseProbability(0.02),
-      harmAversion(1)
+      priorHeight(1.3), priorHeightLogSigma(0.35), standingProbability(.5), reverseProbability(0.02), harmAversion(1)
 {
 }
 
