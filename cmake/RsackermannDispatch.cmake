@@ -29,8 +29,11 @@ endfunction()
 # Adds source_dir/NAME.simd.hpp in the modes that follow, the least first.
 function(rsackermann_add_dispatched_file target source_dir name)
   set(generated_dir "${PROJECT_BINARY_DIR}/dispatch")
-  set(RSACKERMANN_SIMD_FILE "${source_dir}/${name}.simd.hpp")
-  set(RSACKERMANN_PRECOMP_FILE "${source_dir}/precomp.hpp")
+  # Relative paths, with which ccache finds the objects again from another checkout.
+  get_filename_component(folder "${generated_dir}/${name}" DIRECTORY)
+  file(RELATIVE_PATH RSACKERMANN_DISPATCH_HEADER "${folder}" "${RSACKERMANN_DISPATCH_DIR}/cpu_dispatch.hpp")
+  file(RELATIVE_PATH RSACKERMANN_SIMD_FILE "${folder}" "${source_dir}/${name}.simd.hpp")
+  file(RELATIVE_PATH RSACKERMANN_PRECOMP_FILE "${folder}" "${source_dir}/precomp.hpp")
   set(declarations "")
   set(modes BASELINE)
   foreach(RSACKERMANN_MODE IN LISTS ARGN)

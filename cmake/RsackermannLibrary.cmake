@@ -15,7 +15,8 @@ rsackermann_embed_opencl(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}/src/openc
 set_target_properties(opencv_rsackermann PROPERTIES
   VERSION ${PROJECT_VERSION}
   SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-  EXPORT_NAME rsackermann)
+  EXPORT_NAME rsackermann
+  DEFINE_SYMBOL "") # CVAPI_EXPORTS does it; so the objects of a static library are those of a shared one, for ccache
 target_compile_features(opencv_rsackermann PUBLIC cxx_std_${CMAKE_CXX_STANDARD})
 target_compile_definitions(opencv_rsackermann PRIVATE CVAPI_EXPORTS)
 if(RSACKERMANN_CORE_ONLY)

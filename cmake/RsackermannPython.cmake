@@ -38,7 +38,7 @@ string(REPLACE ";" "\n" content "${headers}")
 file(WRITE "${generated}/headers.txt" "${content}\n")
 file(WRITE "${generated}/pyopencv_custom_headers.h" "#include \"${opencv_modules}/core/misc/python/pyopencv_async.hpp\"
 #include \"${opencv_modules}/core/misc/python/pyopencv_umat.hpp\"
-#include \"${misc}/pyopencv_rsackermann.hpp\"\n")
+#include \"pyopencv_rsackermann.hpp\"\n")
 file(WRITE "${generated}/opencv2/opencv_modules.hpp" "#define HAVE_OPENCV_CORE\n#define HAVE_OPENCV_RSACKERMANN\n")
 
 set(generator "${generated}/src2/gen2.py")
@@ -57,7 +57,7 @@ target_compile_definitions(rsackermann_python PRIVATE PyInit_cv2=PyInit_bindings
   $<$<BOOL:${RSACKERMANN_CORE_ONLY}>:RSACKERMANN_CORE_ONLY>)
 target_compile_options(rsackermann_python PRIVATE -w)
 target_include_directories(rsackermann_python
-  PRIVATE "${generated}" "${generated}/src2" "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")
+  PRIVATE "${generated}" "${generated}/src2" "${misc}" "${PROJECT_SOURCE_DIR}/cmake/opencv_ts")
 target_link_libraries(rsackermann_python PRIVATE opencv_rsackermann Python3::NumPy)
 install(TARGETS rsackermann_python LIBRARY DESTINATION "${RSACKERMANN_PYTHON_DIR}/rsackermann" COMPONENT python)
 install(FILES "${package}/__init__.py" DESTINATION "${RSACKERMANN_PYTHON_DIR}/rsackermann" COMPONENT python)
