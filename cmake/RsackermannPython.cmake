@@ -9,7 +9,8 @@ set(misc "${RSACKERMANN_MODULE_DIR}/misc/python")
 set(generated "${PROJECT_BINARY_DIR}/python-sources")
 set(package "${PROJECT_BINARY_DIR}/python/rsackermann")
 if(NOT EXISTS "${opencv_modules}/python/src2/gen2.py")
-  message(FATAL_ERROR "BUILD_PYTHON needs OPENCV_TS_SOURCE_DIR, the source tree of OpenCV ${OpenCV_VERSION}")
+  message(FATAL_ERROR "The Python package needs the source tree of OpenCV ${OpenCV_VERSION}; OPENCV_TS_SOURCE_DIR is "
+    "\"${OPENCV_TS_SOURCE_DIR}\". scripts/get_opencv_source.sh fetches it and prints where it is; pip finds it there.")
 endif()
 
 # The extension isn't cv2, but a part of the package.
@@ -50,8 +51,10 @@ foreach(name IN ITEMS cv2 cv2_convert cv2_numpy cv2_util)
   list(APPEND sources "${generated}/src2/${name}.cpp")
 endforeach()
 Python3_add_library(rsackermann_python MODULE WITH_SOABI ${sources})
-set_target_properties(rsackermann_python PROPERTIES OUTPUT_NAME bindings LIBRARY_OUTPUT_DIRECTORY "${package}"
-  INSTALL_RPATH "$ORIGIN/../../../../${CMAKE_INSTALL_LIBDIR}")
+set_target_properties(rsackermann_python PROPERTIES OUTPUT_NAME bindings LIBRARY_OUTPUT_DIRECTORY "${package}")
+if(BUILD_SHARED_LIBS)
+  set_target_properties(rsackermann_python PROPERTIES INSTALL_RPATH "$ORIGIN/../../../../${CMAKE_INSTALL_LIBDIR}")
+endif()
 target_compile_features(rsackermann_python PRIVATE cxx_std_14)
 target_compile_definitions(rsackermann_python PRIVATE PyInit_cv2=PyInit_bindings
   $<$<BOOL:${RSACKERMANN_CORE_ONLY}>:RSACKERMANN_CORE_ONLY>)

@@ -10,7 +10,8 @@ cache=${XDG_CACHE_HOME:-$HOME/.cache}/rsackermann
 packages_build=(g++ cmake ninja-build ccache libopencv-dev libeigen3-dev nlohmann-json3-dev libyaml-cpp-dev zlib1g-dev)
 packages_clang=(clang libclang-rt-14-dev llvm) # llvm: the sanitizers ask llvm-symbolizer for names
 packages_test=(dpkg-dev doxygen ffmpeg texlive-binaries gnuplot-nox pkg-config parallel python3-dev python3-numpy
-               python3-opencv libjpeg-dev libpng-dev zlib1g-dev opencl-c-headers ocl-icd-libopencl1 pocl-opencl-icd)
+               python3-opencv python3-pip python3-setuptools python3-venv python3-wheel libjpeg-dev libpng-dev
+               zlib1g-dev opencl-c-headers ocl-icd-libopencl1 pocl-opencl-icd)
 packages_browser=(chromium)
 
 # Runs a program without randomised addresses, where that is allowed: the sanitizers of clang 14 end at the start if the

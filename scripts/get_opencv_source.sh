@@ -1,6 +1,7 @@
 #!/bin/bash
 # Fetches the source of the installed OpenCV, main and contrib modules, and prints the directory that it is in.
-# usage: get_opencv_source.sh [VERSION_OF_DEBIANS_PACKAGE]
+# usage: get_opencv_source.sh [--fetched | VERSION_OF_DEBIANS_PACKAGE]
+#   --fetched   fetch nothing; fails if it hasn't been fetched before
 #
 # It comes from the Debian source package, through an apt configuration of its own, so that the lists of the system stay
 # as they are. The directory is kept in ${XDG_CACHE_HOME:-~/.cache}/rsackermann and used again.
@@ -24,9 +25,15 @@ unpack_archives()
     done < <(sed -e 's/ *#.*//' -e '/^$/d' unpacked/debian/patches/series)
 }
 
+fetch=yes
+if [ "${1:-}" = --fetched ]; then
+    fetch=no
+    shift
+fi
 version=${1:-$(dpkg-query -W -f='${source:Version}' libopencv-dev)} || die "libopencv-dev isn't installed"
 target=$cache/opencv-$version
 if [ ! -d "$target" ]; then
+    [ $fetch = yes ] || die "the source of OpenCV hasn't been fetched"
     mkdir -p "$cache"
     work=$(mktemp -d "$cache/source.XXXXXX")
     trap 'rm -rf "$work"' EXIT
