@@ -32,6 +32,8 @@ const char* const KEYS =
     "{yaw_rate | 12   | standard deviation of the yaw rate, deg/s}"
     "{tilt     | 0.1  | standard deviation of roll and pitch of the suspension, degrees}"
     "{memory   | 0    | seconds after which a tilt of the suspension is forgotten; 0: a rough road shakes it}"
+    "{shake    | 0    | deg/s, standard deviation of the rates at which an arm shakes the camera instead}"
+    "{hertz    | 7    | about which it does}"
     "{rendered |      | rendered images of a car that weaves through a street instead of simulated points and segments}"
     "{width    | 640  | of rendered images, pixels}"
     "{clutter  | 0.2  | share of slanted lines in the rendered street}"
@@ -189,6 +191,14 @@ int run(const Options& arguments)
         options.sway = [memory](double size, cv::RNG& rng) {
             return opencv_test::simulation::wandering(size, memory, rng);
         };
+    const double shake = arguments.number("shake", 0, 100) * DEGREE, hertz = arguments.number("hertz", 1, 100);
+    if (shake > 0)
+    {
+        options.rowsTurn = true;
+        options.tilt = shake / (2 * CV_PI * hertz);
+        options.yawTilt = 0.4 * options.tilt;
+        options.sway = [hertz](double size, cv::RNG& rng) { return opencv_test::simulation::onArm(size, hertz, rng); };
+    }
     const int drives = arguments.integer("drives", 1, 10000), frames = arguments.integer("frames", 2, 100000),
               seed = arguments.integer("seed", 0, 1 << 30), width = arguments.integer("width", 320, 4096);
     const bool rendered = arguments.flag("rendered");

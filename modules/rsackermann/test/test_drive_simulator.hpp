@@ -97,6 +97,13 @@ inline Sway onSprings(double size, RNG& rng)
     return [random](double seconds) { return random.at(seconds); };
 }
 
+//! A camera on an arm that a rough road shakes. @param hertz its resonance.
+inline Sway onArm(double size, double hertz, RNG& rng)
+{
+    const Oscillation oscillation(size, 1 / (1.4 * hertz), 1 / (0.6 * hertz), rng);
+    return [oscillation](double seconds) { return oscillation.at(seconds); };
+}
+
 //! At random, without oscillating. @param memory seconds: integral of the correlation over the time that follows.
 inline Sway wandering(double size, double memory, RNG& rng)
 {
@@ -114,13 +121,14 @@ public:
     struct Options
     {
         Options()
-            : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), sway(oscillating), points(150), feet(0),
+            : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), sway(oscillating), yawTilt(0), points(150), feet(0),
               segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0), rowsTurn(false)
         {
         }
         double yawRate;                         // rad/s, standard deviation
         double tilt;                            // radians, the same of roll and pitch of the suspension
         std::function<Sway(double, RNG&)> sway; // of that size
+        double yawTilt;                         // the same of the camera's yaw against the car
         int points, feet;                       // of each frame; those at the feet of walls come to the others
         int segments;                           // of each frame
         double noise;                           // pixels, of a tracked point
@@ -142,8 +150,9 @@ public:
                 const Options& options_, int seed)
         : camera(camera_), roll(roll_), pitch(pitch_), options(options_), rng(seed),
           yawRate(options.yawRate, 3, 10, rng), speed(2, 4, 20, rng), swayRoll(options.sway(options.tilt, rng)),
-          swayPitch(options.sway(options.tilt, rng)), left(2, 4, 20, rng), right(2, 4, 20, rng),
-          direction(0.05, 4, 20, rng)
+          swayPitch(options.sway(options.tilt, rng)),
+          swayYaw(options.yawTilt > 0 ? options.sway(options.yawTilt, rng) : [](double) { return 0.; }),
+          left(2, 4, 20, rng), right(2, 4, 20, rng), direction(0.05, 4, 20, rng)
     {
     }
 
@@ -181,8 +190,9 @@ public:
     //! What a gyro on the camera measures, rad/s about its axes.
     Vec3d rateAt(double seconds) const
     {
-        return camera.uprightRotation.t() *
-               Vec3d(-rateOf(swayPitch, seconds), yawRate.at(seconds), rateOf(swayRoll, seconds));
+        return camera.uprightRotation.t() * Vec3d(-rateOf(swayPitch, seconds),
+                                                  yawRate.at(seconds) + rateOf(swayYaw, seconds),
+                                                  rateOf(swayRoll, seconds));
     }
 
 private:
@@ -205,15 +215,17 @@ private:
 
     Simulator simulator(double seconds) const
     {
-        const cv::rsackermann::RollingShutterCamera c = tilted(seconds);
+        cv::rsackermann::RollingShutterCamera c = tilted(seconds);
+        c.heading -= swayYaw(seconds);
         Simulator s = Simulator::fromMetric(c, yawRate.at(seconds), speedAt(seconds), 8 + left.at(seconds),
-                                            8 + right.at(seconds), camera.heading + direction.at(seconds));
+                                            8 + right.at(seconds), c.heading + direction.at(seconds));
         const double unit = c.secondsPerUnitTime(), h = 1e-3;
         s.drive.yawChange = (yawRate.at(seconds + h) - yawRate.at(seconds - h)) / (2 * h) * unit * unit;
         if (options.rowsTurn)
             s.drive.shaking = [=](double t) {
-                return Point2d(rollAt(seconds + t * unit) - rollAt(seconds),
-                               pitchAt(seconds + t * unit) - pitchAt(seconds));
+                return Vec3d(rollAt(seconds + t * unit) - rollAt(seconds),
+                             pitchAt(seconds + t * unit) - pitchAt(seconds),
+                             swayYaw(seconds + t * unit) - swayYaw(seconds));
             };
         return s;
     }
@@ -237,7 +249,8 @@ private:
             inverse += rng.gaussian(options.unevenness);
         // The camera of the frame before has its own tilt.
         Drive way = now.drive;
-        way.shaking = nullptr;
+        const double yaw = before.camera.heading - now.camera.heading; // how the camera has shaken against the car
+        way.shaking = [yaw](double) { return Vec3d(0, 0, -yaw); };
         const bool isSeen = inverse > 0 && before.project(way.toCamera(place + ray * (1 / inverse), -T), past);
         return isSeen ? surface : NOTHING;
     }
@@ -279,7 +292,7 @@ private:
     const Options options;
     RNG rng;
     const Oscillation yawRate, speed;
-    const Sway swayRoll, swayPitch;
+    const Sway swayRoll, swayPitch, swayYaw;
     const Oscillation left, right, direction;
 };
 

@@ -25,13 +25,13 @@ namespace simulation {
 //! The car's motion, circular but for a change of the yaw rate; time is row time, 0 at the reference row.
 struct Drive
 {
-    double yaw;                             // radians per unit of time, positive to the right
-    double speed;                           // length per unit of time, negative in reverse
-    double heading;                         // radians from the optical axis to the forward direction at time 0
-    double yawChange;                       // of yaw per unit of time
-    double pitch;                           // radians per unit of time, downward
-    double roll;                            // the same, clockwise seen from behind
-    std::function<Point2d(double)> shaking; // instead of these: angles of roll and pitch since time 0
+    double yaw;                           // radians per unit of time, positive to the right
+    double speed;                         // length per unit of time, negative in reverse
+    double heading;                       // radians from the optical axis to the forward direction at time 0
+    double yawChange;                     // of yaw per unit of time
+    double pitch;                         // radians per unit of time, downward
+    double roll;                          // the same, clockwise seen from behind
+    std::function<Vec3d(double)> shaking; // instead of these: angles of roll, pitch and yaw since time 0
 
     Drive() : yaw(0), speed(0), heading(0), yawChange(0), pitch(0), roll(0) {}
     Drive(double yaw_, double speed_, double heading_)
@@ -62,25 +62,24 @@ struct Drive
     {
         // A camera that has pitched down sees what is ahead further up, one that has rolled clockwise sees it turned
         // the other way round.
-        const Point2d a = tilted(t);
-        const double cp = std::cos(a.y), sp = std::sin(a.y), cr = std::cos(a.x), sr = std::sin(a.x);
+        const Vec3d a = tilted(t);
+        const double cp = std::cos(a[1]), sp = std::sin(a[1]), cr = std::cos(a[0]), sr = std::sin(a[0]);
         const Vec3d level(d[0], cp * d[1] + sp * d[2], cp * d[2] - sp * d[1]);
-        return rotated(Vec3d(cr * level[0] - sr * level[1], sr * level[0] + cr * level[1], level[2]), turned(t));
+        return rotated(Vec3d(cr * level[0] - sr * level[1], sr * level[0] + cr * level[1], level[2]), turned(t) + a[2]);
     }
 
     //! A point at rest as the camera at time t has it.
     Vec3d toCamera(const Vec3d& P, double t) const
     {
-        const Vec3d ahead = rotated(P - position(t), -turned(t));
-        const Point2d a = tilted(t);
-        const double cp = std::cos(a.y), sp = std::sin(a.y), cr = std::cos(a.x), sr = std::sin(a.x);
+        const Vec3d a = tilted(t), ahead = rotated(P - position(t), -turned(t) - a[2]);
+        const double cp = std::cos(a[1]), sp = std::sin(a[1]), cr = std::cos(a[0]), sr = std::sin(a[0]);
         const Vec3d q(cr * ahead[0] + sr * ahead[1], cr * ahead[1] - sr * ahead[0], ahead[2]);
         return Vec3d(q[0], cp * q[1] - sp * q[2], cp * q[2] + sp * q[1]);
     }
 
 private:
-    //! Roll and pitch since time 0.
-    Point2d tilted(double t) const { return shaking ? shaking(t) : Point2d(roll * t, pitch * t); }
+    //! Roll and pitch since time 0, and the yaw beyond that of the car.
+    Vec3d tilted(double t) const { return shaking ? shaking(t) : Vec3d(roll * t, pitch * t, 0); }
 
     static Vec3d rotated(const Vec3d& d, double angle)
     {

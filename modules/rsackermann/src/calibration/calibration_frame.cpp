@@ -113,19 +113,20 @@ double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFram
 void FrameProblem::weigh(CalibrationFrame& frame) const
 {
     const Matx33d R = tilt(frame.value);
+    const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
     const double pointSigma = POINT_SIGMA * sigmas.points;
     frame.pointWeights.clear();
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
         const TrackedBearing now = seen(frame.bearings[i], frame, R);
-        const FlowResidual::View view = residual.predict(now, frame.value.data());
-        if (isAtFoot(view, frame.value.data()))
+        const FlowResidual::View view = residual.predict(now, values.val);
+        if (isAtFoot(view, values.val))
         {
             frame.pointWeights.push_back(Matx22d::zeros());
             continue;
         }
         // The inverse square root of the covariance pointSigma^2 I + d d^T
-        const Point2d d = sigmas.depths * byDepth(now, frame.value.data(), view);
+        const Point2d d = sigmas.depths * byDepth(now, values.val, view);
         const double inverse = 1 / pointSigma, squared = d.dot(d),
                      less = squared > 0 ? (inverse - 1 / std::hypot(pointSigma, norm(d))) / squared : 0;
         frame.pointWeights.push_back(Matx22d(inverse - less * d.x * d.x, -less * d.x * d.y, //
@@ -136,7 +137,8 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
     frame.slantWeights.clear();
     for (size_t i = 0; i < frame.verticals.size(); i++)
     {
-        const double uncertain = sigmas.depths * slantByDepth(frame.verticals[i], frame, model, byValues);
+        const UprightSegment vertical = frame.rowTurns.removedFrom(frame.verticals[i], turningUnit);
+        const double uncertain = sigmas.depths * slantByDepth(vertical, frame, model, byValues);
         frame.slantWeights.push_back(1 / std::hypot(sigmas.slants, uncertain));
     }
 }
@@ -145,14 +147,14 @@ void FrameProblem::addPointResiduals(const CalibrationFrame& frame, std::vector<
                                      std::vector<DepthResidual>& along) const
 {
     const Matx33d R = tilt(frame.value);
+    const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
         if (frame.pointWeights[i] == Matx22d::zeros())
             continue;
         const TrackedBearing now = seen(frame.bearings[i], frame, R);
-        const FlowResidual::View view = residual.predict(now, frame.value.data());
-        const Point2d d = byDepth(now, frame.value.data(), view),
-                      r = residual.residualOf(now, frame.value.data(), view);
+        const FlowResidual::View view = residual.predict(now, values.val);
+        const Point2d d = byDepth(now, values.val, view), r = residual.residualOf(now, values.val, view);
         const double length = norm(d);
         if (!(length > 0))
             continue;
@@ -168,15 +170,17 @@ void FrameProblem::addSlantResiduals(const CalibrationFrame& frame, std::vector<
     const PreparedModel model = modelOf(frame, &byValues);
     for (size_t i = 0; i < frame.verticals.size(); i++)
     {
-        const DepthResidual slant = {std::abs(slantInSigmas(frame.verticals[i], model, focal, 0)),
-                                     slantByDepth(frame.verticals[i], frame, model, byValues)};
+        const UprightSegment vertical = frame.rowTurns.removedFrom(frame.verticals[i], turningUnit);
+        const DepthResidual slant = {std::abs(slantInSigmas(vertical, model, focal, 0)),
+                                     slantByDepth(vertical, frame, model, byValues)};
         slants.push_back(slant);
     }
 }
 
 void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const
 {
-    const double *u = value.data(), roll = u[SEQUENCE_ROLL], pitch = u[SEQUENCE_PITCH];
+    const Vec<double, FLOW_VALUES> values = flowValues(value);
+    const double *u = values.val, roll = u[SEQUENCE_ROLL], pitch = u[SEQUENCE_PITCH];
     const Matx33d R = tiltRotation(roll, pitch), rolled = tiltRotation(roll + STEP, pitch),
                   pitched = tiltRotation(roll, pitch + STEP);
     const double shift = timeShift(frame.interval, givenUnit, unit),
@@ -189,7 +193,7 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
             return Eigen::RowVector2d((there.x - r.x) / STEP, (there.y - r.y) / STEP);
         };
         Eigen::RowVector2d byTurning = Eigen::RowVector2d::Zero();
-        if (frame.rowTurns.known())
+        if (frame.rowTurns.showDelay())
             byTurning = slope(residual.evaluate(
                 transformed(frame.rowTurns.removedFrom(s, turningUnit * (1 + STEP)), R, shift), u, 0));
         J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)), byTurning,
@@ -208,7 +212,8 @@ void FrameProblem::addVerticals(const CalibrationFrame& frame, const FrameVector
     const Model motion = imageMotion(value, unit, turning, &byValues);
     const PreparedModel model(motion, heading), perturbedHeadingModel(motion, heading + STEP),
         perturbedDelayModel(imageMotion(value, unit * (1 + STEP), turning / (1 + STEP), 0), heading);
-    const auto evaluateVertical = [&](const UprightSegment& c, Eigen::Matrix<double, COLUMNS, 1>& J) {
+    const auto evaluateVertical = [&](const UprightSegment& seen, Eigen::Matrix<double, COLUMNS, 1>& J) {
+        const UprightSegment c = frame.rowTurns.removedFrom(seen, turningUnit);
         Vec<double, PARAMETERS> byParameters;
         const double r = slantInSigmas(c, model, focal, byParameters.val);
         const SequenceVector by = byValues.t() * byParameters;
@@ -216,6 +221,11 @@ void FrameProblem::addVerticals(const CalibrationFrame& frame, const FrameVector
         J.head<SEQUENCE_VALUES>() = Eigen::Map<const Eigen::Matrix<double, SEQUENCE_VALUES, 1>>(by.val);
         J[HEADING_COLUMN] = (slantInSigmas(c, perturbedHeadingModel, focal, 0) - r) / STEP;
         J[DELAY_COLUMN] = byParameters[P_ALPHA] * motion[P_ALPHA];
+        if (frame.rowTurns.showDelay())
+        {
+            const UprightSegment perturbed = frame.rowTurns.removedFrom(seen, turningUnit * (1 + STEP));
+            J[DELAY_COLUMN] += (slantInSigmas(perturbed, model, focal, 0) - r) / STEP;
+        }
         J[PASSING_COLUMN] = (slantInSigmas(c, perturbedDelayModel, focal, 0) - r) / STEP;
         return r;
     };

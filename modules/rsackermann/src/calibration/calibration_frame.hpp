@@ -24,11 +24,19 @@ enum MountValue {
 
 typedef Eigen::Matrix<double, MOUNT_VALUES, 1> MountVector;
 typedef Eigen::Matrix<double, MOUNT_VALUES, MOUNT_VALUES> MountMatrix;
-// The first of FlowResidual's values, without the turns to a frame after. Those that other frames have to do with are
-// the last ones: roll, pitch, the change of the yaw rate and the turns about both axes since the frame before.
-enum { FRAME_VALUES = FLOW_ROLL_BEFORE + 1, SCENE_VALUES = SEQUENCE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
-enum { LINKED_ROLL, LINKED_PITCH, LINKED_YAW_CHANGE, LINKED_PITCH_TURN, LINKED_ROLL_TURN };
+// The first of FlowResidual's values. Those that other frames have to do with are the last ones: roll, pitch and the
+// turns about both axes since the frame before.
+enum { FRAME_VALUES = FLOW_YAW_CHANGE, SCENE_VALUES = SEQUENCE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
+enum { LINKED_ROLL, LINKED_PITCH, LINKED_PITCH_TURN, LINKED_ROLL_TURN };
 typedef Eigen::Matrix<double, FRAME_VALUES, 1> FrameVector;
+
+//! All of FlowResidual's values.
+inline Vec<double, FLOW_VALUES> flowValues(const FrameVector& value)
+{
+    Vec<double, FLOW_VALUES> all;
+    std::copy(value.data(), value.data() + FRAME_VALUES, all.val);
+    return all;
+}
 
 //! Standard deviations of residuals, over the usual ones.
 struct ResidualSigmas
@@ -41,6 +49,8 @@ struct DepthResidual
 {
     double value, byDepth;
 };
+
+const double SAME_TIME = 1e-6; //!< seconds, as times are rounded
 
 //! How a frame is seen, and its evidence.
 struct CalibrationFrame
@@ -56,6 +66,12 @@ struct CalibrationFrame
     // By what residuals are multiplied: see FrameProblem::weigh().
     std::vector<Matx22d> pointWeights; // symmetric
     std::vector<double> slantWeights;
+
+    //! Whether there is no other frame between.
+    bool follows(const CalibrationFrame& before) const
+    {
+        return drive == before.drive && time - before.time < interval + SAME_TIME;
+    }
 };
 
 //! Values of the mount on which the residuals of a frame depend: the last ones. Roll and pitch are in the frame's own

@@ -12,7 +12,7 @@ static TurnOfPoints turnOf(const CalibrationFrame& frame, const RollingShutterCa
 {
     TurnOfPoints turn = frame.turn;
     if (frame.rowTurns.known())
-        turn = TurnOfPoints(camera, frame.bearings, frame.value.data(), frame.time, -frame.interval);
+        turn = TurnOfPoints(camera, frame.bearings, flowValues(frame.value).val, frame.time, -frame.interval);
     const double middle = (turn.rows.from + turn.rows.to) / 2,
                  half = frame.rowTurns.known() ? 0 : (turn.rows.to - turn.rows.from) / 2;
     turn.rows = RowSpan(delayRatio * (middle - half), delayRatio * (middle + half));
@@ -32,12 +32,14 @@ GyroOfDrive alignGyro(const GyroSamples& samples, const RollingShutterCamera& ca
         for (; aligned < end; aligned++)
         {
             CalibrationFrame& frame = frames[aligned];
-            frame.rowTurns = RowTurns();
             if (rates.contradicts())
                 continue;
-            frame.rowTurns = RowTurns(samples, rates.alignment(), camera, delayRatio * camera.secondsPerUnitTime(),
-                                      frame.bearings, frame.time, frame.interval);
-            result.frames += frame.rowTurns.known();
+            const RowTurns turns(samples, rates.alignment(), true, camera, delayRatio * camera.secondsPerUnitTime(),
+                                 frame.bearings, frame.time, frame.interval);
+            if (!turns.known())
+                continue;
+            frame.rowTurns = turns;
+            result.frames++;
         }
     };
     for (size_t k = 0; k < frames.size(); k++)

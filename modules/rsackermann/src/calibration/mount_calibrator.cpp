@@ -14,6 +14,7 @@
 #include "../sequence/sequence_filter.hpp"
 #include "gyro_of_drive.hpp"
 #include "mount_solver.hpp"
+#include "neighbour_turns.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -189,14 +190,22 @@ public:
         {
             const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
             std::vector<CalibrationFrame> fitted = frames;
-            // The first pass finds how frames turn, whatever their rows do, for the second.
-            const int passes = gyro.empty() ? 1 : 2;
+            std::list<GyroSamples> curves;
+            MountVector prior = before;
+            // The first pass finds how frames turn, whatever their rows do, the second one the line delay for the
+            // third.
+            const int passes = 3;
             for (int pass = 0; pass < passes; pass++)
             {
-                aligned = alignGyro(gyro, start, std::exp(fit.value[MOUNT_DELAY]), fitted);
-                for (size_t k = 0; k < frames.size(); k++)
-                    fitted[k].value = frames[k].value;
-                fit = fitMount(start, fitted, before, suspension);
+                const double delayRatio = std::exp(fit.value[MOUNT_DELAY]);
+                if (pass > 0)
+                    curves = turnRowsByNeighbours(start, delayRatio, fitted);
+                aligned = alignGyro(gyro, start, delayRatio, fitted);
+                fit = fitMount(start, fitted, prior, suspension);
+                // The weights are cautious: where frames scatter less than they say, what was known before is to count
+                // less as well.
+                prior[MOUNT_DELAY] = prior[MOUNT_PASSING] =
+                    before[MOUNT_DELAY] * std::max(1., fit.turningSigma / fit.sigma[MOUNT_DELAY]);
             }
         }
         return report(fit, before, aligned);
@@ -266,7 +275,7 @@ private:
         frame.verticals = features.verticals;
         for (int i = 0; i < FRAME_VALUES; i++)
             frame.value[i] = i < SEQUENCE_VALUES ? fit.state.value[i] : 0;
-        frame.bearings = withoutOwnCar(start, features.bearings, frame.value.data());
+        frame.bearings = withoutOwnCar(start, features.bearings, flowValues(frame.value).val);
         SequenceState expected(start, gates);
         expected.measure(prior);
         for (int i = 0; i < SCENE_VALUES; i++)

@@ -14,10 +14,6 @@ namespace cv { namespace rsackermann {
 // By which the change of a tilt differs from the turn between two frames. These differences add up, so that a larger
 // one lets tilts follow the yaw rate like a line delay.
 static const double SAME_TURN = 0.005 * CV_PI / 180;
-// rad/s^2: a drive that shows the line delay weaves, and many frames determine the change
-static const double LARGE_YAW_CHANGE_SIGMA = 10 * CV_PI / 180;
-static const double YAW_CHANGE_MEMORY = 0.5; // seconds
-static const double SAME_TIME = 1e-6;        // seconds, as times are rounded
 // Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
 static const double SAME_DELAY = 0.01;
 static const double ASSUMED_FRAMES = 3; // as many count as the weights say
@@ -187,8 +183,7 @@ private:
         const FrameVector& now = state.frames[k];
         const double passed = passedBefore(k);
         const double kept = std::exp(-passed / suspension.memory);
-        const bool follows = passed < frames[k].interval + SAME_TIME;
-        terms.push_back(yawChangeTerm(k, state, passed));
+        const bool follows = k > 0 && frames[k].follows(frames[k - 1]);
         for (int i = 0; i < 2; i++)
         {
             const double m = state.mount[MOUNTS[i]], a = now[SCENE_VALUES + TILTS[i]],
@@ -208,20 +203,6 @@ private:
             turn.by(unknownOf(k, turns[i]), -1 / SAME_TURN);
             terms.push_back(turn);
         }
-    }
-
-    // The change of the yaw rate doesn't jump.
-    LinearTerm yawChangeTerm(size_t k, const MountState& state, double passed) const
-    {
-        const int which = LINKED_YAW_CHANGE;
-        const double kept = std::exp(-passed / YAW_CHANGE_MEMORY),
-                     inverse = 1 / (LARGE_YAW_CHANGE_SIGMA * std::sqrt(1 - kept * kept));
-        const double before = k > 0 ? state.frames[k - 1][SCENE_VALUES + which] : 0;
-        LinearTerm term(k, inverse * (state.frames[k][SCENE_VALUES + which] - kept * before));
-        term.by(unknownOf(k, which), inverse);
-        if (k > 0)
-            term.by(unknownOf(k - 1, which), -kept * inverse);
-        return term;
     }
 
     // The tilts that a frame shows.

@@ -7,10 +7,11 @@
 
 namespace cv { namespace rsackermann {
 
-RowTurns::RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_, const RollingShutterCamera& camera,
-                   double unit, const std::vector<TrackedBearing>& bearings, double seconds, double interval_)
+RowTurns::RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_, bool isGyro_,
+                   const RollingShutterCamera& camera, double unit, const std::vector<TrackedBearing>& bearings,
+                   double seconds, double interval_)
     : samples(0), alignment(alignment_), toUpright(camera.uprightRotation), givenUnit(camera.secondsPerUnitTime()),
-      interval(interval_), middle(0), middleOfNow(0)
+      startUnit(unit), interval(interval_), middle(0), middleOfNow(0), isGyro(isGyro_)
 {
     for (const TrackedBearing& point : bearings)
         middle += point.timeNow / double(bearings.size());
@@ -44,10 +45,25 @@ TrackedBearing RowTurns::removedFrom(const TrackedBearing& point, double unit) c
 {
     if (!samples)
         return point;
-    const double rowOfOther = point.timeOther + interval / givenUnit;
+    const double seconds = isGyro ? unit : startUnit, rowOfOther = point.timeOther + interval / givenUnit;
     TrackedBearing result = point;
-    result.now = atMiddle(point.now, middleOfNow, unit * (point.timeNow - middle));
-    result.other = atMiddle(point.other, middleOfNow - interval, unit * (rowOfOther - middle));
+    result.now = atMiddle(point.now, middleOfNow, seconds * (point.timeNow - middle));
+    result.other = atMiddle(point.other, middleOfNow - interval, seconds * (rowOfOther - middle));
+    return result;
+}
+
+UprightSegment RowTurns::removedFrom(const UprightSegment& vertical, double unit) const
+{
+    if (!samples)
+        return vertical;
+    const double seconds = isGyro ? unit : startUnit;
+    const auto seen = [&](const Vec3d& end, double time) {
+        const Point2d p = atMiddle(Point2d(end[0], end[1]), middleOfNow, seconds * (time - middle));
+        return Vec3d(p.x, p.y, 1);
+    };
+    UprightSegment result = vertical;
+    result.u = seen(vertical.u, vertical.timeU);
+    result.v = seen(vertical.v, vertical.timeV);
     return result;
 }
 

@@ -5,29 +5,36 @@
 #ifndef OPENCV_RSACKERMANN_SRC_CALIBRATION_ROW_TURNS_HPP
 #define OPENCV_RSACKERMANN_SRC_CALIBRATION_ROW_TURNS_HPP
 
+#include "../features/upright_segment.hpp"
 #include "../sequence/gyro_rates.hpp"
 
 namespace cv { namespace rsackermann {
 
-/** How the rows of a frame and of the one before have turned since the middle of their frames, by a gyro, beyond a
-steady yaw rate (doc/theory.md, "Self-calibration"): the longer the read-out, the more. */
+/** How the rows of a frame and of the one before have turned since the middle of their frames beyond a steady yaw rate,
+by a gyro or by the frames around them (doc/theory.md, "Self-calibration"): the longer the read-out, the more. */
 class RowTurns
 {
 public:
-    RowTurns() : samples(0), givenUnit(0), interval(0), middle(0), middleOfNow(0) {} //!< there is no gyro
+    //! Unknown ones.
+    RowTurns() : samples(0), givenUnit(0), startUnit(0), interval(0), middle(0), middleOfNow(0), isGyro(false) {}
 
     /** @param samples_ must exist as long as this object.
+    @param isGyro_ whether they are measured. If not, they don't show the line delay: curves that are smoother than the
+    truth would make it too long.
     @param bearings of the points: at their mean row the clocks agree, whatever the line delay.
     @param unit of the row time in seconds, with which the clocks were compared.
     @param seconds time of the frame.
     @param interval_ since the frame before. */
-    RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_, const RollingShutterCamera& camera,
-             double unit, const std::vector<TrackedBearing>& bearings, double seconds, double interval_);
+    RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_, bool isGyro_,
+             const RollingShutterCamera& camera, double unit, const std::vector<TrackedBearing>& bearings,
+             double seconds, double interval_);
 
     bool known() const { return samples != 0; }
+    bool showDelay() const { return known() && isGyro; }
 
     //! A point as it would be seen without them. @param unit seconds per unit of row time.
     TrackedBearing removedFrom(const TrackedBearing& point, double unit) const;
+    UprightSegment removedFrom(const UprightSegment& vertical, double unit) const; //!< the same
 
 private:
     Vec3d turned(double begin, double end) const;
@@ -36,10 +43,11 @@ private:
     const GyroSamples* samples;
     GyroAlignment alignment;
     Matx33d toUpright;
-    double givenUnit, interval;
+    double givenUnit, startUnit, interval;
     double middle;      // row time
     double middleOfNow; // seconds of the gyro's clock
-    Vec3d ofFrame;      // turn from the middle of the frame before, about the upright axes
+    bool isGyro;
+    Vec3d ofFrame; // turn from the middle of the frame before, about the upright axes
 };
 
 }} // namespace cv::rsackermann

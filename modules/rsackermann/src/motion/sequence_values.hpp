@@ -23,12 +23,12 @@ enum SequenceValue {
     SEQUENCE_VALUES
 };
 
-/** The state of a sequence, and the differences of other frames from the present one: the change of the yaw rate, and
-turns about the other axes from the frame before and to the frame after. */
+/** The state of a sequence, and the differences of other frames from the present one: turns about the other axes from
+the frame before and to the frame after, and the change of the yaw rate. */
 enum {
-    FLOW_YAW_CHANGE = SEQUENCE_VALUES, //!< rad/s^2
-    FLOW_PITCH_BEFORE,
+    FLOW_PITCH_BEFORE = SEQUENCE_VALUES,
     FLOW_ROLL_BEFORE,
+    FLOW_YAW_CHANGE, //!< rad/s^2
     FLOW_PITCH_AFTER,
     FLOW_ROLL_AFTER,
     FLOW_VALUES

@@ -24,7 +24,6 @@ static void check(const Mat& times, const Mat& rates)
 void GyroSamples::add(const Mat& times_, const Mat& rates)
 {
     check(times_, rates);
-    const double fastest = 1e3; // rad/s
     const Mat times = times_.isContinuous() ? times_ : times_.clone();
     const double* const time = times.ptr<double>();
     for (int i = 0; i < rates.rows; i++) // before any of them is added
@@ -37,8 +36,8 @@ void GyroSamples::add(const Mat& times_, const Mat& rates)
             CV_Error(Error::StsBadArg,
                      format("times[%d] is %.9g; more than %.9g, the one before, is expected", i, time[i], last));
         for (int k = 0; k < 3; k++)
-            if (!(std::abs(rates.at<double>(i, k)) <= fastest))
-                checkRange(rates.at<double>(i, k), -fastest, fastest, format("rates(%d, %d)", i, k).c_str());
+            if (!(std::abs(rates.at<double>(i, k)) <= fastest()))
+                checkRange(rates.at<double>(i, k), -fastest(), fastest(), format("rates(%d, %d)", i, k).c_str());
     }
     samples.reserve(samples.size() + size_t(rates.rows));
     for (int i = 0; i < rates.rows; i++)

@@ -17,8 +17,10 @@ are small. */
 class GyroSamples
 {
 public:
+    static double fastest() { return 1e3; } //!< rad/s; faster ones are wrong
+
     //! @param times seconds, increasing, after those that are there: N x 1 or 1 x N, CV_64F. @param rates rad/s about
-    //! x, y and z: N x 3, CV_64F. Throws cv::Exception if they are others.
+    //! x, y and z: N x 3, CV_64F. Throws cv::Exception if they are others, or faster than fastest().
     void add(const Mat& times, const Mat& rates);
     void clear() { samples.clear(); }
     bool empty() const { return samples.empty(); }

@@ -47,8 +47,8 @@ public:
     CV_PROP_RW bool rollObserved;
     CV_PROP_RW bool pitchObserved;   //!< the same of the pitch
     CV_PROP_RW bool headingObserved; //!< the same of the heading
-    //! The same of the line delay, which is observable in bends, or with a gyro if the camera shakes; if not, as after
-    //! a straight drive, it isn't changed
+    //! The same of the line delay, which is observable in bends and if the camera shakes, above all with a gyro; if
+    //! not, as after a straight drive, it isn't changed
     CV_PROP_RW bool lineDelayObserved;
 
     //! Frames whose rows MountCalibrator::addGyro() has turned: 0 if there is no gyro, or the points contradict it.

@@ -1,0 +1,100 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "neighbour_turns.hpp"
+
+namespace cv { namespace rsackermann {
+
+namespace {
+
+// The natural cubic spline through the angles of instants.
+class AngleCurve
+{
+public:
+    AngleCurve(const std::vector<double>& times_, const std::vector<Vec3d>& angles_)
+        : times(times_), angles(angles_), bend(angles_.size())
+    {
+        // Elimination in the tridiagonal system of the second derivatives, which are 0 at both ends.
+        const size_t n = times.size();
+        std::vector<double> above(n, 0.);
+        for (size_t i = 1; i + 1 < n; i++)
+        {
+            const double before = step(i - 1), after = step(i), pivot = 2 * (before + after) - before * above[i - 1];
+            above[i] = after / pivot;
+            bend[i] = (6 * (chord(i) - chord(i - 1)) - before * bend[i - 1]) * (1 / pivot);
+        }
+        for (size_t i = n - 1; i-- > 1;)
+            bend[i] -= above[i] * bend[i + 1];
+    }
+
+    //! @param share of the way from the instant i to the next one.
+    Vec3d rate(size_t i, double share) const
+    {
+        const double h = step(i), rest = 1 - share;
+        return chord(i) + (bend[i] * (1 - 3 * rest * rest) + bend[i + 1] * (3 * share * share - 1)) * (h / 6);
+    }
+
+private:
+    double step(size_t i) const { return times[i + 1] - times[i]; }
+    Vec3d chord(size_t i) const { return (angles[i + 1] - angles[i]) * (1 / step(i)); }
+
+    const std::vector<double>& times;
+    const std::vector<Vec3d>& angles;
+    std::vector<Vec3d> bend; // second derivatives
+};
+
+GyroSamples sampled(const std::vector<double>& times, const std::vector<Vec3d>& angles)
+{
+    const int parts = 4; // of an interval: GyroSamples is as smooth
+    const AngleCurve curve(times, angles);
+    Mat instants, rates;
+    for (size_t i = 0; i + 1 < times.size(); i++)
+        for (int k = 0; k < parts + (i + 2 == times.size()); k++)
+        {
+            const double share = double(k) / parts;
+            instants.push_back(times[i] + share * (times[i + 1] - times[i]));
+            rates.push_back(Mat(curve.rate(i, share).t()));
+        }
+    if (!(norm(rates, NORM_INF) <= GyroSamples::fastest()))
+        return GyroSamples();
+    GyroSamples samples;
+    samples.add(instants, rates);
+    return samples;
+}
+
+} // namespace
+
+std::list<GyroSamples> turnRowsByNeighbours(const RollingShutterCamera& camera, double delayRatio,
+                                            std::vector<CalibrationFrame>& frames)
+{
+    const double unit = delayRatio * camera.secondsPerUnitTime();
+    std::list<GyroSamples> curves;
+    for (size_t begin = 0, end; begin < frames.size(); begin = end)
+    {
+        // On this clock the middle row of each frame has the time of the frame since the first one.
+        std::vector<double> times(1, -frames[begin].interval);
+        std::vector<Vec3d> angles(1);
+        for (end = begin; end < frames.size() && (end == begin || frames[end].follows(frames[end - 1])); end++)
+        {
+            const CalibrationFrame& frame = frames[end];
+            const TurnOfPoints turn(camera, frame.bearings, flowValues(frame.value).val, frame.time, -frame.interval);
+            times.push_back(frame.time - frames[begin].time);
+            angles.push_back(angles.back() + turn.rate * frame.interval);
+        }
+        curves.push_back(sampled(times, angles));
+        for (size_t k = begin; k < end; k++)
+        {
+            GyroAlignment clock;
+            clock.delay = -frames[begin].time;
+            for (const TrackedBearing& point : frames[k].bearings)
+                clock.delay -= unit * point.timeNow / double(frames[k].bearings.size());
+            frames[k].rowTurns = RowTurns(curves.back(), clock, false, camera, unit, frames[k].bearings, frames[k].time,
+                                          frames[k].interval);
+        }
+    }
+    return curves;
+}
+
+}} // namespace cv::rsackermann
