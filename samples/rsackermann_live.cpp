@@ -7,7 +7,7 @@
 
 #include "camera_settings.hpp"
 #include "correct/video_timing.hpp"
-#include "export/image_file.hpp"
+#include "output/image_file.hpp"
 #include "motion_words.hpp"
 #include "output/output_plan.hpp"
 #include "units.hpp"

@@ -9,6 +9,7 @@
 #include "output/atomic_file.hpp"
 #include "output/output_plan.hpp"
 #include "progress.hpp"
+#include "simulate/depth_image.hpp"
 #include "simulate/drive_files.hpp"
 #include "street_model.hpp"
 #include "truth_file.hpp"
@@ -26,7 +27,8 @@ const char* const ABOUT =
     "Writes rolling.png, global.png (the view of a global shutter, without a lens), truth.json and camera.yml (for\n"
     "rsackermann_correct --camera) to a folder; with --depth also rolling_depth.png and global_depth.png (16 bits,\n"
     "1/256 m along the optical axis, 0 for the sky and beyond 255 m). With --frames it renders a drive instead:\n"
-    "frames/NNNNNN.png, log.csv with their times, gyro.csv (for rsackermann_correct --gyro), truth.jsonl and camera.yml.\n"
+    "frames/NNNNNN.png, log.csv with their times, gyro.csv (for rsackermann_correct --gyro), truth.jsonl and camera.yml;\n"
+    "with --depth also depth/NNNNNN.png, of the frames, and with --global global/NNNNNN.png.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
 const char* const KEYS =
@@ -60,6 +62,9 @@ const char* const KEYS =
     "park only if the camera passes the wall at 2.8 m or more}"
     "{frames     |         | render a drive of so many frames, 30 a second, instead of one image: the car weaves, to and "
     "fro in 4 s}"
+    "{speed_swing | 0      | km/h by which a drive is faster than --speed at first, and slower after 2 s: to and fro in "
+    "4 s}"
+    "{global     |         | of a drive: write the view of a global shutter of each frame, too}"
     "{shake      | none    | what shakes the camera: none, suspension (pitch and roll about 1.4 Hz), engine (20 to 40 "
     "Hz) or phone (an arm at 7 Hz)}"
     "{shake_rate |         | deg/s, root mean square of the pitch rate of shaking (default: 1.5, 5 or 11)}"
@@ -67,7 +72,7 @@ const char* const KEYS =
     "{gyro_noise | 0.1     | deg/s, standard deviation of a sample}"
     "{gyro_bias  | 0       | deg/s that it shows too much about each axis}"
     "{gyro_delay | 0       | seconds by which its clock is ahead}"
-    "{depth      |         | write the true depth of both rendered images, too}"
+    "{depth      |         | write the true depth of both rendered images, or of a drive's frames, too}"
     "{noise      | 1       | of the rendered image, grey levels}"
     "{samples    | 3       | rays across and down a pixel}"
     "{seed       | 0       | of the rendered street}"
@@ -162,16 +167,6 @@ void writeImage(AtomicFile& file, const cv::Mat& image)
     file.write(bytes.data(), bytes.size());
 }
 
-// What is farther away than 16 bits reach is as unknown as the sky.
-cv::Mat depthImage(const cv::Mat& metres)
-{
-    const double unitsPerMetre = 256, farthest = 255;
-    cv::Mat image;
-    cv::Mat(metres * unitsPerMetre).convertTo(image, CV_16U);
-    image.setTo(0, metres > farthest);
-    return image;
-}
-
 // No result replaces an input, and none an existing file unless that is wanted.
 void checkResults(const Options& options, const std::vector<std::string>& results)
 {
@@ -186,11 +181,17 @@ void checkResults(const Options& options, const std::vector<std::string>& result
 
 void writeDrive(const Options& options, const CameraSettings& settings, const Truth& truth)
 {
-    const DriveFiles files = {options.text("output") + "/", options.integer("frames", 1, 100000),
-                              options.integer("samples", 1, 16), settings, readGyroOptions(options, truth.scene.seed)};
+    const DriveFiles files = {options.text("output") + "/",
+                              options.integer("frames", 1, 100000),
+                              options.integer("samples", 1, 16),
+                              settings,
+                              readGyroOptions(options, truth.scene.seed),
+                              options.flag("depth"),
+                              options.flag("global")};
     checkResults(options, files.names());
     street::RenderedDrive drive(truth.camera, truth.scene);
     drive.course = street::RenderedDrive::WEAVING;
+    drive.speedSwing = options.number("speed_swing", -500, 500) * KMH;
     files.write(drive);
 }
 
@@ -201,10 +202,9 @@ void checkTogether(const Options& options)
                                  "frames", "shake", "shake_rate"})
             if (options.given(name))
                 throw UsageError(std::string("--") + name + " is for rendered streets, not for --image");
-    for (const char* name : {"depth", "wall_direction"})
-        if (options.given("frames") && options.given(name))
-            throw UsageError(std::string("--") + name + " is for one image, not for --frames");
-    for (const char* name : {"gyro_rate", "gyro_noise", "gyro_bias", "gyro_delay"})
+    if (options.given("frames") && options.given("wall_direction"))
+        throw UsageError("--wall_direction is for one image, not for --frames");
+    for (const char* name : {"gyro_rate", "gyro_noise", "gyro_bias", "gyro_delay", "speed_swing", "global"})
         if (!options.given("frames") && options.given(name))
             throw UsageError(std::string("--") + name + " needs --frames");
 }

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "colmap.hpp"
-#include "image_file.hpp"
+#include "output/image_file.hpp"
 #include "output/atomic_file.hpp"
 #include "opencv2/rsackermann/warp.hpp"
 

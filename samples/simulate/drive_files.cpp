@@ -4,8 +4,9 @@
 
 #include "drive_files.hpp"
 #include "camera_file.hpp"
+#include "depth_image.hpp"
 #include "files.hpp"
-#include "output/atomic_file.hpp"
+#include "output/image_file.hpp"
 #include "progress.hpp"
 #include "truth_file.hpp"
 #include "units.hpp"
@@ -36,13 +37,24 @@ std::string DriveFiles::frameName(int number) const
     return cv::format("%06d.png", number);
 }
 
+std::vector<std::string> DriveFiles::folders() const
+{
+    std::vector<std::string> all = {folder + "frames/"};
+    if (depth)
+        all.push_back(folder + "depth/");
+    if (global)
+        all.push_back(folder + "global/");
+    return all;
+}
+
 std::vector<std::string> DriveFiles::names() const
 {
     std::vector<std::string> all;
     for (const char* name : {"truth.jsonl", "log.csv", "gyro.csv", "camera.yml"})
         all.push_back(folder + name);
-    for (int i = 0; i < frames; i++)
-        all.push_back(folder + "frames/" + frameName(i));
+    for (const std::string& of : folders())
+        for (int i = 0; i < frames; i++)
+            all.push_back(of + frameName(i));
     return all;
 }
 
@@ -64,17 +76,21 @@ std::string DriveFiles::gyroText(const street::RenderedDrive& drive) const
 void DriveFiles::write(const street::RenderedDrive& from) const
 {
     checkClearance(from, frames);
-    const std::string behind = folder + "frames/" + frameName(frames);
-    if (cv::utils::fs::exists(behind))
-        throw InputError(behind + " is of a longer drive; remove that first");
+    for (const std::string& of : folders())
+        if (cv::utils::fs::exists(of + frameName(frames)))
+            throw InputError(of + frameName(frames) + " is of a longer drive; remove that first");
     street::RenderedDrive drive = from;
     std::string truths, log = "file,time_s\n";
     Progress progress;
     for (int i = 0; i < frames; i++)
     {
         const std::string name = frameName(i), path = folder + "frames/" + name;
-        const std::vector<uchar> bytes = encodeImage(path, drive.next().rollingShutter(samples));
-        writeFile(path, std::string(bytes.begin(), bytes.end()));
+        const street::StreetRenderer view = drive.next();
+        writeImage(path, view.rollingShutter(samples));
+        if (depth)
+            writeImage(folder + "depth/" + name, depthImage(view.rollingDepth()));
+        if (global)
+            writeImage(folder + "global/" + name, view.globalShutter(samples));
         truths += truthLine(name, {drive.camera(), drive.street()});
         log += name + cv::format(",%.9f\n", drive.seconds());
         progress.update(i + 1, frames, path);

@@ -18,17 +18,19 @@ struct DriveFiles
     int frames, samples;
     CameraSettings camera;
     street::SimulatedGyro gyro;
+    bool depth, global; //!< whether there are depth/NNNNNN.png and global/NNNNNN.png
 
     //! Names of all files.
     std::vector<std::string> names() const;
 
-    /** Renders the drive: frames/NNNNNN.png, and once they are there log.csv with their times, gyro.csv, truth.jsonl
-    (a line for each frame) and camera.yml. Before there is a file it throws UsageError if the car reaches a wall, and
-    InputError if the folder has more frames. */
+    /** Renders the drive: frames/NNNNNN.png and what else is wanted of each, and once they are there log.csv with their
+    times, gyro.csv, truth.jsonl (a line for each frame) and camera.yml. Before there is a file it throws UsageError if
+    the car reaches a wall, and InputError if the folder has more frames. */
     void write(const street::RenderedDrive& drive) const;
 
 private:
     std::string frameName(int number) const;
+    std::vector<std::string> folders() const;
     std::string gyroText(const street::RenderedDrive& drive) const;
 };
 

@@ -9,11 +9,11 @@ namespace street {
 static const double WEAVING_FREQUENCY = CV_PI / 2; // radians per second
 
 RenderedDrive::RenderedDrive(const StreetCamera& camera, const StreetScene& street)
-    : course(BEND_AND_STOP), phase(0), mounted(camera), eye(camera), start(street), scene(street), frames(0),
-      seconds_(0), sideways(0), yaw(0)
+    : course(BEND_AND_STOP), phase(0), speedSwing(0), mounted(camera), eye(camera), start(street), scene(street),
+      frames(0), seconds_(0), yaw(0)
 {
     sway[0] = sway[1] = [](double) { return 0.; };
-    scene.speed = scene.yawRate = scene.travelled = 0;
+    scene.speed = scene.yawRate = scene.travelled = scene.sideways = 0;
 }
 
 void RenderedDrive::advance()
@@ -25,8 +25,8 @@ void RenderedDrive::advance()
     eye.roll = mounted.roll + sway[0](seconds_);
     eye.pitch = mounted.pitch + sway[1](seconds_);
     scene.wallDirection = mounted.heading - yaw;
-    scene.left = hasWall(0) ? start.left + sideways : 0;
-    scene.right = hasWall(1) ? start.right - sideways : 0;
+    scene.left = hasWall(0) ? start.left + scene.sideways : 0;
+    scene.right = hasWall(1) ? start.right - scene.sideways : 0;
 }
 
 StreetRenderer RenderedDrive::next()
@@ -55,7 +55,7 @@ cv::Vec3d RenderedDrive::ratesAt(double seconds) const
 double RenderedDrive::speedAt(double seconds) const
 {
     if (course != BEND_AND_STOP)
-        return start.speed;
+        return start.speed + speedSwing * std::cos(seconds * WEAVING_FREQUENCY);
     const double share = seconds < 6     ? 1
                          : seconds < 7.2 ? (7.2 - seconds) / 1.2
                          : seconds < 8.2 ? 0
@@ -85,7 +85,7 @@ void RenderedDrive::drive()
         {
             const double at = seconds_ - (steps - 0.5 - i) * duration;
             scene.travelled += speedAt(at) * std::cos(yaw) * duration;
-            sideways += speedAt(at) * std::sin(yaw) * duration;
+            scene.sideways += speedAt(at) * std::sin(yaw) * duration;
             yaw += yawRateAt(at) * duration;
         }
     scene.speed = speedAt(seconds_);

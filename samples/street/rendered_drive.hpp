@@ -24,10 +24,11 @@ public:
     Course course;
     std::function<double(double)> sway[2]; //!< roll and pitch of all rows of the frame of a time, radians
     double phase;                          //!< of weaving, radians
+    double speedSwing; //!< metres per second by which a weaving car is faster at first, and slower after 2 s
 
     /** @param camera as it is mounted, with its shake.
-    @param street its speed is that of the drive, its yawRate the greatest one in bends, its walls those at the start;
-    wallDirection and travelled are those of the drive. */
+    @param street its speed is the mean one of the drive, its yawRate the greatest one in bends, its walls those at the
+    start; wallDirection and travelled are those of the drive. */
     RenderedDrive(const StreetCamera& camera, const StreetScene& street);
 
     //! Drives on to the next frame.
@@ -57,7 +58,7 @@ private:
     const StreetScene start;
     StreetScene scene;
     int frames;
-    double seconds_, sideways, yaw; // metres and radians to the right
+    double seconds_, yaw; // radians to the right
 };
 
 } // namespace street

@@ -51,9 +51,23 @@ cv::Vec3d turnRates(const StreetCamera& camera, double yawRate)
            (mount * now).t() * cv::Vec3d(0, yawRate, 0);
 }
 
+cv::Matx44d viewMatrix(const StreetCamera& camera, const StreetScene& scene)
+{
+    // doc/theory.md, "Motion": the upright frame of the camera, whose z axis is the optical one made horizontal
+    const double c = std::cos(scene.wallDirection), s = std::sin(scene.wallDirection);
+    const cv::Matx33d upright(c, 0, s, 0, 1, 0, -s, 0, c); // from the street
+    const cv::Matx33d turn =
+        (uprightFrom(camera.roll, camera.pitch) * camera.shake.rotation(camera.seconds)).t() * upright;
+    const cv::Vec3d shift = turn * cv::Vec3d(-scene.sideways, 0, -scene.travelled);
+    return cv::Matx44d(turn(0, 0), turn(0, 1), turn(0, 2), shift[0], //
+                       turn(1, 0), turn(1, 1), turn(1, 2), shift[1], //
+                       turn(2, 0), turn(2, 1), turn(2, 2), shift[2], //
+                       0, 0, 0, 1);
+}
+
 StreetScene::StreetScene()
-    : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), travelled(0), seed(0), clutter(0), stagger(0),
-      obstacles(0), noise(1), frame(0)
+    : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), travelled(0), sideways(0), seed(0), clutter(0),
+      stagger(0), obstacles(0), noise(1), frame(0)
 {
 }
 

@@ -38,6 +38,7 @@ struct StreetScene
     double wallDirection; //!< radians from the optical axis to the direction along the walls
     //! Metres along the walls from where the street begins: frames of a drive have the same street
     double travelled;
+    double sideways;  //!< metres to the right, across the walls, from the line along which a drive began
     unsigned seed;    //!< of the facades and the noise
     double clutter;   //!< share of slanted lines, 0..1
     double stagger;   //!< metres: each house stands back from its wall by its own amount between 0 and this
@@ -51,6 +52,11 @@ struct StreetScene
 //! Radians per second at which a camera turns about its axes (x to the right, y down, z ahead) at the reference line's
 //! instant. @param yawRate of the car, radians per second.
 cv::Vec3d turnRates(const StreetCamera& camera, double yawRate);
+
+//! Turns places of the street into the frame of the camera (x to the right, y down, z ahead) at the reference line's
+//! instant. Those of the street are metres to the right, downwards and along the walls from the camera at the
+//! beginning.
+cv::Matx44d viewMatrix(const StreetCamera& camera, const StreetScene& scene);
 
 /** Renders a street and knows the true correspondence of rolling and global shutter.
 

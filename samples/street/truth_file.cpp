@@ -40,6 +40,9 @@ static void addTo(nlohmann::ordered_json& json, const Truth& truth)
     json["heading_deg"] = c.heading / DEGREE;
     json["travelled_m"] = s.travelled;
     json["time_s"] = c.seconds;
+    const cv::Matx44d view = street::viewMatrix(c, s);
+    for (int i = 0; i < 4; i++)
+        json["viewmat"].push_back({view(i, 0), view(i, 1), view(i, 2), view(i, 3)});
     if (c.shake.kind() != street::Shake::NONE)
     {
         json["shake"] = street::Shake::words()[size_t(c.shake.kind())];

@@ -17,7 +17,8 @@ struct Truth
 };
 
 //! The truth as JSON, with angles in degrees and the speed in km/h; it suffices to make the true map. The rates
-//! of the camera, at the reference line, are those about its own axes: the car's and those of its shaking.
+//! of the camera, at the reference line, are those about its own axes: the car's and those of its shaking. So is
+//! viewmat, street::viewMatrix().
 std::string truthText(const Truth& truth);
 //! The same in one line, of a frame of a drive.
 std::string truthLine(const std::string& file, const Truth& truth);

@@ -212,7 +212,6 @@ TEST(SimulatedDrive, refusals)
     expectRefused(2, {"--frames=0"}, "frames");
     expectRefused(2, {"--frames=3", "--shake=dance"}, "shake");
     expectRefused(2, {"--frames=3", "--shake_rate=3"}, "--shake_rate needs --shake");
-    expectRefused(2, {"--frames=3", "--depth"}, "--depth is for one image");
     expectRefused(2, {"--gyro_bias=1"}, "--gyro_bias needs --frames");
     expectRefused(2, {"--frames=3", "--gyro_rate=0"}, "gyro_rate");
     expectRefused(2, {"--frames=3", "--gyro_noise=-1"}, "gyro_noise");

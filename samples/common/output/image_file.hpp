@@ -2,11 +2,11 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef RSACKERMANN_SAMPLES_EXPORT_IMAGE_FILE_HPP
-#define RSACKERMANN_SAMPLES_EXPORT_IMAGE_FILE_HPP
+#ifndef RSACKERMANN_SAMPLES_IMAGE_FILE_HPP
+#define RSACKERMANN_SAMPLES_IMAGE_FILE_HPP
 
 #include "files.hpp"
-#include "output/atomic_file.hpp"
+#include "atomic_file.hpp"
 
 namespace rsackermann_samples {
 
@@ -19,4 +19,4 @@ inline void writeImage(const std::string& path, const cv::Mat& image)
 
 } // namespace rsackermann_samples
 
-#endif // RSACKERMANN_SAMPLES_EXPORT_IMAGE_FILE_HPP
+#endif // RSACKERMANN_SAMPLES_IMAGE_FILE_HPP
