@@ -60,6 +60,7 @@ const char* const KEYS =
     "this}"
     "{obstacles  | 0       | parked cars, posts and leaning trees on 100 m of each side of the rendered street; cars "
     "park only if the camera passes the wall at 2.8 m or more}"
+    "{stains     | 0       | contrast of stains on all of the rendered street, 0..1}"
     "{frames     |         | render a drive of so many frames, 30 a second, instead of one image: the car weaves, to and "
     "fro in 4 s}"
     "{speed_swing | 0      | km/h by which a drive is faster than --speed at first, and slower after 2 s: to and fro in "
@@ -75,6 +76,8 @@ const char* const KEYS =
     "{depth      |         | write the true depth of both rendered images, or of a drive's frames, too}"
     "{noise      | 1       | of the rendered image, grey levels}"
     "{samples    | 3       | rays across and down a pixel}"
+    "{rays       | grid    | of a pixel: on a grid, or staggered, each with an x and a y of its own, so that edges along "
+    "rows and columns move as smoothly as others}"
     "{seed       | 0       | of the rendered street}"
     "{threads    |         | maximum number of threads}";
 
@@ -127,6 +130,7 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
     scene.clutter = options.number("clutter", 0, 1);
     scene.stagger = options.number("stagger", 0, 10);
     scene.obstacles = options.number("obstacles", 0, 100);
+    scene.stains = options.number("stains", 0, 1);
     scene.noise = options.number("noise", 0, 100);
     scene.seed = unsigned(options.integer("seed", 0, 1 << 30));
     const int shake = options.choice("shake", street::Shake::words());
@@ -147,6 +151,11 @@ street::SimulatedGyro readGyroOptions(const Options& options, unsigned seed)
     gyro.delay = options.number("gyro_delay", -1e6, 1e6);
     gyro.seed = seed;
     return gyro;
+}
+
+street::StreetRenderer::Rays raysOf(const Options& options)
+{
+    return street::StreetRenderer::Rays(options.choice("rays", {"grid", "staggered"}));
 }
 
 // The rolling-shutter image of a global-shutter one; parts that it doesn't show are mirrored, since a border would be
@@ -187,7 +196,8 @@ void writeDrive(const Options& options, const CameraSettings& settings, const Tr
                               settings,
                               readGyroOptions(options, truth.scene.seed),
                               options.flag("depth"),
-                              options.flag("global")};
+                              options.flag("global"),
+                              raysOf(options)};
     checkResults(options, files.names());
     street::RenderedDrive drive(truth.camera, truth.scene);
     drive.course = street::RenderedDrive::WEAVING;
@@ -198,8 +208,8 @@ void writeDrive(const Options& options, const CameraSettings& settings, const Tr
 void checkTogether(const Options& options)
 {
     if (options.given("image"))
-        for (const char* name : {"size", "clutter", "stagger", "obstacles", "depth", "noise", "samples", "seed",
-                                 "frames", "shake", "shake_rate"})
+        for (const char* name : {"size", "clutter", "stagger", "obstacles", "stains", "depth", "noise", "samples",
+                                 "rays", "seed", "frames", "shake", "shake_rate"})
             if (options.given(name))
                 throw UsageError(std::string("--") + name + " is for rendered streets, not for --image");
     if (options.given("frames") && options.given("wall_direction"))
@@ -231,6 +241,7 @@ int run(const Options& options)
         return 0;
     }
     const int samples = options.integer("samples", 1, 16);
+    const street::StreetRenderer::Rays rays = raysOf(options);
 
     const std::string folder = options.text("output") + "/";
     const std::string rolling = folder + "rolling.png", global = folder + "global.png";
@@ -244,9 +255,9 @@ int run(const Options& options)
     const street::StreetRenderer renderer(truth.camera, truth.scene);
     Progress progress;
     AtomicFiles files;
-    writeImage(files.add(rolling), image.empty() ? renderer.rollingShutter(samples) : distort(image, truth));
+    writeImage(files.add(rolling), image.empty() ? renderer.rollingShutter(samples, rays) : distort(image, truth));
     progress.update(1, 2, global);
-    writeImage(files.add(global), image.empty() ? renderer.globalShutter(samples) : image);
+    writeImage(files.add(global), image.empty() ? renderer.globalShutter(samples, rays) : image);
     if (options.flag("depth"))
     {
         writeImage(files.add(rollingDepth), depthImage(renderer.rollingDepth()));

@@ -86,11 +86,11 @@ void DriveFiles::write(const street::RenderedDrive& from) const
     {
         const std::string name = frameName(i), path = folder + "frames/" + name;
         const street::StreetRenderer view = drive.next();
-        writeImage(path, view.rollingShutter(samples));
+        writeImage(path, view.rollingShutter(samples, rays));
         if (depth)
             writeImage(folder + "depth/" + name, depthImage(view.rollingDepth()));
         if (global)
-            writeImage(folder + "global/" + name, view.globalShutter(samples));
+            writeImage(folder + "global/" + name, view.globalShutter(samples, rays));
         truths += truthLine(name, {drive.camera(), drive.street()});
         log += name + cv::format(",%.9f\n", drive.seconds());
         progress.update(i + 1, frames, path);

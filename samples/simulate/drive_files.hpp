@@ -19,6 +19,7 @@ struct DriveFiles
     CameraSettings camera;
     street::SimulatedGyro gyro;
     bool depth, global; //!< whether there are depth/NNNNNN.png and global/NNNNNN.png
+    street::StreetRenderer::Rays rays;
 
     //! Names of all files.
     std::vector<std::string> names() const;

@@ -4,6 +4,7 @@
 
 #include "street_renderer.hpp"
 #include "lens.hpp"
+#include "texture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,7 @@ cv::Matx44d viewMatrix(const StreetCamera& camera, const StreetScene& scene)
 
 StreetScene::StreetScene()
     : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), travelled(0), sideways(0), seed(0), clutter(0),
-      stagger(0), obstacles(0), noise(1), frame(0)
+      stagger(0), obstacles(0), stains(0), noise(1), frame(0)
 {
 }
 
@@ -201,8 +202,18 @@ cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) 
                            scene_.left + scene_.right, footprint);
     else if (!(hit.plane == 1 ? left_ : right_).sample(hit.surface, placeAt(hit.plane, place), footprint, paint))
         return sky;
+    if (scene_.stains > 0)
+        paint *= 1 + scene_.stains * stainsAt(hit, place, footprint);
     const double clear = std::exp(-metres / HAZE);
     return paint * clear + sky * (1 - clear);
+}
+
+double StreetRenderer::stainsAt(const Hit& hit, const cv::Vec3d& place, double footprint) const
+{
+    // Such that no side of a thing, upright or level, is seen along a line of equal stains; each side of the street has
+    // its own.
+    const cv::Vec3d v = placeAt(hit.plane == 3 ? 1 : hit.plane, place);
+    return street::stains(v[0] + v[1] / 2, v[2] + v[1] + 100 * hit.plane, footprint);
 }
 
 cv::Mat StreetRenderer::render(bool moving, int samples, Rays rays) const
@@ -273,9 +284,9 @@ cv::Mat StreetRenderer::rollingShutter(int samples, Rays rays) const
     return render(true, samples, rays);
 }
 
-cv::Mat StreetRenderer::globalShutter(int samples) const
+cv::Mat StreetRenderer::globalShutter(int samples, Rays rays) const
 {
-    return render(false, samples, ON_GRID);
+    return render(false, samples, rays);
 }
 
 bool StreetRenderer::toGlobal(const cv::Point2d& rolling, cv::Point2d& global) const

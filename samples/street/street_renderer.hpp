@@ -43,6 +43,7 @@ struct StreetScene
     double clutter;   //!< share of slanted lines, 0..1
     double stagger;   //!< metres: each house stands back from its wall by its own amount between 0 and this
     double obstacles; //!< cars, posts and trees on 100 m of each side
+    double stains;    //!< contrast of stains on everything, 0..1
     double noise;     //!< standard deviation of the image noise in grey levels
     unsigned frame;   //!< of a drive: each has noise of its own
 
@@ -80,7 +81,7 @@ public:
     //! The view of the rolling-shutter camera, through its lens; each pixel is the mean of samples x samples rays.
     cv::Mat rollingShutter(int samples = 3, Rays rays = ON_GRID) const;
     //! The view of a global-shutter camera without lens distortion at the reference line's instant.
-    cv::Mat globalShutter(int samples = 3) const;
+    cv::Mat globalShutter(int samples = 3, Rays rays = ON_GRID) const;
 
     //! Metres along the optical axis to what the centre of each pixel of the rolling-shutter image shows, at its line's
     //! instant (CV_32FC1); 0 for the sky.
@@ -114,6 +115,7 @@ private:
     cv::Mat render(bool moving, int samples, Rays rays) const;
     cv::Mat depth(bool moving) const;
     cv::Vec3f colour(const cv::Vec3d& origin, const cv::Vec3d& ray) const;
+    double stainsAt(const Hit& hit, const cv::Vec3d& place, double footprint) const;
     bool isSky(const Hit& hit, const cv::Vec3d& place) const;
     Pose poseAt(double seconds) const;
     double secondsAt(double line) const;

@@ -35,4 +35,27 @@ double bricks(double u, double v, double footprint)
     return visible * (inJoint ? 0.15 : 0.12 * (cellNoise(column, row) - 0.5) - 0.03);
 }
 
+// Random numbers at the corners of a grid of unit cells, and smoothly between them; on average 0.
+static double smoothNoise(double u, double v)
+{
+    const double fu = std::floor(u), fv = std::floor(v);
+    const int a = int(fu), b = int(fv);
+    const double x = u - fu, y = v - fv, s = x * x * (3 - 2 * x), t = y * y * (3 - 2 * y);
+    return (cellNoise(a, b) * (1 - s) + cellNoise(a + 1, b) * s) * (1 - t) +
+           (cellNoise(a, b + 1) * (1 - s) + cellNoise(a + 1, b + 1) * s) * t - 0.5;
+}
+
+double stains(double u, double v, double footprint)
+{
+    const double smallest = 0.04, largest = 1.3;
+    double sum = 0;
+    for (double size = smallest; size < largest; size *= 2)
+    {
+        const double visible = visibility(size / 3, footprint);
+        if (visible > 0)
+            sum += visible * smoothNoise(u / size, v / size);
+    }
+    return sum;
+}
+
 } // namespace street

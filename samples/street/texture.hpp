@@ -16,6 +16,10 @@ double visibility(double size, double footprint);
 //! Courses of bricks with light joints at u metres along a wall and v metres above the road; 0 on average.
 double bricks(double u, double v, double footprint);
 
+//! Stains of all sizes from 4 cm to a metre at a place in metres, without edges: a share of the brightness, 0 on
+//! average.
+double stains(double u, double v, double footprint);
+
 } // namespace street
 
 #endif // RSACKERMANN_SAMPLES_TEXTURE_HPP

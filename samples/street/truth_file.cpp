@@ -23,6 +23,7 @@ static void addTo(nlohmann::ordered_json& json, const Truth& truth)
     json["wall_direction_deg"] = s.wallDirection / DEGREE;
     json["stagger_m"] = s.stagger;
     json["obstacles_per_100_m"] = s.obstacles;
+    json["stains"] = s.stains;
     json["seed"] = s.seed;
     json["height_m"] = c.height;
     json["width"] = c.size.width;
@@ -97,6 +98,7 @@ try
     s.wallDirection = json.at("wall_direction_deg").get<double>() * DEGREE;
     s.stagger = json.at("stagger_m");
     s.obstacles = json.at("obstacles_per_100_m");
+    s.stains = json.value("stains", 0.); // files of before 0.2 haven't it
     s.seed = unsigned(inRange(path, json, "seed", 0, UINT_MAX));
     c.fx = json.at("fx");
     c.fy = json.at("fy");

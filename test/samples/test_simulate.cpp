@@ -27,7 +27,7 @@ TEST(Simulate, refuses_what_it_does_not_know)
     const std::string output = "--output=" + (folder / "out");
     for (const char* option : {"--sped=3", "--speed=fast", "--size=640", "--size=0x3", "--left=-1", "--lens=1,2",
                                "--lens=1,2,x,4", "--clutter=2", "--stagger=-1", "--obstacles=101", "--samples=0",
-                               "--scan=x", "--line_delay=1e-5,", "street.png"})
+                               "--rays=x", "--stains=2", "--scan=x", "--line_delay=1e-5,", "street.png"})
         EXPECT_EQ(2, simulate({output, option}).exitCode) << option;
     EXPECT_EQ(2, simulate({}).exitCode);
     EXPECT_EQ(2, simulate({output, "--image=" + streetFolder() + "/global.png", "--clutter=1"}).exitCode);
@@ -139,15 +139,35 @@ TEST(Simulate, truth_out_of_range_is_refused)
     EXPECT_NO_THROW(rsackermann_samples::readTruth(file));
 }
 
+TEST(Simulate, staggered_rays)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0,
+              simulate({"--output=" + folder.path(), "--rays=staggered", "--noise=0", "--size=128x76", "--focal=160"})
+                  .exitCode);
+    const rsackermann_samples::Truth truth = rsackermann_samples::readTruth(folder / "truth.json");
+    street::StreetScene scene = truth.scene;
+    scene.noise = 0;
+    const street::StreetRenderer renderer(truth.camera, scene);
+    const street::StreetRenderer::Rays rays = street::StreetRenderer::STAGGERED;
+    const cv::Mat rolling = cv::imread(folder / "rolling.png"), global = cv::imread(folder / "global.png");
+    // A grey level of rounding
+    EXPECT_LE(cv::norm(rolling, renderer.rollingShutter(3, rays), cv::NORM_INF), 1);
+    EXPECT_LE(cv::norm(global, renderer.globalShutter(3, rays), cv::NORM_INF), 1);
+    EXPECT_GT(cv::norm(global, renderer.globalShutter(3), cv::NORM_INF), 20);
+}
+
 TEST(Simulate, truth_knows_staggered_houses_and_obstacles)
 {
     const TemporaryFolder folder;
-    const Outcome outcome = simulate({"--output=" + folder.path(), "--stagger=1.5", "--obstacles=40", "--seed=7",
-                                      "--left=5", "--right=6", "--noise=0", "--size=128x76", "--focal=160"});
+    const Outcome outcome =
+        simulate({"--output=" + folder.path(), "--stagger=1.5", "--obstacles=40", "--seed=7", "--stains=0.4",
+                  "--left=5", "--right=6", "--noise=0", "--size=128x76", "--focal=160"});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     const nlohmann::json json = nlohmann::json::parse(contentOf(folder / "truth.json"));
     EXPECT_EQ(1.5, json["stagger_m"]);
     EXPECT_EQ(40, json["obstacles_per_100_m"]);
+    EXPECT_EQ(0.4, json["stains"]);
     EXPECT_EQ(7, json["seed"]);
 
     // The truth that is read makes the same image, and each of these values matters.
@@ -159,12 +179,14 @@ TEST(Simulate, truth_knows_staggered_houses_and_obstacles)
         return cv::norm(rolling, street::StreetRenderer(truth.camera, scene).rollingShutter(), cv::NORM_INF) <= 1;
     };
     EXPECT_TRUE(isSame(truth.scene));
-    street::StreetScene inLine = truth.scene, empty = truth.scene, other = truth.scene;
+    street::StreetScene inLine = truth.scene, empty = truth.scene, clean = truth.scene, other = truth.scene;
     inLine.stagger = 0;
     empty.obstacles = 0;
+    clean.stains = 0;
     other.seed++;
     EXPECT_FALSE(isSame(inLine));
     EXPECT_FALSE(isSame(empty));
+    EXPECT_FALSE(isSame(clean));
     EXPECT_FALSE(isSame(other));
 }
 

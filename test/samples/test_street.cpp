@@ -5,6 +5,7 @@
 #include "program.hpp"
 #include "lens.hpp"
 #include "street_model.hpp"
+#include "texture.hpp"
 
 #include "test_lens_models.hpp"
 
@@ -269,6 +270,30 @@ TEST(StreetLens, same_as_projectPoints)
                 EXPECT_LT(cv::norm(projected[0] - street::distortPoint(lens, cv::Point2d(x, y))), 1e-12);
                 EXPECT_LT(cv::norm(street::undistortPoint(lens, projected[0]) - cv::Point2d(x, y)), 1e-9);
             }
+}
+
+// Places of one surface: the stains are there whatever is seen of them, fade where pixels are larger, and aren't lines.
+TEST(Stains, are_spots_of_all_sizes)
+{
+    double mean = 0, squares = 0, along = 0, up = 0, far = 0;
+    const int count = 200;
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++)
+        {
+            const double u = 0.37 * i, v = 0.37 * j, at = street::stains(u, v, 0.001);
+            mean += at / (count * count);
+            squares += at * at / (count * count);
+            along += std::pow(at - street::stains(u + 0.01, v, 0.001), 2) / (count * count);
+            up += std::pow(at - street::stains(u, v + 0.01, 0.001), 2) / (count * count);
+            far += std::pow(street::stains(u, v, 0.2), 2) / (count * count);
+        }
+    EXPECT_NEAR(0, mean, 0.01);
+    EXPECT_NEAR(0.27, squares, 0.05);
+    EXPECT_LT(far, 0.4 * squares);
+    EXPECT_GT(far, 0.1 * squares);
+    EXPECT_LT(along, 0.5 * squares);
+    EXPECT_NEAR(along, up, 0.2 * along);
+    EXPECT_EQ(0, street::stains(1.2, 3.4, 10));
 }
 
 }} // namespace
