@@ -24,6 +24,7 @@ NOT_RUN = {
     'build/samples/rsackermann_live ': 'shows a window; test_live.cpp has it make a file',
     'colmap ': 'a program of others; what it reads is tested by test_export.cpp',
     'perf/experiments/reproduce_paper.sh ': 'minutes; test_reproduction.py runs it with --quick',
+    'perf/experiments/reconstruct.sh ': 'an hour with COLMAP; check_reconstruction.py tests what it makes of its models',
     'perf/experiments/run_experiments.sh ': 'an hour; the experiment that it calls is run',
     'perf/experiments/plot_focal_error.sh ': 'minutes; the experiment that it calls is run',
     'build/perf/experiments/rsackermann_experiment_drives ': 'needs drives that aren\'t part of the project',
