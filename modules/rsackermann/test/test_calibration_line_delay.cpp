@@ -94,8 +94,8 @@ TEST_P(LineDelay, has_a_true_sigma)
 const Kind KINDS[] = {{"bends", 12, 0, 0, 0.02},
                       {"weaving", 25, 0, 0, 0.02},
                       {"slow_shaking", 12, 11, 3, 0.02},
-                      {"shaking", 12, 11, 7, 0.03},
-                      {"shaking_straight_ahead", 0.5, 11, 7, 0.03},
+                      {"shaking", 12, 11, 7, 0.02},
+                      {"shaking_straight_ahead", 0.5, 11, 7, 0.02},
                       {"fast_shaking", 12, 11, 10, 0.05},
                       {"engine", 12, 5, 30, 0.02}};
 
