@@ -16,21 +16,33 @@ namespace {
 
 const char* const ABOUT =
     "Measures maps with a given depth on rendered streets with staggered houses, cars, posts and trees. Speed, yaw rate\n"
-    "and walls are given. Prints means over all streets: displacement of the raw image and after the correction, in\n"
-    "pixels that are seen, and the share of the pixels whose mask is right.\n";
+    "and walls are given, or estimated with a relative depth (--relative). Prints means over all streets: displacement\n"
+    "of the raw image and after the correction, in pixels that are seen, and the share of the pixels whose mask is\n"
+    "right.\n";
 
-const char* const KEYS = "{help       |         | print this message}"
-                         "{size       | 640x380 | of the images, pixels}"
-                         "{streets    | 20      | number of streets}"
-                         "{obstacles  | 15      | cars, posts and trees on 100 m of each side}"
-                         "{stagger    | 1.5     | metres by which houses stand back}"
-                         "{speed      | 60      | km/h}"
-                         "{yaw_rate   | 40      | deg/s}"
-                         "{depth      | raw     | the camera whose depth is given: raw, corrected or none}"
-                         "{noise      | 0       | relative standard deviation of the depth's errors}"
-                         "{hole       | 12      | size of holes in the depth, pixels; 0: single pixels}"
-                         "{holes      | 0       | share of the pixels without a depth}"
-                         "{threads    |         | number of threads}";
+const char* const KEYS =
+    "{help       |         | print this message}"
+    "{size       | 640x380 | of the images, pixels}"
+    "{streets    | 20      | number of streets}"
+    "{first      | 0       | number of the first of them}"
+    "{obstacles  | 15      | cars, posts and trees on 100 m of each side}"
+    "{stagger    | 1.5     | metres by which houses stand back}"
+    "{speed      | 60      | km/h}"
+    "{yaw_rate   | 40      | deg/s}"
+    "{depth      | raw     | the camera whose depth is given: raw, corrected or none}"
+    "{noise      | 0       | relative standard deviation of the depth's errors}"
+    "{noise_size | 0       | pixels over which these are alike; 0: each pixel has its own}"
+    "{hole       | 12      | size of holes in the depth, pixels; 0: single pixels}"
+    "{holes      | 0       | share of the pixels without a depth}"
+    "{relative   |         | whose relative depth is given, scale and shift unknown: own, mirrored, "
+    "other (another street), later (5 m ahead) or constant}"
+    "{given      | both    | with --relative: both, the yaw rate to 1 deg/s and the speed to 2 km/h, "
+    "yaw_rate alone, or nothing}"
+    "{gravity    | 0.3     | degrees, standard deviation of roll and pitch with --relative}"
+    "{threads    |         | number of threads}";
+
+//! Whose relative depth is given.
+enum { OWN, MIRRORED, OTHER, LATER, CONSTANT };
 
 struct Measured
 {
@@ -74,7 +86,14 @@ cv::Mat holesOf(const cv::Size& size, double share, double hole, cv::RNG& rng)
 cv::Mat disturbed(const cv::Mat& truth, const Options& options, cv::RNG& rng)
 {
     cv::Mat1f noise(truth.size());
-    rng.fill(noise, cv::RNG::NORMAL, 1, options.number("noise", 0, 1));
+    rng.fill(noise, cv::RNG::NORMAL, 0, 1);
+    const double alike = options.number("noise_size", 0, 1000);
+    if (alike > 0)
+    {
+        cv::GaussianBlur(noise, noise, cv::Size(), alike / 2);
+        noise /= std::max(cv::norm(noise) / std::sqrt(double(noise.total())), DBL_MIN);
+    }
+    noise = 1 + options.number("noise", 0, 1) * noise;
     cv::Mat depth = truth.mul(noise);
     const double share = options.number("holes", 0, 1);
     if (share > 0)
@@ -123,21 +142,111 @@ Measured measure(const street::StreetRenderer& renderer, const cv::Mat& columns,
     return sum;
 }
 
+// The depth of a frame as a network might give it.
+cv::Mat relativeDepth(const street::StreetCamera& camera, street::StreetScene scene, int whose, const Options& options,
+                      cv::RNG& rng)
+{
+    if (whose == OTHER)
+        scene.seed += 1000;
+    else if (whose == LATER)
+        scene.travelled += 5;
+    const cv::Mat metres = disturbed(street::StreetRenderer(camera, scene).rollingDepth(), options, rng);
+    const double scale = std::exp(rng.gaussian(1)), shift = rng.gaussian(1);
+    cv::Mat1f values(metres.size(), 0.f);
+    for (int y = 0; y < values.rows; y++)
+        for (int x = 0; x < values.cols; x++)
+        {
+            const float depth = metres.at<float>(y, x);
+            values(y, x) = float(scale * (depth > 0 ? 1 / depth : 0) + shift);
+        }
+    if (whose == MIRRORED)
+        cv::flip(values, values, 1);
+    else if (whose == CONSTANT)
+        values.setTo(shift);
+    return values;
+}
+
+struct Estimated
+{
+    Measured with, without;
+    bool isUsed;
+};
+
+// Estimates the motion with and without the depth.
+Estimated estimate(const street::StreetCamera& streetCamera, const street::StreetScene& scene, int whose,
+                   const Options& options, cv::RNG& rng)
+{
+    const street::StreetRenderer renderer(streetCamera, scene);
+    const double gravity = options.number("gravity", 0, 10) * DEGREE;
+    RollingShutterCamera camera = libraryCamera(streetCamera);
+    const double roll = rng.gaussian(gravity), pitch = rng.gaussian(gravity);
+    camera.setRollPitch(streetCamera.roll + roll, streetCamera.pitch + pitch);
+    MotionPrior prior;
+    const int given = options.choice("given", {"both", "yaw_rate", "nothing"});
+    const double yawRateError = rng.gaussian(DEGREE), speedError = rng.gaussian(2 * KMH);
+    prior.yawRate = scene.yawRate + yawRateError;
+    prior.yawRateSigma = given < 2 ? DEGREE : 0;
+    prior.speed = scene.speed + speedError;
+    prior.speedSigma = given < 1 ? 2 * KMH : 0;
+    RollingShutterCorrector::Params params;
+    params.estimator.gravitySigma = params.estimator.vehiclePitchSigma = gravity;
+    const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+    corrector->setPrior(prior);
+    const DepthMap depth(relativeDepth(streetCamera, scene, whose, options, rng), DEPTH_RAW, 1, DEPTH_RELATIVE);
+    const cv::Mat image = renderer.rollingShutter();
+    Estimated found;
+    cv::Mat corrected, mask, columns, rows;
+    corrector->correct(image, corrected, mask);
+    corrector->getMaps(columns, rows);
+    found.without = measure(renderer, columns, rows, mask);
+    corrector->correct(image, corrected, mask, depth);
+    corrector->getMaps(columns, rows);
+    found.with = measure(renderer, columns, rows, mask);
+    found.isUsed = corrector->isDepthUsed();
+    return found;
+}
+
+int runEstimates(const Options& options, const cv::Size& size)
+{
+    const std::vector<std::string> names = {"own", "mirrored", "other", "later", "constant"};
+    const int whose = options.choice("relative", names), streets = options.integer("streets", 1, 10000);
+    double raw = 0, with = 0, without = 0, harm = 0;
+    int used = 0;
+    for (int i = 0; i < streets; i++)
+    {
+        const unsigned seed = unsigned(options.integer("first", 0, 1000000) + i);
+        cv::RNG rng((uint64_t(seed) + 1) * 0x9e3779b97f4a7c15); // of similar seeds the first numbers are alike
+        const Estimated found = estimate(makeCamera(size), makeScene(options, seed), whose, options, rng);
+        raw += found.with.raw / streets;
+        with += found.with.residual / streets;
+        without += found.without.residual / streets;
+        harm = std::max(harm, found.with.residual / found.without.residual - 1);
+        used += found.isUsed;
+    }
+    std::cout << cv::format("raw %.3f px, residual %.3f px (%.3f), without the depth %.3f px (%.3f), used in %d of %d, "
+                            "at worst %.1f %% more than without\n",
+                            raw, with, with / raw, without, without / raw, used, streets, 100 * harm);
+    return 0;
+}
+
 int run(const Options& options)
 {
     options.refuseArguments();
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const cv::Size size = parseSize(options.text("size"), "option --size", 16, 10000);
+    if (options.given("relative"))
+        return runEstimates(options, size);
     const std::vector<std::string> cameras = {"raw", "corrected", "none"};
     const int camera = options.choice("depth", cameras), streets = options.integer("streets", 1, 10000);
     Measured mean;
     for (int i = 0; i < streets; i++)
     {
         const street::StreetCamera streetCamera = makeCamera(size);
-        const street::StreetScene scene = makeScene(options, unsigned(i));
+        const unsigned seed = unsigned(options.integer("first", 0, 1000000) + i);
+        const street::StreetScene scene = makeScene(options, seed);
         const street::StreetRenderer renderer(streetCamera, scene);
-        cv::RNG rng(uint64_t(i) + 1);
+        cv::RNG rng(uint64_t(seed) + 1);
         DepthMap depth;
         if (camera != 2)
             depth = DepthMap(disturbed(camera == 0 ? renderer.rollingDepth() : renderer.globalDepth(), options, rng),

@@ -46,14 +46,15 @@ cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning&
                                     double focal)
 {
     const cv::Mat stored = namingFile(path, [](const std::string& name) { return valuesOf(name); });
-    const bool isMetric = meaning.kind == DepthMeaning::METRIC, isWhole = stored.depth() == CV_16U;
-    double scale = meaning.scale;
+    const bool isMetric = meaning.kind == DepthMeaning::METRIC, isRelative = meaning.kind == DepthMeaning::RELATIVE,
+               isWhole = stored.depth() == CV_16U;
+    double scale = isRelative ? 1 : meaning.scale;
     if (scale == 0)
         scale = !isWhole ? 1 : isMetric ? 0.001 : 1. / 256;
     cv::Mat values = stored;
     if (stored.depth() == CV_64F)
         stored.convertTo(values, CV_32F);
-    if (!isMetric)
+    if (meaning.kind == DepthMeaning::DISPARITY)
     {
         // Disparities are in pixels of their own image.
         const double units = focal * stored.cols / size.width * meaning.baseline / scale;
@@ -69,7 +70,8 @@ cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning&
     // Between a near and a far surface there is nothing.
     if (values.size() != size)
         cv::resize(values, values, size, 0, 0, cv::INTER_NEAREST);
-    return cv::rsackermann::DepthMap(values, meaning.camera, scale);
+    return cv::rsackermann::DepthMap(values, meaning.camera, scale,
+                                     isRelative ? cv::rsackermann::DEPTH_RELATIVE : cv::rsackermann::DEPTH_METRIC);
 }
 
 } // namespace rsackermann_samples

@@ -13,11 +13,11 @@ namespace rsackermann_samples {
 //! What the numbers of depth files mean.
 struct DepthMeaning
 {
-    enum Kind { METRIC, DISPARITY };
+    enum Kind { METRIC, DISPARITY, RELATIVE };
 
     Kind kind;
     int camera;      //!< a cv::rsackermann::DepthCamera
-    double scale;    //!< metres, or pixels of disparity, per unit; 0: usual ones
+    double scale;    //!< metres, or pixels of disparity, per unit; 0: usual ones; not of a relative depth
     double baseline; //!< metres between the cameras of a disparity
 
     DepthMeaning() : kind(METRIC), camera(cv::rsackermann::DEPTH_RAW), scale(0), baseline(0) {}

@@ -59,8 +59,7 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
     for (const Input& input : inputs.inputs)
         if (input.isFile() && isVideo(input.name))
             throw UsageError("--depth is for images");
-    meaning_.kind =
-        options.choice("depth_kind", {"metric", "disparity"}) == 0 ? DepthMeaning::METRIC : DepthMeaning::DISPARITY;
+    meaning_.kind = DepthMeaning::Kind(options.choice("depth_kind", {"metric", "disparity", "relative"}));
     meaning_.camera = options.choice("depth_camera", {"raw", "corrected"}) == 0 ? cv::rsackermann::DEPTH_RAW
                                                                                 : cv::rsackermann::DEPTH_CORRECTED;
     if (options.given("depth_scale"))
@@ -69,6 +68,11 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
         meaning_.baseline = options.number("baseline", 0, 1e3, false);
     if ((meaning_.kind == DepthMeaning::DISPARITY) != options.given("baseline"))
         throw UsageError("--depth_kind=disparity and --baseline need each other");
+    if (meaning_.kind == DepthMeaning::RELATIVE &&
+        (options.given("depth_scale") || meaning_.camera != cv::rsackermann::DEPTH_RAW || options.flag("carry")))
+        throw UsageError(
+            "--depth_kind=relative is of the raw camera and of single images, and has no --depth_scale: it can't go "
+            "with --depth_camera=corrected, --depth_scale or --carry");
     files_ = filesFor(options.inputFile("depth"), inputs);
 }
 

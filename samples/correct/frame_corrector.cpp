@@ -102,8 +102,12 @@ void FrameCorrector::warnOfDepth(const AckermannMotion& motion)
     if (hasWarnedOfDepth_ || corrector_->isDepthUsed() || motion.status != MOTION_OK)
         return;
     hasWarnedOfDepth_ = true;
-    std::cerr << "rsackermann_correct: --depth has no effect on images whose speed in metres is unknown: give --speed, "
-                 "--wall or --scale_from_road"
+    const bool isRelative = job_.depth.meaning().kind == DepthMeaning::RELATIVE;
+    std::cerr << "rsackermann_correct: "
+              << (isRelative ? "images that contradict --depth, or don't show that it is theirs, are corrected without "
+                               "it: depth_used in the report"
+                             : "--depth has no effect on images whose speed in metres is unknown: give --speed, --wall "
+                               "or --scale_from_road")
               << std::endl;
 }
 
@@ -152,6 +156,8 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     report.isDepthUsed = corrector_->isDepthUsed();
     if (report.isDepthGiven)
         warnOfDepth(report.motion);
+    if (depth.kind == DEPTH_RELATIVE)
+        depth = corrector_->getUsedDepth();
     warp(image, report.isDepthUsed ? depth : DepthMap(), frame);
     if (!job_.overlay.empty())
     {

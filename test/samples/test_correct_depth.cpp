@@ -134,6 +134,43 @@ TEST_F(CorrectDepth, formats_and_kinds)
     EXPECT_LT(residual({"--depth=" + (folder / "half.npy"), "--depth_kind=disparity", "--baseline=0.5"}), 0.06);
 }
 
+TEST_F(CorrectDepth, relative)
+{
+    const TemporaryFolder folder;
+    const cv::Mat1f depth = metres("rolling_depth.png");
+    cv::Mat1f relative(depth.size(), 1.5f), mirrored; // the sky
+    for (int y = 0; y < depth.rows; y++)
+        for (int x = 0; x < depth.cols; x++)
+            if (depth(y, x) > 0)
+                relative(y, x) += 40 / depth(y, x);
+    cv::flip(relative, mirrored, 1);
+    writeNpy(folder / "relative.npy", relative);
+    writeNpy(folder / "mirrored.npy", mirrored);
+    cv::Mat whole;
+    relative.convertTo(whole, CV_16U, 1000);
+    cv::imwrite(folder / "relative.png", whole);
+    const std::string kind = "--depth_kind=relative";
+    const double without = residual({});
+    EXPECT_LT(residual({"--depth=" + (folder / "relative.npy"), kind}), 0.5 * without);
+    EXPECT_LT(residual({"--depth=" + (folder / "relative.png"), kind}), 0.5 * without);
+    EXPECT_EQ(without, residual({"--depth=" + (folder / "mirrored.npy"), kind}));
+
+    const Outcome own = run({"--depth=" + (folder / "relative.npy"), kind, "--report=-"}),
+                  other = run({"--depth=" + (folder / "mirrored.npy"), kind, "--report=-"});
+    EXPECT_NE(std::string::npos, own.output.find("\"depth_used\":true"));
+    EXPECT_EQ(std::string::npos, own.messages.find("contradict"));
+    EXPECT_EQ(0, other.exitCode) << other.messages;
+    EXPECT_NE(std::string::npos, other.output.find("\"depth_used\":false"));
+    EXPECT_NE(std::string::npos, other.messages.find("contradict --depth"));
+
+    writeContent(folder / "cut.npy", contentOf(folder / "relative.npy").substr(0, 1000));
+    const Outcome cut = run({"--depth=" + (folder / "cut.npy"), kind, "--report=" + (folder / "r.jsonl")});
+    EXPECT_EQ(1, cut.exitCode);
+    EXPECT_NE(std::string::npos, cut.messages.find(folder / "cut.npy"));
+    for (const char* wrong : {"--depth_scale=2", "--depth_camera=corrected", "--carry"})
+        EXPECT_EQ(2, run({"--depth=" + (folder / "relative.npy"), kind, wrong}).exitCode) << wrong;
+}
+
 TEST_F(CorrectDepth, bad_files_are_named_and_others_processed)
 {
     const TemporaryFolder folder;

@@ -77,6 +77,7 @@ const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--out
                                                        {"--gyro_delay=1", "--gyro"},
                                                        {"--depth=/no/such", "--depth"},
                                                        {"--depth_scale=1", "--depth"},
+                                                       {"--depth_kind=relative", "--depth"},
                                                        {"--baseline=1", "--depth"},
                                                        {"--carry=perhaps", "--carry"},
                                                        {"--model=5la", "5la"},

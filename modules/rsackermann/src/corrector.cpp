@@ -10,6 +10,7 @@
 #include "features/segment_finder.hpp"
 #include "motion/metric_way.hpp"
 #include "sequence/sequence_estimator.hpp"
+#include "single/depth_alignment.hpp"
 #include "features/segments.hpp"
 #include "storage.hpp"
 #include "warp/maps/maps.hpp"
@@ -275,6 +276,8 @@ public:
 
     bool isDepthUsed() const CV_OVERRIDE { return isDepthUsed_; }
 
+    DepthMap getUsedDepth() const CV_OVERRIDE { return usedDepth; }
+
     Vec4d getTimings() const CV_OVERRIDE { return timings; }
 
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_RollingShutterCorrector"; }
@@ -322,18 +325,30 @@ private:
         else
             motion = sequence.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
         finder.release();
+        DepthMap aligned = depth;
+        if (depth.kind == DEPTH_RELATIVE && !align(motion, aligned))
+            aligned = DepthMap();
         timings[1] = watch.lap();
-        warpWith(motion, src, dst, mask, depth);
+        warpWith(motion, src, dst, mask, aligned);
         passTo(seconds); // last: skipFrame() does it if something has thrown
         return motion;
+    }
+
+    // False if the relative depth isn't used.
+    bool align(AckermannMotion& motion, DepthMap& depth) const
+    {
+        return !depth.empty() && depth.camera == DEPTH_RAW && motion.status == MOTION_OK && !params.sequence &&
+               alignDepth(generator->getCamera(), params.estimator, prior, segmentRows(segments), motion, depth);
     }
 
     void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,
                   const DepthMap& given)
     {
         Stopwatch watch;
-        isDepthUsed_ = !given.empty() && motion.status == MOTION_OK && isMetric(generator->getCamera(), motion);
-        const DepthMap depth = isDepthUsed_ ? given : DepthMap();
+        isDepthUsed_ = !given.empty() && motion.status == MOTION_OK &&
+                       (given.kind == DEPTH_RELATIVE || isMetric(generator->getCamera(), motion));
+        usedDepth = isDepthUsed_ ? given : DepthMap();
+        const DepthMap& depth = usedDepth;
         const bool copied = motion.status != MOTION_OK && isIdentity(generator->getCamera(), params.warp);
         copiedSize = copied ? src.size() : Size();
         onDevice = !copied && src.isUMat() && ocl::useOpenCL();
@@ -392,6 +407,7 @@ private:
     UMat deviceMap1, deviceMap2;
     bool onDevice; // which of the two pairs of maps it was
     bool isDepthUsed_;
+    DepthMap usedDepth;
     Size copiedSize; // if the image was copied: the maps are the identity and haven't been made
     Vec4d timings;
 };

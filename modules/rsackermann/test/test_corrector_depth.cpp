@@ -67,6 +67,42 @@ TEST_F(CorrectorDepth, needs_metres)
     EXPECT_EQ(0, cvtest::norm(corrected, image, NORM_INF));
 }
 
+TEST_F(CorrectorDepth, relative_needs_no_metres)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    Mat corrected, expected, mask;
+    corrector->correctWithMotion(image, motion, expected, mask, depth);
+    EXPECT_EQ(DEPTH_METRIC, corrector->getUsedDepth().kind);
+    Mat inverse;
+    cv::divide(1, depth.values, inverse);
+    DepthMap relative(inverse, DEPTH_RAW, 15 * camera.secondsPerUnitTime(), DEPTH_RELATIVE);
+    AckermannMotion unknown = motion;
+    unknown.wallDistance = 0;
+    unknown.scale = SCALE_UNKNOWN;
+    corrector->correctWithMotion(image, unknown, corrected, mask, relative);
+    EXPECT_TRUE(corrector->isDepthUsed());
+    EXPECT_EQ(relative.scale, corrector->getUsedDepth().scale);
+    EXPECT_LE(cvtest::norm(corrected, expected, NORM_L1) / corrected.total(), 0.01);
+}
+
+// An image without verticals shows no motion, with which a depth could be aligned.
+TEST_F(CorrectorDepth, relative_needs_a_motion)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    Mat corrected;
+    const DepthMap relative(depth.values, DEPTH_RAW, 1, DEPTH_RELATIVE);
+    corrector->correctWithSegments(image, Mat(0, 4, CV_32F), corrected, noArray(), relative);
+    EXPECT_FALSE(corrector->isDepthUsed());
+    EXPECT_TRUE(corrector->getUsedDepth().empty());
+    EXPECT_EQ(0, cvtest::norm(corrected, image, NORM_INF));
+    DepthMap bad = relative;
+    bad.kind = 2;
+    EXPECT_THROW(corrector->correct(image, corrected, noArray(), bad), cv::Exception);
+    bad = relative;
+    bad.shift = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(corrector->correct(image, corrected, noArray(), bad), cv::Exception);
+}
+
 TEST_F(CorrectorDepth, bad_depth_is_refused_first)
 {
     const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);

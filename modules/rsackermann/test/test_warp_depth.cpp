@@ -180,6 +180,34 @@ TEST_P(WarpDepthMaps, sixteen_bits_with_a_scale)
     EXPECT_EQ(0, Result::difference(got.mask, expected.mask));
 }
 
+// A relative depth with the scale and shift of a metric one: what is unknown or negative is so in both.
+TEST_P(WarpDepthMaps, relative_equals_metric)
+{
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    Boxes boxes;
+    const double way = 16 * boxes.camera.secondsPerUnitTime();
+    boxes.values(Rect(300, 200, 20, 20)).setTo(0.1); // nearer than possible
+    boxes.values(Rect(400, 100, 30, 30)).setTo(1e9);
+    DepthMap relative(Mat(boxes.values.size(), CV_32F), ofCamera, 0.5 * way, DEPTH_RELATIVE);
+    relative.shift = -3 * way;
+    for (int y = 0; y < boxes.values.rows; y++)
+        for (int x = 0; x < boxes.values.cols; x++)
+            relative.values.at<float>(y, x) = boxes.values(y, x) > 1e8 ? -7 : 2 * (1 / boxes.values(y, x) + 3);
+    boxes.values(Rect(0, 0, 50, 50)).setTo(0);
+    relative.values(Rect(0, 0, 50, 50)).setTo(std::numeric_limits<float>::quiet_NaN());
+    const Result expected(boxes.camera, distort, boxes.motion, DepthMap(boxes.values, ofCamera));
+    AckermannMotion withoutMetres = boxes.motion;
+    withoutMetres.wallDistance = 0;
+    withoutMetres.scale = SCALE_UNKNOWN;
+    const Result got(boxes.camera, distort, withoutMetres, relative);
+    // Beside the boxes rounding decides which surface is seen.
+    Mat distance;
+    cv::absdiff(got.map1, expected.map1, distance);
+    EXPECT_LE(countNonZero(distance > 1e-3), 20);
+    EXPECT_LE(countNonZero(got.mask != expected.mask), 20);
+}
+
 // A box hides a stripe on one side, which is as wide as it moves against what is behind.
 TEST_P(WarpDepthMaps, boxes_hide)
 {

@@ -238,6 +238,12 @@ void DrivingPrior::road(const Model& model, const RoadContact& contact, double& 
     }
 }
 
+void DrivingPrior::anyRoad(double& logG, double& sigma) const
+{
+    logG = logSpeed + std::log(ratio);
+    sigma = std::hypot(logSpeedSigma, logHeightSigma);
+}
+
 // Mean and standard deviation of the exponential of a normal deviate.
 static Vec2d ofLogNormal(double median, double logSigma)
 {

@@ -66,6 +66,9 @@ public:
     //! Slope G of the road's scaled inverse depth for a motion, and its variance.
     void road(const Model& model, const RoadContact& contact, double& G, double& variance) const;
 
+    //! The same of any forward motion, whatever the walls show: logarithm and its standard deviation.
+    void anyRoad(double& logG, double& sigma) const;
+
     const GivenValues& given() const { return given_; }
     double alphaScale() const { return yawRateIsGiven() ? given_.alphaSigma : yawScale; }
     bool yawRateIsGiven() const { return given_.alphaSigma > 0; }

@@ -40,4 +40,11 @@ double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion&
     return motion.roadSlope * camera.height;
 }
 
+double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion, const DepthMap& depth)
+{
+    if (depth.kind == DEPTH_RELATIVE)
+        return motion.direction >= 0 ? 1 : -1;
+    return wayPerUnitTime(camera, motion);
+}
+
 }} // namespace cv::rsackermann

@@ -5,12 +5,17 @@
 #ifndef OPENCV_RSACKERMANN_SRC_MOTION_METRIC_WAY_HPP
 #define OPENCV_RSACKERMANN_SRC_MOTION_METRIC_WAY_HPP
 
+#include "opencv2/rsackermann/depth_map.hpp"
 #include "opencv2/rsackermann/motion.hpp"
 
 namespace cv { namespace rsackermann {
 
 //! Whether the motion has metres, so that depths in metres can be used with it.
 bool isMetric(const RollingShutterCamera& camera, const AckermannMotion& motion);
+
+/** Units of a depth map's depths that the camera moves per unit of row time: metres, as below, or 1 of a relative
+depth. Negative in reverse. */
+double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion, const DepthMap& depth);
 
 /** Metres that the camera moves per unit of row time; negative in reverse, 0 for a pure rotation.
 

@@ -172,8 +172,9 @@ public:
     @param dst corrected image of the same type. Pixels that the raw image doesn't show are 0.
     @param mask receives a CV_8U mask, 255 where a pixel is seen in the raw image and 0 elsewhere; with a depth
     #MASK_HIDDEN marks pixels that something hides in the raw image.
-    @param depth see DepthMap and WarpMapGenerator::initRectifyMap(); empty (default): none is given. It is used if the
-    motion has metres, see isDepthUsed(). The estimation doesn't use it.
+    @param depth see DepthMap and WarpMapGenerator::initRectifyMap(); empty (default): none is given. A metric one
+    is used by the maps if the motion has metres. A relative one is evidence: the motion is that with it. See
+    isDepthUsed().
     @return the motion; see AckermannMotion::status.
      */
     CV_WRAP virtual AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask = noArray(),
@@ -207,8 +208,16 @@ public:
     A depth in metres needs a motion in metres: AckermannMotion::wallDistance, or AckermannMotion::roadSlope and
     RollingShutterCamera::height. A given speed (MotionPrior::speed) or AckermannEstimator::Params::wallDistance
     suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK.
+
+    A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
+    verticals that it explains as well as the planes do: one of another image, mirrored or constant isn't used. Frames
+    of a sequence (Params::sequence) don't use it yet. With correctWithMotion() it is used as it is.
      */
     CV_WRAP virtual bool isDepthUsed() const = 0;
+
+    /** @brief The depth that the maps of the last image follow: the given one, of a #DEPTH_RELATIVE with the scale and
+    the shift that were found; empty if it wasn't used. */
+    CV_WRAP virtual DepthMap getUsedDepth() const = 0;
 
     /** @brief The segments of the last image and their labels.
     @param segments N x 4 matrix CV_32F with (x1, y1, x2, y2) in pixels of the raw image, or vector<Vec4f>.

@@ -19,6 +19,14 @@ enum DepthCamera {
     DEPTH_CORRECTED = 1 //!< the global-shutter camera of the maps, at the instant of the reference row
 };
 
+//! What the values of a depth map are.
+enum DepthKind {
+    DEPTH_METRIC = 0, //!< depths along the optical axis, in units of DepthMap::scale metres (default)
+    //! Inverse depths along the optical axis up to an unknown scale and shift, larger where the scene is nearer, as
+    //! many networks give them
+    DEPTH_RELATIVE = 1
+};
+
 //! What the mask of a map with a depth says of a pixel.
 enum MaskValue {
     MASK_OUTSIDE = 0,  //!< its place is outside of the other image, or it has none
@@ -28,9 +36,12 @@ enum MaskValue {
 
 /** @brief A given depth of the scene, pixel by pixel: from stereo, a network, a lidar or a renderer.
 
-The depth is metric, along the optical axis of its camera. Pixels whose value is 0, negative, NaN or infinite are
-unknown, and so are those nearer than twice the way that the camera moves during the read-out before or after the
-reference row. There the planes and the inverse-depth offset of the motion count, shifted towards what is known around.
+A #DEPTH_METRIC is known where its value is positive and finite, a #DEPTH_RELATIVE where it is finite. Unknown, too, is
+what is nearer than twice the way that the camera moves during the read-out before or after the reference row. There the
+planes and the inverse-depth offset of the motion count, shifted towards what is known around.
+
+RollingShutterCorrector::correct() finds scale and shift of a #DEPTH_RELATIVE; maps and correctWithMotion() take them as
+they are.
 
 Const methods may run at the same time in several threads on the same object; changes need an object that no other
 thread uses meanwhile.
@@ -43,9 +54,10 @@ public:
     /** @brief Wraps values without copying or checking them.
     @param values as in DepthMap::values.
     @param camera one of #DepthCamera.
-    @param scale metres per unit of the values.
+    @param scale as DepthMap::scale.
+    @param kind one of #DepthKind.
      */
-    CV_WRAP explicit DepthMap(const Mat& values, int camera = DEPTH_RAW, double scale = 1);
+    CV_WRAP explicit DepthMap(const Mat& values, int camera = DEPTH_RAW, double scale = 1, int kind = DEPTH_METRIC);
 
     //! Whether there are no values.
     CV_WRAP bool empty() const;
@@ -55,8 +67,13 @@ public:
 
     //! One value for each pixel of the camera's image, CV_32FC1 or CV_16UC1
     CV_PROP_RW Mat values;
-    CV_PROP_RW int camera;   //!< one of #DepthCamera, default #DEPTH_RAW
-    CV_PROP_RW double scale; //!< metres per unit of the values, default 1; 0.001 for millimetres
+    CV_PROP_RW int camera; //!< one of #DepthCamera, default #DEPTH_RAW
+    CV_PROP_RW int kind;   //!< one of #DepthKind, default #DEPTH_METRIC
+    //! Of a metric depth metres per unit of the values, default 1; 0.001 for millimetres. Of a relative one what
+    //! multiplies the values: scale * value + shift is the scaled inverse depth (AckermannMotion) without its sign, 1
+    //! over the depth in the unit of length in which the car drives 1 per unit of row time
+    CV_PROP_RW double scale;
+    CV_PROP_RW double shift; //!< of a relative depth, see scale; default 0
 };
 
 //! @}

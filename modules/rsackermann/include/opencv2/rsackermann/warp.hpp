@@ -91,7 +91,7 @@ public:
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the raw image and 0 elsewhere; to 1/64 pixel, as
     cv::remap of OpenCV 4 rounds places to 1/32. With a depth #MASK_HIDDEN marks pixels that something hides.
     @param depth see DepthMap, of the size of its camera's image; empty (default): the planes and the inverse-depth
-    offset of the motion. It needs what depths in correctPoints() need; throws cv::Exception otherwise.
+    offset of the motion. A metric one needs what depths in correctPoints() need; throws cv::Exception otherwise.
 
     A pixel for which there is no place in the raw image (behind the camera, beyond the lens model, no convergence, at
     an instant at which the camera would have passed a wall, a coordinate beyond +-32767, where cv::remap finds nothing)

@@ -238,6 +238,11 @@ class rsackermann_test(NewOpenCVTests):
 
         millimetres = cv.rsackermann.DepthMap((np.nan_to_num(metres) * 1000).astype(np.uint16), scale=0.001)
         np.testing.assert_allclose(generator.initRectifyMap(motion, depth=millimetres)[0], map1, atol=1e-3)
+        relative = cv.rsackermann.DepthMap(1 / metres - 2, kind=cv.rsackermann.DEPTH_RELATIVE)
+        relative.scale = motion.wallDistance * np.hypot(motion.wallSlope, motion.wallOffset)
+        relative.shift = 2 * relative.scale
+        difference = np.abs(generator.initRectifyMap(motion, depth=relative)[0] - map1)
+        self.assertGreater((difference < 1e-3).mean(), 0.999)  # rounding decides what is hidden beside an edge
         own = cv.rsackermann.DepthMap(metres, cv.rsackermann.DEPTH_CORRECTED)
         points = np.array([[250., 150], [400, 300]])
         raw = generator.distortPoints(motion, points, depths=np.array([3., 6]))[0]
@@ -251,6 +256,7 @@ class rsackermann_test(NewOpenCVTests):
             corrector = cv.rsackermann.RollingShutterCorrector.create(camera)
             corrector.correctWithMotion(np.zeros(SIZE[::-1], np.uint8), motion, depth=depth)
             self.assertTrue(corrector.isDepthUsed())
+            self.assertEqual(corrector.getUsedDepth().kind, cv.rsackermann.DEPTH_METRIC)
             np.testing.assert_array_equal(corrector.getMaps()[0], map1)
 
     @needs_corrector

@@ -8,9 +8,12 @@
 
 namespace cv { namespace rsackermann {
 
-DepthMap::DepthMap() : camera(DEPTH_RAW), scale(1) {}
+DepthMap::DepthMap() : camera(DEPTH_RAW), kind(DEPTH_METRIC), scale(1), shift(0) {}
 
-DepthMap::DepthMap(const Mat& values_, int camera_, double scale_) : values(values_), camera(camera_), scale(scale_) {}
+DepthMap::DepthMap(const Mat& values_, int camera_, double scale_, int kind_)
+    : values(values_), camera(camera_), kind(kind_), scale(scale_), shift(0)
+{
+}
 
 bool DepthMap::empty() const
 {
@@ -29,7 +32,11 @@ void DepthMap::check() const
     if (camera != DEPTH_RAW && camera != DEPTH_CORRECTED)
         CV_Error(Error::StsBadArg, format("depth.camera is %d; DEPTH_RAW (%d) or DEPTH_CORRECTED (%d) is expected",
                                           camera, DEPTH_RAW, DEPTH_CORRECTED));
+    if (kind != DEPTH_METRIC && kind != DEPTH_RELATIVE)
+        CV_Error(Error::StsBadArg, format("depth.kind is %d; DEPTH_METRIC (%d) or DEPTH_RELATIVE (%d) is expected",
+                                          kind, DEPTH_METRIC, DEPTH_RELATIVE));
     checkPositive(scale, "depth.scale");
+    checkFinite(shift, "depth.shift");
 }
 
 }} // namespace cv::rsackermann

@@ -26,20 +26,45 @@ bool invertRow(const T* depths, int width, float unitsPerMetre, float nearest, f
     return count == width;
 }
 
+// The same of a relative depth, whose scale and shift give inverse depths, those behind infinity being there.
+template <class T>
+bool scaleRow(const T* values, int width, float scale, float shift, float nearest, float* inverse)
+{
+    const float unknown = std::numeric_limits<float>::quiet_NaN();
+    int count = 0;
+    for (int x = 0; x < width; x++)
+    {
+        const float value = scale * float(values[x]) + shift;
+        const bool known = value * nearest <= 1 && value >= -FLT_MAX; // neither is NaN
+        inverse[x] = known ? std::max(value, 0.f) : unknown;
+        count += known;
+    }
+    return count == width;
+}
+
+// One row of any kind of depth map; false if some of it is unknown.
+template <class T>
+bool readRow(const DepthMap& depth, int y, double nearest, float* inverse)
+{
+    const T* values = depth.values.ptr<T>(y);
+    const int width = depth.values.cols;
+    if (depth.kind == DEPTH_RELATIVE)
+        return scaleRow(values, width, float(depth.scale), float(depth.shift), float(nearest), inverse);
+    return invertRow(values, width, float(1 / depth.scale), std::max(float(nearest / depth.scale), FLT_MIN), FLT_MAX,
+                     inverse);
+}
+
 } // namespace
 
 InverseDepthImage::InverseDepthImage(const DepthMap& depth, const ShutterGeometry& shutter, const Matx33d& matrix,
                                      double way, double nearest)
     : image(depth.values.size()), lastX(float(image.cols - 1)), lastY(float(image.rows - 1))
 {
-    const float unitsPerMetre = float(1 / depth.scale), low = std::max(float(nearest / depth.scale), FLT_MIN);
     std::vector<uchar> isComplete(image.rows);
     parallel_for_(Range(0, image.rows), [&](const Range& rows) {
         for (int y = rows.start; y < rows.end; y++)
-            isComplete[y] =
-                depth.values.depth() == CV_16U
-                    ? invertRow(depth.values.ptr<ushort>(y), image.cols, unitsPerMetre, low, FLT_MAX, image[y])
-                    : invertRow(depth.values.ptr<float>(y), image.cols, unitsPerMetre, low, FLT_MAX, image[y]);
+            isComplete[y] = depth.values.depth() == CV_16U ? readRow<ushort>(depth, y, nearest, image[y])
+                                                           : readRow<float>(depth, y, nearest, image[y]);
     });
     if (std::find(isComplete.begin(), isComplete.end(), 0) != isComplete.end())
         fillUnknown(SceneDepth(shutter, image.size(), depth.camera == DEPTH_RAW, matrix), 1 / way, image);

@@ -96,7 +96,7 @@ void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const
 void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
                    const AckermannMotion& motion, const DepthMap& depth, MapWriter& writer, Mat mask)
 {
-    const double way = motion.status == MOTION_OK ? wayPerUnitTime(camera, motion) : 0;
+    const double way = motion.status != MOTION_OK ? 0 : wayPerUnitTime(camera, motion, depth);
     if (way == 0) // the places are the same at all depths
         return writeMap(warp, camera, params, motion, writer);
     const ShutterGeometry shutter(camera, motion);

@@ -1,0 +1,27 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_DEPTH_ALIGNMENT_HPP
+#define OPENCV_RSACKERMANN_SRC_SINGLE_DEPTH_ALIGNMENT_HPP
+
+#include "opencv2/rsackermann/depth_map.hpp"
+#include "opencv2/rsackermann/estimator.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** Finds scale and shift of a relative depth of the raw camera, and the motion that goes with it (doc/theory.md,
+"Relative depth").
+
+@param segments N x 4, CV_64F.
+@param motion the motion without the depth, of status #MOTION_OK. Unless the depth is refused, its yaw rate, corrections
+of gravity, their covariance, the road and what is expected of the correction become those with the depth.
+@param depth checked; receives scale and shift.
+@return false if the depth is refused: the image contradicts it, or nothing shows that it belongs to the image, or it
+isn't expected to help. */
+bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& prior,
+                const Mat& segments, AckermannMotion& motion, DepthMap& depth);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SINGLE_DEPTH_ALIGNMENT_HPP

@@ -1,0 +1,203 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../camera/rays.hpp"
+#include "relative_depth.hpp"
+
+namespace cv { namespace rsackermann {
+
+// doc/theory.md, "Relative depth".
+static const double ROAD_NOISE = 0.2; // largest relative deviation of a pixel of the road
+static const double LEAST_ROAD = 0.2; // share of what is below the horizon
+static const double SIDE = 0.003;     // beside a segment, of the longer side
+static const double EDGE = 0.15;      // relative difference of both sides
+
+// Of other lines beside a segment, parts of the longer side.
+static const double BESIDE[] = {0.025, 0.0375, 0.05, 0.0625, 0.075};
+
+RelativeDepth::RelativeDepth(const DepthMap& depth_, const RollingShutterCamera& camera, const Matx33d& up)
+    : depth(depth_), longerSide(std::max(camera.imageSize.width, camera.imageSize.height)), zero(0), slope_(1), share(0)
+{
+    fitRoad(camera, up);
+}
+
+bool RelativeDepth::hasRoad() const
+{
+    return share >= LEAST_ROAD;
+}
+
+double RelativeDepth::at(const Point2d& pixel) const
+{
+    const Point p(cvRound(pixel.x), cvRound(pixel.y));
+    if (!Rect(Point(), depth.values.size()).contains(p))
+        return std::numeric_limits<double>::quiet_NaN();
+    const double value = depth.values.depth() == CV_16U ? depth.values.at<ushort>(p) : depth.values.at<float>(p);
+    return std::isfinite(value) ? (value - zero) / slope_ : std::numeric_limits<double>::quiet_NaN();
+}
+
+void RelativeDepth::fitRoad(const RollingShutterCamera& camera, const Matx33d& up)
+{
+    const double step = std::max(longerSide / 40, 1.), leastDown = 0.03;
+    std::vector<Point2d> pixels, rays, below; // y component of a ray, value
+    for (double y = step / 2; y < camera.imageSize.height - 1; y += step)
+        for (double x = step / 2; x < camera.imageSize.width - 1; x += step)
+            pixels.push_back(Point2d(x, y));
+    undistortedRays(camera, pixels, rays);
+    for (size_t i = 0; i < rays.size(); i++)
+    {
+        const double down = (up * Vec3d(rays[i].x, rays[i].y, 1))[1], value = at(pixels[i]);
+        if (down > leastDown && std::isfinite(value))
+            below.push_back(Point2d(down, value));
+    }
+    if (below.size() < size_t(LEAST_PIXELS))
+        return;
+    sampleRoad(below);
+    refineRoad(below);
+}
+
+// Deviation from a road as a part of the largest one.
+static double deviation(const Point2d& p, double zero, double slope)
+{
+    return ((p.y - zero) / (slope * p.x) - 1) / ROAD_NOISE;
+}
+
+// The line with the most support among those through two pixels.
+void RelativeDepth::sampleRoad(const std::vector<Point2d>& below)
+{
+    const int samples = 300;
+    RNG rng(1);
+    double best = 0;
+    for (int i = 0; i < samples; i++)
+    {
+        const Point2d a = below[rng.uniform(0, int(below.size()))];
+        const Point2d b = below[rng.uniform(0, int(below.size()))];
+        const double m = (b.y - a.y) / (b.x - a.x), infinity = a.y - m * a.x;
+        if (!(m > 0) || !std::isfinite(m))
+            continue;
+        double score = 0;
+        for (const Point2d& p : below)
+        {
+            const double r = deviation(p, infinity, m);
+            score += std::max(1 - r * r, 0.);
+        }
+        if (score > best)
+        {
+            best = score;
+            slope_ = m;
+            zero = infinity;
+        }
+    }
+}
+
+// Errors of a depth are relative ones.
+void RelativeDepth::refineRoad(const std::vector<Point2d>& below)
+{
+    const int rounds = 5;
+    for (int round = 0; round < rounds; round++)
+    {
+        double w = 0, x = 0, y = 0, xx = 0, xy = 0;
+        int count = 0;
+        for (const Point2d& p : below)
+        {
+            if (!(std::abs(deviation(p, zero, slope_)) <= 1))
+                continue;
+            const double weight = 1 / (p.x * p.x);
+            w += weight;
+            x += weight * p.x;
+            y += weight * p.y;
+            xx += weight * p.x * p.x;
+            xy += weight * p.x * p.y;
+            count++;
+        }
+        const double m = (w * xy - x * y) / (w * xx - x * x);
+        if (count < LEAST_PIXELS || !(m > 0) || !std::isfinite(m))
+        {
+            share = 0;
+            return;
+        }
+        slope_ = m;
+        zero = (y - m * x) / w;
+        share = count / double(below.size());
+    }
+}
+
+bool RelativeDepth::median(const Vec4d& s, double shift, double& height) const
+{
+    const Point2d first(s[0], s[1]), way(s[2] - s[0], s[3] - s[1]);
+    const double length = norm(way);
+    const Point2d across(shift * way.y / length, -shift * way.x / length);
+    const int steps = std::max(cvRound(length), 1);
+    std::vector<double> heights;
+    for (int i = 0; i <= steps; i++)
+    {
+        const double h = at(first + across + i / double(steps) * way);
+        if (std::isfinite(h))
+            heights.push_back(std::max(h, 0.));
+    }
+    if (2 * heights.size() < size_t(steps))
+        return false;
+    const auto middle = heights.begin() + ptrdiff_t(heights.size() / 2);
+    std::nth_element(heights.begin(), middle, heights.end());
+    height = *middle;
+    return true;
+}
+
+bool RelativeDepth::findSides(const Vec4d& segment, double shift, double& nearer, double& farther) const
+{
+    const double side = std::max(SIDE * longerSide, 2.);
+    if (!median(segment, shift - side, farther) || !median(segment, shift + side, nearer))
+        return false;
+    if (nearer < farther)
+        std::swap(nearer, farther);
+    return true;
+}
+
+bool RelativeDepth::besideSegment(const Vec4d& segment, double& height) const
+{
+    double farther;
+    return findSides(segment, 0, height, farther);
+}
+
+bool RelativeDepth::isEdge(const Vec4d& segment, double shift, bool& edge) const
+{
+    double nearer, farther;
+    if (!findSides(segment, shift, nearer, farther))
+        return false;
+    edge = nearer - farther > EDGE * nearer;
+    return true;
+}
+
+double RelativeDepth::edgesInCommon(const Mat& segments, double minLength) const
+{
+    double sum = 0, squares = 0;
+    int count = 0;
+    for (int i = 0; i < segments.rows; i++)
+    {
+        const Vec4d segment(segments.ptr<double>(i));
+        bool edge, other;
+        if (!(std::hypot(segment[0] - segment[2], segment[1] - segment[3]) >= std::max(minLength, 1.)) ||
+            !isEdge(segment, 0, edge))
+            continue;
+        double edges = 0;
+        int lines = 0;
+        for (double beside : BESIDE)
+            for (int sign = -1; sign <= 1; sign += 2)
+                if (isEdge(segment, sign * beside * longerSide, other))
+                {
+                    edges += other;
+                    lines++;
+                }
+        if (lines == 0)
+            continue;
+        const double more = edge - edges / lines;
+        sum += more;
+        squares += more * more;
+        count++;
+    }
+    const double variance = squares - sum * sum / std::max(count, 1);
+    return variance > 0 ? sum / std::sqrt(variance) : 0;
+}
+
+}} // namespace cv::rsackermann

@@ -1,0 +1,198 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_simulator.hpp"
+#include "opencv2/imgproc.hpp"
+#include "../src/single/depth_alignment.hpp"
+
+// Scale and shift of a relative depth against the simulator, in a street with posts.
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+//! A camera in a street with posts of random places, what it sees of them, and an inexact motion.
+struct PostsInStreet
+{
+    explicit PostsInStreet(RNG& rng, double direction = 1)
+        : camera(RollingShutterCamera::fromFocal(Size(640, 380), 700))
+    {
+        camera.lineDelay = 80e-6;
+        camera.height = 1.3;
+        params.gravitySigma = params.vehiclePitchSigma = 0.3 * CV_PI / 180;
+        yawRate = rng.uniform(-0.8, 0.8);
+        speed = direction * rng.uniform(12., 20.);
+        RollingShutterCamera exact = camera;
+        const double roll = rng.uniform(-0.005, 0.005);
+        exact.setRollPitch(roll, rng.uniform(-0.005, 0.005));
+        simulator.reset(new Simulator(Simulator::fromMetric(exact, yawRate, speed, 5, 6, 0)));
+        drawStreet();
+        for (int i = 0; i < 120; i++)
+            addPost(rng);
+        prior.yawRate = yawRate;
+        prior.yawRateSigma = 0.01;
+        motion = motionFromMetric(camera, 1.1 * yawRate, 0.8 * speed, 5, 6, 0);
+        motion.covariance(0, 0) = 1;
+    }
+
+    //! Row by row, as no closed form of the library does it.
+    void drawStreet()
+    {
+        inverse.create(camera.imageSize);
+        for (int y = 0; y < inverse.rows; y++)
+            for (int x = 0; x < inverse.cols; x++)
+            {
+                Vec3d P;
+                const Point2d pixel(x, y);
+                inverse(y, x) = simulator->locate(pixel, simulator->surface(pixel), P) ? inverseDepth(P, y) : 0.f;
+            }
+    }
+
+    float inverseDepth(const Vec3d& P, double row) const
+    {
+        const Vec3d inRow = simulator->drive.toCamera(P, simulator->time(Point2d(0, row)));
+        return float(1 / (simulator->camera.uprightRotation.t() * inRow)[2]);
+    }
+
+    //! A flat one, whose left edge is a segment, where no other one is.
+    void addPost(RNG& rng)
+    {
+        const double z = rng.uniform(5., 20.), x = rng.uniform(-0.4, 0.4) * z, top = -rng.uniform(0.5, 2.);
+        const Vec3d foot(x, 1.3, z), head(x, top, z);
+        Point2d a, b;
+        if (!simulator->project(head, a) || !simulator->project(foot, b))
+            return;
+        for (const Vec4f& other : segments)
+            if (std::abs(other[0] - a.x) < 20)
+                return;
+        segments.push_back(Vec4f(float(a.x), float(a.y), float(b.x), float(b.y)));
+        for (int y = cvCeil(a.y); y <= b.y; y++)
+        {
+            const double f = (y - a.y) / (b.y - a.y);
+            const int left = cvCeil(a.x + f * (b.x - a.x));
+            for (int column = left; column < std::min(left + 8, inverse.cols); column++)
+                inverse(y, column) = std::max(inverse(y, column), inverseDepth(head + f * (foot - head), y));
+        }
+    }
+
+    DepthMap relative(RNG& rng) const
+    {
+        const double scale = std::exp(rng.gaussian(2)), shift = rng.gaussian(3);
+        return DepthMap(scale * inverse + shift, DEPTH_RAW, 1, DEPTH_RELATIVE);
+    }
+
+    bool align(DepthMap& depth, AckermannMotion& m) const
+    {
+        Mat rows = Mat(segments).reshape(1), converted;
+        rows.convertTo(converted, CV_64F);
+        return alignDepth(camera, params, prior, converted, m, depth);
+    }
+
+    bool isRefused(const Mat& values) const
+    {
+        DepthMap depth(values, DEPTH_RAW, 1, DEPTH_RELATIVE);
+        AckermannMotion m = motion;
+        return !align(depth, m) && m.alpha == motion.alpha && m.roadSlope == motion.roadSlope && depth.scale == 1;
+    }
+
+    //! Of the scaled inverse depths that scale and shift give, over all of the image.
+    double relativeError(const DepthMap& depth) const
+    {
+        Mat given;
+        depth.values.convertTo(given, CV_32F, depth.scale, depth.shift);
+        const double way = std::abs(speed) * camera.secondsPerUnitTime();
+        return cvtest::norm(given, way * inverse, NORM_L1) / cvtest::norm(way * inverse, NORM_L1);
+    }
+
+    RollingShutterCamera camera;
+    AckermannEstimator::Params params;
+    MotionPrior prior;
+    AckermannMotion motion;
+    double yawRate, speed;
+    std::unique_ptr<Simulator> simulator;
+    std::vector<Vec4f> segments;
+    Mat1f inverse; // 1/m
+};
+
+TEST(RSAckermann_DepthAlignment, finds_scale_and_shift)
+{
+    RNG rng(5);
+    for (int round = 0; round < 8; round++)
+    {
+        PostsInStreet s(rng, round == 3 ? -1 : 1);
+        const bool knowsSpeed = round % 2 != 0;
+        s.prior.speed = s.speed;
+        s.prior.speedSigma = knowsSpeed ? 0.2 : 0;
+        DepthMap depth = s.relative(rng);
+        AckermannMotion motion = s.motion;
+        ASSERT_TRUE(s.align(depth, motion)) << round;
+        EXPECT_LE(s.relativeError(depth), knowsSpeed ? 0.05 : 0.1) << round;
+        const double unit = s.camera.secondsPerUnitTime();
+        EXPECT_NEAR(s.yawRate, 2 * motion.alpha / unit, 0.03) << round;
+        EXPECT_NEAR(1, motion.roadSlope / (s.speed * unit / s.camera.height), knowsSpeed ? 0.03 : 0.1) << round;
+        EXPECT_LE(std::sqrt(motion.covariance(0, 0)), 0.0101 * unit / 2) << round;
+        EXPECT_LT(motion.expectedResidual, 0.5 * motion.expectedRaw) << round;
+        EXPECT_LT(motion.probabilityWorse, 0.1) << round;
+    }
+}
+
+TEST(RSAckermann_DepthAlignment, without_a_yaw_rate_what_is_expected_is_uncertain)
+{
+    RNG rng(6);
+    PostsInStreet s(rng);
+    DepthMap depth = s.relative(rng), same = depth;
+    AckermannMotion given = s.motion, free = s.motion;
+    ASSERT_TRUE(s.align(depth, given));
+    s.prior.yawRateSigma = 0;
+    ASSERT_TRUE(s.align(same, free));
+    EXPECT_GT(free.covariance(0, 0), 4 * given.covariance(0, 0));
+    EXPECT_GT(free.expectedResidual, 1.5 * given.expectedResidual);
+    EXPECT_LT(std::abs(2 * free.alpha / s.camera.secondsPerUnitTime() - s.yawRate),
+              3 * 2 * std::sqrt(free.covariance(0, 0)) / s.camera.secondsPerUnitTime());
+}
+
+TEST(RSAckermann_DepthAlignment, refuses_what_the_image_contradicts)
+{
+    RNG rng(7);
+    for (int round = 0; round < 5; round++)
+    {
+        const PostsInStreet s(rng), other(rng);
+        Mat mirrored, depths;
+        flip(s.inverse, mirrored, 1);
+        EXPECT_TRUE(s.isRefused(mirrored)) << round;
+        EXPECT_TRUE(s.isRefused(other.inverse)) << round;
+        EXPECT_TRUE(s.isRefused(-s.inverse)) << round;
+        cv::divide(1, s.inverse + 0.01, depths);
+        EXPECT_TRUE(s.isRefused(depths)) << round;
+    }
+}
+
+TEST(RSAckermann_DepthAlignment, refuses_degenerate_depths)
+{
+    RNG rng(8);
+    PostsInStreet s(rng);
+    const Size size = s.camera.imageSize;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(s.isRefused(Mat(size, CV_32F, Scalar(3))));
+    EXPECT_TRUE(s.isRefused(Mat::zeros(size, CV_32F)));
+    EXPECT_TRUE(s.isRefused(Mat(size, CV_16U, Scalar(65535))));
+    EXPECT_TRUE(s.isRefused(Mat(size, CV_32F, Scalar(nan))));
+    EXPECT_TRUE(s.isRefused(Mat(size, CV_32F, Scalar(INFINITY))));
+    Mat noise(size, CV_32F);
+    rng.fill(noise, RNG::UNIFORM, 0, 1);
+    EXPECT_TRUE(s.isRefused(noise));
+    rng.fill(noise, RNG::UNIFORM, -FLT_MAX / 2, FLT_MAX / 2);
+    EXPECT_TRUE(s.isRefused(noise));
+
+    // A half of it suffices.
+    DepthMap depth = s.relative(rng);
+    depth.values(Rect(0, 0, size.width, size.height / 4)).setTo(nan);
+    AckermannMotion motion = s.motion;
+    EXPECT_TRUE(s.align(depth, motion));
+    s.segments.clear();
+    EXPECT_TRUE(s.isRefused(s.inverse));
+}
+
+}} // namespace opencv_test::
