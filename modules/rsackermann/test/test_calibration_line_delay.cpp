@@ -87,8 +87,8 @@ TEST_P(LineDelay, is_found)
 TEST_P(LineDelay, has_a_true_sigma)
 {
     applyTestTag(CV_TEST_TAG_LONG);
-    calibrate(30, 150);
-    EXPECT_GE(covered, 27);
+    calibrate(20, 120);
+    EXPECT_GE(covered, 17); // as it happens to seven of eight twenties of which 90 % are covered
 }
 
 const Kind KINDS[] = {{"bends", 12, 0, 0, 0.02},
