@@ -88,7 +88,7 @@ TEST_P(LineDelay, has_a_true_sigma)
 {
     applyTestTag(CV_TEST_TAG_LONG);
     calibrate(20, 120);
-    EXPECT_GE(covered, 17); // as it happens to seven of eight twenties of which 90 % are covered
+    EXPECT_GE(covered, 16); // as it is for 19 of 20 such numbers of drives of which 90 % are covered
 }
 
 const Kind KINDS[] = {{"bends", 12, 0, 0, 0.02},
