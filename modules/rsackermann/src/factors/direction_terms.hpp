@@ -66,12 +66,14 @@ struct CompensatedEnd
     }
 
 private:
-    // The nearest plane where the bearing, turned only, meets the scene (doc/theory.md, "Depth").
+    // The nearest plane where the bearing, turned only, meets the scene (doc/theory.md, "Depth"). Inverse depths are
+    // those times |M|, which saves a division.
     void choosePlane(const RotatedEnd<T>& end, const PreparedModel& m)
     {
-        const T direction(m.direction < 0 ? -1 : 1), inverseM = T(1) / end.M, zero(0), one(1);
-        const T left = direction * (T(m.D) - end.N * inverseM * m.B), right = T(0) - left * m.lambda;
-        const T road = direction * (end.y * inverseM * m.G);
+        const T zero(0), one(1), forward(m.direction < 0 ? -1 : 1),
+            direction = choose(end.M > zero, forward, zero - forward);
+        const T left = direction * (end.M * m.D - end.N * m.B), right = zero - left * m.lambda;
+        const T road = direction * end.y * m.G;
         scale = choose(left > zero, one, zero);
         T nearest = choose(left > zero, left, zero);
         isRight = choose(right > nearest, one, zero);
@@ -121,12 +123,9 @@ struct DirectionTerms
         T along, alongLength2, across, acrossLength2;
         chord.momentAround(streetX, streetZ, along, alongLength2);
         chord.momentAround(T(0) - streetZ, streetX, across, acrossLength2);
-        const T alongInverse = T(1) / squareRoot(alongLength2), acrossInverse = T(1) / squareRoot(acrossLength2);
-        along = along * alongInverse;
-        across = across * acrossInverse;
-        isAlong = choose(magnitude(along) < magnitude(across), T(1), T(0));
-        value = choose(isAlong > T(0), along, across);
-        inverse = choose(isAlong > T(0), alongInverse, acrossInverse);
+        isAlong = choose(along * along * acrossLength2 < across * across * alongLength2, T(1), T(0));
+        inverse = T(1) / squareRoot(choose(isAlong > T(0), alongLength2, acrossLength2));
+        value = choose(isAlong > T(0), along, across) * inverse;
         vx = choose(isAlong > T(0), streetX, T(0) - streetZ);
         vz = choose(isAlong > T(0), streetZ, streetX);
     }
