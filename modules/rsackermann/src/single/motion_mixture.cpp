@@ -14,16 +14,15 @@ void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, doub
         return;
     const Component c = {fit.model, hypothesis, fit.covariance, logWeight};
     components.push_back(c);
+    largest_ = std::max(largest_, logWeight);
 }
 
 std::vector<double> MotionMixture::probabilities() const
 {
-    double largest = -DBL_MAX, sum = 0;
-    for (size_t i = 0; i < components.size(); i++)
-        largest = std::max(largest, components[i].logWeight);
+    double sum = 0;
     std::vector<double> probability(components.size());
     for (size_t i = 0; i < components.size(); i++)
-        sum += probability[i] = std::exp(components[i].logWeight - largest);
+        sum += probability[i] = std::exp(components[i].logWeight - largest_);
     for (size_t i = 0; i < components.size(); i++)
         probability[i] /= sum;
     return probability;

@@ -18,7 +18,7 @@ class MotionMixture
 public:
     //! @param harmAversion_ weight of the displacement by which an image is expected to become worse.
     MotionMixture(const DisplacementField& field_, const DrivingPrior& prior_, double harmAversion_)
-        : field(field_), prior(prior_), harmAversion(harmAversion_)
+        : field(field_), prior(prior_), harmAversion(harmAversion_), largest_(-DBL_MAX)
     {
     }
 
@@ -27,6 +27,9 @@ public:
 
     //! @param hypothesis whose unknowns the model has; the others are 0.
     void add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight);
+
+    //! The largest logarithm of a weight.
+    double largest() const { return largest_; }
 
     /** The correction with the least expected residual and harm.
 
@@ -48,6 +51,7 @@ private:
     const DisplacementField& field;
     const DrivingPrior& prior;
     const double harmAversion;
+    double largest_;
     RoadContact contact;
     std::vector<Component> components;
 };

@@ -27,16 +27,44 @@ static const double FIRST_STEP = 0.7;               // of the sweep over the yaw
 static const double STEP_GROWTH = 1.25;
 static const double SAME_COST = 0.01; // of two fits that are the same minimum
 static const double BETTER = 4;       // cost by which another minimum is a better one
+// Logarithm of a probability with which motions don't count, however roughly it is known.
+static const double LOG_IMPOSSIBLE = 2 * std::log(NEGLIGIBLE);
 
 namespace {
+
+const Fit& cheapest(const std::vector<Fit>& fits)
+{
+    return *std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
+}
 
 // A motion hypothesis with the logarithm of its prior probability, given that the camera moves.
 struct WeighedHypothesis
 {
     MotionHypothesis hypothesis;
     double logPrior;
+    // All that its starts lead to: which is the least depends on the noise, which isn't known yet.
+    std::vector<Fit> minima;
 
     WeighedHypothesis(const MotionHypothesis& h, double prior) : hypothesis(h), logPrior(std::log(prior)) {}
+
+    void addMinimum(const Fit& fit)
+    {
+        const auto isSame = [&](const Fit& other) { return std::abs(other.cost - fit.cost) < SAME_COST; };
+        if (fit.cost < DBL_MAX && std::none_of(minima.begin(), minima.end(), isSame))
+            minima.push_back(fit);
+    }
+
+    // Minima that have become the same are one, and those that are too far above the least are none.
+    void refine(const RefinementProblem& problem, double tooFar)
+    {
+        std::vector<Fit> refined;
+        refined.swap(minima);
+        for (size_t i = 0; i < refined.size(); i++)
+            refined[i].refine(problem);
+        std::sort(refined.begin(), refined.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
+        for (size_t i = 0; i < refined.size() && refined[i].cost < refined[0].cost + tooFar; i++)
+            addMinimum(refined[i]);
+    }
 };
 
 class Explorer
@@ -52,32 +80,25 @@ public:
         problem.lossScale = SLANT_SCALE; // until the noise is known
         problem.lean = 0;
         problem.weigh();
-        const std::vector<WeighedHypothesis> all = hypotheses();
-        std::vector<Fit> fits(1, restFit());
-        std::vector<size_t> ends; // of the fits of a hypothesis
-        for (size_t i = 0; i < all.size(); i++)
-        {
-            addMinima(all[i].hypothesis, fits);
-            ends.push_back(fits.size());
-        }
-        if (!(cheapest(fits).cost < DBL_MAX))
+        Fit rest = restFit();
+        std::vector<WeighedHypothesis> moving = hypotheses();
+        for (size_t i = 0; i < moving.size(); i++)
+            findMinima(moving[i]);
+        if (!(leastOf(rest, moving).cost < DBL_MAX))
             return false;
-        measureNoise(fits);
-        mixture.setRoadContact(roadContact(fits));
-        addFit(fits[0], prior.logRest());
+        measureNoise(rest, moving);
+        mixture.setRoadContact(roadContact(moving));
+        addFit(rest, prior.logRest());
         if (problem.distortionSigma > 0)
-            addRestThroughOtherLenses(fits[0]);
+            addRestThroughOtherLenses(rest);
         // Who gives a speed and the distance of a wall knows of a street.
         if (!prior.scaledSpeedIsGiven())
-            addSceneWithoutVerticals(fits[0]);
-        for (size_t i = 0; i < all.size(); i++)
-        {
-            const Fit fit = *cheapest(fits.begin() + (i > 0 ? ends[i - 1] : 1), fits.begin() + ends[i]);
-            if (fit.cost < DBL_MAX && fit.hypothesis.turns())
-                sweep(fit, all[i].logPrior);
-            else if (fit.cost < DBL_MAX)
-                addFit(fit, all[i].logPrior);
-        }
+            addSceneWithoutVerticals(rest);
+        for (size_t i = 0; i < moving.size(); i++)
+            if (!moving[i].minima.empty() && moving[i].hypothesis.turns())
+                sweep(cheapest(moving[i].minima), moving[i].logPrior);
+            else if (!moving[i].minima.empty())
+                addFit(cheapest(moving[i].minima), moving[i].logPrior);
         result = mixture.best();
         return true;
     }
@@ -88,14 +109,15 @@ private:
     {
         const int model = params.model, walls = problem.heading.looksAlong() ? 2 : 1;
         std::vector<WeighedHypothesis> all;
+        if (model != MODEL_NONE && model != MODEL_1LA)
+        {
+            const int motion = model == MODEL_3LA ? MODEL_3LA : MODEL_4LA;
+            all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), WALLS_PRIOR));
+            if (walls == 2)
+                all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), ONE_WALL_PRIOR));
+        }
         if (model == MODEL_AUTO || model == MODEL_1LA)
             all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), ROTATION_PRIOR));
-        if (model == MODEL_NONE || model == MODEL_1LA)
-            return all;
-        const int motion = model == MODEL_3LA ? MODEL_3LA : MODEL_4LA;
-        all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), WALLS_PRIOR));
-        if (walls == 2)
-            all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), ONE_WALL_PRIOR));
         return all;
     }
 
@@ -176,57 +198,53 @@ private:
         return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
     }
 
-    // All minima that the starts lead to: which is the least depends on the noise, which isn't known yet.
-    void addMinima(const MotionHypothesis& hypothesis, std::vector<Fit>& fits) const
+    void findMinima(WeighedHypothesis& moving) const
     {
-        const size_t first = fits.size();
-        const std::vector<Model> models = starts(hypothesis);
+        const std::vector<Model> models = starts(moving.hypothesis);
         for (size_t i = 0; i < models.size(); i++)
         {
             Model start = models[i];
             for (int pass = 0; pass < 2; pass++)
             {
-                if (pass > 0 && !startFromStreetDirection(problem, hypothesis, start))
+                if (pass > 0 && !startFromStreetDirection(problem, moving.hypothesis, start))
                     break;
-                if (!isAllowed(hypothesis, start))
+                if (!isAllowed(moving.hypothesis, start))
                     continue;
-                Fit fit(hypothesis);
+                Fit fit(moving.hypothesis);
                 fit.model = start;
                 fit.refine(problem);
-                const auto isSame = [&](const Fit& other) { return std::abs(other.cost - fit.cost) < SAME_COST; };
-                if (std::none_of(fits.begin() + first, fits.end(), isSame))
-                    fits.push_back(fit);
+                moving.addMinimum(fit);
             }
         }
-        if (fits.size() == first)
-            fits.push_back(Fit(hypothesis));
     }
 
-    typedef std::vector<Fit>::const_iterator FitIterator;
-    static FitIterator cheapest(FitIterator begin, FitIterator end)
+    static const Fit& leastOf(const Fit& rest, const std::vector<WeighedHypothesis>& moving)
     {
-        return std::min_element(begin, end, [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
+        const Fit* least = &rest;
+        for (size_t i = 0; i < moving.size(); i++)
+            if (!moving[i].minima.empty() && cheapest(moving[i].minima).cost < least->cost)
+                least = &cheapest(moving[i].minima);
+        return *least;
     }
-    static const Fit& cheapest(const std::vector<Fit>& fits) { return *cheapest(fits.begin(), fits.end()); }
 
     // Noise and fits, in turn, until the noise stays about the same; then by how much the evidence says less than its
     // number.
-    void measureNoise(std::vector<Fit>& fits)
+    void measureNoise(Fit& rest, std::vector<WeighedHypothesis>& moving)
     {
         const int passes = 3;
+        dependence = dependenceOf(problem.rollSigma());
         for (int pass = 0; pass < passes; pass++)
         {
             const double before = problem.lean;
-            setNoise(cheapest(fits));
-            refineAll(fits);
+            setNoise(leastOf(rest, moving));
+            refineAll(rest, moving);
             if (problem.lean < SAME_LEAN * before && before < SAME_LEAN * problem.lean)
                 break;
         }
-        dependence = dependenceOf(problem.rollSigma());
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
-        ownNoise = ownNoiseOf(cheapest(fits));
-        refineAll(fits);
+        ownNoise = ownNoiseOf(leastOf(rest, moving));
+        refineAll(rest, moving);
     }
 
     void setNoise(const Fit& fit)
@@ -239,11 +257,11 @@ private:
         problem.weigh();
     }
 
-    void refineAll(std::vector<Fit>& fits) const
+    void refineAll(Fit& rest, std::vector<WeighedHypothesis>& moving) const
     {
-        for (size_t i = 0; i < fits.size(); i++)
-            if (fits[i].cost < DBL_MAX)
-                fits[i].refine(problem);
+        rest.refine(problem);
+        for (size_t i = 0; i < moving.size(); i++)
+            moving[i].refine(problem, -2 * LOG_IMPOSSIBLE * dependence);
     }
 
     // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the
@@ -286,13 +304,15 @@ private:
     }
 
     // As the best of the motions along walls shows it.
-    RoadContact roadContact(const std::vector<Fit>& fits) const
+    RoadContact roadContact(const std::vector<WeighedHypothesis>& moving) const
     {
-        const Fit* best = 0;
-        for (size_t i = 0; i < fits.size(); i++)
-            if (fits[i].hypothesis.translates() && fits[i].cost < (best ? best->cost : DBL_MAX))
-                best = &fits[i];
-        return best ? findRoadContact(problem, best->model, best->covariance, params.threshold) : RoadContact();
+        Fit best = Fit(MotionHypothesis(MODEL_NONE, 0));
+        for (size_t i = 0; i < moving.size(); i++)
+            if (moving[i].hypothesis.translates() && !moving[i].minima.empty() &&
+                cheapest(moving[i].minima).cost < best.cost)
+                best = cheapest(moving[i].minima);
+        return best.cost < DBL_MAX ? findRoadContact(problem, best.model, best.covariance, params.threshold)
+                                   : RoadContact();
     }
 
     // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.
@@ -352,22 +372,22 @@ private:
     {
         std::vector<Fit> fits;
         std::vector<double> logDensity, logWidth;
-
-        size_t cheapest() const { return &Explorer::cheapest(fits) - &fits[0]; }
     };
 
     // Adds motions with the yaw rates to both sides of a fit. If one of them fits better there was another minimum.
     void sweep(Fit fit, double logPrior)
     {
+        if (logPrior + logNoise(fit) + logEvidence(fit, fit.hypothesis) < mixture.largest() + LOG_IMPOSSIBLE)
+            return;
         Swept swept = sweepFrom(fit);
-        const Fit& best = swept.fits[swept.cheapest()];
+        const Fit& best = cheapest(swept.fits);
         if (best.cost < fit.cost - BETTER)
         {
             fit.model = best.model;
             fit.refine(problem);
             swept = sweepFrom(fit);
         }
-        const double logWeight = logPrior + logNoise(swept.fits[swept.cheapest()]);
+        const double logWeight = logPrior + logNoise(cheapest(swept.fits));
         for (size_t i = 0; i < swept.fits.size(); i++)
             mixture.add(swept.fits[i], fit.hypothesis, swept.logDensity[i] + swept.logWidth[i] + logWeight);
     }
