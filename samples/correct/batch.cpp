@@ -17,7 +17,7 @@ namespace rsackermann_samples {
 
 Batch::Batch(const Job& job)
     : job_(job), inputs_(job.inputs.inputs), report_(job.report.empty() ? nullptr : new ReportFile(job)),
-      corrector_(job), lastTask_(0), done_(0), failures_(0)
+      corrector_(job), lastTask_(0), done_(0), failures_(0), hasWarned_(false)
 {
     for (size_t i = 0; i < inputs_.size(); i++)
         if (inputs_[i].isFile() && !isVideo(inputs_[i].name) && !taskOf(inputs_[i].name).isDone())
@@ -155,7 +155,7 @@ std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets
     return frames;
 }
 
-// Once for each input: a sensor that is wrong is so in many frames.
+// Once for each input or sequence: a sensor that is wrong is so in many frames.
 void Batch::warnOfContradictions(const std::string& input, const std::vector<FrameReport>& frames)
 {
     const FrameReport* first = nullptr;
@@ -163,8 +163,9 @@ void Batch::warnOfContradictions(const std::string& input, const std::vector<Fra
     for (const FrameReport& frame : frames)
         if (frame.motion.contradictsPrior && count++ == 0)
             first = &frame;
-    if (!first)
+    if (!first || (job_.params.sequence && !isVideo(input) && hasWarned_))
         return;
+    hasWarned_ = true;
     progress_.clear();
     std::cerr << "rsackermann_correct: " << input << ": "
               << (first->frame >= 0 ? cv::format("frame %d of %zu such: ", first->frame, count) : "")

@@ -54,6 +54,7 @@ private:
     size_t lastTask_; // the last input that has something left to be done
     double done_;
     int failures_;
+    bool hasWarned_; // of a contradiction
 };
 
 } // namespace rsackermann_samples

@@ -169,7 +169,7 @@ std::string contradiction(const FrameReport& frame)
     const MotionPrior& p = frame.prior;
     const double sigmas = 3;
     std::string words;
-    if (m.seenYawRateSigma > 0 &&
+    if (m.seenYawRateSigma > 0 && p.yawRateSigma > 0 &&
         std::abs(m.seenYawRate - p.yawRate) > sigmas * std::hypot(m.seenYawRateSigma, p.yawRateSigma))
         words = comparison("yaw rate", "deg/s", p.yawRate / DEGREE, p.yawRateSigma / DEGREE, m.seenYawRate / DEGREE,
                            m.seenYawRateSigma / DEGREE);

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../motion/contradiction.hpp"
 #include "../single/inliers_and_scale.hpp"
 #include "../single/displacement_field.hpp"
 #include "sequence_estimator.hpp"
@@ -14,8 +15,8 @@ static const double LARGEST_LEFT = 0.5; // of a turn without its translation, wh
 
 SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
                                      const Ptr<AckermannEstimator>& single_)
-    : camera(camera_), params(params_), single(single_), filter(camera_, params_), last(filter.state),
-      seen(std::numeric_limits<double>::quiet_NaN())
+    : camera(camera_), params(params_), single(single_), filter(camera_, params_), unaided(filter), isAided(false),
+      last(filter.state), seen(std::numeric_limits<double>::quiet_NaN())
 {
 }
 
@@ -26,16 +27,10 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
                                params_.gravitySigma == params.gravitySigma &&
                                params_.vehiclePitchSigma == params.vehiclePitchSigma;
     const int kept = isSameGravity ? SEQUENCE_VALUES : SEQUENCE_ROLL;
-    const SequenceState before = filter.state;
     camera = camera_;
     params = params_;
-    filter.state = SequenceState(camera, params);
-    for (int i = 0; i < kept; i++)
-    {
-        filter.state.value[i] = before.value[i];
-        for (int j = 0; j < kept; j++)
-            filter.state.covariance(i, j) = before.covariance(i, j);
-    }
+    filter.state.change(camera, params, kept);
+    unaided.state.change(camera, params, kept);
 }
 
 void SequenceEstimator::reset()
@@ -49,6 +44,7 @@ void SequenceEstimator::reset()
 void SequenceEstimator::resetState()
 {
     filter.reset(camera, params);
+    isAided = false;
     rates = RowRates();
     seen = std::numeric_limits<double>::quiet_NaN();
 }
@@ -80,6 +76,7 @@ AckermannMotion SequenceEstimator::estimateSingle(double seconds, const Mat& seg
 AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior,
                                                     Mat& labels) const
 {
+    const MotionPrior given = prior;
     InstantRate pitch, roll, yaw;
     const bool isMeasured = measure(seconds, pitch, roll, yaw);
     if (isMeasured && prior.yawRateSigma > 0)
@@ -94,6 +91,8 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
         prior.yawRateSigma = yaw.sigma;
     }
     AckermannMotion motion = single->estimate(segments, labels, prior);
+    if (isMeasured)
+        compareAgain(prior, given, motion);
     if (isMeasured && motion.status == MOTION_OK)
     {
         const double unit = camera.secondsPerUnitTime();
@@ -145,10 +144,20 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     const double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
         reset();
+    if (!isAided && (prior.yawRateSigma > 0 || prior.speedSigma > 0))
+    {
+        unaided = filter;
+        isAided = true;
+    }
     const bool follows = filter.advance(frame.seconds, camera, params);
+    if (isAided)
+        unaided.advance(frame.seconds, camera, params);
     const bool isTimed = camera.isRowShutter() && camera.secondsPerUnitTime() > 0;
     features.track(camera, isTimed ? frame : GrayFrame(), passed, next);
     filter.state.measure(prior);
+    MotionPrior others = prior;
+    others.yawRateSigma = others.speedSigma = 0;
+    unaided.state.measure(others);
     if (features.bearings.size() < LEAST_POINTS)
     {
         if (follows && features.hasManyPoints())
@@ -156,7 +165,8 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         return false;
     }
     features.setSegments(camera, params, segments);
-    if (!filter.update(features, camera, params, last))
+    AckermannMotion compared;
+    if (!update(prior, compared))
     {
         resetState();
         return false;
@@ -167,10 +177,42 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
     for (size_t i = 0; i < verticals.size(); i++)
         labels.at<uchar>(verticals[i].index) = SEGMENT_OUTLIER;
+    motion = compared;
     report(last, verticals, prior, motion, labels);
     const std::vector<TrackedBearing>& fine = features.fineBearings;
     if (motion.status == MOTION_OK)
         fitOffset(camera, fine.size() < LEAST_POINTS ? features.bearings : fine, last.values, motion);
+    return true;
+}
+
+// Goes by the frames alone if no motion is near what is given. Returns whether they show one of this scene.
+bool SequenceEstimator::update(const MotionPrior& prior, AckermannMotion& motion)
+{
+    SequenceFit alone(unaided.state);
+    const bool isSeen = isAided && unaided.update(features, camera, params, alone);
+    if (!filter.update(features, camera, params, last))
+    {
+        if (!isSeen)
+            return false;
+        filter = unaided;
+        last = alone;
+    }
+    if (!isSeen)
+        return true;
+    double mean, sigma;
+    if (prior.yawRateSigma > 0 && alone.state.seen(SEQUENCE_YAW_RATE, mean, sigma))
+    {
+        motion.seenYawRate = mean;
+        motion.seenYawRateSigma = sigma;
+    }
+    if (prior.speedSigma > 0 && alone.state.seen(SEQUENCE_SPEED, mean, sigma))
+    {
+        motion.seenSpeed = mean;
+        motion.seenSpeedSigma = sigma;
+    }
+    AckermannMotion seenMotion;
+    alone.state.toMotion(camera.secondsPerUnitTime(), seenMotion);
+    compareWithGiven(prior, alone.moves && showsOtherDirection(seenMotion, prior), motion);
     return true;
 }
 
@@ -293,16 +335,20 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
 }
 
 // From the image alone, with the yaw rate of the frames before, and for the frames after.
-AckermannMotion SequenceEstimator::estimateAlone(double seconds, const Mat& segments, MotionPrior prior, Mat& labels)
+AckermannMotion SequenceEstimator::estimateAlone(double seconds, const Mat& segments, const MotionPrior& given,
+                                                 Mat& labels)
 {
     SequenceState& state = filter.state;
+    MotionPrior prior = given;
     if (!filter.isUninitialised)
     {
         // A given yaw rate is in the state already.
         prior.yawRate = state.value[SEQUENCE_YAW_RATE];
         prior.yawRateSigma = std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
     }
-    const AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
+    AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
+    if (!filter.isUninitialised)
+        compareAgain(prior, given, motion);
     double yawRate;
     // An unknown gravity misleads all frames in the same way: they can't confirm one another.
     if (params.gravitySigma > 0 || motion.status != MOTION_OK || !motion.yawRate(camera, yawRate))

@@ -44,8 +44,9 @@ public:
 private:
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
+    bool update(const MotionPrior& prior, AckermannMotion& motion);
     AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
-    AckermannMotion estimateAlone(double seconds, const Mat& segments, MotionPrior prior, Mat& labels);
+    AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
     void updateRates(double before, double after);
@@ -61,6 +62,8 @@ private:
     Ptr<AckermannEstimator> single;
     FrameFeatures features;
     SequenceFilter filter;
+    SequenceFilter unaided; // without given yaw rates and speeds; used once there are some
+    bool isAided;           // whether there are
     RowRates rates;
     SequenceFit last; // whose points showed the motion
     double seen;      // time of that; not finite if there is none

@@ -46,6 +46,29 @@ void SequenceState::measure(const MotionPrior& prior)
     measure(SEQUENCE_DIRECTION, prior.wallDirection, prior.wallDirectionSigma);
 }
 
+void SequenceState::change(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, int kept)
+{
+    const SequenceState before = *this;
+    *this = SequenceState(camera, params);
+    for (int i = 0; i < kept; i++)
+    {
+        value[i] = before.value[i];
+        for (int j = 0; j < kept; j++)
+            covariance(i, j) = before.covariance(i, j);
+    }
+}
+
+bool SequenceState::seen(SequenceValue which, double& mean, double& sigma) const
+{
+    const double information = 1 / covariance(which, which),
+                 usual = 1 / (stationarySigma[which] * stationarySigma[which]), own = information - usual;
+    if (!(own > 0))
+        return false;
+    mean = (value[which] * information - stationary[which] * usual) / own;
+    sigma = 1 / std::sqrt(own);
+    return true;
+}
+
 void SequenceState::toMotion(double unit, AckermannMotion& motion) const
 {
     Matx<double, PARAMETERS, SEQUENCE_VALUES> J;

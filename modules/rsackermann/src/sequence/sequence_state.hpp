@@ -34,6 +34,13 @@ struct SequenceState
     //! Measurements of what is known from elsewhere.
     void measure(const MotionPrior& prior);
 
+    //! With another stationary state: the first values stay as they are.
+    void change(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, int kept);
+
+    /** A value as the frames show it, without what is expected of all cars.
+    @return false if they don't. */
+    bool seen(SequenceValue which, double& mean, double& sigma) const;
+
     //! As a motion during one image, with its covariance; the status and the counts of segments are left as they are.
     void toMotion(double unit, AckermannMotion& motion) const;
 

@@ -6,6 +6,7 @@
 #include "../checks.hpp"
 #include "../features/segments.hpp"
 #include "../storage.hpp"
+#include "../motion/contradiction.hpp"
 #include "inliers_and_scale.hpp"
 #include "focal_uncertainty.hpp"
 #include "posterior.hpp"
@@ -48,8 +49,6 @@ public:
 
 private:
     AckermannMotion runAndCompare(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
-    void compareYawRate(const AckermannMotion& seen, const MotionPrior& prior, AckermannMotion& motion) const;
-    void compareSpeed(const AckermannMotion& seen, const MotionPrior& prior, AckermannMotion& motion) const;
     AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
     RefinementProblem makeProblem(const MotionLimits& limits) const;
     int findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion, Mat& labels) const;
@@ -70,13 +69,6 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits
     problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
     problem.vehiclePitchSigma = isExact ? EXACT_GRAVITY : params.vehiclePitchSigma;
     return problem;
-}
-
-static const double CONTRADICTION = 3; // standard deviations
-
-static bool contradicts(double seen, double seenSigma, double given, double givenSigma)
-{
-    return std::abs(seen - given) > CONTRADICTION * std::hypot(seenSigma, givenSigma);
 }
 
 // The estimate is near a given value whatever the image shows: a contradiction shows without the values alone, since
@@ -102,38 +94,13 @@ AckermannMotion AckermannEstimatorImpl::runAndCompare(const Mat& segments, Outpu
     const AckermannMotion seen = neutral.run(segments, noArray(), others);
     if (seen.status != MOTION_OK)
         return motion;
-    if (prior.yawRateSigma > 0)
-        compareYawRate(seen, prior, motion);
-    if (prior.speedSigma > 0)
-        compareSpeed(seen, prior, motion);
+    const Matx44d covariance = seen.metricCovariance(camera);
+    if (prior.yawRateSigma > 0 && covariance(0, 0) > 0 && seen.yawRate(camera, motion.seenYawRate))
+        motion.seenYawRateSigma = std::sqrt(covariance(0, 0));
+    if (prior.speedSigma > 0 && covariance(1, 1) > 0 && seen.speed(camera, motion.seenSpeed))
+        motion.seenSpeedSigma = std::sqrt(covariance(1, 1));
+    compareWithGiven(prior, showsOtherDirection(seen, prior), motion);
     return motion;
-}
-
-void AckermannEstimatorImpl::compareYawRate(const AckermannMotion& seen, const MotionPrior& prior,
-                                            AckermannMotion& motion) const
-{
-    const double sigma = std::sqrt(seen.metricCovariance(camera)(0, 0));
-    if (!(sigma > 0) || !seen.yawRate(camera, motion.seenYawRate))
-        return;
-    motion.seenYawRateSigma = sigma;
-    motion.contradictsPrior |= contradicts(motion.seenYawRate, sigma, prior.yawRate, prior.yawRateSigma);
-}
-
-void AckermannEstimatorImpl::compareSpeed(const AckermannMotion& seen, const MotionPrior& prior,
-                                          AckermannMotion& motion) const
-{
-    // Without a wall's distance the sign is known, if the speed is.
-    const double B = seen.wallSlope, D = seen.wallOffset, scaled = std::hypot(B, D);
-    const Matx44d& C = seen.covariance;
-    const double sigma =
-        std::sqrt(std::max(B * B * C(1, 1) + 2 * B * D * C(1, 2) + D * D * C(2, 2), 0.)) / std::max(scaled, DBL_MIN);
-    motion.contradictsPrior |=
-        seen.direction * prior.speed < -CONTRADICTION * prior.speedSigma && sigma > 0 && scaled > CONTRADICTION * sigma;
-    const double speedSigma = std::sqrt(seen.metricCovariance(camera)(1, 1));
-    if (!(speedSigma > 0) || !seen.speed(camera, motion.seenSpeed))
-        return;
-    motion.seenSpeedSigma = speedSigma;
-    motion.contradictsPrior |= contradicts(motion.seenSpeed, speedSigma, prior.speed, prior.speedSigma);
 }
 
 AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const

@@ -180,12 +180,14 @@ public:
 
     /** Whether the image contradicts a given value: with a given yaw rate or speed (MotionPrior) the estimate goes
     where the value is, and this tells that the image without the value is more than three standard deviations of both
-    away from it, or shows the other direction. Of frames that a sequence tracks it is false. */
+    away from it, or shows the other direction. With frames that a sequence tracks it is the frames so far, and if no
+    motion is near what is given they alone are the estimate. */
     CV_PROP_RW bool contradictsPrior;
     //! Yaw rate in radians per second that the image shows without the given one
     CV_PROP_RW double seenYawRate;
     CV_PROP_RW double seenYawRateSigma; //!< standard deviation of seenYawRate; 0: none is given, or it isn't known
-    //! Speed in metres per second that the image shows without the given one; needs the distance of the wall
+    //! Speed in metres per second that the image shows without the given one; needs the distance of the wall, or a
+    //! sequence, in which it is as uncertain as the camera's height
     CV_PROP_RW double seenSpeed;
     CV_PROP_RW double seenSpeedSigma; //!< standard deviation of seenSpeed; 0: none is given, or it isn't known
 

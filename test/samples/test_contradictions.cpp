@@ -1,0 +1,136 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Given values that the frames of a sequence contradict are reported, and those that they don't aren't.
+
+#include "program.hpp"
+#include "turning_drive.hpp"
+
+#include <sstream>
+
+namespace opencv_test { namespace {
+
+typedef nlohmann::json Json;
+
+std::vector<Json> linesOfReport(const Arguments& arguments, Outcome& outcome)
+{
+    outcome = correct(arguments + Arguments{"--report=-"});
+    EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+    std::vector<Json> lines;
+    std::istringstream stream(outcome.output);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(Json::parse(line));
+    return lines;
+}
+
+//! A given value with its sigma, and what the frames show of it.
+void expectVerdict(const Json& line, const char* seenKey, const char* sigmaKey, double truth, double given,
+                   double givenSigma)
+{
+    ASSERT_TRUE(line[seenKey].is_number()) << line;
+    const double seen = line[seenKey], seenSigma = line[sigmaKey], both = std::hypot(seenSigma, givenSigma),
+                 distance = std::abs(given - truth);
+    EXPECT_NEAR(truth, seen, 3 * seenSigma);
+    if (distance < 1.5 * both || distance > 5 * both)
+    {
+        EXPECT_EQ(distance > 3 * both, line["contradicts_prior"].get<bool>()) << line;
+    }
+}
+
+// The yaw rate is that of the frames where no motion is near the given one, and not dropped.
+TEST(Contradictions, yaw_rate_of_a_sequence)
+{
+    const TemporaryFolder folder;
+    const TurningDrive drive;
+    const int frames = 5;
+    for (int i = 0; i < frames; i++)
+        cv::imwrite(folder / cv::format("%d.png", i), drive.frame(i * drive.interval));
+    cv::RNG rng(5);
+    for (int round = 0; round < 12; round++)
+    {
+        const double sigma = rng.uniform(0.3, 3.), given = drive.yawRate + (round == 0 ? -40 : rng.gaussian(8));
+        Outcome outcome;
+        const std::vector<Json> lines =
+            linesOfReport({folder.path(), "--focal=816", "--readout=0.03", round % 2 ? "--carry" : "--smooth",
+                           cv::format("--yaw_rate=%.17g", given), cv::format("--yaw_rate_sigma=%.17g", sigma)},
+                          outcome);
+        SCOPED_TRACE(cv::format("given %.1f +- %.1f", given, sigma));
+        ASSERT_EQ(size_t(frames), lines.size());
+        bool isContradicted = false;
+        for (int i = 1; i < frames; i++)
+        {
+            expectVerdict(lines[i], "seen_yaw_rate_deg_s", "seen_yaw_rate_sigma", drive.yawRate, given, sigma);
+            EXPECT_EQ("ok", lines[i]["status"]) << i;
+            isContradicted |= lines[i]["contradicts_prior"].get<bool>();
+        }
+        const bool isWarned = outcome.messages.find("given is a yaw rate of") != std::string::npos;
+        EXPECT_EQ(isContradicted, isWarned) << outcome.messages;
+        EXPECT_GE(1, std::count(outcome.messages.begin(), outcome.messages.end(), '\n')) << outcome.messages;
+        if (round == 0)
+        {
+            EXPECT_NEAR(drive.yawRate, lines[frames - 1]["yaw_rate_deg_s"].get<double>(), 1);
+        }
+    }
+}
+
+TEST(Contradictions, speed_of_a_sequence)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(
+        0, simulate({"--output=" + (folder / "drive"), "--frames=5", "--speed=40", "--left=6", "--right=8"}).exitCode);
+    const double speeds[] = {40, 44, 80, 12, -40}, sigmas[] = {2, 5, 3, 1, 2};
+    const Arguments cameras[] = {
+        {"--camera=" + (folder / "drive/camera.yml")},
+        {"--focal=816", "--focal_sigma=1", "--readout=0.0133333"}}; // with and without a height
+    for (const Arguments& camera : cameras)
+        for (int k = 0; k < 5; k++)
+        {
+            SCOPED_TRACE(cv::format("%s, given %.0f", camera[0].c_str(), speeds[k]));
+            Outcome outcome;
+            const std::vector<Json> lines = linesOfReport(
+                camera + Arguments{folder / "drive/frames", "--log=" + (folder / "drive/log.csv"), "--carry",
+                                   cv::format("--speed=%g", speeds[k]), cv::format("--speed_sigma=%g", sigmas[k])},
+                outcome);
+            for (size_t i = 1; i < lines.size(); i++)
+                expectVerdict(lines[i], "seen_speed_km_h", "seen_speed_sigma", 40, speeds[k], sigmas[k]);
+            EXPECT_EQ(lines[3]["contradicts_prior"] == true,
+                      outcome.messages.find("given is a speed of") != std::string::npos);
+        }
+}
+
+// A gyro and the frames before aren't what the user has given.
+TEST(Contradictions, nothing_is_given)
+{
+    const TemporaryFolder folder;
+    std::string log = "frame,time_s\n", gyro = "time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n";
+    for (int i = 0; i < 3; i++)
+    {
+        cv::imwrite(folder / cv::format("%d.png", i), streetImage());
+        log += cv::format("%d,%g\n", i, 1 + i / 30.);
+    }
+    for (int i = 0; i < 200; i++)
+        gyro += cv::format("%g,-90,0,0\n", i / 100.);
+    writeContent(folder / "log.csv", log);
+    writeContent(folder / "gyro.csv", gyro);
+    for (const char* mode : {"--gravity_sigma=0", "--carry"})
+        for (const bool hasGyro : {false, true})
+        {
+            SCOPED_TRACE(cv::format("%s, gyro %d", mode, int(hasGyro)));
+            Arguments arguments = {folder.path(), "--camera=" + streetFolder() + "/camera.yml", mode,
+                                   "--log=" + (folder / "log.csv")};
+            if (std::string(mode) == "--carry")
+                arguments.push_back("--gravity_sigma=0");
+            if (hasGyro)
+                arguments.push_back("--gyro=" + (folder / "gyro.csv"));
+            Outcome outcome;
+            for (const Json& line : linesOfReport(arguments, outcome))
+            {
+                EXPECT_EQ(false, line["contradicts_prior"]);
+                EXPECT_TRUE(line["seen_yaw_rate_deg_s"].is_null());
+            }
+            EXPECT_EQ(std::string::npos, outcome.messages.find("given is")) << outcome.messages;
+        }
+}
+
+}} // namespace opencv_test::
