@@ -98,8 +98,10 @@ MotionPrior readPrior(const Options& options, const Job& job)
     const bool speed = readMeasurement(options, "speed", 1000, SPEED_SIGMA, KMH, prior.speed, prior.speedSigma);
     const bool yawRate =
         readMeasurement(options, "yaw_rate", 1000, YAW_RATE_SIGMA, DEGREE, prior.yawRate, prior.yawRateSigma);
-    const bool metric = job.camera.lineDelay > 0 || job.camera.readOut > 0;
-    const std::string delay = "the line delay (--line_delay, --readout or in the camera file)";
+    const bool readsRows = job.camera.scan == SCAN_TOP_TO_BOTTOM || job.camera.scan == SCAN_BOTTOM_TO_TOP,
+               metric = readsRows && (job.camera.lineDelay > 0 || job.camera.readOut > 0);
+    const std::string delay = readsRows ? "the line delay (--line_delay, --readout or in the camera file)"
+                                        : "a sensor that reads rows (--scan)";
     if (job.params.sequence && !metric)
         warnUseless(job.smooth ? "--smooth" : "--carry", delay);
     if (!job.gyro.times.empty() && !metric)
@@ -225,6 +227,8 @@ Job readJob(const Options& options)
     job.linesGiven = options.given("lines");
     if (job.linesGiven && job.inputs.inputs.size() != 1)
         throw UsageError("--lines is for one input");
+    if (job.linesGiven && options.given("detector"))
+        throw UsageError("--lines and --detector exclude each other");
     checkVideos(job);
     job.depth = DepthSource(options, job.inputs);
     if (job.linesGiven)
