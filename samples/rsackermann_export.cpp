@@ -23,7 +23,7 @@ using namespace rsackermann_samples;
 
 const char* const ABOUT =
     "Writes the motion that rsackermann_correct has found in the forms that other tools read (doc/exports.md).\n"
-    "The options for the camera are those that rsackermann_correct was called with. Existing results are replaced.\n"
+    "The camera is that of the report. Existing results are replaced.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
 const char* const KEYS =
@@ -46,6 +46,9 @@ const char* const KEYS =
 
 cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const std::vector<MotionFrame>& frames)
 {
+    const bool isOfReport = !frames.empty() && frames[0].hasCamera && !isCameraGiven(options) && !options.given("size");
+    if (isOfReport)
+        return frames[0].camera;
     const CameraSettings settings = readCameraOptions(options);
     cv::Size size = options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : cv::Size();
     if (size.empty() && !frames.empty())
@@ -55,6 +58,20 @@ cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const s
     if (size.area() == 0)
         throw UsageError("--size is missing: the size of the images isn't known");
     return settings.makeCamera(size);
+}
+
+// Before anything is written.
+void checkFrames(const Options& options, const cv::rsackermann::RollingShutterCamera& camera,
+                 const std::vector<MotionFrame>& frames)
+{
+    for (const MotionFrame& frame : frames)
+    {
+        frame.cameraOf(camera);
+        for (const char* name : {"stmap", "mesh"})
+            if (frame.isDepthUsed && options.given(name))
+                throw InputError(frame.name() + " was corrected with a depth, which the report doesn't have: --" +
+                                 name + " can't follow it");
+    }
 }
 
 void checkResults(const Options& options)
@@ -115,6 +132,7 @@ int run(const Options& options)
     const cv::rsackermann::RollingShutterCamera camera = readCamera(options, frames);
     checkResults(options);
     checkTargets(options, frames);
+    checkFrames(options, camera, frames);
     if (options.given("gcsv"))
         writeFile(options.text("gcsv"), gyroLogText(camera, frames));
     if (options.given("row_poses"))

@@ -81,6 +81,15 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     return camera;
 }
 
+bool isCameraGiven(const Options& options)
+{
+    for (const char* name : {"camera", "focal", "focal_sigma", "line_delay", "readout", "scan", "reference", "roll",
+                             "pitch", "heading", "height"})
+        if (options.given(name))
+            return true;
+    return false;
+}
+
 CameraSettings readCameraOptions(const Options& options)
 {
     CameraSettings s;

@@ -46,6 +46,9 @@ extern const std::vector<std::string> SCAN_WORDS;
 //! Keys of the options that readCameraOptions() takes.
 extern const char* const CAMERA_KEYS;
 
+//! Whether an option for the camera is given.
+bool isCameraGiven(const Options& options);
+
 //! Reads --camera and the other options for a camera, which go before the file.
 CameraSettings readCameraOptions(const Options& options);
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "report.hpp"
+#include "camera_of_report.hpp"
 #include "motion_words.hpp"
 #include "units.hpp"
 
@@ -98,6 +99,7 @@ std::string reportLine(const FrameReport& frame)
     line["height"] = frame.camera.imageSize.height;
     line["roll_deg"] = frame.roll;
     line["pitch_deg"] = frame.pitch;
+    line["camera"] = cameraForReport(frame.camera);
     line["status"] = STATUS_WORDS[m.status];
     line["model"] = modelWord(m.model);
     line["alpha"] = orNull(ok, m.alpha);

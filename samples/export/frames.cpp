@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "frames.hpp"
+#include "camera_of_report.hpp"
 #include "files.hpp"
 #include "motion_words.hpp"
 #include "options.hpp"
@@ -21,16 +22,20 @@ using namespace cv::rsackermann;
 
 MotionFrame::MotionFrame()
     : frame(-1), time(std::numeric_limits<double>::quiet_NaN()), roll(std::numeric_limits<double>::quiet_NaN()),
-      pitch(std::numeric_limits<double>::quiet_NaN())
+      pitch(std::numeric_limits<double>::quiet_NaN()), hasCamera(false), isDepthUsed(false)
 {
 }
 
-RollingShutterCamera MotionFrame::cameraOf(const RollingShutterCamera& camera) const
+RollingShutterCamera MotionFrame::cameraOf(const RollingShutterCamera& common) const
 {
-    if (size.area() > 0 && size != camera.imageSize)
+    if (size.area() > 0 && size != common.imageSize)
         throw InputError(cv::format("%s has %d x %d pixels, but the camera %d x %d", name().c_str(), size.width,
-                                    size.height, camera.imageSize.width, camera.imageSize.height));
-    RollingShutterCamera own = camera;
+                                    size.height, common.imageSize.width, common.imageSize.height));
+    const std::string difference = hasCamera ? differenceOf(camera, common) : "";
+    if (!difference.empty())
+        throw InputError(name() + " was corrected with a camera of another " + difference +
+                         " (without options for the camera it is that of the report)");
+    RollingShutterCamera own = common;
     if (!std::isnan(roll) && !std::isnan(pitch))
         own.setRollPitch(roll * DEGREE, pitch * DEGREE);
     return own;
@@ -125,6 +130,10 @@ std::vector<MotionFrame> readReport(const std::string& path)
         frame.size = cv::Size(line.value("width", 0), line.value("height", 0));
         frame.roll = line.value("roll_deg", frame.roll);
         frame.pitch = line.value("pitch_deg", frame.pitch);
+        frame.hasCamera = line.contains("camera"); // reports of before 0.2 don't
+        if (frame.hasCamera)
+            frame.camera = cameraOfReport(line.at("camera"), frame.size, source);
+        frame.isDepthUsed = line.contains("depth_used") && line.at("depth_used") == true;
         frame.motion = motionOf(line, source);
         frames.push_back(frame);
     });

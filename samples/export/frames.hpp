@@ -14,17 +14,20 @@ namespace rsackermann_samples {
 //! A frame whose motion is known.
 struct MotionFrame
 {
-    std::string input;  //!< as the report names it
-    int frame;          //!< number of a video's frame; -1: the input is an image
-    double time;        //!< seconds; NaN: unknown
-    cv::Size size;      //!< of the image; 0 x 0: unknown
-    double roll, pitch; //!< degrees, of the camera in this frame; NaN: as in all frames
+    std::string input;                            //!< as the report names it
+    int frame;                                    //!< number of a video's frame; -1: the input is an image
+    double time;                                  //!< seconds; NaN: unknown
+    cv::Size size;                                //!< of the image; 0 x 0: unknown
+    double roll, pitch;                           //!< degrees, of the camera in this frame; NaN: as in all frames
+    bool hasCamera;                               //!< whether the report has the camera
+    cv::rsackermann::RollingShutterCamera camera; //!< if so, level
+    bool isDepthUsed;                             //!< whether the image was corrected with a given depth
     cv::rsackermann::AckermannMotion motion;
 
     MotionFrame();
 
-    //! The camera of this frame from that of all frames; throws InputError if the image had another size.
-    cv::rsackermann::RollingShutterCamera cameraOf(const cv::rsackermann::RollingShutterCamera& camera) const;
+    //! The camera of this frame from that of all frames; throws InputError if the image had another one.
+    cv::rsackermann::RollingShutterCamera cameraOf(const cv::rsackermann::RollingShutterCamera& common) const;
 
     //! A name for files of this frame: that of the image, or that of the video with the frame's number.
     std::string name() const;

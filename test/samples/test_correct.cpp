@@ -81,6 +81,7 @@ TEST(Correct, report_keys)
                                 "height",
                                 "roll_deg",
                                 "pitch_deg",
+                                "camera",
                                 "status",
                                 "model",
                                 "alpha",

@@ -605,6 +605,136 @@ TEST_F(Export, report_and_camera_give_the_maps)
     EXPECT_NE(std::string::npos, other.messages.find("has 640 x 380 pixels")) << other.messages;
 }
 
+// Options and columns of a log at random: the report alone gives the maps.
+void checkRandomCommandLines(const TemporaryFolder& folder, uint64 seed, int rounds)
+{
+    ASSERT_EQ(0, simulate({"--output=" + (folder / "drive"), "--frames=3", "--speed=40", "--left=6", "--right=8",
+                           "--lens=-0.2,0.05,0.001,0.001"})
+                     .exitCode);
+    const std::string image = folder / "drive/frames/000002.png";
+    cv::RNG rng(seed);
+    const auto number = [&rng](const char* format, double low, double high) {
+        return cv::format(format, rng.uniform(low, high));
+    };
+    int moving = 0;
+    for (int round = 0; round < rounds; round++)
+    {
+        const bool isSequence = round % 4 == 3;
+        Arguments arguments;
+        if (rng.uniform(0, 2))
+            arguments.push_back("--camera=" + (folder / "drive/camera.yml"));
+        else
+            arguments = {number("--focal=%.3f", 700, 900), number("--readout=%.4f", 0.01, 0.03)};
+        const std::string options[] = {number("--focal_sigma=%.3f", 1, 50),
+                                       rng.uniform(0, 2) ? "--reference=first" : number("--reference=%.2f", 0, 379),
+                                       number("--roll=%.3f", -2, 2),
+                                       number("--pitch=%.3f", -4, 4),
+                                       number("--heading=%.3f", -5, 5),
+                                       number("--height=%.3f", 1, 2),
+                                       number("--wall=%.3f", 2, 9),
+                                       number("--speed=%.3f", 20, 60),
+                                       number("--yaw_rate=%.3f", -20, 20),
+                                       number("--gravity_sigma=%.3f", 0, 1),
+                                       isSequence ? "--smooth" : "--scan=bottom_to_top"};
+        for (const std::string& option : options)
+            if (rng.uniform(0, 3) == 0)
+                arguments.push_back(option);
+        const std::pair<std::string, std::string> columns[] = {{"time_s", ""},
+                                                               {"speed_kmh", number("%.3f", 20, 60)},
+                                                               {"yaw_rate_deg_s", number("%.3f", -20, 20)},
+                                                               {"roll_deg", number("%.3f", -2, 2)},
+                                                               {"pitch_deg", number("%.3f", -4, 4)},
+                                                               {"gravity_sigma_deg", number("%.3f", 0.01, 1)}};
+        std::string log[4] = {"frame", "0", "1", "2"};
+        for (const std::pair<std::string, std::string>& column : columns)
+            if (rng.uniform(0, 2))
+                for (int row = 0; row < 4; row++)
+                    log[row] += "," + (row == 0                ? column.first
+                                       : column.second.empty() ? cv::format("%g", 7 + row / 30.)
+                                                               : column.second);
+        writeContent(folder / "log.csv", log[0] + "\n" + log[1] + "\n" + log[2] + "\n" + log[3] + "\n");
+        if (rng.uniform(0, 3))
+            arguments.push_back("--log=" + (folder / "log.csv"));
+        if (isSequence)
+            arguments.push_back("--carry");
+        arguments.push_back(isSequence ? folder / "drive/frames" : image);
+        std::string trace;
+        for (const std::string& argument : arguments)
+            trace += argument + " ";
+        SCOPED_TRACE(trace + log[0]);
+        const Outcome corrected = correct(arguments + Arguments{"--overwrite", "--maps=" + (folder / "maps/"),
+                                                                "--report=" + (folder / "report.jsonl")});
+        if (corrected.exitCode == 2) // --carry beside --smooth, say
+            continue;
+        ASSERT_EQ(0, corrected.exitCode) << corrected.messages;
+        const Outcome exported = exportMotion(
+            {"--report=" + (folder / "report.jsonl"), "--stmap=" + (folder / "stmap"), "--stmap_format=exr"});
+        ASSERT_EQ(0, exported.exitCode) << exported.messages;
+        std::istringstream lines(contentOf(folder / "report.jsonl"));
+        for (std::string line; std::getline(lines, line);)
+        {
+            moving += json::parse(line)["status"] == "ok";
+            const std::string input = json::parse(line)["input"];
+            const std::string stem = input.substr(input.size() - 10, 6);
+            expectSameMap(folder / ("maps/" + stem + ".yml.gz"), folder / ("stmap/" + stem + ".png.rectify.exr"));
+        }
+    }
+    EXPECT_GE(moving, rounds / 2);
+}
+
+TEST_F(Export, report_alone_gives_the_maps_of_random_command_lines)
+{
+    checkRandomCommandLines(folder, 11, 5);
+}
+
+TEST_F(Export, report_alone_gives_the_maps_of_many_random_command_lines)
+{
+    applyTestTag(CV_TEST_TAG_LONG);
+    checkRandomCommandLines(folder, 12, 100);
+}
+
+// A camera of which the report says something else isn't used in silence.
+TEST_F(Export, options_that_contradict_the_report)
+{
+    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--focal=816", "--readout=0.0133", "--wall=2.5",
+                          "--report=" + (folder / "report.jsonl")})
+                     .exitCode);
+    const Arguments report = {"--report=" + (folder / "report.jsonl"), "--row_poses=" + (folder / "poses.json")},
+                    same = {"--focal=816", "--readout=0.0133"};
+    EXPECT_EQ(0, exportMotion(report).exitCode);
+    EXPECT_EQ(0, exportMotion(report + same).exitCode);
+    std::remove((folder / "poses.json").c_str());
+    const std::pair<Arguments, const char*> others[] = {
+        {{"--focal=700", "--readout=0.0133"}, "matrix"},    {{"--focal=816", "--readout=0.02"}, "line_delay_s"},
+        {same + Arguments{"--scan=bottom_to_top"}, "scan"}, {same + Arguments{"--reference=first"}, "reference_line"},
+        {same + Arguments{"--heading=1"}, "heading_deg"},   {same + Arguments{"--height=1"}, "height_m"}};
+    for (const std::pair<Arguments, const char*>& other : others)
+    {
+        const Outcome outcome = exportMotion(report + other.first);
+        EXPECT_EQ(1, outcome.exitCode) << other.second;
+        EXPECT_NE(std::string::npos, outcome.messages.find(std::string("another ") + other.second)) << outcome.messages;
+        EXPECT_FALSE(cv::utils::fs::exists(folder / "poses.json"));
+    }
+}
+
+// The depth isn't in the report, and maps without it would be those of the planes.
+TEST_F(Export, maps_that_follow_a_depth_are_refused)
+{
+    cv::imwrite(folder / "rolling.png", cv::Mat(380, 640, CV_16U, cv::Scalar(9000)));
+    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--wall=2.5",
+                          "--depth=" + (folder / "rolling.png"), "--report=" + (folder / "report.jsonl")})
+                     .exitCode);
+    const std::string report = "--report=" + (folder / "report.jsonl");
+    for (const char* result : {"--stmap=", "--mesh="})
+    {
+        const Outcome outcome = exportMotion({report, result + (folder / "result")});
+        EXPECT_EQ(1, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find("corrected with a depth")) << outcome.messages;
+        EXPECT_FALSE(cv::utils::fs::exists(folder / "result"));
+    }
+    EXPECT_EQ(0, exportMotion({report, "--row_poses=" + (folder / "poses.json")}).exitCode);
+}
+
 // A car in reverse, and a shutter along the columns.
 TEST_F(Export, direction_and_lines_are_those_of_the_report)
 {
