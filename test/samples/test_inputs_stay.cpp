@@ -7,15 +7,25 @@
 #include "program.hpp"
 
 #include <map>
+#include <regex>
+#include <set>
 #include <unistd.h>
 
 namespace opencv_test { namespace {
 
-//! A program with options that read files, as --name=FILE, and options that write them.
+//! An option that writes: a file, or a folder with a file of this name.
+struct Output
+{
+    Output(const char* option_, const char* name_ = "") : option(option_), name(name_) {}
+    std::string option, name;
+};
+
+//! A program with options that read files and options that write them.
 struct Reads
 {
     std::string program;
-    Arguments others, inputs, outputs; //!< of inputs and outputs what stands before the file's name
+    Arguments others, inputs; //!< of inputs what stands before the file's name, as --name=
+    std::vector<Output> outputs;
 };
 
 class InputsStay : public testing::Test
@@ -37,82 +47,193 @@ protected:
         files["--points="] = "file,x,y,z\na.png,1,2,3\n";
         files["--image="] = contentOf(folder / "a.png");
         files["--motion="] = "%YAML:1.0\n---\nstatus: 1\n";
+        files["--corrected="] = files["--overlay="] = files["--image="];
+        writeContent(folder / "motion.yml", files["--motion="]);
+        writeContent(folder / "report.jsonl", files["--report="]);
+    }
+
+    //! @param way in which the name of the result is that of the input.
+    void checkInputStays(const Reads& reads, const std::string& input, const Output& output,
+                         const std::string& way) const
+    {
+        SCOPED_TRACE(reads.program + " " + input + " " + output.option + output.name + " " + way);
+        // All formats of results: a name that none of them refuses for its extension.
+        const bool isImage = output.option == "--overlay=" || output.option == "--picture=",
+                   isMaps = output.option == "--maps=" || output.option == "--output=";
+        const std::string target = folder / "written";
+        runCommand("rm -rf '" + target + "' && mkdir '" + target + "'");
+        const std::string name = output.name.empty() ? isImage  ? "input.png"
+                                                       : isMaps ? "input.yml"
+                                                                : "input.txt"
+                                                     : output.name,
+                          written = target + "/" + name;
+        std::string read = written;
+        if (way == "symbolic" || way == "hard")
+            read = target + "/other" + name.substr(name.find_last_of('.'));
+        writeContent(read, files.at(input));
+        if (way == "symbolic" || way == "hard")
+        {
+            ASSERT_EQ(0, way == "hard" ? link(read.c_str(), written.c_str()) : symlink(read.c_str(), written.c_str()));
+        }
+        const std::string result = output.name.empty() ? written : target;
+        Arguments arguments = reads.others + Arguments{input + read, output.option + result};
+        if (way == "dot")
+            arguments.back() = output.option + (output.name.empty() ? target + "/./" + name : target + "/../written");
+        if (reads.program != EXPORT_PROGRAM && output.option != "--picture=")
+            arguments.push_back("--overwrite");
+        const Outcome outcome = runProgram(reads.program, arguments);
+        EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.messages.find("would replace the input")) << outcome.messages;
+        EXPECT_EQ(files.at(input), contentOf(read));
+        if (reads.program != CORRECT_PROGRAM || way != "same")
+            return;
+        arguments.back() = "--skip_existing";
+        EXPECT_EQ(2, runProgram(reads.program, arguments).exitCode);
+        EXPECT_EQ(files.at(input), contentOf(read));
     }
 
     const TemporaryFolder folder;
     std::map<std::string, std::string> files; //!< content by the option that reads it
+
+    std::vector<Reads> programs() const
+    {
+        const std::string motion = "--motion=" + (folder / "motion.yml"), size = "--size=64x48";
+        std::vector<Reads> list = {
+            {CORRECT_PROGRAM,
+             {folder / "a.png"},
+             {"--camera=", "--log=", "--gyro=", "--depth=", "--lines="},
+             {"--maps=", "--report=", "--output=", "--overlay=", {"--output=", "a.png"}}},
+            {CORRECT_PROGRAM, {}, {"@"}, {"--report=", {"--output=", "a.png"}, {"--maps=", "a.yml.gz"}}},
+            {CALIBRATE_PROGRAM, {folder / "a.png", "--focal=50"}, {"--log=", "--gyro="}, {"--output="}},
+            {CALIBRATE_PROGRAM, {folder / "a.png"}, {"--camera="}, {"--output="}},
+            {CALIBRATE_PROGRAM, {"--focal=50"}, {"@"}, {"--output="}},
+            {EXPORT_PROGRAM,
+             {size},
+             {"--report=", "--motion="},
+             {"--row_poses=", "--mesh=", "--gcsv=", {"--colmap=", "cameras.txt"}}},
+            {EXPORT_PROGRAM, {size}, {"--report="}, {{"--stmap=", "a.png.rectify.png"}}},
+            {EXPORT_PROGRAM, {size, motion}, {"--camera="}, {"--row_poses=", {"--stmap=", "frame.png.distort.png"}}},
+            {EXPORT_PROGRAM,
+             {motion, size, "--tracks_output=" + (folder / "t.csv")},
+             {"--tracks="},
+             {"--row_poses=", "--mesh="}},
+            {EXPORT_PROGRAM, {motion, size, "--points_output=" + (folder / "p.csv")}, {"--points="}, {"--row_poses="}},
+            {EXPORT_PROGRAM, {motion, size}, {"--points="}, {"--points_output="}},
+            {EXPORT_PROGRAM, {motion, size}, {"--tracks="}, {"--tracks_output="}},
+            {PAGE_PROGRAM, {}, {"--report="}, {"--output="}},
+            {PAGE_PROGRAM, {"--report=" + (folder / "report.jsonl")}, {"--corrected=", "--overlay="}, {"--output="}},
+            {SIMULATE_PROGRAM,
+             {},
+             {"--image="},
+             {{"--output=", "rolling.png"}, {"--output=", "camera.yml"}, {"--output=", "truth.json"}}}};
+#ifdef LIVE_PROGRAM
+        list.push_back({LIVE_PROGRAM, {folder / "none.avi"}, {"--camera="}, {"--picture="}});
+#endif
+        return list;
+    }
 };
 
-TEST_F(InputsStay, whatever_reads_and_writes_them)
+// An option that is new says what it does with files.
+TEST_F(InputsStay, options_are_known)
 {
-    const Reads programs[] = {
-        {CORRECT_PROGRAM,
-         {folder / "a.png"},
-         {"--camera=", "--log=", "--gyro=", "--depth=", "--lines="},
-         {"--maps=", "--report=", "--output="}},
-        {CORRECT_PROGRAM, {}, {"@"}, {"--report="}},
-        {CALIBRATE_PROGRAM, {folder / "a.png", "--focal=50"}, {"--log="}, {"--output="}},
-        {CALIBRATE_PROGRAM, {folder / "a.png"}, {"--camera="}, {"--output="}},
-        {CALIBRATE_PROGRAM, {"--focal=50"}, {"@"}, {"--output="}},
-        {EXPORT_PROGRAM, {"--size=64x48"}, {"--report=", "--motion="}, {"--row_poses=", "--mesh="}},
-        {EXPORT_PROGRAM,
-         {"--motion=" + (folder / "motion.yml"), "--size=64x48", "--tracks_output=" + (folder / "t.csv")},
-         {"--tracks="},
-         {"--row_poses=", "--mesh="}},
-        {EXPORT_PROGRAM,
-         {"--motion=" + (folder / "motion.yml"), "--size=64x48", "--points_output=" + (folder / "p.csv")},
-         {"--points="},
-         {"--row_poses="}},
-        {EXPORT_PROGRAM, {"--motion=" + (folder / "motion.yml"), "--size=64x48"}, {"--points="}, {"--points_output="}},
-        {PAGE_PROGRAM, {}, {"--report="}, {"--output="}}};
-    writeContent(folder / "motion.yml", files["--motion="]);
-    for (const Reads& reads : programs)
-        for (const std::string& input : reads.inputs)
-            for (const std::string& output : reads.outputs)
-                for (const char* way : {"same", "dot", "symbolic", "hard"})
-                    for (const char* existing : {"--overwrite", "--skip_existing"})
-                    {
-                        // All formats of results: a name that none of them refuses for its extension.
-                        const std::string extension = output == "--maps=" || output == "--output=" ? ".yml" : ".txt",
-                                          read = folder / ("input" + extension), other = folder / ("other" + extension);
-                        std::remove(read.c_str());
-                        std::remove(other.c_str());
-                        writeContent(read, files.at(input));
-                        std::string written = read;
-                        if (way == std::string("dot"))
-                            written = folder / ("./input" + extension);
-                        else if (way != std::string("same"))
-                        {
-                            written = other;
-                            ASSERT_EQ(0, way[0] == 's' ? symlink(read.c_str(), other.c_str())
-                                                       : link(read.c_str(), other.c_str()));
-                        }
-                        Arguments arguments = reads.others;
-                        arguments.insert(arguments.end(), {input + read, output + written});
-                        if (reads.program == CORRECT_PROGRAM)
-                            arguments.push_back(existing);
-                        else if (reads.program == CALIBRATE_PROGRAM)
-                            arguments.push_back("--overwrite");
-                        SCOPED_TRACE(reads.program + " " + input + " " + output + " " + way);
-                        const Outcome outcome = runProgram(reads.program, arguments);
-                        EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
-                        EXPECT_NE(std::string::npos, outcome.messages.find("would replace the input"))
-                            << outcome.messages;
-                        EXPECT_EQ(files.at(input), contentOf(read));
-                    }
-}
-
-TEST_F(InputsStay, folders_with_results_of_fixed_names)
-{
-    const std::string image = contentOf(folder / "a.png");
-    for (const char* name : {"rolling.png", "global.png"})
+    const std::set<std::string> noFiles = {
+        "help",
+        "focal",
+        "focal_sigma",
+        "line_delay",
+        "readout",
+        "scan",
+        "reference",
+        "roll",
+        "pitch",
+        "heading",
+        "height",
+        "overwrite",
+        "threads",
+        "detector",
+        "wall",
+        "size",
+        "seed",
+        "gyro_delay", // of several programs
+        "scale_from_road",
+        "speed",
+        "speed_sigma",
+        "yaw_rate",
+        "yaw_rate_sigma",
+        "depth_kind",
+        "depth_camera",
+        "depth_scale",
+        "baseline",
+        "carry",
+        "smooth",
+        "gravity_sigma",
+        "usual_yaw_rate",
+        "model",
+        "shard",
+        "skip_existing", // of rsackermann_correct
+        "stmap_format",
+        "mesh_size", // of rsackermann_export
+        "width",
+        "embed",  // of rsackermann_page
+        "frames", // of rsackermann_live and rsackermann_simulate
+        "clutter",
+        "global",
+        "gyro",
+        "gyro_bias",
+        "gyro_noise",
+        "gyro_rate",
+        "left",
+        "lens",
+        "noise",
+        "obstacles",
+        "rays",
+        "right",
+        "samples",
+        "shake",
+        "shake_rate",
+        "speed_swing",
+        "stagger",
+        "stains",
+        "wall_direction",
+        "depth" // of rsackermann_simulate
+    };
+    std::map<std::string, std::set<std::string>> tested;
+    for (const Reads& reads : programs())
     {
-        const TemporaryFolder results;
-        writeContent(results / name, image);
-        const Outcome outcome = simulate({"--image=" + (results / name), "--output=" + results.path(), "--overwrite"});
-        EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
-        EXPECT_EQ(image, contentOf(results / name));
+        for (const std::string& input : reads.inputs)
+            tested[reads.program].insert(input);
+        for (const Output& output : reads.outputs)
+            tested[reads.program].insert(output.option);
+    }
+    const std::regex option("\\n\\t--([a-z_]+)");
+    for (const std::pair<const std::string, std::set<std::string>>& program : tested)
+    {
+        const std::string help = runProgram(program.first, {"--help"}).output;
+        int count = 0;
+        for (std::sregex_iterator it(help.begin(), help.end(), option); it != std::sregex_iterator(); ++it, count++)
+        {
+            const bool isFile = program.second.count("--" + (*it)[1].str() + "=") > 0;
+            EXPECT_TRUE(isFile || noFiles.count((*it)[1])) << program.first << " --" << (*it)[1];
+        }
+        EXPECT_GT(count, 5) << program.first;
     }
 }
+
+class InputsStayByName : public InputsStay, public testing::WithParamInterface<const char*>
+{
+};
+
+// Every input as every result; other names than the input's own for the first ones.
+TEST_P(InputsStayByName, whatever_reads_and_writes_them)
+{
+    const std::string way = GetParam();
+    for (const Reads& reads : programs())
+        for (size_t i = 0; i < reads.inputs.size(); i++)
+            for (size_t k = 0; k < reads.outputs.size(); k++)
+                if (way == "same" || i == 0 || k == 0)
+                    checkInputStays(reads, reads.inputs[i], reads.outputs[k], way);
+}
+
+INSTANTIATE_TEST_CASE_P(Ways, InputsStayByName, testing::Values("same", "dot", "symbolic", "hard"));
 
 }} // namespace opencv_test::
