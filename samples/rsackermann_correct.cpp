@@ -7,6 +7,7 @@
 #include "correct/batch.hpp"
 #include "estimator_options.hpp"
 #include "output/interrupt.hpp"
+#include "prior_options.hpp"
 
 namespace {
 
@@ -29,5 +30,6 @@ int run(const Options& options)
 
 int main(int argc, const char** argv)
 {
-    return runProgram(ABOUT, std::string(JOB_KEYS) + GYRO_KEYS + DETECTOR_KEY + CAMERA_KEYS, run, argc, argv);
+    return runProgram(ABOUT, std::string(JOB_KEYS) + PRIOR_KEYS + GYRO_KEYS + DETECTOR_KEY + CAMERA_KEYS, run, argc,
+                      argv);
 }

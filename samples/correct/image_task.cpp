@@ -5,6 +5,7 @@
 #include "image_task.hpp"
 #include "files.hpp"
 #include "map_file.hpp"
+#include "output/image_file.hpp"
 
 namespace rsackermann_samples {
 
@@ -13,12 +14,6 @@ namespace {
 bool isSame(const cv::Mat& a, const cv::Mat& b)
 {
     return a.data == b.data || cv::norm(a, b, cv::NORM_INF) == 0;
-}
-
-void writeImage(AtomicFile& file, const cv::Mat& image, const std::vector<uchar>& exif)
-{
-    const std::vector<uchar> bytes = encodeImage(file.path(), image, exif);
-    file.write(bytes.data(), bytes.size());
 }
 
 // An image that stays as it is would lose by being coded again. Of formats with an orientation only those whose Exif

@@ -6,6 +6,8 @@
 #include "estimator_options.hpp"
 #include "log_use.hpp"
 #include "files.hpp"
+#include "output/result_names.hpp"
+#include "prior_options.hpp"
 #include "targets.hpp"
 #include "units.hpp"
 
@@ -23,11 +25,6 @@ const char* const JOB_KEYS =
     "{help       |        | print this message}"
     "{wall       |        | metres to the left (or only) wall; makes the speed metric}"
     "{scale_from_road |   | without --wall: estimate its distance from --height and wall segments that stand on the road}"
-    "{speed      |        | km/h that the car reports, negative in reverse; needs the line delay; with --height it "
-    "gives the road}"
-    "{speed_sigma |       | standard deviation of --speed in km/h (default 2)}"
-    "{yaw_rate   |        | deg/s that the car or a gyro reports, positive to the right; needs the line delay}"
-    "{yaw_rate_sigma |    | standard deviation of --yaw_rate in deg/s (default 1)}"
     "{log        |        | CSV file with values for each frame (columns file, frame, time_s, speed_kmh, "
     "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it overrides "
     "the options}"
@@ -76,28 +73,9 @@ void warnUseless(const std::string& what, const std::string& missing)
     std::cerr << "rsackermann_correct: " << what << " has no effect without " << missing << std::endl;
 }
 
-// A value with its standard deviation, in the given unit; false if it isn't known.
-bool readMeasurement(const Options& options, const std::string& name, double limit, double defaultSigma, double unit,
-                     double& value, double& sigma)
-{
-    const std::string sigmaName = name + "_sigma";
-    if (!options.given(name))
-    {
-        if (options.given(sigmaName))
-            throw UsageError("--" + sigmaName + " needs --" + name);
-        return false;
-    }
-    value = options.number(name, -limit, limit) * unit;
-    sigma = (options.given(sigmaName) ? options.number(sigmaName, 0, limit, false) : defaultSigma) * unit;
-    return true;
-}
-
 MotionPrior readPrior(const Options& options, const Job& job)
 {
-    MotionPrior prior;
-    const bool speed = readMeasurement(options, "speed", 1000, SPEED_SIGMA, KMH, prior.speed, prior.speedSigma);
-    const bool yawRate =
-        readMeasurement(options, "yaw_rate", 1000, YAW_RATE_SIGMA, DEGREE, prior.yawRate, prior.yawRateSigma);
+    const MotionPrior prior = readPriorOptions(options);
     const bool readsRows = job.camera.scan == SCAN_TOP_TO_BOTTOM || job.camera.scan == SCAN_BOTTOM_TO_TOP,
                metric = readsRows && (job.camera.lineDelay > 0 || job.camera.readOut > 0);
     const std::string delay = readsRows ? "the line delay (--line_delay, --readout or in the camera file)"
@@ -106,9 +84,9 @@ MotionPrior readPrior(const Options& options, const Job& job)
         warnUseless(job.smooth ? "--smooth" : "--carry", delay);
     if (!job.gyro.times.empty() && !metric)
         warnUseless("--gyro", delay);
-    if (speed && !metric)
+    if (options.given("speed") && !metric)
         warnUseless("--speed", delay);
-    if (yawRate && !metric)
+    if (options.given("yaw_rate") && !metric)
         warnUseless("--yaw_rate", delay);
     if (job.log.hasSpeed() && !metric)
         warnUseless("speed_kmh in the log", delay);
@@ -129,12 +107,6 @@ void checkScale(const Job& job)
 std::string target(const Options& options, const std::string& name)
 {
     return options.given(name) ? options.text(name) : "";
-}
-
-// A single image goes to a file, unless the name is that of a folder.
-bool isFolder(const InputList& inputs, const std::string& path)
-{
-    return !path.empty() && (!inputs.single || path.back() == '/' || cv::utils::fs::isDirectory(path));
 }
 
 bool hasVideo(const InputList& inputs)
@@ -233,9 +205,9 @@ Job readJob(const Options& options)
     job.depth = DepthSource(options, job.inputs);
     if (job.linesGiven)
         job.lines = readSegments(options.inputFile("lines"));
-    job.outputIsFolder = isFolder(job.inputs, job.output);
-    job.overlayIsFolder = isFolder(job.inputs, job.overlay);
-    job.mapsIsFolder = isFolder(job.inputs, job.maps) || (!job.maps.empty() && hasVideo(job.inputs));
+    job.outputIsFolder = isResultFolder(job.output, job.inputs.single);
+    job.overlayIsFolder = isResultFolder(job.overlay, job.inputs.single);
+    job.mapsIsFolder = isResultFolder(job.maps, job.inputs.single) || (!job.maps.empty() && hasVideo(job.inputs));
     if (options.given("log"))
         checkLog(job.log, job.inputs, "rsackermann_correct");
     checkTargets(options, job);

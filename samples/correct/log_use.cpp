@@ -4,6 +4,7 @@
 
 #include "log_use.hpp"
 #include "options.hpp"
+#include "prior_options.hpp"
 #include "units.hpp"
 
 #include <cmath>

@@ -11,9 +11,6 @@
 
 namespace rsackermann_samples {
 
-//! Standard deviations of values that are given without one, km/h and deg/s.
-const double SPEED_SIGMA = 2, YAW_RATE_SIGMA = 1;
-
 //! The prior of a frame from its facts; values that they leave open are those of the other prior.
 cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts,
                                      const cv::rsackermann::MotionPrior& other = cv::rsackermann::MotionPrior());

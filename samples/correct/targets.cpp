@@ -56,12 +56,7 @@ void Targets::check(const Job& job) const
         if (!path.empty() && !isVideo(input_) && !cv::haveImageWriter(path))
             throw InputError(path + " has the extension of no image format that can be written");
     for (const std::string& path : {output, overlay, isVideo(input_) ? std::string() : maps})
-    {
-        if (cv::utils::fs::isDirectory(path))
-            throw InputError(path + " is a folder");
-        if (!job.overwrite && cv::utils::fs::exists(path))
-            throw InputError(path + " exists (--overwrite replaces it)");
-    }
+        checkResult(path, job.overwrite);
 }
 
 void Targets::addTo(OutputPlan& plan) const

@@ -8,6 +8,7 @@
 #include "estimator_options.hpp"
 #include "job.hpp"
 #include "options.hpp"
+#include "prior_options.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -30,7 +31,7 @@ bool leavesFolder(const std::string& argument)
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     static const fuzz::Folder folder;
-    static const std::string keys = std::string(CAMERA_KEYS) + DETECTOR_KEY + JOB_KEYS;
+    static const std::string keys = std::string(CAMERA_KEYS) + DETECTOR_KEY + PRIOR_KEYS + JOB_KEYS;
     if (size > 1000)
         return 0;
     std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));

@@ -10,6 +10,13 @@
 
 namespace rsackermann_samples {
 
+//! Writes an image, with Exif data that the formats keep which addExif() knows; throws InputError.
+inline void writeImage(AtomicFile& file, const cv::Mat& image, const std::vector<uchar>& exif)
+{
+    const std::vector<uchar> bytes = encodeImage(file.path(), image, exif);
+    file.write(bytes.data(), bytes.size());
+}
+
 //! Writes an image that appears complete or not at all, in the format of the path's extension; throws InputError.
 inline void writeImage(const std::string& path, const cv::Mat& image)
 {

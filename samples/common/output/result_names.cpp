@@ -5,7 +5,14 @@
 #include "result_names.hpp"
 #include "files.hpp"
 
+#include "opencv2/core/utils/filesystem.hpp"
+
 namespace rsackermann_samples {
+
+bool isResultFolder(const std::string& target, bool isSingle)
+{
+    return !target.empty() && (!isSingle || target.back() == '/' || cv::utils::fs::isDirectory(target));
+}
 
 std::string resultPath(const std::string& target, bool isFolder, const std::string& name)
 {
@@ -19,6 +26,14 @@ std::string overlayName(const std::string& input)
     // It has colours, which not every format of an image has.
     const std::string format = extension(input);
     return format == ".pgm" || format == ".pbm" ? stem(input) + ".png" : fileName(input);
+}
+
+void checkResult(const std::string& path, bool isReplaced)
+{
+    if (cv::utils::fs::isDirectory(path))
+        throw InputError(path + " is a folder");
+    if (!isReplaced && cv::utils::fs::exists(path))
+        throw InputError(path + " exists (--overwrite replaces it)");
 }
 
 } // namespace rsackermann_samples

@@ -9,12 +9,18 @@
 
 namespace rsackermann_samples {
 
+//! Whether results go to a folder of that name: they do if there are several, or if the name is that of a folder.
+bool isResultFolder(const std::string& target, bool isSingle);
+
 //! Where a result goes; empty if it isn't wanted.
 //! @param name without folders, for a result in a folder.
 std::string resultPath(const std::string& target, bool isFolder, const std::string& name);
 
 //! The name, without folders, of the picture of an input's segments.
 std::string overlayName(const std::string& input);
+
+//! Throws InputError if a file of that name can't be written: it is a folder, or exists and mustn't be replaced.
+void checkResult(const std::string& path, bool isReplaced);
 
 } // namespace rsackermann_samples
 
