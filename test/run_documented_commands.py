@@ -16,6 +16,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), 'samples'))
+import onnx_networks  # pylint: disable=wrong-import-position
+
 # Commands, or with a space at the end beginnings of commands.
 NOT_RUN = {
     'test/run_tests.sh': 'is what runs this test',
@@ -33,6 +37,7 @@ NOT_RUN = {
     'build/opencv_perf_rsackermann ': 'minutes; a test of its own runs it with one sample',
     'python3 "$(scripts/get_opencv_source.sh)"/modules/ts/misc/summary.py ':
         'fetches the source of OpenCV to compare two long runs',
+    'python3 correct_with_depth_network.py ': 'check_depth_network.py runs it with Python\'s packages',
     'test/trust/faults.py ': 'a test of its own',
     'test/check_shards.py ': 'a test of its own',
     'scripts/get_opencv_source.sh': 'goes before pip, which test/check_wheel.py runs',
@@ -68,7 +73,7 @@ LINE_DELAY = 0.025 / SIZE[1]
 
 def make_inputs(folder):
     """street.jpg, frames/ with images and depth/ with theirs, drive/ with frames that are 1/30 s apart, drive.csv, camera.yml,
-    cloud.csv with points of a frame, and what is in MADE_BY."""
+    cloud.csv with points of a frame, network.onnx, and what is in MADE_BY."""
     def render(name, *options):
         subprocess.run(['rsackermann_simulate', '--output=one', '--overwrite', '--size=%dx%d' % SIZE, '--focal=400',
                         '--line_delay=%r' % LINE_DELAY, '--left=6', '--right=7', '--speed=36', '--yaw_rate=12',
@@ -91,6 +96,8 @@ def make_inputs(folder):
         file.writelines('%d,%r,36,12\n' % (i, i / 30) for i in range(FRAMES))
     with open(os.path.join(folder, 'cloud.csv'), 'w', encoding='utf-8') as file:
         file.write('file,x,y,z\n0001.png,-1,0.5,8\n')
+    with open(os.path.join(folder, 'network.onnx'), 'wb') as file:
+        file.write(onnx_networks.sum_of_channels(onnx_networks.WEIGHTS, onnx_networks.BIAS, (256, 256)))
     shutil.copy(os.path.join(folder, 'frames', '0000.png'), os.path.join(folder, 'street.jpg'))
     shutil.copy(os.path.join(folder, 'camera.yml'), os.path.join(folder, 'calibrated.yml'))
     subprocess.run(['rsackermann_correct', 'frames', '--camera=camera.yml', '--report=report.jsonl'],
