@@ -88,9 +88,10 @@ def two_inputs(size):
 
 
 def two_outputs(size):
-    shape = (1, 3, size[1], size[0])
-    return model([node('Relu', ['image'], 'depth'), node('Sigmoid', ['image'], 'confidence')], [],
-                 [value('image', shape)], [value('depth', shape), value('confidence', shape)])
+    shape = (1, 1, size[1], size[0])
+    return model([weighted_sum('image', 'depth'), weighted_sum('image', 'confidence')],
+                 [tensor('weights', (1, 3, 1, 1), [1, 1, 1]), tensor('bias', (1,), [0])],
+                 [value('image', (1, 3, size[1], size[0]))], [value('depth', shape), value('confidence', shape)])
 
 
 def one_number(size):
