@@ -58,7 +58,7 @@ bool readRow(const DepthMap& depth, int y, double nearest, float* inverse)
 
 InverseDepthImage::InverseDepthImage(const DepthMap& depth, const ShutterGeometry& shutter, const Matx33d& matrix,
                                      double way, double nearest)
-    : image(depth.values.size()), lastX(float(image.cols - 1)), lastY(float(image.rows - 1))
+    : image(depth.values.size()), lastX(float(image.cols - 1)), lastY(float(image.rows - 1)), lowest(0), highest(0)
 {
     std::vector<uchar> isComplete(image.rows);
     parallel_for_(Range(0, image.rows), [&](const Range& rows) {
@@ -107,6 +107,8 @@ void InverseDepthImage::findRanges()
             }
         }
     });
+    lowest = *std::min_element(lows.begin(), lows.end());
+    highest = *std::max_element(highs.begin(), highs.end());
 }
 
 Rect InverseDepthImage::blocksOf(const Rect& area) const

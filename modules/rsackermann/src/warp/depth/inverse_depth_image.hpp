@@ -26,6 +26,13 @@ public:
     //! is outside; never too narrow.
     void range(const Rect& area, float& low, float& high) const;
 
+    //! Those of the whole image.
+    void range(float& low, float& high) const
+    {
+        low = lowest;
+        high = highest;
+    }
+
     //! A limit to the difference between neighbouring pixels, across plus down, in such a rectangle.
     float steepest(const Rect& area) const;
 
@@ -55,7 +62,7 @@ private:
 
     Mat1f image;
     Mat1f lows, highs, steps; // of blocks; steps also to the next block
-    float lastX, lastY;
+    float lastX, lastY, lowest, highest;
 };
 
 }} // namespace cv::rsackermann

@@ -5,6 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_DEPTH_REACH_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_DEPTH_REACH_HPP
 
+#include "../maps/pixel_curve.hpp"
 #include "depth_places.hpp"
 #include "inverse_depth_image.hpp"
 
@@ -31,31 +32,81 @@ public:
                     Point(cvCeil(right) + margin, cvCeil(bottom) + margin));
     }
 
+    //! A square of pixels around the places, of which those outside of an image count as on its border.
+    Rect square(float lastX, float lastY) const
+    {
+        const auto inside = [](float value, float last) { return std::min(std::max(value, 0.f), last); };
+        const Point first(cvFloor(inside(left, lastX)), cvFloor(inside(top, lastY))),
+            last(cvCeil(inside(right, lastX)), cvCeil(inside(bottom, lastY)));
+        const int smallest = 3;
+        return Rect(first, Size(1, 1) * std::max(std::max(last.x - first.x, last.y - first.y), smallest));
+    }
+
 private:
     float left, top, right, bottom;
 };
 
-/** The inverse depths of all surfaces that pixels of a map may show; false if one of its corners has no place.
-@param corner first one of the pixels.
-@param size from there to the opposite corner. */
-inline bool findReach(const DepthPlaces& places, const InverseDepthImage& depths, const Point2d& corner,
-                      const Size& size, float& low, float& high)
+/** Narrows the inverse depths of all surfaces that a block of pixels may show; false if one of its corners has no
+place.
+@param placeOf bool(int corner, float inverseDepth, Point2f& place), of four corners.
+@param low, high read and written.
+@param stretch receives by how many pixels neighbours in the other image may be displaced against each other. */
+template <class PlaceOf>
+bool narrowReach(const PlaceOf& placeOf, const InverseDepthImage& depths, float& low, float& high, float& stretch)
 {
     const int rounds = 2; // the first one narrows down what the second one looks at
-    depths.range(Rect(Point(), depths.values().size()), low, high);
     for (int i = 0; i < rounds; i++)
     {
         Reach reach;
-        for (int k = 0; k < 8; k++)
+        float longest = 0;
+        for (int k = 0; k < 4; k++)
         {
-            Point2d place;
-            if (!places.find(corner + Point2d(k % 2 * size.width, k / 2 % 2 * size.height), k < 4 ? low : high, place))
+            Point2f near, far;
+            if (!placeOf(k, high, near) || !placeOf(k, low, far))
                 return false;
-            reach.add(place);
+            reach.add(near);
+            reach.add(far);
+            longest = std::max(longest, std::max(std::abs(near.x - far.x), std::abs(near.y - far.y)));
         }
+        const float pixelsPerDepth = high > low ? longest / (high - low) : 0;
         depths.range(reach.area(), low, high);
+        stretch = pixelsPerDepth * depths.steepest(reach.area());
     }
     return true;
+}
+
+//! The same in a part of a patch, counted from its first pixel.
+inline void narrowReach(const DepthPatch& patch, const Rect& part, const InverseDepthImage& depths, float& low,
+                        float& high, float& stretch)
+{
+    const auto curveAt = [&](int k) {
+        return CubicCurve(patch, part.tl() + Point(k % 2 * part.width, k / 2 * part.height));
+    };
+    const CubicCurve curves[] = {curveAt(0), curveAt(1), curveAt(2), curveAt(3)};
+    narrowReach(
+        [&](int k, float inverseDepth, Point2f& place) {
+            place = curves[k].at(inverseDepth);
+            return true;
+        },
+        depths, low, high, stretch);
+}
+
+/** The same for pixels of a map of which nothing is known yet.
+@param corner first one of the pixels.
+@param size from there to the opposite corner. */
+inline bool findReach(const DepthPlaces& places, const InverseDepthImage& depths, const Point2d& corner,
+                      const Size& size, float& low, float& high, float& stretch)
+{
+    depths.range(low, high);
+    return narrowReach(
+        [&](int k, float inverseDepth, Point2f& place) {
+            Point2d exact;
+            const bool found =
+                places.find(corner + Point2d(k % 2 * size.width, k / 2 * size.height), inverseDepth, exact);
+            place = exact;
+            return found;
+        },
+        depths, low, high, stretch);
 }
 
 }} // namespace cv::rsackermann

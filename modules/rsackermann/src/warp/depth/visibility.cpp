@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
-#include "../maps/pixel_curve.hpp"
 #include "reach.hpp"
 #include "surface_search.hpp"
 #include "visibility.hpp"
@@ -12,35 +11,112 @@ namespace cv { namespace rsackermann {
 
 static bool isNear(const Point2f& a, const Point2f& b)
 {
-    const float half = 0.5f; // pixels: surfaces that aren't further apart hide nothing of one another
-    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) <= half;
+    const float limit = 1; // pixel: surfaces that aren't further apart, as those of noise, hide nothing of one another
+    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) <= limit;
 }
 
-bool Visibility::isSeen(const Point& pixel, const Point2f& place) const
+namespace {
+
+const int SMALLEST = 8; // pixels of blocks that aren't divided any more
+
+// Calls use(part) for the four parts of a block.
+template <class Use>
+void divide(const Rect& block, const Use& use)
 {
-    if (!(place.x >= 0 && place.y >= 0 && place.x <= columns.cols - 1 && place.y <= columns.rows - 1) ||
-        showsInMap(pixel, place))
-        return true;
-    float low, high, depth;
-    Point2d shown;
-    if (!findReach(back, depths, place, Size(), low, high))
-        return true;
-    SurfaceSearch<CubicCurve>(depths, CubicCurve(back, place, low, high), low, high).find(depth);
-    return back.find(place, depth, shown) && isNear(shown, pixel);
+    const Size half((block.width + 1) / 2, (block.height + 1) / 2);
+    for (int k = 0; k < 4; k++)
+    {
+        const Rect part = Rect(block.tl() + Point(k % 2 * half.width, k / 2 * half.height), half) & block;
+        if (!part.empty())
+            use(part);
+    }
 }
 
-// Between pixels that show the same surface the map is linear.
-bool Visibility::showsInMap(const Point& pixel, const Point2f& place) const
+} // namespace
+
+// A square around the places inside of the other image, in which the others count as on its border.
+Rect Visibility::placesOf(const Rect& block, const MapWriter::Tile& tile) const
 {
-    if (columns.cols < 2 || columns.rows < 2)
-        return false;
-    const int x = std::min(int(place.x), columns.cols - 2), y = std::min(int(place.y), columns.rows - 2);
-    const float fx = place.x - x, fy = place.y - y;
-    Point2f shown[2];
-    for (int k = 0; k < 2; k++)
-        shown[k] = (1 - fx) * Point2f(columns(y + k, x), rows(y + k, x)) +
-                   fx * Point2f(columns(y + k, x + 1), rows(y + k, x + 1));
-    return isNear((1 - fy) * shown[0] + fy * shown[1], pixel);
+    float low[2][MapWriter::TILE], high[2][MapWriter::TILE]; // of the columns, so that the loops are vectors
+    for (int axis = 0; axis < 2; axis++)
+    {
+        std::fill(low[axis], low[axis] + block.width, FLT_MAX);
+        std::fill(high[axis], high[axis] + block.width, -FLT_MAX);
+        for (int y = block.y; y < block.br().y; y++)
+        {
+            const float* places = axis == 0 ? tile.x(Point(block.x, y)) : tile.y(Point(block.x, y));
+            for (int j = 0; j < block.width; j++)
+            {
+                low[axis][j] = std::min(low[axis][j], places[j]);
+                high[axis][j] = std::max(high[axis][j], places[j]);
+            }
+        }
+    }
+    Reach reach;
+    for (int j = 0; j < block.width; j++)
+    {
+        reach.add(Point2f(low[0][j], low[1][j]));
+        reach.add(Point2f(high[0][j], high[1][j]));
+    }
+    return reach.square(lastX, lastY);
+}
+
+// If the pixels that could be in front of a block and those behind belong to one surface all are seen.
+void Visibility::find(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const
+{
+    const Rect square = placesOf(block, tile);
+    float low, high, stretch;
+    DepthPatch patch;
+    const bool isKnown = findReach(back, depths, square.tl(), square.size(), low, high, stretch);
+    if (isKnown && stretch <= SurfaceSearch<CubicCurve>::largestStretch())
+        hidden(block).setTo(0);
+    else if (isKnown && patch.fit(square, low, high, back))
+        findByPatch(patch, square.tl(), low, high, block, tile, hidden);
+    else if (std::max(block.width, block.height) > SMALLEST)
+        divide(block, [&](const Rect& part) { find(part, tile, hidden); });
+    else
+        forEachInside(block, tile, hidden, [&](const Point& pixel, const Point2f& place) {
+            float nearest, farthest, depth;
+            Point2d shown;
+            if (!findReach(back, depths, place, Size(), farthest, nearest, stretch))
+                return true;
+            const CubicCurve curve(back, place, farthest, nearest);
+            SurfaceSearch<CubicCurve>(depths, curve, farthest, nearest).find(depth);
+            return back.find(place, depth, shown) && isNear(shown, pixel);
+        });
+}
+
+void Visibility::findByPatch(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
+                             const MapWriter::Tile& tile, Mat1b& hidden) const
+{
+    const Rect square = placesOf(block, tile);
+    float stretch;
+    narrowReach(patch, Rect(square.tl() - first, square.size()), depths, low, high, stretch);
+    if (stretch <= SurfaceSearch<CubicCurve>::largestStretch())
+        hidden(block).setTo(0);
+    else if (std::max(block.width, block.height) > SMALLEST)
+        divide(block, [&](const Rect& part) { findByPatch(patch, first, low, high, part, tile, hidden); });
+    else
+        forEachInside(block, tile, hidden, [&](const Point& pixel, const Point2f& place) {
+            const CubicCurve curve(patch, place - Point2f(first));
+            float depth;
+            SurfaceSearch<CubicCurve>(depths, curve, low, high).find(depth);
+            return isNear(curve.at(depth), pixel);
+        });
+}
+
+template <class IsSeen>
+void Visibility::forEachInside(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden,
+                               const IsSeen& isSeen) const
+{
+    for (int y = block.y; y < block.br().y; y++)
+        for (int x = block.x; x < block.br().x; x++)
+        {
+            const Point pixel(x, y);
+            const Point2f place(*tile.x(pixel), *tile.y(pixel));
+            const bool isInside = place.x >= 0 && place.y >= 0 && place.x <= lastX && place.y <= lastY;
+            hidden(pixel) = !isInside || isSeen(pixel, place) ? 0 : 255;
+        }
 }
 
 }} // namespace cv::rsackermann

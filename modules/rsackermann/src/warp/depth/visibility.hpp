@@ -5,32 +5,37 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_DEPTH_VISIBILITY_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_DEPTH_VISIBILITY_HPP
 
-#include "depth_places.hpp"
+#include "../maps/depth_patch.hpp"
+#include "../maps/map_writer.hpp"
 #include "inverse_depth_image.hpp"
 
 namespace cv { namespace rsackermann {
 
-//! Whether the other image shows a pixel of known depth at its place, or something in front of it.
+//! Whether the other image shows pixels of known depth at their places, or something in front of them.
 class Visibility
 {
 public:
     /** @param back places of the pixels of the other image in the map's own image.
         @param depths of the map's own image.
-        @param columns, rows the map that follows from them, CV_32F. */
-    Visibility(const DepthPlaces& back_, const InverseDepthImage& depths_, const Mat1f& columns_, const Mat1f& rows_)
-        : back(back_), depths(depths_), columns(columns_), rows(rows_)
+        @param size of the other image: what is outside of it counts as seen. */
+    Visibility(const DepthPlaces& back_, const InverseDepthImage& depths_, const Size& size)
+        : back(back_), depths(depths_), lastX(float(size.width - 1)), lastY(float(size.height - 1))
     {
     }
 
-    //! @param place of the pixel; what is outside of the other image counts as seen.
-    bool isSeen(const Point& pixel, const Point2f& place) const;
+    //! Finds the hidden ones among the pixels of a block, whose places a tile has: 255, or 0 for those that are seen.
+    void find(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const;
 
 private:
-    bool showsInMap(const Point& pixel, const Point2f& place) const;
+    Rect placesOf(const Rect& block, const MapWriter::Tile& tile) const;
+    void findByPatch(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
+                     const MapWriter::Tile& tile, Mat1b& hidden) const;
+    template <class IsSeen>
+    void forEachInside(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden, const IsSeen& isSeen) const;
 
     const DepthPlaces& back;
     const InverseDepthImage& depths;
-    Mat1f columns, rows;
+    float lastX, lastY;
 };
 
 }} // namespace cv::rsackermann

@@ -30,13 +30,13 @@ public:
         Mat1b hidden;
         if (!mask.empty())
             hidden.create(mask.size());
-        const bool isOwn = ofRaw == (warp == WARP_DISTORT);
-        if (!isOwn)
-            fillTiles(TileOtherDepth(placesOf(warp), depths, hidden), writer);
-        else if (mask.empty())
-            fillTiles(TileOwnDepth(placesOf(warp), depths, nullptr, hidden), writer);
+        const bool isOwn = ofRaw == (warp == WARP_DISTORT), isRectify = warp == WARP_RECTIFY;
+        const Visibility visibility(placesOf(isRectify ? WARP_DISTORT : WARP_RECTIFY), depths,
+                                    isRectify ? rawSize : global.size);
+        if (isOwn)
+            fillTiles(TileOwnDepth(placesOf(warp), depths, mask.empty() ? nullptr : &visibility, hidden), writer);
         else
-            writeOwn(warp, writer, hidden);
+            fillTiles(TileOtherDepth(placesOf(warp), depths, hidden), writer);
         if (!mask.empty())
             mask.setTo(MASK_HIDDEN, (mask == MASK_SEEN) & hidden);
     }
@@ -54,19 +54,6 @@ private:
         if (warp == WARP_RECTIFY)
             return rectify;
         return distort;
-    }
-
-    // What the other image shows is known from its own map.
-    void writeOwn(WarpDirection warp, MapWriter& writer, Mat1b& hidden) const
-    {
-        const WarpDirection back = warp == WARP_RECTIFY ? WARP_DISTORT : WARP_RECTIFY;
-        Mat columns, rows;
-        Mat1b unused;
-        MapWriter other(back == WARP_RECTIFY ? global.size : rawSize, back == WARP_RECTIFY ? rawSize : global.size,
-                        CV_32FC1, columns, rows, noArray());
-        fillTiles(TileOtherDepth(placesOf(back), depths, unused), other);
-        const Visibility visibility(placesOf(back), depths, columns, rows);
-        fillTiles(TileOwnDepth(placesOf(warp), depths, &visibility, hidden), writer);
     }
 
     const bool ofRaw;

@@ -31,7 +31,7 @@ void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t dep
 /** The same with the inverse depths of the other image, which differ so little that a pixel shows one surface only.
 @param depths all of the other image, at least 2 x 2.
 @param start a depth in the middle of all that can be met.
-@param first, size the pixels of the square; all of the last vector of a row may be written up to its width. */
+@param first, size the pixels of the square. */
 void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
                       float* x, float* y, size_t step);
 

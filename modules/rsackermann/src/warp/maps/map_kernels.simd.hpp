@@ -76,6 +76,19 @@ inline v_float32 columnsFrom(int first)
 }
 #endif
 
+#if CV_SIMD
+// All of a vector, or its first values.
+inline void storeFirst(const v_float32& values, int count, float* to)
+{
+    const int lanes = VTraits<v_float32>::vlanes();
+    float all[VTraits<v_float32>::max_nlanes];
+    if (count >= lanes)
+        return v_store(to, values);
+    v_store(all, values);
+    std::copy(all, all + count, to);
+}
+#endif
+
 // Columns from first to last - 1; the ones behind them may be overwritten.
 void evaluateRun(const MapPatch& patch, int row, int first, int last, int width, float* x, float* y)
 {
@@ -367,12 +380,11 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
     for (int row = 0; row < size.height; row++, x += step, y += step)
     {
         const RowDepthPatch places(patch, first.y + row);
-        int i = 0;
 #if CV_SIMD
         const int lanes = VTraits<v_float32>::vlanes();
         const WideDepthVariable variable(patch.variable);
         const v_float32 one = vx_setall_f32(1.f);
-        for (; i <= size.width - lanes; i += lanes)
+        for (int i = 0; i < size.width; i += lanes)
         {
             const WideDepthCubic curve(places, columnsFrom(first.x + i));
             v_float32 depth = vx_setall_f32(startDepth), perX, perY, rate;
@@ -383,11 +395,11 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
                                 slope = v_mul(v_fma(perX, curve.x1, v_mul(perY, curve.y1)), rate);
                 depth = v_add(depth, v_div(v_sub(next, depth), v_sub(one, slope)));
             }
-            v_store(x + i, curve.x(depth));
-            v_store(y + i, curve.y(depth));
+            storeFirst(curve.x(depth), size.width - i, x + i);
+            storeFirst(curve.y(depth), size.width - i, y + i);
         }
-#endif
-        for (; i < size.width; i++)
+#else
+        for (int i = 0; i < size.width; i++)
         {
             const DepthCubic curve(places, float(first.x + i));
             float depth = startDepth, perX, perY;
@@ -403,6 +415,7 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
             x[i] = DepthCubic::at(curve.x, depth);
             y[i] = DepthCubic::at(curve.y, depth);
         }
+#endif
     }
 }
 

@@ -40,6 +40,13 @@ public:
             c[k] = Point2f(at(row.x[k], column), at(row.y[k], column));
     }
 
+    //! @param pixel from the first one of the patch.
+    CubicCurve(const DepthPatch& patch, const Point2d& pixel) : variable(patch.variable)
+    {
+        for (int k = 0; k < NODES; k++)
+            c[k] = Point2d(patch.x[k].at(pixel.x, pixel.y), patch.y[k].at(pixel.x, pixel.y));
+    }
+
     //! Through the exact places of a pixel at four depths of a range; those that don't exist are far outside.
     CubicCurve(const DepthPlaces& places, const Point2d& pixel, double lowest, double highest)
         : variable(pixel, lowest, highest, places)

@@ -13,9 +13,10 @@ namespace cv { namespace rsackermann {
 
 bool TileOtherDepth::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
 {
-    float low, high;
+    float low, high, stretch;
     DepthPatch patch;
-    if (!findReach(places, depths, square.tl(), square.size(), low, high) || !patch.fit(square, low, high, places))
+    if (!findReach(places, depths, square.tl(), square.size(), low, high, stretch) ||
+        !patch.fit(square, low, high, places))
         return false;
     fillBlock(patch, square.tl(), low, high, square & tile.area(), tile);
     return true;
@@ -26,25 +27,9 @@ void TileOtherDepth::fillBlock(const DepthPatch& patch, const Point& first, floa
                                MapWriter::Tile& tile) const
 {
     const int smallest = 8;
-    float pixelsPerDepth = 0, step = 0;
-    for (int i = 0; i < 2; i++)
-    {
-        Reach reach;
-        float longest = 0;
-        for (int k = 0; k < 4; k++)
-        {
-            const Point corner = block.tl() + Point(k % 2 * block.width, k / 2 * block.height) - first;
-            const CubicCurve curve(DepthPatchRow(patch, corner.y), float(corner.x));
-            const Point2f near = curve.at(high), far = curve.at(low);
-            reach.add(near);
-            reach.add(far);
-            longest = std::max(longest, std::max(std::abs(near.x - far.x), std::abs(near.y - far.y)));
-        }
-        pixelsPerDepth = high > low ? longest / (high - low) : 0;
-        depths.range(reach.area(), low, high);
-        step = depths.steepest(reach.area());
-    }
-    if (step * pixelsPerDepth <= SurfaceSearch<CubicCurve>::largestStretch())
+    float stretch;
+    narrowReach(patch, Rect(block.tl() - first, block.size()), depths, low, high, stretch);
+    if (stretch <= SurfaceSearch<CubicCurve>::largestStretch())
         fillSmooth(patch, first, 0.5f * (low + high), block, tile);
     else if (std::max(block.width, block.height) <= smallest)
         fillSurfaces(patch, first, low, high, block, tile);
@@ -94,9 +79,9 @@ void TileOtherDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
         for (int x = area.x; x < area.br().x; x++)
         {
             const Point pixel(x, y);
-            float low, high, depth;
+            float low, high, stretch, depth;
             Point2d place;
-            if (!findReach(places, depths, pixel, Size(), low, high))
+            if (!findReach(places, depths, pixel, Size(), low, high, stretch))
             {
                 tile.setNone(pixel);
                 continue;

@@ -39,14 +39,8 @@ void TileOwnDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
 
 void TileOwnDepth::findHidden(const Rect& area, MapWriter::Tile& tile) const
 {
-    if (!visibility)
-        return;
-    for (int y = area.y; y < area.br().y; y++)
-        for (int x = area.x; x < area.br().x; x++)
-        {
-            const Point pixel(x, y);
-            hidden(pixel) = visibility->isSeen(pixel, Point2f(*tile.x(pixel), *tile.y(pixel))) ? 0 : 255;
-        }
+    if (visibility)
+        visibility->find(area, tile, hidden);
 }
 
 }} // namespace cv::rsackermann
