@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "depth_kernels.hpp"
 #include "fill_unknown.hpp"
 #include "inverse_depth_image.hpp"
 
@@ -10,23 +11,8 @@ namespace cv { namespace rsackermann {
 
 namespace {
 
-// Values of the depth map to inverse depths; what is unknown becomes NaN. Both limits are in units of the values.
-template <class T>
-bool invertRow(const T* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
-{
-    const float unknown = std::numeric_limits<float>::quiet_NaN();
-    int count = 0;
-    for (int x = 0; x < width; x++)
-    {
-        const float depth = float(depths[x]);
-        const bool known = depth >= nearest && depth <= farthest;
-        inverse[x] = known ? unitsPerMetre / depth : unknown;
-        count += known;
-    }
-    return count == width;
-}
-
-// The same of a relative depth, whose scale and shift give inverse depths, those behind infinity being there.
+// Values of a relative depth, whose scale and shift give inverse depths, those behind infinity being there; what is
+// unknown becomes NaN.
 template <class T>
 bool scaleRow(const T* values, int width, float scale, float shift, float nearest, float* inverse)
 {
@@ -50,8 +36,21 @@ bool readRow(const DepthMap& depth, int y, double nearest, float* inverse)
     const int width = depth.values.cols;
     if (depth.kind == DEPTH_RELATIVE)
         return scaleRow(values, width, float(depth.scale), float(depth.shift), float(nearest), inverse);
-    return invertRow(values, width, float(1 / depth.scale), std::max(float(nearest / depth.scale), FLT_MIN), FLT_MAX,
-                     inverse);
+    return invertDepths(values, width, float(1 / depth.scale), std::max(float(nearest / depth.scale), FLT_MIN), FLT_MAX,
+                        inverse);
+}
+
+// Of BLOCK values.
+float most(const float* v)
+{
+    return std::max(std::max(std::max(v[0], v[1]), std::max(v[2], v[3])),
+                    std::max(std::max(v[4], v[5]), std::max(v[6], v[7])));
+}
+
+float least(const float* v)
+{
+    return std::min(std::min(std::min(v[0], v[1]), std::min(v[2], v[3])),
+                    std::min(std::min(v[4], v[5]), std::min(v[6], v[7])));
 }
 
 } // namespace
@@ -77,33 +76,19 @@ void InverseDepthImage::findRanges()
     highs.create(lows.size());
     steps.create(lows.size());
     parallel_for_(Range(0, lows.rows), [&](const Range& rows) {
-        std::vector<float> low(image.cols), high(image.cols), across(image.cols), down(image.cols);
+        // Columns behind the image have what changes nothing.
+        const size_t columns = size_t(lows.cols) * BLOCK;
+        std::vector<float> low(columns, FLT_MAX), high(columns, -FLT_MAX), across(columns), down(columns);
         for (int i = rows.start; i < rows.end; i++)
         {
             const int first = i * BLOCK, last = std::min(first + BLOCK, image.rows) - 1;
-            std::copy(image[first], image[first] + image.cols, low.begin());
-            high = low;
-            std::fill(across.begin(), across.end(), 0.f);
-            std::fill(down.begin(), down.end(), 0.f);
-            for (int y = first; y <= last; y++)
-            {
-                const float *values = image[y], *next = image[std::min(y + 1, image.rows - 1)];
-                for (int x = 0; x < image.cols; x++)
-                {
-                    low[x] = std::min(low[x], values[x]);
-                    high[x] = std::max(high[x], values[x]);
-                    down[x] = std::max(down[x], std::abs(next[x] - values[x]));
-                }
-                for (int x = 0; x + 1 < image.cols; x++)
-                    across[x] = std::max(across[x], std::abs(values[x + 1] - values[x]));
-            }
+            findColumnRanges(image, first, last, low.data(), high.data(), across.data(), down.data());
             for (int j = 0; j < lows.cols; j++)
             {
-                const int left = j * BLOCK, right = std::min(left + BLOCK, image.cols);
-                lows(i, j) = *std::min_element(low.begin() + left, low.begin() + right);
-                highs(i, j) = *std::max_element(high.begin() + left, high.begin() + right);
-                steps(i, j) = *std::max_element(across.begin() + left, across.begin() + right) +
-                              *std::max_element(down.begin() + left, down.begin() + right);
+                const size_t left = size_t(j) * BLOCK;
+                lows(i, j) = least(&low[left]);
+                highs(i, j) = most(&high[left]);
+                steps(i, j) = most(&across[left]) + most(&down[left]);
             }
         }
     });

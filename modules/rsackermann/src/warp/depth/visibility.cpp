@@ -35,74 +35,70 @@ void divide(const Rect& block, const Use& use)
 } // namespace
 
 // A square around the places inside of the other image, in which the others count as on its border.
-Rect Visibility::placesOf(const Rect& block, const MapWriter::Tile& tile) const
+Rect Visibility::placesOf(const DepthPatch& own, const Point& first, const Rect& block) const
 {
-    float low[2][MapWriter::TILE], high[2][MapWriter::TILE]; // of the columns, so that the loops are vectors
-    for (int axis = 0; axis < 2; axis++)
-    {
-        std::fill(low[axis], low[axis] + block.width, FLT_MAX);
-        std::fill(high[axis], high[axis] + block.width, -FLT_MAX);
-        for (int y = block.y; y < block.br().y; y++)
-        {
-            const float* places = axis == 0 ? tile.x(Point(block.x, y)) : tile.y(Point(block.x, y));
-            for (int j = 0; j < block.width; j++)
-            {
-                low[axis][j] = std::min(low[axis][j], places[j]);
-                high[axis][j] = std::max(high[axis][j], places[j]);
-            }
-        }
-    }
+    float low, high;
+    depths.range(block, low, high);
     Reach reach;
-    for (int j = 0; j < block.width; j++)
+    for (int k = 0; k < 4; k++)
     {
-        reach.add(Point2f(low[0][j], low[1][j]));
-        reach.add(Point2f(high[0][j], high[1][j]));
+        const CubicCurve curve(own, block.tl() - first + Point(k % 2 * block.width, k / 2 * block.height));
+        reach.add(curve.at(low));
+        reach.add(curve.at(high));
     }
     return reach.square(lastX, lastY);
 }
 
 // If the pixels that could be in front of a block and those behind belong to one surface all are seen.
-void Visibility::find(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const
+void Visibility::find(const DepthPatch& own, const Point& first, const Rect& block, const MapWriter::Tile& tile,
+                      Mat1b& hidden) const
 {
-    const Rect square = placesOf(block, tile);
+    const Rect square = placesOf(own, first, block);
     float low, high, stretch;
     DepthPatch patch;
     const bool isKnown = findReach(back, depths, square.tl(), square.size(), low, high, stretch);
     if (isKnown && stretch <= SurfaceSearch<CubicCurve>::largestStretch())
         hidden(block).setTo(0);
     else if (isKnown && patch.fit(square, low, high, back))
-        findByPatch(patch, square.tl(), low, high, block, tile, hidden);
+        findByPatches({own, first, patch, square.tl()}, low, high, block, tile, hidden);
     else if (std::max(block.width, block.height) > SMALLEST)
-        divide(block, [&](const Rect& part) { find(part, tile, hidden); });
+        divide(block, [&](const Rect& part) { find(own, first, part, tile, hidden); });
     else
-        forEachInside(block, tile, hidden, [&](const Point& pixel, const Point2f& place) {
-            float nearest, farthest, depth;
-            Point2d shown;
-            if (!findReach(back, depths, place, Size(), farthest, nearest, stretch))
-                return true;
-            const CubicCurve curve(back, place, farthest, nearest);
-            SurfaceSearch<CubicCurve>(depths, curve, farthest, nearest).find(depth);
-            return back.find(place, depth, shown) && isNear(shown, pixel);
-        });
+        findByPixels(block, tile, hidden);
 }
 
-void Visibility::findByPatch(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
-                             const MapWriter::Tile& tile, Mat1b& hidden) const
+void Visibility::findByPatches(const Patches& patches, float low, float high, const Rect& block,
+                               const MapWriter::Tile& tile, Mat1b& hidden) const
 {
-    const Rect square = placesOf(block, tile);
+    const Rect square = placesOf(patches.own, patches.ownFirst, block);
     float stretch;
-    narrowReach(patch, Rect(square.tl() - first, square.size()), depths, low, high, stretch);
+    narrowReach(patches.back, Rect(square.tl() - patches.backFirst, square.size()), depths, low, high, stretch);
     if (stretch <= SurfaceSearch<CubicCurve>::largestStretch())
         hidden(block).setTo(0);
     else if (std::max(block.width, block.height) > SMALLEST)
-        divide(block, [&](const Rect& part) { findByPatch(patch, first, low, high, part, tile, hidden); });
+        divide(block, [&](const Rect& part) { findByPatches(patches, low, high, part, tile, hidden); });
     else
         forEachInside(block, tile, hidden, [&](const Point& pixel, const Point2f& place) {
-            const CubicCurve curve(patch, place - Point2f(first));
-            float depth;
-            SurfaceSearch<CubicCurve>(depths, curve, low, high).find(depth);
+            float depth = depths.values()(pixel);
+            if (depth >= high) // nothing is in front
+                return true;
+            const CubicCurve curve(patches.back, place - Point2f(patches.backFirst));
+            if (!isNear(curve.at(high), pixel))
+                SurfaceSearch<CubicCurve>(depths, curve, depth, high).find(depth);
             return isNear(curve.at(depth), pixel);
         });
+}
+
+void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const
+{
+    forEachInside(block, tile, hidden, [&](const Point& pixel, const Point2f& place) {
+        float low, high, stretch, depth;
+        Point2d shown;
+        if (!findReach(back, depths, place, Size(), low, high, stretch))
+            return true;
+        SurfaceSearch<CubicCurve>(depths, CubicCurve(back, place, low, high), low, high).find(depth);
+        return back.find(place, depth, shown) && isNear(shown, pixel);
+    });
 }
 
 template <class IsSeen>

@@ -23,13 +23,28 @@ public:
     {
     }
 
-    //! Finds the hidden ones among the pixels of a block, whose places a tile has: 255, or 0 for those that are seen.
-    void find(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const;
+    /** Finds the hidden ones among the pixels of a block: 255, or 0 for those that are seen.
+    @param own the block's part of the map, for all depths in it.
+    @param first pixel of this patch.
+    @param tile has the places of the pixels. */
+    void find(const DepthPatch& own, const Point& first, const Rect& block, const MapWriter::Tile& tile,
+              Mat1b& hidden) const;
+    //! The same without a patch, and slowly.
+    void findByPixels(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const;
 
 private:
-    Rect placesOf(const Rect& block, const MapWriter::Tile& tile) const;
-    void findByPatch(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
-                     const MapWriter::Tile& tile, Mat1b& hidden) const;
+    // Of the map and of the opposite one, with their first pixels.
+    struct Patches
+    {
+        const DepthPatch& own;
+        Point ownFirst;
+        const DepthPatch& back;
+        Point backFirst;
+    };
+
+    Rect placesOf(const DepthPatch& own, const Point& first, const Rect& block) const;
+    void findByPatches(const Patches& patches, float low, float high, const Rect& block, const MapWriter::Tile& tile,
+                       Mat1b& hidden) const;
     template <class IsSeen>
     void forEachInside(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden, const IsSeen& isSeen) const;
 

@@ -348,6 +348,13 @@ struct DepthSampler
         return left + fx * perX;
     }
 
+    // The depth at a place, or at the nearest one of the image.
+    const float* at(float x, float y) const
+    {
+        const int column = int(std::min(std::max(x, 0.f), lastX)), row = int(std::min(std::max(y, 0.f), lastY));
+        return depths + (size_t)row * step + column;
+    }
+
 #if CV_SIMD
     v_float32 sample(const v_float32& x, const v_float32& y, v_float32& perX, v_float32& perY) const
     {
@@ -370,35 +377,59 @@ struct DepthSampler
 
 } // namespace
 
-// Newton's steps to the depth that the other image has at the place which it gives. The first one is exact on a plane.
+// Newton's steps to the depth that the other image has at the place which it gives. The first one is exact on a plane:
+// from what the rows above let expect a second one is rarely needed.
 void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, const Point& first, const Size& size,
                       float* x, float* y, size_t step)
 {
     const int steps = 2;
     const DepthSampler sampler(image);
     const float startDepth = patch.variable.at(start);
+#if CV_SIMD
+#ifdef __GNUC__
+    const int rowsAhead = 4; // the next rows of a tile are elsewhere in memory
+#endif
+    const float enough = 1e-3f; // pixels that a step moves the place: what is left is less than the half of it
+    const int lanes = VTraits<v_float32>::vlanes(), columns = alignSize(size.width, lanes);
+    const WideDepthVariable variable(patch.variable);
+    const v_float32 one = vx_setall_f32(1.f), limit = vx_setall_f32(enough);
+    AutoBuffer<float> depths(columns),
+        growths(columns); // of the row above, and by how much it differs from the next one
+    std::fill(depths.data(), depths.data() + columns, startDepth);
+    std::fill(growths.data(), growths.data() + columns, 0.f);
     for (int row = 0; row < size.height; row++, x += step, y += step)
     {
         const RowDepthPatch places(patch, first.y + row);
-#if CV_SIMD
-        const int lanes = VTraits<v_float32>::vlanes();
-        const WideDepthVariable variable(patch.variable);
-        const v_float32 one = vx_setall_f32(1.f);
         for (int i = 0; i < size.width; i += lanes)
         {
             const WideDepthCubic curve(places, columnsFrom(first.x + i));
-            v_float32 depth = vx_setall_f32(startDepth), perX, perY, rate;
+            const v_float32 above = vx_load(depths.data() + i), pixels = v_add(v_abs(curve.x1), v_abs(curve.y1));
+            v_float32 depth = v_add(above, vx_load(growths.data() + i));
             for (int k = 0; k < steps; k++)
             {
+                v_float32 perX, perY, rate;
                 const v_float32 found = sampler.sample(curve.x(depth), curve.y(depth), perX, perY);
                 const v_float32 next = variable.at(found, rate),
-                                slope = v_mul(v_fma(perX, curve.x1, v_mul(perY, curve.y1)), rate);
-                depth = v_add(depth, v_div(v_sub(next, depth), v_sub(one, slope)));
+                                slope = v_mul(v_fma(perX, curve.x1, v_mul(perY, curve.y1)), rate),
+                                change = v_div(v_sub(next, depth), v_sub(one, slope));
+                depth = v_add(depth, change);
+                if (!v_check_any(v_gt(v_mul(v_abs(change), pixels), limit)))
+                    break;
             }
+            v_store(depths.data() + i, depth);
+            if (row > 0)
+                v_store(growths.data() + i, v_sub(depth, above));
             storeFirst(curve.x(depth), size.width - i, x + i);
             storeFirst(curve.y(depth), size.width - i, y + i);
+#ifdef __GNUC__
+            __builtin_prefetch(sampler.at(x[i], y[i] + rowsAhead));
+#endif
         }
+    }
 #else
+    for (int row = 0; row < size.height; row++, x += step, y += step)
+    {
+        const RowDepthPatch places(patch, first.y + row);
         for (int i = 0; i < size.width; i++)
         {
             const DepthCubic curve(places, float(first.x + i));
@@ -415,8 +446,8 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
             x[i] = DepthCubic::at(curve.x, depth);
             y[i] = DepthCubic::at(curve.y, depth);
         }
-#endif
     }
+#endif
 }
 
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction)

@@ -19,7 +19,8 @@ bool TileOwnDepth::fillByPatches(const Rect& square, MapWriter::Tile& tile) cons
     const Mat1f& values = depths.values();
     evaluateDepthPatch(patch, values[seen.y] + seen.x, values.step1(), seen.size(), tile.x(seen.tl()),
                        tile.y(seen.tl()), tile.step);
-    findHidden(seen, tile);
+    if (visibility)
+        visibility->find(patch, square.tl(), seen, tile, hidden);
     return true;
 }
 
@@ -34,13 +35,8 @@ void TileOwnDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
             else
                 tile.setNone(Point(x, y));
         }
-    findHidden(area, tile);
-}
-
-void TileOwnDepth::findHidden(const Rect& area, MapWriter::Tile& tile) const
-{
     if (visibility)
-        visibility->find(area, tile, hidden);
+        visibility->findByPixels(area, tile, hidden);
 }
 
 }} // namespace cv::rsackermann

@@ -30,8 +30,6 @@ protected:
     void fillByPixels(const Rect& area, MapWriter::Tile& tile) const CV_OVERRIDE;
 
 private:
-    void findHidden(const Rect& area, MapWriter::Tile& tile) const;
-
     const DepthPlaces& places;
     const InverseDepthImage& depths;
     const Visibility* visibility;
