@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "quarters.hpp"
 #include "reach.hpp"
 #include "surface_search.hpp"
 #include "visibility.hpp"
@@ -15,24 +16,7 @@ static bool isNear(const Point2f& a, const Point2f& b)
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) <= limit;
 }
 
-namespace {
-
-const int SMALLEST = 8; // pixels of blocks that aren't divided any more
-
-// Calls use(part) for the four parts of a block.
-template <class Use>
-void divide(const Rect& block, const Use& use)
-{
-    const Size half((block.width + 1) / 2, (block.height + 1) / 2);
-    for (int k = 0; k < 4; k++)
-    {
-        const Rect part = Rect(block.tl() + Point(k % 2 * half.width, k / 2 * half.height), half) & block;
-        if (!part.empty())
-            use(part);
-    }
-}
-
-} // namespace
+static const int SMALLEST = 8; // pixels of blocks that aren't divided any more
 
 // A square around the places inside of the other image, in which the others count as on its border.
 Rect Visibility::placesOf(const DepthPatch& own, const Point& first, const Rect& block) const
@@ -62,7 +46,7 @@ void Visibility::find(const DepthPatch& own, const Point& first, const Rect& blo
     else if (isKnown && patch.fit(square, low, high, back))
         findByPatches({own, first, patch, square.tl()}, low, high, block, tile, hidden);
     else if (std::max(block.width, block.height) > SMALLEST)
-        divide(block, [&](const Rect& part) { find(own, first, part, tile, hidden); });
+        forEachQuarter(block, [&](const Rect& quarter) { find(own, first, quarter, tile, hidden); });
     else
         findByPixels(block, tile, hidden);
 }
@@ -76,7 +60,7 @@ void Visibility::findByPatches(const Patches& patches, float low, float high, co
     if (stretch <= SurfaceSearch<CubicCurve>::largestStretch())
         hidden(block).setTo(0);
     else if (std::max(block.width, block.height) > SMALLEST)
-        divide(block, [&](const Rect& part) { findByPatches(patches, low, high, part, tile, hidden); });
+        forEachQuarter(block, [&](const Rect& quarter) { findByPatches(patches, low, high, quarter, tile, hidden); });
     else
         forEachInside(block, tile, hidden, [&](const Point& pixel, const Point2f& place) {
             float depth = depths.values()(pixel);

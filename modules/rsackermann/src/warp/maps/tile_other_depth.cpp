@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "../depth/quarters.hpp"
 #include "../depth/reach.hpp"
 #include "../depth/surface_search.hpp"
 #include "map_kernels.hpp"
@@ -34,15 +35,7 @@ void TileOtherDepth::fillBlock(const DepthPatch& patch, const Point& first, floa
     else if (std::max(block.width, block.height) <= smallest)
         fillSurfaces(patch, first, low, high, block, tile);
     else
-    {
-        const Size half((block.width + 1) / 2, (block.height + 1) / 2);
-        for (int k = 0; k < 4; k++)
-        {
-            const Rect part = Rect(block.tl() + Point(k % 2 * half.width, k / 2 * half.height), half) & block;
-            if (!part.empty())
-                fillBlock(patch, first, low, high, part, tile);
-        }
-    }
+        forEachQuarter(block, [&](const Rect& quarter) { fillBlock(patch, first, low, high, quarter, tile); });
 }
 
 void TileOtherDepth::fillSmooth(const DepthPatch& patch, const Point& first, float start, const Rect& block,
