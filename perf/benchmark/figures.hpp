@@ -13,6 +13,7 @@ void addSolverFigures(Benchmark& benchmark);
 void addEstimateFigures(Benchmark& benchmark);
 void addMapFigures(Benchmark& benchmark);
 void addCorrectFigures(Benchmark& benchmark);
+void addFolderFigures(Benchmark& benchmark);
 
 } // namespace benchmark
 

@@ -29,6 +29,7 @@ int run(const Options& options)
     benchmark::addEstimateFigures(all);
     benchmark::addMapFigures(all);
     benchmark::addCorrectFigures(all);
+    benchmark::addFolderFigures(all);
     all.run(options.given("filter") ? options.text("filter") : "", options.integer("rounds", 1, 10000),
             options.given("threads") ? options.integer("threads", 1, 1024) : cv::getNumberOfCPUs());
     return 0;
