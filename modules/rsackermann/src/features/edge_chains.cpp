@@ -13,8 +13,12 @@ static const double GATE = 1;               // pixels from the expected column
 static const double STRAIGHT = 0.3;         // pixels, root mean square from a straight line
 static const double LARGEST_SAGITTA = 0.02; // of the length
 
-EdgeChains::EdgeChains(const Mat& gray, const Range& columns, double noise_, int leastRows_)
-    : rows(gray, columns), rowCount(gray.rows), leastRows(std::max(leastRows_, 4)), noise(noise_), result(0)
+// Standard deviation of the step that white noise of one grey level shows: the norm of the gradient's weights.
+static const double NOISE_OF_STEP = 0.612;
+
+EdgeChains::EdgeChains(const Mat& gray_, const Range& columns_, double noise_, int leastRows_)
+    : gray(gray_), columns(columns_), leastRows(std::max(leastRows_, 4)), noise(noise_), buffer(2 * columns_.size()),
+      found(columns_.size()), foundCount(0), result(0)
 {
 }
 
@@ -23,10 +27,9 @@ void EdgeChains::find(std::vector<EdgePiece>& pieces)
     result = &pieces;
     points.clear();
     chains.clear();
-    const double least = std::max(LEAST_STEP, LEAST_SIGMAS * EdgeRows::noiseOfStep() * noise);
-    for (int row = 0; row < rowCount; row++)
+    for (int row = 0; row < gray.rows; row++)
     {
-        rows.find(row, least, found);
+        findRow(row);
         choose();
         follow(row);
         begin(row);
@@ -35,24 +38,32 @@ void EdgeChains::find(std::vector<EdgePiece>& pieces)
         end(chains[i]);
 }
 
+void EdgeChains::findRow(int row)
+{
+    const double least = std::max(LEAST_STEP, LEAST_SIGMAS * NOISE_OF_STEP * noise);
+    const uchar* const neighbours[] = {gray.ptr(std::max(row - 1, 0)), gray.ptr(row),
+                                       gray.ptr(std::min(row + 1, gray.rows - 1))};
+    foundCount = findExtremes(neighbours, columns, least, buffer.data(), found.data());
+}
+
 // Each chain's nearest edge; of several chains the one that has more points gets it.
 void EdgeChains::choose()
 {
     const float firstGate = 1.5; // lines up to the diagonal
-    owners.assign(found.size(), NONE);
-    size_t first = 0;
+    owners.assign(foundCount, NONE);
+    int first = 0;
     for (size_t i = 0; i < chains.size(); i++)
     {
         Chain& c = chains[i];
         c.found = NONE;
-        while (first < found.size() && found[first].column < c.column - firstGate)
+        while (first < foundCount && found[first].column < c.column - firstGate)
             first++;
         float nearest = float(c.count == 1 ? firstGate : GATE);
-        for (size_t j = first; j < found.size() && found[j].column <= c.column + nearest; j++)
+        for (int j = first; j < foundCount && found[j].column <= c.column + nearest; j++)
             if ((found[j].step > 0) == c.rises && std::abs(found[j].column - c.column) <= nearest)
             {
                 nearest = std::abs(found[j].column - c.column);
-                c.found = int(j);
+                c.found = j;
             }
         if (c.found == NONE)
             continue;
@@ -109,7 +120,7 @@ void EdgeChains::begin(int row)
             std::swap(next[j], next[j - 1]);
     chains.clear();
     size_t i = 0;
-    for (size_t j = 0; j < found.size(); j++)
+    for (int j = 0; j < foundCount; j++)
     {
         if (owners[j] != NONE)
             continue;

@@ -5,8 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_CHAINS_HPP
 #define OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_CHAINS_HPP
 
-#include "edge_rows.hpp"
-#include "parabola_fit.hpp"
+#include "edge_kernels.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -53,6 +52,7 @@ private:
     };
     enum { NONE = -1 };
 
+    void findRow(int row);
     void choose();
     void follow(int row);
     void begin(int row);
@@ -62,10 +62,13 @@ private:
     ParabolaFit fit(int begin, int end, bool isCurved) const;
     void add(int begin, int end, bool isCurved);
 
-    EdgeRows rows;
-    int rowCount, leastRows;
+    const Mat& gray;
+    Range columns;
+    int leastRows;
     double noise;
-    std::vector<EdgePoint> found;
+    std::vector<short> buffer;
+    std::vector<EdgePoint> found; // in the present row, the first foundCount of them
+    int foundCount;
     std::vector<int> owners;
     std::vector<Point> points, chain;
     std::vector<Chain> chains, next;

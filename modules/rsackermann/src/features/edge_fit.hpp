@@ -23,11 +23,26 @@ struct EdgeImage
     }
 };
 
-/** Moves a piece onto its edge: row by row the centre of gravity of the gradient beside it, then a line, or a parabola
-if the piece is curved, by weighted least squares.
-@param piece within a pixel or two of the edge; stays as it is if there is none.
-@param end rows at both ends that needn't tell the edge, as other edges begin there. */
-void fitEdge(const EdgeImage& image, double end, EdgePiece& piece);
+//! Moves pieces onto their edges in an image, with buffers that serve the next piece, too.
+class EdgeFit
+{
+public:
+    explicit EdgeFit(const EdgeImage& image_) : image(image_) {}
+
+    /** Moves a piece onto its edge: row by row the centre of gravity of the gradient beside it, then a line, or a
+    parabola if the piece is curved, by weighted least squares.
+    @param end rows at both ends that needn't tell the edge, as other edges begin there.
+    @param piece within a pixel or two of the edge; stays as it is if there is none. */
+    void move(double end, EdgePiece& piece);
+
+private:
+    // One step towards the edge. Returns false if there is none.
+    bool approach(double end, int maxRows, EdgePiece& piece);
+    void readWindows(int row, int spacing, int count, const EdgePiece& piece);
+
+    EdgeImage image;
+    EdgeWindows windows;
+};
 
 }} // namespace cv::rsackermann
 

@@ -6,6 +6,7 @@
 #include "detectors.hpp"
 #include "edge_chains.hpp"
 #include "edge_fit.hpp"
+#include "image_noise.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -43,7 +44,7 @@ private:
         const double end = 1.5, endForMany = 4.5;
         segments.clear();
         const Mat& image = searched[strip.isTransposed];
-        const EdgeImage full(gray, strip.isTransposed);
+        EdgeFit fit(EdgeImage(gray, strip.isTransposed));
         std::vector<EdgePiece> pieces;
         // Diagonals cross fewer rows than they are long.
         EdgeChains(image, strip.seen, noise, cvFloor(0.7 * minLength / scale)).find(pieces);
@@ -62,7 +63,7 @@ private:
             p.last = (p.last + 0.5) * scale + shift;
             p.middle = p.middle * scale + shift;
             p.curvature /= scale;
-            fitEdge(full, scale * (isForMany ? endForMany : end), p);
+            fit.move(scale * (isForMany ? endForMany : end), p);
             const Vec4f s(float(p.column(p.first)), float(p.first), float(p.column(p.last)), float(p.last));
             segments.push_back(strip.isTransposed ? Vec4f(s[1], s[0], s[3], s[2]) : s);
         }
