@@ -18,14 +18,14 @@ static const double NOISE_OF_STEP = 0.612;
 
 EdgeChains::EdgeChains(const Mat& gray_, const Range& columns_, double noise_, int leastRows_)
     : gray(gray_), columns(columns_), leastRows(std::max(leastRows_, 4)), noise(noise_), buffer(2 * columns_.size()),
-      found(columns_.size()), foundCount(0), result(0)
+      found(columns_.size()), foundCount(0), pointCount(0), result(0)
 {
 }
 
 void EdgeChains::find(std::vector<EdgePiece>& pieces)
 {
     result = &pieces;
-    points.clear();
+    pointCount = 0;
     chains.clear();
     for (int row = 0; row < gray.rows; row++)
     {
@@ -79,76 +79,97 @@ void EdgeChains::choose()
     }
 }
 
-// A filter whose memory grows with the chain up to some rows.
+// A filter whose memory grows with the chain up to some rows. Chains that have ended have no points.
 void EdgeChains::follow(int row)
 {
     const int longestGap = 2, memory = 12;
-    next.clear();
     for (size_t i = 0; i < chains.size(); i++)
     {
-        Chain c = chains[i];
+        Chain& c = chains[i];
         if (c.found == NONE)
         {
             if (++c.missed > longestGap)
             {
                 end(c);
+                c.count = 0;
                 continue;
             }
         }
         else
         {
             const EdgePoint& e = found[c.found];
-            const Point p = {e.column, e.step, row, c.last};
             const float n = float(std::min(c.count + 1, memory)), error = e.column - c.column;
             c.column += 2 * (2 * n - 1) / (n * (n + 1)) * error;
             c.slope += 6 / (n * (n + 1)) * error;
-            c.last = int(points.size());
+            c.last = addPoint(e, row, c.last);
             c.count++;
             c.missed = 0;
-            points.push_back(p);
         }
         c.column += c.slope;
-        next.push_back(c);
     }
+}
+
+// Written to its place number by number: a copy of what has just been written so would wait for it.
+int EdgeChains::addPoint(const EdgePoint& edge, int row, int previous)
+{
+    if (pointCount == points.size())
+        points.resize(2 * pointCount + 1024);
+    Point& p = points[pointCount];
+    p.column = edge.column;
+    p.step = edge.step;
+    p.row = row;
+    p.previous = previous;
+    return int(pointCount++);
 }
 
 // Edges that no chain has begin one; chains are kept from left to right.
 void EdgeChains::begin(int row)
 {
-    for (size_t i = 1; i < next.size(); i++) // nearly sorted
-        for (size_t j = i; j > 0 && next[j].column < next[j - 1].column; j--)
-            std::swap(next[j], next[j - 1]);
-    chains.clear();
+    size_t kept = 0;
+    for (size_t i = 0; i < chains.size(); i++)
+    {
+        if (chains[i].count == 0)
+            continue;
+        if (kept != i)
+            chains[kept] = chains[i];
+        for (size_t j = kept++; j > 0 && chains[j].column < chains[j - 1].column; j--) // nearly sorted
+            std::swap(chains[j], chains[j - 1]);
+    }
+    chains.resize(kept);
+    next.clear();
     size_t i = 0;
     for (int j = 0; j < foundCount; j++)
     {
         if (owners[j] != NONE)
             continue;
-        while (i < next.size() && next[i].column < found[j].column)
-            chains.push_back(next[i++]);
-        const Point p = {found[j].column, found[j].step, row, NONE};
-        const Chain c = {p.column, 0, 1, int(points.size()), 0, NONE, p.step > 0};
-        points.push_back(p);
-        chains.push_back(c);
+        const EdgePoint& e = found[j];
+        while (i < kept && chains[i].column < e.column)
+            next.push_back(chains[i++]);
+        const Chain c = {e.column, 0, 1, addPoint(e, row, NONE), 0, NONE, e.step > 0};
+        next.push_back(c);
     }
-    chains.insert(chains.end(), next.begin() + i, next.end());
+    if (next.empty())
+        return;
+    next.insert(next.end(), chains.begin() + i, chains.end());
+    next.swap(chains);
 }
 
 void EdgeChains::end(const Chain& ended)
 {
     if (ended.count < leastRows)
         return;
-    chain.clear();
-    for (int i = ended.last; i != NONE; i = points[i].previous)
-        chain.push_back(points[i]);
-    std::reverse(chain.begin(), chain.end());
+    chain.resize(ended.count);
+    for (int i = ended.last, k = ended.count - 1; k >= 0; i = points[i].previous, k--)
+        chain[k] = points[i];
     const Point& origin = chain[0];
-    sums.assign(1, ParabolaSums());
+    sums.resize(chain.size() + 1);
+    ParabolaSums sum;
     for (size_t i = 0; i < chain.size(); i++)
     {
-        sums.push_back(sums.back());
-        sums.back().add(chain[i].row - origin.row, chain[i].column - origin.column, 1);
+        sums[i] = sum;
+        sum.add(chain[i].row - origin.row, chain[i].column - origin.column, 1);
     }
+    sums[chain.size()] = sum;
     cut(0, int(chain.size()), 0);
 }
 

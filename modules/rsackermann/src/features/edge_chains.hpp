@@ -55,6 +55,7 @@ private:
     void findRow(int row);
     void choose();
     void follow(int row);
+    int addPoint(const EdgePoint& edge, int row, int previous);
     void begin(int row);
     void end(const Chain& chain);
     void cut(int begin, int end, int depth);
@@ -70,7 +71,9 @@ private:
     std::vector<EdgePoint> found; // in the present row, the first foundCount of them
     int foundCount;
     std::vector<int> owners;
-    std::vector<Point> points, chain;
+    std::vector<Point> points; // the first pointCount of them
+    size_t pointCount;
+    std::vector<Point> chain;
     std::vector<Chain> chains, next;
     std::vector<ParabolaSums> sums; // over the points before one
     std::vector<EdgePiece>* result;

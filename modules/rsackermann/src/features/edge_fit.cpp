@@ -32,23 +32,27 @@ void EdgeWindows::clear(int row)
 void EdgeFit::readWindows(int row, int spacing, int count, const EdgePiece& piece)
 {
     windows.resize(count);
-    for (int i = 0; i < count; i++, row += spacing)
+    // Copies, as bytes that are written might be any of them.
+    const EdgeImage full = image;
+    const EdgePiece expected = piece;
+    uchar* pixels = windows.pixels.data();
+    float* first = windows.first.data();
+    for (int i = 0; i < count; i++, row += spacing, pixels += WINDOW_STRIDE)
     {
-        const double column = piece.column(row);
+        const double column = expected.column(row);
         const int start = cvFloor(column - 0.5) - WINDOW_REACH + 1; // of pixels; gradients are between them
-        if (!(start >= 0 && start + WINDOW_PIXELS <= image.columns))
+        if (!(start >= 0 && start + WINDOW_PIXELS <= full.columns))
         {
             windows.clear(i);
             continue;
         }
-        windows.first[i] = float(start + 0.5 - column);
-        const uchar* p = image.data + row * image.rowStep + start * image.columnStep;
-        uchar* pixels = &windows.pixels[size_t(i) * WINDOW_STRIDE];
-        if (image.columnStep == 1)
+        first[i] = float(start + 0.5 - column);
+        const uchar* p = full.data + row * full.rowStep + start * full.columnStep;
+        if (full.columnStep == 1)
             std::memcpy(pixels, p, WINDOW_PIXELS);
         else
             for (int k = 0; k < WINDOW_PIXELS; k++)
-                pixels[k] = p[k * image.columnStep];
+                pixels[k] = p[k * full.columnStep];
     }
 }
 

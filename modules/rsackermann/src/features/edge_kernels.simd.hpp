@@ -129,8 +129,9 @@ void differentiate(const uchar* const (&rows)[3], const Range& columns, short* s
     int x = 0;
 #if CV_SIMD
     const int lanes = VTraits<v_int16>::max_nlanes;
-    for (; x + lanes <= width; x += lanes)
+    for (; x < width && width >= lanes; x += lanes)
     {
+        x = std::min(x, width - lanes); // the last ones, some of them once more
         const v_uint16 middle = vx_load_expand(here + x);
         const v_uint16 sum = v_add(v_add(vx_load_expand(above + x), vx_load_expand(below + x)), v_add(middle, middle));
         v_store(sums + x, v_reinterpret_as_s16(sum));
@@ -141,9 +142,12 @@ void differentiate(const uchar* const (&rows)[3], const Range& columns, short* s
 
     x = 1;
 #if CV_SIMD
-    for (; x + 2 + lanes <= width; x += lanes)
+    for (; x < width - 2 && width - 3 >= lanes; x += lanes)
+    {
+        x = std::min(x, width - 2 - lanes);
         v_store(gradient + x, v_sub(v_add(vx_load(sums + x + 1), vx_load(sums + x + 2)),
                                     v_add(vx_load(sums + x - 1), vx_load(sums + x))));
+    }
 #endif
     for (; x + 2 < width; x++)
         gradient[x] = short(sums[x + 1] + sums[x + 2] - sums[x - 1] - sums[x]);
@@ -174,12 +178,14 @@ int findExtremes(const uchar* const (&rows)[3], const Range& columns, double lea
 #if CV_SIMD
     const int lanes = VTraits<v_int16>::max_nlanes;
     const v_int16 high = vx_setall_s16(short(least - 1)), low = vx_setall_s16(short(1 - least));
-    for (; x + lanes <= end; x += lanes)
+    for (; x < end && end >= 2 + lanes; x += lanes)
     {
+        const int again = std::max(x + lanes - end, 0); // of the last ones
+        x -= again;
         const v_int16 g = vx_load(gradient + x), left = vx_load(gradient + x - 1), right = vx_load(gradient + x + 1);
         const v_int16 peaks = v_and(v_and(v_gt(g, high), v_gt(g, left)), v_ge(g, right)),
                       valleys = v_and(v_and(v_lt(g, low), v_lt(g, left)), v_le(g, right));
-        for (unsigned found = unsigned(v_signmask(v_or(peaks, valleys))); found; found &= found - 1)
+        for (unsigned found = unsigned(v_signmask(v_or(peaks, valleys))) & (~0u << again); found; found &= found - 1)
         {
             const int i = x + int(trailingZeros32(found));
             points[count++] = edgeAt(gradient + i, columns.start + i);
