@@ -16,16 +16,17 @@ static const double LARGEST_SAGITTA = 0.02; // of the length
 // Standard deviation of the step that white noise of one grey level shows: the norm of the gradient's weights.
 static const double NOISE_OF_STEP = 0.612;
 
-EdgeChains::EdgeChains(const Mat& gray_, const Range& columns_, double noise_, int leastRows_)
-    : gray(gray_), columns(columns_), leastRows(std::max(leastRows_, 4)), noise(noise_), buffer(2 * columns_.size()),
-      found(columns_.size()), foundCount(0), pointCount(0), result(0)
+EdgeChains::EdgeChains(const Mat& gray_, double noise_, int leastRows_)
+    : gray(gray_), leastRows(std::max(leastRows_, 4)), noise(noise_), buffer(2 * gray_.cols), found(gray_.cols),
+      foundCount(0), unused(NONE), result(0)
 {
 }
 
 void EdgeChains::find(std::vector<EdgePiece>& pieces)
 {
     result = &pieces;
-    pointCount = 0;
+    points.clear();
+    unused = NONE;
     chains.clear();
     for (int row = 0; row < gray.rows; row++)
     {
@@ -43,7 +44,7 @@ void EdgeChains::findRow(int row)
     const double least = std::max(LEAST_STEP, LEAST_SIGMAS * NOISE_OF_STEP * noise);
     const uchar* const neighbours[] = {gray.ptr(std::max(row - 1, 0)), gray.ptr(row),
                                        gray.ptr(std::min(row + 1, gray.rows - 1))};
-    foundCount = findExtremes(neighbours, columns, least, buffer.data(), found.data());
+    foundCount = findExtremes(neighbours, gray.cols, least, buffer.data(), found.data());
 }
 
 // Each chain's nearest edge; of several chains the one that has more points gets it.
@@ -91,6 +92,8 @@ void EdgeChains::follow(int row)
             if (++c.missed > longestGap)
             {
                 end(c);
+                points[c.first].previous = unused;
+                unused = c.last;
                 c.count = 0;
                 continue;
             }
@@ -112,14 +115,20 @@ void EdgeChains::follow(int row)
 // Written to its place number by number: a copy of what has just been written so would wait for it.
 int EdgeChains::addPoint(const EdgePoint& edge, int row, int previous)
 {
-    if (pointCount == points.size())
-        points.resize(2 * pointCount + 1024);
-    Point& p = points[pointCount];
+    if (unused == NONE)
+    {
+        unused = int(points.size());
+        const Point none = {0, 0, 0, NONE};
+        points.push_back(none);
+    }
+    const int place = unused;
+    Point& p = points[place];
+    unused = p.previous;
     p.column = edge.column;
     p.step = edge.step;
     p.row = row;
     p.previous = previous;
-    return int(pointCount++);
+    return place;
 }
 
 // Edges that no chain has begin one; chains are kept from left to right.
@@ -145,7 +154,8 @@ void EdgeChains::begin(int row)
         const EdgePoint& e = found[j];
         while (i < kept && chains[i].column < e.column)
             next.push_back(chains[i++]);
-        const Chain c = {e.column, 0, 1, addPoint(e, row, NONE), 0, NONE, e.step > 0};
+        const int point = addPoint(e, row, NONE);
+        const Chain c = {e.column, 0, 1, point, point, 0, NONE, e.step > 0};
         next.push_back(c);
     }
     if (next.empty())

@@ -28,10 +28,10 @@ struct EdgePiece
 class EdgeChains
 {
 public:
-    /** @param gray CV_8UC1. @param columns of it that are searched.
+    /** @param gray CV_8UC1.
     @param noise standard deviation of the noise, grey levels.
     @param leastRows of a piece. */
-    EdgeChains(const Mat& gray, const Range& columns, double noise, int leastRows);
+    EdgeChains(const Mat& gray, double noise, int leastRows);
 
     //! Adds the pieces.
     void find(std::vector<EdgePiece>& pieces);
@@ -45,8 +45,9 @@ private:
     struct Chain
     {
         float column, slope; // expected in the next row
-        int count, last;     // points, and the place of the last one
-        int missed;          // rows since then
+        int count;           // points; 0: it has ended
+        int first, last;     // places of points
+        int missed;          // rows since the last one
         int found;           // edge of the present row
         bool rises;
     };
@@ -64,16 +65,14 @@ private:
     void add(int begin, int end, bool isCurved);
 
     const Mat& gray;
-    Range columns;
     int leastRows;
     double noise;
     std::vector<short> buffer;
     std::vector<EdgePoint> found; // in the present row, the first foundCount of them
     int foundCount;
     std::vector<int> owners;
-    std::vector<Point> points; // the first pointCount of them
-    size_t pointCount;
-    std::vector<Point> chain;
+    std::vector<Point> points, chain; // of all chains, of one that has ended
+    int unused;                       // place of the last of the points of chains that have ended
     std::vector<Chain> chains, next;
     std::vector<ParabolaSums> sums; // over the points before one
     std::vector<EdgePiece>* result;

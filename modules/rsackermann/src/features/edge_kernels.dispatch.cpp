@@ -10,9 +10,9 @@
 
 namespace cv { namespace rsackermann {
 
-int findExtremes(const uchar* const (&rows)[3], const Range& columns, double least, short* buffer, EdgePoint* points)
+int findExtremes(const uchar* const (&rows)[3], int width, double least, short* buffer, EdgePoint* points)
 {
-    CV_CPU_DISPATCH(findExtremes, (rows, columns, least, buffer, points), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(findExtremes, (rows, width, least, buffer, points), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 EdgeMoments sumWindows(EdgeWindows& windows, float sign)

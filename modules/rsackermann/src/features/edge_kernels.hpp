@@ -24,12 +24,11 @@ struct EdgePoint
 The gradient of a place between two pixels is the difference of the two pixels on each side, in three rows weighed 1, 2
 and 1: even the sides of bars of two pixels are where they should be, and noise is reduced.
 @param rows the row between its neighbours.
-@param columns that are searched.
 @param least grey levels.
-@param buffer of two numbers for each of the columns.
+@param buffer of two numbers for each column.
 @param points receives the edges; has room for one in each column.
 @return their number. */
-int findExtremes(const uchar* const (&rows)[3], const Range& columns, double least, short* buffer, EdgePoint* points);
+int findExtremes(const uchar* const (&rows)[3], int width, double least, short* buffer, EdgePoint* points);
 
 enum { WINDOW_REACH = 3, WINDOW_PIXELS = 2 * WINDOW_REACH + 1, WINDOW_STRIDE = 8 };
 

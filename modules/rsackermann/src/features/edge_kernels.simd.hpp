@@ -9,7 +9,7 @@ namespace cv { namespace rsackermann {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-int findExtremes(const uchar* const (&rows)[3], const Range& columns, double least, short* buffer, EdgePoint* points);
+int findExtremes(const uchar* const (&rows)[3], int width, double least, short* buffer, EdgePoint* points);
 EdgeMoments sumWindows(EdgeWindows& windows, float sign);
 ParabolaSums sumCentres(const EdgeWindows& windows, double gain, double usualSquare, double start, double spacing,
                         const ParabolaFit* line);
@@ -120,25 +120,22 @@ inline float ifPositive(float x, float value)
 
 // The sum of three rows, the middle one twice, and its differences of two places to the left of a place between two
 // pixels and two to its right.
-void differentiate(const uchar* const (&rows)[3], const Range& columns, short* sums, short* gradient)
+void differentiate(const uchar* const (&rows)[3], int width, short* sums, short* gradient)
 {
-    const uchar* const above = rows[0] + columns.start;
-    const uchar* const here = rows[1] + columns.start;
-    const uchar* const below = rows[2] + columns.start;
-    const int width = columns.size();
     int x = 0;
 #if CV_SIMD
     const int lanes = VTraits<v_int16>::max_nlanes;
     for (; x < width && width >= lanes; x += lanes)
     {
         x = std::min(x, width - lanes); // the last ones, some of them once more
-        const v_uint16 middle = vx_load_expand(here + x);
-        const v_uint16 sum = v_add(v_add(vx_load_expand(above + x), vx_load_expand(below + x)), v_add(middle, middle));
+        const v_uint16 middle = vx_load_expand(rows[1] + x);
+        const v_uint16 sum =
+            v_add(v_add(vx_load_expand(rows[0] + x), vx_load_expand(rows[2] + x)), v_add(middle, middle));
         v_store(sums + x, v_reinterpret_as_s16(sum));
     }
 #endif
     for (; x < width; x++)
-        sums[x] = short(above[x] + 2 * here[x] + below[x]);
+        sums[x] = short(rows[0][x] + 2 * rows[1][x] + rows[2][x]);
 
     x = 1;
 #if CV_SIMD
@@ -167,13 +164,11 @@ inline EdgePoint edgeAt(const short* g, int column)
 
 } // namespace
 
-int findExtremes(const uchar* const (&rows)[3], const Range& columns, double leastStep, short* buffer,
-                 EdgePoint* points)
+int findExtremes(const uchar* const (&rows)[3], int width, double leastStep, short* buffer, EdgePoint* points)
 {
-    const int least = std::min(std::max(cvCeil(int(STEP_GAIN) * leastStep), 1), int(SHRT_MAX)), width = columns.size(),
-              end = width - 3;
+    const int least = std::min(std::max(cvCeil(int(STEP_GAIN) * leastStep), 1), int(SHRT_MAX)), end = width - 3;
     short* gradient = buffer + width;
-    differentiate(rows, columns, buffer, gradient);
+    differentiate(rows, width, buffer, gradient);
     int x = 2, count = 0;
 #if CV_SIMD
     const int lanes = VTraits<v_int16>::max_nlanes;
@@ -188,13 +183,13 @@ int findExtremes(const uchar* const (&rows)[3], const Range& columns, double lea
         for (unsigned found = unsigned(v_signmask(v_or(peaks, valleys))) & (~0u << again); found; found &= found - 1)
         {
             const int i = x + int(trailingZeros32(found));
-            points[count++] = edgeAt(gradient + i, columns.start + i);
+            points[count++] = edgeAt(gradient + i, i);
         }
     }
 #endif
     for (; x < end; x++)
         if (isExtreme(gradient + x, least))
-            points[count++] = edgeAt(gradient + x, columns.start + x);
+            points[count++] = edgeAt(gradient + x, x);
     return count;
 }
 

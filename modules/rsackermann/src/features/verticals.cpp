@@ -18,14 +18,15 @@ namespace {
 struct Strip
 {
     bool isTransposed;
+    int width;       // of the image
     Range own, seen; // columns
 };
 
 class FindEdges : public ParallelLoopBody
 {
 public:
-    FindEdges(const Mat (&searched_)[2], const Mat& gray_, const std::vector<Strip>& strips_, double noise_,
-              double scale_, double minLength_, bool isForMany_, std::vector<std::vector<Vec4f>>& found_)
+    FindEdges(const Mat& searched_, const Mat& gray_, const std::vector<Strip>& strips_, double noise_, double scale_,
+              double minLength_, bool isForMany_, std::vector<std::vector<Vec4f>>& found_)
         : searched(searched_), gray(gray_), strips(strips_), noise(noise_), scale(scale_), minLength(minLength_),
           isForMany(isForMany_), found(found_)
     {
@@ -43,17 +44,22 @@ private:
         // Rows at the ends of a piece that needn't tell the edge; for many images as in refineSegments().
         const double end = 1.5, endForMany = 4.5;
         segments.clear();
-        const Mat& image = searched[strip.isTransposed];
+        Mat image;
+        if (strip.isTransposed)
+            transpose(searched.rowRange(strip.seen), image);
+        else
+            image = searched.colRange(strip.seen);
         EdgeFit fit(EdgeImage(gray, strip.isTransposed));
         std::vector<EdgePiece> pieces;
         // Diagonals cross fewer rows than they are long.
-        EdgeChains(image, strip.seen, noise, cvFloor(0.7 * minLength / scale)).find(pieces);
+        EdgeChains(image, noise, cvFloor(0.7 * minLength / scale)).find(pieces);
         for (size_t i = 0; i < pieces.size(); i++)
         {
             EdgePiece& p = pieces[i];
+            p.middle += strip.seen.start;
             // In the overlap an edge is found twice and taken from the strip that has its middle.
             if ((strip.own.start > 0 && p.middle < strip.own.start) ||
-                (strip.own.end < image.cols && p.middle >= strip.own.end))
+                (strip.own.end < strip.width && p.middle >= strip.own.end))
                 continue;
             if ((p.last - p.first + 1) * std::sqrt(1 + p.slope * p.slope) * scale < 0.95 * minLength)
                 continue;
@@ -69,7 +75,7 @@ private:
         }
     }
 
-    const Mat (&searched)[2];
+    const Mat& searched;
     const Mat& gray;
     const std::vector<Strip>& strips;
     double noise, scale, minLength;
@@ -82,16 +88,15 @@ private:
 void detectVerticals(const Mat& gray, const Mat& smaller, int scale, double minLength, bool isForMany,
                      std::vector<Vec4f>& segments)
 {
-    Mat searched[2] = {smaller, Mat()};
-    transpose(smaller, searched[1]);
     std::vector<Strip> strips;
     for (int k = 0; k < 2; k++)
     {
-        const int width = searched[k].cols, count = std::max(cvRound(width / double(STRIP_WIDTH)), 1);
+        const int width = k ? smaller.rows : smaller.cols, count = std::max(cvRound(width / double(STRIP_WIDTH)), 1);
         for (int i = 0; i < count; i++)
         {
             Strip s;
             s.isTransposed = k == 1;
+            s.width = width;
             s.own = Range(int(int64(width) * i / count), int(int64(width) * (i + 1) / count));
             s.seen = Range(std::max(s.own.start - OVERLAP, 0), std::min(s.own.end + OVERLAP, width));
             strips.push_back(s);
@@ -99,7 +104,7 @@ void detectVerticals(const Mat& gray, const Mat& smaller, int scale, double minL
     }
     std::vector<std::vector<Vec4f>> found(strips.size());
     parallel_for_(Range(0, int(strips.size())),
-                  FindEdges(searched, gray, strips, imageNoise(smaller), scale, minLength, isForMany, found));
+                  FindEdges(smaller, gray, strips, imageNoise(smaller), scale, minLength, isForMany, found));
     segments.clear();
     for (size_t i = 0; i < found.size(); i++)
         segments.insert(segments.end(), found[i].begin(), found[i].end());
