@@ -19,7 +19,7 @@ using namespace cv::rsackermann;
 namespace {
 
 const cv::Size FULL_HD(1920, 1080);
-const int FRAMES = 100;
+const int FRAMES = 300;
 
 //! A temporary folder with JPEG frames, and one for results; both go with it.
 class Folder

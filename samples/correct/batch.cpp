@@ -4,16 +4,56 @@
 
 #include "batch.hpp"
 #include "files.hpp"
-#include "image_task.hpp"
 #include "output/interrupt.hpp"
 #ifdef RSACKERMANN_WITH_VIDEOIO
 #include "video_task.hpp"
 #endif
 
+#include <algorithm>
 #include <iostream>
 #include <limits>
 
 namespace rsackermann_samples {
+
+namespace {
+
+// What use() throws, as a text; an interruption goes on.
+template <class Use>
+std::string errorOf(const Use& use)
+{
+    try
+    {
+        use();
+        return "";
+    }
+    catch (const Interrupted&)
+    {
+        throw;
+    }
+    catch (const cv::Exception& e)
+    {
+        return e.err;
+    }
+    catch (const std::exception& e)
+    {
+        return e.what();
+    }
+}
+
+std::launch launchPolicy()
+{
+    return cv::getNumThreads() > 1 ? std::launch::async : std::launch::deferred;
+}
+
+// How many images are read ahead, and how many are written behind, of a size. Correction takes all processors for a
+// part of the time only; a few images suffice to keep them busy.
+size_t overlapOf(const cv::Size& size)
+{
+    const int most = 3, pixels = 1 << 23;
+    return cv::getNumThreads() > 1 ? size_t(std::min(std::max(pixels / std::max(size.area(), 1), 1), most)) : 0;
+}
+
+} // namespace
 
 Batch::Batch(const Job& job)
     : job_(job), inputs_(job.inputs.inputs), report_(job.report.empty() ? nullptr : new ReportFile(job)),
@@ -31,7 +71,7 @@ int Batch::run()
         if (!inputs_[i].isFile())
         {
             corrector_.beginFrame(factsOf(i));
-            fail(inputs_[i].name, inputs_[i].error);
+            outcomes_.emplace_back(i, inputs_[i].error);
             continue;
         }
         try
@@ -47,10 +87,10 @@ int Batch::run()
         }
         catch (const InputError& e)
         {
-            fail(inputs_[i].name, e.what());
+            outcomes_.emplace_back(i, e.what());
         }
-        done_++;
     }
+    finish(0);
     progress_.clear();
     if (!interruptSignal())
         return failures_ ? 1 : 0;
@@ -74,85 +114,108 @@ bool Batch::isLeftOut(size_t index, const Task& task) const
     return job_.skipExisting && task.isDone() && !(isCarried && index < lastTask_);
 }
 
-void Batch::correct(size_t index, const Task& task)
-{
-    const std::string& input = inputs_[index].name;
-    std::string error;
-    std::vector<std::string> lines;
-    const std::vector<FrameReport> frames = correctFile(index, task.targets, error);
-    for (const FrameReport& frame : frames)
-        lines.push_back(reportLine(frame));
-    warnOfContradictions(input, frames);
-    if (task.isReported)
-        lines.clear();
-    report(lines);
-    if (!error.empty())
-        fail(input, error);
-}
-
 FrameFacts Batch::factsOf(size_t index) const
 {
     return job_.log.of(inputs_[index].name, inputs_[index].number, std::numeric_limits<double>::quiet_NaN());
 }
 
+Batch::FutureImage Batch::imageOf(size_t index)
+{
+    const auto known = images_.find(index);
+    if (known != images_.end())
+        return known->second;
+    const std::string& input = inputs_[index].name;
+    return images_[index] = std::async(launchPolicy(), [&input]() { return readStored(input); }).share();
+}
+
 // An image that can't be read says so when it is its turn.
-NextFrame Batch::nextOf(size_t index) const
+NextFrame Batch::nextOf(size_t index)
 {
     if (!corrector_.wantsNext() || index + 1 >= inputs_.size() || isVideo(inputs_[index + 1].name))
         return NextFrame();
-    try
-    {
-        return NextFrame(readImage(inputs_[index + 1].name), factsOf(index + 1).time);
-    }
-    catch (const InputError&)
-    {
-        return NextFrame();
-    }
+    NextFrame next;
+    const std::string error =
+        errorOf([&]() { next = NextFrame(imageOf(index + 1).get().pixels, factsOf(index + 1).time); });
+    return error.empty() ? next : NextFrame();
 }
 
-// The error is reported and not thrown, as the frames of a video may be there though its end isn't.
-std::vector<FrameReport> Batch::correctFile(size_t index, const Targets& targets, std::string& error)
+void Batch::readAhead(size_t index, size_t count)
+{
+    for (; count > 0 && index < inputs_.size() && inputs_[index].isFile() && !isVideo(inputs_[index].name); index++)
+        if (!job_.skipExisting || index < lastTask_)
+        {
+            imageOf(index);
+            count--;
+        }
+}
+
+void Batch::correct(size_t index, const Task& task)
+{
+    if (isVideo(inputs_[index].name))
+        finish(0);
+    Outcome outcome(index);
+    outcome.isReported = task.isReported;
+    // The error is reported and not thrown, as the frames of a video may be there though its end isn't.
+    outcome.error = errorOf([&]() { correctFile(index, task.targets, outcome); });
+    if (isVideo(inputs_[index].name)) // whether it has come to its end or not
+        corrector_.reset();
+    images_.erase(images_.begin(), images_.upper_bound(index));
+    outcomes_.push_back(std::move(outcome));
+}
+
+void Batch::correctFile(size_t index, const Targets& targets, Outcome& outcome)
 {
     const std::string& input = inputs_[index].name;
-    // Inputs that are left out take no time.
-    const double total = done_ + double(inputs_.size() - index);
-    std::vector<FrameReport> frames;
     if (isVideo(input))
         corrector_.reset();
     else
         corrector_.beginFrame(factsOf(index));
-    try
-    {
-        targets.check(job_);
+    targets.check(job_);
 #ifdef RSACKERMANN_WITH_VIDEOIO
-        if (isVideo(input))
-        {
-            correctVideo(input, targets, job_, corrector_, frames,
-                         [&](double share) { progress_.update(done_ + share, total, input); });
-        }
-        else
+    if (isVideo(input))
+    {
+        const double total = done_ + double(inputs_.size() - index);
+        correctVideo(input, targets, job_, corrector_, outcome.frames,
+                     [&](double share) { progress_.update(done_ + share, total, input); });
+        return;
+    }
 #endif
-        {
-            frames.push_back(
-                correctImage(input, targets, nextOf(index), job_.depth.fileOf(inputs_[index]), corrector_));
-            progress_.update(done_ + 1, total, input);
-        }
-    }
-    catch (const Interrupted&)
-    {
-        throw;
-    }
-    catch (const cv::Exception& e)
-    {
-        error = e.err;
-    }
-    catch (const std::exception& e)
-    {
-        error = e.what();
-    }
-    if (isVideo(input)) // whether it has come to its end or not
-        corrector_.reset();
-    return frames;
+    const StoredImage stored = imageOf(index).get();
+    const size_t overlap = overlapOf(stored.pixels.size());
+    readAhead(index + 1, overlap);
+    CorrectedFrame frame = corrector_.correct(stored.pixels, nextOf(index), job_.depth.fileOf(inputs_[index]));
+    frame.report.input = input;
+    finish(overlap);
+    outcome.frames.push_back(frame.report);
+    outcome.written =
+        std::async(launchPolicy(), [&input, stored, frame, targets]() { writeResults(input, stored, frame, targets); });
+}
+
+// Waits for the results of inputs until so many are left.
+void Batch::finish(size_t left)
+{
+    for (; outcomes_.size() > left; outcomes_.pop_front())
+        finish(outcomes_.front());
+}
+
+void Batch::finish(Outcome& outcome)
+{
+    const std::string& input = inputs_[outcome.index].name;
+    if (outcome.written.valid())
+        outcome.error = errorOf([&]() { outcome.written.get(); });
+    if (!outcome.error.empty() && !isVideo(input)) // of a video there are frames
+        outcome.frames.clear();
+    std::vector<std::string> lines;
+    for (const FrameReport& frame : outcome.frames)
+        lines.push_back(reportLine(frame));
+    warnOfContradictions(input, outcome.frames);
+    if (!outcome.isReported)
+        report(lines);
+    if (!outcome.error.empty())
+        fail(input, outcome.error);
+    done_++;
+    // Inputs that are left out take no time.
+    progress_.update(done_, done_ + double(inputs_.size() - outcome.index - 1), input);
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.

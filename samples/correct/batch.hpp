@@ -5,14 +5,19 @@
 #ifndef RSACKERMANN_SAMPLES_BATCH_HPP
 #define RSACKERMANN_SAMPLES_BATCH_HPP
 
-#include "frame_corrector.hpp"
+#include "image_task.hpp"
 #include "progress.hpp"
 #include "report_file.hpp"
-#include "targets.hpp"
+#include <deque>
+#include <future>
+#include <map>
 
 namespace rsackermann_samples {
 
 /** Corrects all inputs of a job.
+
+With more than one thread the next images are read and the results of the last ones written while one is corrected;
+what is said of them comes in the order of the inputs.
 
 Complete results stay when it is interrupted or killed; another run with --skip_existing goes on from there.
 */
@@ -36,12 +41,33 @@ private:
         bool isDone() const { return targets.empty() && isReported; }
     };
 
+    // An input whose results are still being written.
+    struct Outcome
+    {
+        size_t index;
+        bool isReported; // already
+        std::vector<FrameReport> frames;
+        std::string error;
+        std::future<void> written; // if there is something to be written
+
+        explicit Outcome(size_t index_, const std::string& error_ = "")
+            : index(index_), isReported(false), error(error_)
+        {
+        }
+    };
+
+    typedef std::shared_future<StoredImage> FutureImage;
+
     Task taskOf(const std::string& input) const;
     bool isLeftOut(size_t index, const Task& task) const;
-    void correct(size_t index, const Task& task);
     FrameFacts factsOf(size_t index) const;
-    NextFrame nextOf(size_t index) const;
-    std::vector<FrameReport> correctFile(size_t index, const Targets& targets, std::string& error);
+    FutureImage imageOf(size_t index);
+    NextFrame nextOf(size_t index);
+    void readAhead(size_t index, size_t count);
+    void correct(size_t index, const Task& task);
+    void correctFile(size_t index, const Targets& targets, Outcome& outcome);
+    void finish(size_t left);
+    void finish(Outcome& outcome);
     void warnOfContradictions(const std::string& input, const std::vector<FrameReport>& frames);
     void fail(const std::string& input, const std::string& message);
     void report(const std::vector<std::string>& lines);
@@ -51,6 +77,8 @@ private:
     std::unique_ptr<ReportFile> report_;
     FrameCorrector corrector_;
     Progress progress_;
+    std::map<size_t, FutureImage> images_; // by their places among the inputs
+    std::deque<Outcome> outcomes_;
     size_t lastTask_; // the last input that has something left to be done
     double done_;
     int failures_;

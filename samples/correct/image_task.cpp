@@ -7,13 +7,18 @@
 #include "map_file.hpp"
 #include "output/image_file.hpp"
 
+#include <cstring>
+
 namespace rsackermann_samples {
 
 namespace {
 
 bool isSame(const cv::Mat& a, const cv::Mat& b)
 {
-    return a.data == b.data || cv::norm(a, b, cv::NORM_INF) == 0;
+    bool same = a.size() == b.size() && a.type() == b.type();
+    for (int y = 0; y < a.rows && same && a.data != b.data; y++)
+        same = std::memcmp(a.ptr(y), b.ptr(y), a.cols * a.elemSize()) == 0;
+    return same;
 }
 
 // An image that stays as it is would lose by being coded again. Of formats with an orientation only those whose Exif
@@ -26,31 +31,33 @@ bool isCopied(const std::string& input, const std::string& output)
 
 } // namespace
 
-FrameReport correctImage(const std::string& input, const Targets& targets, const NextFrame& next,
-                         const std::string& depthFile, FrameCorrector& corrector)
+StoredImage readStored(const std::string& input)
 {
-    std::vector<uchar> exif;
-    const cv::Mat image = readImage(input, &exif);
-    CorrectedFrame frame = corrector.correct(image, next, depthFile);
+    StoredImage stored;
+    stored.pixels = readImage(input, &stored.exif);
+    return stored;
+}
+
+void writeResults(const std::string& input, const StoredImage& stored, const CorrectedFrame& frame,
+                  const Targets& targets)
+{
     AtomicFiles files;
     if (!targets.overlay.empty())
-        writeImage(files.add(targets.overlay), frame.overlay, exif);
+        writeImage(files.add(targets.overlay), frame.overlay, stored.exif);
     if (!targets.maps.empty())
         writeMaps(files.add(targets.maps), frame.map1, frame.map2);
     if (!targets.output.empty())
     {
         AtomicFile& file = files.add(targets.output);
-        if (isCopied(input, targets.output) && isSame(image, frame.image))
+        if (isCopied(input, targets.output) && isSame(stored.pixels, frame.image))
         {
             const std::vector<uchar> bytes = readBytes(input);
             file.write(bytes.data(), bytes.size());
         }
         else
-            writeImage(file, frame.image, exif);
+            writeImage(file, frame.image, stored.exif);
     }
     files.commit();
-    frame.report.input = input;
-    return frame.report;
 }
 
 } // namespace rsackermann_samples

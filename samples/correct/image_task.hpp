@@ -10,11 +10,19 @@
 
 namespace rsackermann_samples {
 
-/** Corrects the image of a file and writes its results.
-@param depthFile empty: none is given.
-@return its line of the report. Throws InputError or cv::Exception, and then no result is there. */
-FrameReport correctImage(const std::string& input, const Targets& targets, const NextFrame& next,
-                         const std::string& depthFile, FrameCorrector& corrector);
+//! What the file of an image holds.
+struct StoredImage
+{
+    cv::Mat pixels;
+    std::vector<uchar> exif;
+};
+
+//! Throws InputError or cv::Exception.
+StoredImage readStored(const std::string& input);
+
+//! Writes the results of an image. Throws InputError or cv::Exception, and then no result is there.
+void writeResults(const std::string& input, const StoredImage& stored, const CorrectedFrame& frame,
+                  const Targets& targets);
 
 } // namespace rsackermann_samples
 
