@@ -25,10 +25,11 @@ StripWarp::StripWarp(const RollingShutterCamera& camera) : generator_(WarpMapGen
 template <class Use>
 void StripWarp::forEachStrip(const AckermannMotion& motion, const DepthMap& depth, const Use& use)
 {
-    const int pixels = 1 << 20; // enough for all threads
+    const int pixels = 1 << 18; // enough for all threads
     const RollingShutterCamera camera = generator_->getCamera();
     const int rows = depth.empty() ? std::max(pixels / camera.imageSize.width, 16) : camera.imageSize.height;
-    cv::Mat map1, map2;
+    for (cv::Mat* map : {&map1_, &map2_})
+        map->create(std::min(rows, camera.imageSize.height), camera.imageSize.width, CV_32FC1);
     for (int y = 0; y < camera.imageSize.height; y += rows)
     {
         const cv::Range strip(y, std::min(y + rows, camera.imageSize.height));
@@ -37,6 +38,7 @@ void StripWarp::forEachStrip(const AckermannMotion& motion, const DepthMap& dept
         params.newCameraMatrix = camera.cameraMatrix;
         params.newCameraMatrix(1, 2) -= y;
         generator_->setParams(params);
+        cv::Mat map1 = map1_.rowRange(0, strip.size()), map2 = map2_.rowRange(0, strip.size());
         generator_->initRectifyMap(motion, map1, map2, CV_32FC1, cv::noArray(), depth);
         use(strip, map1, map2);
     }

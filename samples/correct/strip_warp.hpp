@@ -46,6 +46,7 @@ private:
                       const Use& use);
 
     cv::Ptr<cv::rsackermann::WarpMapGenerator> generator_;
+    cv::Mat map1_, map2_; // of a strip
 };
 
 } // namespace rsackermann_samples
