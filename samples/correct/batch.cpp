@@ -211,11 +211,12 @@ void Batch::finish(Outcome& outcome)
     warnOfContradictions(input, outcome.frames);
     if (!outcome.isReported)
         report(lines);
-    if (!outcome.error.empty())
-        fail(input, outcome.error);
     done_++;
     // Inputs that are left out take no time.
-    progress_.update(done_, done_ + double(inputs_.size() - outcome.index - 1), input);
+    if (outcome.error.empty())
+        progress_.update(done_, done_ + double(inputs_.size() - outcome.index - 1), input);
+    else
+        fail(input, outcome.error);
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.
