@@ -13,9 +13,6 @@ static const double GATE = 1;               // pixels from the expected column
 static const double STRAIGHT = 0.3;         // pixels, root mean square from a straight line
 static const double LARGEST_SAGITTA = 0.02; // of the length
 
-// Standard deviation of the step that white noise of one grey level shows: the norm of the gradient's weights.
-static const double NOISE_OF_STEP = 0.612;
-
 EdgeChains::EdgeChains(const Mat& gray_, double noise_, int leastRows_)
     : gray(gray_), leastRows(std::max(leastRows_, 4)), noise(noise_), buffer(2 * gray_.cols), found(gray_.cols),
       foundCount(0), unused(NONE), result(0)
@@ -41,7 +38,8 @@ void EdgeChains::find(std::vector<EdgePiece>& pieces)
 
 void EdgeChains::findRow(int row)
 {
-    const double least = std::max(LEAST_STEP, LEAST_SIGMAS * NOISE_OF_STEP * noise);
+    const double noiseOfStep = 0.612; // with white noise of one grey level: the norm of the gradient's weights
+    const double least = std::max(LEAST_STEP, LEAST_SIGMAS * noiseOfStep * noise);
     const uchar* const neighbours[] = {gray.ptr(std::max(row - 1, 0)), gray.ptr(row),
                                        gray.ptr(std::min(row + 1, gray.rows - 1))};
     foundCount = findExtremes(neighbours, gray.cols, least, buffer.data(), found.data());

@@ -227,7 +227,7 @@ ParabolaSums sumCentres(const EdgeWindows& windows, double gain, double usualSqu
     const Floats zero = allOf(0), one = allOf(1), gains = allOf(gain), usual = allOf(usualSquare),
                  middle = allOf(line ? line->middle : 0), slope = allOf(line ? line->slope : 0),
                  curvature = allOf(line ? line->curvature : 0), robust = allOf(line ? 1 : 0);
-    float times[LANES];
+    float times[LANES] = {0};
     for (int k = 0; k < LANES; k++)
         times[k] = float(start + k * spacing);
     Floats t = loadFloats(times), n = zero, st = zero, stt = zero, sttt = zero, stttt = zero, sx = zero, sxt = zero,
