@@ -207,7 +207,7 @@ TEST(RSAckermann_CorrectorState, random_events_in_a_sequence)
         double clock = 0;
         for (int i = 0; i < frames; i++)
         {
-            const int event = rng.uniform(0, 8);
+            const int event = rng.uniform(0, 9);
             clock += INTERVAL;
             if (event == 0 && i > 0) // lost
             {
@@ -229,6 +229,12 @@ TEST(RSAckermann_CorrectorState, random_events_in_a_sequence)
             }
             if (event == 3)
                 clock -= 0.3;
+            if (event == 4 && i > 1) // repeated, or one that is late: with its own time, a new sequence
+            {
+                const bool isLate = rng.uniform(0, 2) == 1;
+                corrector->setTimestamp(clock - (isLate ? 2 : 1) * INTERVAL);
+                correctFrame(*corrector, s, i - (isLate ? 2 : 1));
+            }
             corrector->setTimestamp(clock);
             const AckermannMotion motion = correctFrame(*corrector, s, i);
             if (i < 2 || motion.status != MOTION_OK || event == 3)

@@ -148,9 +148,10 @@ static void checkRotation(const Matx33d& R)
 
 void RollingShutterCamera::check() const
 {
-    if (imageSize.width <= 0 || imageSize.height <= 0)
-        CV_Error(Error::StsBadArg, format("camera.imageSize is %d x %d; a positive width and height are expected",
-                                          imageSize.width, imageSize.height));
+    const int most = 65535; // what is kept for each row or column has to fit into memory
+    if (imageSize.width <= 0 || imageSize.height <= 0 || imageSize.width > most || imageSize.height > most)
+        CV_Error(Error::StsBadArg, format("camera.imageSize is %d x %d; a width and height of 1 to %d are expected",
+                                          imageSize.width, imageSize.height, most));
     checkIntrinsics(cameraMatrix);
     checkLens(lensModel, distCoeffs);
     if (scanDirection < SCAN_TOP_TO_BOTTOM || scanDirection > SCAN_RIGHT_TO_LEFT)

@@ -109,7 +109,7 @@ public:
     //! Reads the fields that write() has written; the others keep their values.
     CV_WRAP void read(const FileNode& fn);
 
-    CV_PROP_RW Size imageSize;                 //!< size of the raw image in pixels
+    CV_PROP_RW Size imageSize;                 //!< size of the raw image in pixels, 1 to 65535 each
     CV_PROP_RW Matx33d cameraMatrix;           //!< intrinsic parameters in pixels, without skew
     CV_PROP_RW std::vector<double> distCoeffs; //!< lens coefficients; empty: none
     CV_PROP_RW int lensModel;                  //!< one of #LensModel

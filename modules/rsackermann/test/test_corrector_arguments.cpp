@@ -1,0 +1,315 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+// Bad arguments and values at every public entry: cv::Exception, or a result, and nothing else. Images have their own
+// tests (test_image_arguments.hpp).
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "opencv2/rsackermann/calibration.hpp"
+#include "opencv2/rsackermann/corrector.hpp"
+#include "opencv2/rsackermann/draw.hpp"
+#include <functional>
+#include <regex>
+
+namespace opencv_test { namespace {
+
+const Size SIZE(61, 47);
+
+RollingShutterCamera smallCamera()
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(SIZE, 50);
+    camera.lineDelay = 1e-4;
+    return camera;
+}
+
+Mat noise()
+{
+    Mat image(SIZE, CV_8U);
+    RNG(3).fill(image, RNG::UNIFORM, 0, 256);
+    return image;
+}
+
+Mat segmentsOf(int count)
+{
+    RNG rng(5);
+    Mat segments(count, 4, CV_32F);
+    for (int i = 0; i < count; i++)
+    {
+        const float x = rng.uniform(3.f, 57.f), y = rng.uniform(2.f, 20.f);
+        segments.row(i) = (Mat_<float>(1, 4) << x, y, x + rng.uniform(-1.f, 1.f), y + 20);
+    }
+    return segments;
+}
+
+//! False if it throws cv::Exception; anything else that is thrown fails.
+bool isAccepted(const std::function<void()>& call)
+{
+    try
+    {
+        call();
+        return true;
+    }
+    catch (const cv::Exception&)
+    {
+        return false;
+    }
+    catch (const std::exception& e)
+    {
+        ADD_FAILURE() << "another exception: " << e.what();
+        return false;
+    }
+}
+
+struct ArrayEntry
+{
+    const char* name;
+    std::function<void(InputArray)> call;
+};
+
+std::vector<ArrayEntry> arrayEntries()
+{
+    const RollingShutterCamera camera = smallCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(camera);
+    const Mat times = (Mat_<double>(3, 1) << 1, 2, 3), rates = Mat::zeros(3, 3, CV_64F);
+    return {{"estimate", [=](InputArray a) { estimator->estimate(a); }},
+            {"correctWithSegments",
+             [=](InputArray a) {
+                 Mat dst;
+                 corrector->correctWithSegments(noise(), a, dst);
+             }},
+            {"addGyro, times",
+             [=](InputArray a) {
+                 corrector->clearGyro();
+                 corrector->addGyro(a, rates);
+             }},
+            {"addGyro, rates",
+             [=](InputArray a) {
+                 corrector->clearGyro();
+                 corrector->addGyro(times, a);
+             }},
+            {"addGyro of the calibrator",
+             [=](InputArray a) {
+                 calibrator->clearGyro();
+                 calibrator->addGyro(times, a);
+             }},
+            {"addPoints, points", [=](InputArray a) { calibrator->addPoints(a, segmentsOf(3), 7); }},
+            {"addPoints, segments", [=](InputArray a) { calibrator->addPoints(Mat(3, 4, CV_32F, Scalar(5)), a, 7); }},
+            {"correctPoints",
+             [=](InputArray a) {
+                 Mat dst;
+                 generator->correctPoints(exampleMotion(), a, dst);
+             }},
+            {"distortPoints",
+             [=](InputArray a) {
+                 Mat dst;
+                 generator->distortPoints(exampleMotion(), a, dst);
+             }},
+            {"depths of points",
+             [=](InputArray a) {
+                 Mat dst;
+                 generator->correctPoints(exampleMotion(), Mat(2, 1, CV_64FC2, Scalar(5, 6)), dst, a);
+             }},
+            {"drawMotion, segments",
+             [=](InputArray a) {
+                 Mat image(SIZE, CV_8UC3, Scalar());
+                 drawMotion(image, a, noArray(), camera, exampleMotion());
+             }},
+            {"drawMotion, labels",
+             [=](InputArray a) {
+                 Mat image(SIZE, CV_8UC3, Scalar());
+                 drawMotion(image, segmentsOf(3), a, camera, exampleMotion());
+             }},
+            {"DepthMap", [=](InputArray a) {
+                 Mat columns, rows;
+                 generator->initRectifyMap(exampleMotion(), columns, rows, CV_32FC1, noArray(), DepthMap(a.getMat()));
+             }}};
+}
+
+TEST(RSAckermann_CorrectorArguments, every_array_at_every_entry)
+{
+    const int sizes3[] = {3, 4, 2};
+    std::vector<Mat> arrays = {Mat(), Mat(3, sizes3, CV_64F, Scalar(1))};
+    for (int depth = CV_8U; depth <= CV_16F; depth++)
+        for (const int channels : {1, 2, 3, 4, 7})
+            for (const Size& size :
+                 {Size(4, 3), Size(3, 3), Size(1, 3), Size(3, 1), Size(4, 1), Size(2, 3), Size(0, 3), SIZE})
+            {
+                arrays.push_back(Mat(size, CV_MAKETYPE(depth, channels)));
+                std::memset(arrays.back().data, 5, arrays.back().total() * arrays.back().elemSize());
+            }
+    for (const double value : {NaN, double(INFINITY), -double(INFINITY), -1., 0., 1e38, 1e-300, 1e300})
+        for (const int type : {CV_32F, CV_64F, CV_32FC2, CV_64FC2, CV_32FC4})
+            for (const Size& size : {Size(4, 3), Size(3, 3), Size(1, 3), SIZE})
+                arrays.push_back(Mat(size, type, Scalar::all(value)));
+    arrays.push_back((Mat_<double>(3, 1) << 1, 2, 3));
+    const Mat large = segmentsOf(20);
+    arrays.push_back(large.colRange(0, 3));
+    arrays.push_back(large.rowRange(3, 9));
+    for (const ArrayEntry& entry : arrayEntries())
+    {
+        SCOPED_TRACE(entry.name);
+        int accepted = 0;
+        for (const Mat& array : arrays)
+        {
+            SCOPED_TRACE(testing::Message() << array.size() << ", type " << array.type());
+            const bool isMat = isAccepted([&]() { entry.call(array); });
+            accepted += isMat;
+            EXPECT_EQ(isMat, isAccepted([&]() { entry.call(array.getUMat(ACCESS_READ)); }));
+        }
+        EXPECT_GT(accepted, 0);
+        isAccepted([&]() { entry.call(noArray()); });
+        isAccepted([&]() { entry.call(std::vector<Mat>(2, large)); });
+        isAccepted([&]() { entry.call(std::vector<std::vector<Point>>(2)); });
+        isAccepted([&]() { entry.call(std::vector<double>(3, 1)); });
+        isAccepted([&]() { entry.call(std::vector<Vec4f>(3)); });
+        isAccepted([&]() { entry.call(std::vector<bool>(3)); });
+        isAccepted([&]() { entry.call(Matx33d::eye()); });
+        isAccepted([&]() { entry.call(large * 2); });
+    }
+}
+
+//! All numbers of what an object writes, one after the other with bad values.
+template <class Values>
+void forEachBadField(const Values& good, const std::function<void(const Values&)>& use)
+{
+    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    good.write(out);
+    const std::string text = out.releaseAndGetString();
+    // The value of a key, or of an element of a list.
+    const std::regex number("([:\\[,] +)(-?[0-9][-+.e0-9]*)(?=[\\s,\\]])");
+    int fields = 0;
+    for (std::sregex_iterator it(text.begin(), text.end(), number); it != std::sregex_iterator(); ++it, fields++)
+        for (const char* bad : {".Nan", ".Inf", "-.Inf", "-1", "0", "7", "1e300", "-1e300", "1e-300", "2147483647"})
+        {
+            const size_t at = size_t(it->position(2));
+            const std::string changed = text.substr(0, at) + bad + text.substr(at + it->length(2));
+            SCOPED_TRACE(text.substr(text.rfind('\n', at) + 1, at - text.rfind('\n', at) - 1) + bad);
+            isAccepted([&]() {
+                const FileStorage in(changed, FileStorage::READ | FileStorage::MEMORY);
+                Values values = good;
+                values.read(in.root());
+                use(values);
+            });
+        }
+    EXPECT_GT(fields, 3);
+}
+
+void useAll(const RollingShutterCamera& camera, const RollingShutterCorrector::Params& params, const MotionPrior& prior)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+    corrector->setPrior(prior);
+    Mat dst, mask;
+    for (int i = 0; i < 2; i++)
+    {
+        const AckermannMotion motion = corrector->correctWithSegments(noise(), segmentsOf(12), dst, mask);
+        EXPECT_TRUE(std::isfinite(motion.alpha) && std::isfinite(motion.wallSlope) && std::isfinite(motion.rms));
+        EXPECT_TRUE(checkRange(Mat(motion.covariance)));
+    }
+}
+
+void useMotion(const AckermannMotion& motion, const RollingShutterCamera& camera)
+{
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    Mat map1, map2;
+    isAccepted([&]() {
+        generator->initRectifyMap(motion, map1, map2);
+        EXPECT_TRUE(checkRange(map1) && checkRange(map2));
+    });
+    isAccepted([&]() { generator->initDistortMap(motion, map1, map2, CV_16SC2); });
+    isAccepted([&]() { generator->correctPoints(motion, Mat(2, 1, CV_64FC2, Scalar(5, 6)), map1); });
+    isAccepted([&]() { generator->validRoi(motion); });
+    isAccepted([&]() { generator->optimalNewCameraMatrix(motion, 0.5, Size()); });
+    double value;
+    Matx33d R;
+    Vec3d T;
+    isAccepted([&]() { motion.yawRate(camera, value); });
+    isAccepted([&]() { motion.speed(camera, value); });
+    isAccepted([&]() { motion.pose(camera, 0.1, R, T); });
+    isAccepted([&]() { motion.metricCovariance(camera); });
+    isAccepted([&]() { motion.uprightRotation(camera); });
+    isAccepted([&]() {
+        Mat image(camera.imageSize, CV_8UC3, Scalar());
+        drawMotion(image, segmentsOf(3), noArray(), camera, motion);
+    });
+}
+
+TEST(RSAckermann_CorrectorArguments, every_value_of_every_field)
+{
+    RollingShutterCorrector::Params sequence;
+    sequence.sequence = true;
+    MotionPrior prior;
+    prior.yawRate = prior.speed = prior.wallDirection = 0.1;
+    prior.yawRateSigma = prior.speedSigma = prior.wallDirectionSigma = 0.2;
+    forEachBadField<RollingShutterCamera>(smallCamera(), [&](const RollingShutterCamera& camera) {
+        useMotion(exampleMotion(), camera);
+        if (camera.imageSize == SIZE)
+            useAll(camera, RollingShutterCorrector::Params(), MotionPrior());
+    });
+    for (const RollingShutterCorrector::Params& params : {RollingShutterCorrector::Params(), sequence})
+    {
+        forEachBadField<RollingShutterCorrector::Params>(
+            params, [&](const RollingShutterCorrector::Params& p) { useAll(smallCamera(), p, MotionPrior()); });
+        forEachBadField<MotionPrior>(prior, [&](const MotionPrior& p) { useAll(smallCamera(), params, p); });
+    }
+    forEachBadField<MountCalibrator::Params>(MountCalibrator::Params(), [&](const MountCalibrator::Params& p) {
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(smallCamera(), p);
+        for (int i = 0; i < 6; i++)
+            calibrator->addFrame(noise(), 0.1 * i);
+        calibrator->calibrate();
+    });
+    forEachBadField<AckermannMotion>(exampleMotion(),
+                                     [&](const AckermannMotion& motion) { useMotion(motion, smallCamera()); });
+}
+
+TEST(RSAckermann_CorrectorArguments, every_number_at_every_entry)
+{
+    const Mat image = noise();
+    for (const double value : {NaN, double(INFINITY), -double(INFINITY), -1., 0., 1e300, -1e300, 1e-300, 1e12})
+    {
+        SCOPED_TRACE(value);
+        RollingShutterCorrector::Params params;
+        params.sequence = true;
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(smallCamera(), params);
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(smallCamera());
+        isAccepted([&]() { corrector->setTimestamp(value); });
+        isAccepted([&]() { corrector->setNextFrame(image, value); });
+        isAccepted([&]() { corrector->skipFrame(); });
+        isAccepted([&]() { calibrator->addFrame(image, value); });
+        isAccepted([&]() { calibrator->addFrame(image, 1); });
+        isAccepted([&]() { calibrator->addFrame(image, value); });
+        isAccepted([&]() { calibrator->calibrate(); });
+        isAccepted([&]() { RollingShutterCamera::fromFocal(SIZE, value).check(); });
+        isAccepted([&]() { smallCamera().rowTime(Point2d(value, value)); });
+        isAccepted([&]() {
+            RollingShutterCamera camera = smallCamera();
+            camera.setRollPitch(value, value);
+            useMotion(exampleMotion(), camera);
+        });
+        isAccepted([&]() {
+            RollingShutterCamera camera = smallCamera();
+            camera.setGravity(Vec3d(value, value, value));
+            useMotion(exampleMotion(), camera);
+        });
+        isAccepted([&]() { DepthMap(Mat(SIZE, CV_32F, Scalar(5)), DEPTH_RAW, value).check(); });
+        isAccepted([&]() {
+            Mat found;
+            detectSegments(image, found, DETECTOR_VERTICALS, value);
+        });
+        Matx33d R;
+        Vec3d T;
+        isAccepted([&]() { exampleMotion().pose(smallCamera(), value, R, T); });
+        isAccepted(
+            [&]() { WarpMapGenerator::create(smallCamera())->optimalNewCameraMatrix(exampleMotion(), value, SIZE); });
+        // Whatever it was, reset() recovers.
+        corrector->reset();
+        Mat dst;
+        EXPECT_NO_THROW(corrector->correct(image, dst));
+    }
+}
+
+}} // namespace opencv_test::
