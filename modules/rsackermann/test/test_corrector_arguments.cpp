@@ -34,13 +34,13 @@ Mat noise()
 Mat segmentsOf(int count)
 {
     RNG rng(5);
-    Mat segments(count, 4, CV_32F);
+    Mat segments(count, 1, CV_32FC4);
     for (int i = 0; i < count; i++)
     {
         const float x = rng.uniform(3.f, 57.f), y = rng.uniform(2.f, 20.f);
-        segments.row(i) = (Mat_<float>(1, 4) << x, y, x + rng.uniform(-1.f, 1.f), y + 20);
+        segments.at<Vec4f>(i) = Vec4f(x, y, x + rng.uniform(-1.f, 1.f), y + 20);
     }
-    return segments;
+    return segments.reshape(1);
 }
 
 //! False if it throws cv::Exception; anything else that is thrown fails.
