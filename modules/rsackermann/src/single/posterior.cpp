@@ -55,12 +55,10 @@ struct WeighedHypothesis
     }
 
     // Minima that have become the same are one, and those that are too far above the least are none.
-    void refine(const RefinementProblem& problem, double tooFar)
+    void keepDistinct(double tooFar)
     {
         std::vector<Fit> refined;
         refined.swap(minima);
-        for (size_t i = 0; i < refined.size(); i++)
-            refined[i].refine(problem);
         std::sort(refined.begin(), refined.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
         for (size_t i = 0; i < refined.size() && refined[i].cost < refined[0].cost + tooFar; i++)
             addMinimum(refined[i]);
@@ -82,8 +80,7 @@ public:
         problem.weigh();
         Fit rest = restFit();
         std::vector<WeighedHypothesis> moving = hypotheses();
-        for (size_t i = 0; i < moving.size(); i++)
-            findMinima(moving[i]);
+        findMinima(moving);
         if (!(leastOf(rest, moving).cost < DBL_MAX))
             return false;
         measureNoise(rest, moving);
@@ -198,24 +195,40 @@ private:
         return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
     }
 
-    void findMinima(WeighedHypothesis& moving) const
+    // From each start, and from there in the direction of the street.
+    void findMinima(std::vector<WeighedHypothesis>& moving) const
     {
-        const std::vector<Model> models = starts(moving.hypothesis);
-        for (size_t i = 0; i < models.size(); i++)
+        const int ways = 2;
+        std::vector<Fit> fits;
+        std::vector<size_t> owners;
+        for (size_t k = 0; k < moving.size(); k++)
         {
-            Model start = models[i];
-            for (int pass = 0; pass < 2; pass++)
+            const std::vector<Model> models = starts(moving[k].hypothesis);
+            for (size_t i = 0; i < ways * models.size(); i++)
             {
-                if (pass > 0 && !startFromStreetDirection(problem, moving.hypothesis, start))
-                    break;
-                if (!isAllowed(moving.hypothesis, start))
-                    continue;
-                Fit fit(moving.hypothesis);
-                fit.model = start;
-                fit.refine(problem);
-                moving.addMinimum(fit);
+                fits.push_back(Fit(moving[k].hypothesis));
+                fits.back().model = models[i / ways];
+                owners.push_back(k);
             }
         }
+        forEach(fits.size(), [&](size_t i) {
+            Fit& fit = fits[i];
+            if ((i % ways == 0 || startFromStreetDirection(problem, fit.hypothesis, fit.model)) &&
+                isAllowed(fit.hypothesis, fit.model))
+                fit.refine(problem);
+        });
+        for (size_t i = 0; i < fits.size(); i++)
+            moving[owners[i]].addMinimum(fits[i]);
+    }
+
+    // In parallel.
+    template <class Body>
+    static void forEach(size_t count, const Body& body)
+    {
+        parallel_for_(Range(0, int(count)), [&](const Range& range) {
+            for (int i = range.start; i < range.end; i++)
+                body(size_t(i));
+        });
     }
 
     static const Fit& leastOf(const Fit& rest, const std::vector<WeighedHypothesis>& moving)
@@ -259,9 +272,13 @@ private:
 
     void refineAll(Fit& rest, std::vector<WeighedHypothesis>& moving) const
     {
-        rest.refine(problem);
-        for (size_t i = 0; i < moving.size(); i++)
-            moving[i].refine(problem, -2 * LOG_IMPOSSIBLE * dependence);
+        std::vector<Fit*> fits(1, &rest);
+        for (size_t k = 0; k < moving.size(); k++)
+            for (size_t i = 0; i < moving[k].minima.size(); i++)
+                fits.push_back(&moving[k].minima[i]);
+        forEach(fits.size(), [&](size_t i) { fits[i]->refine(problem); });
+        for (size_t k = 0; k < moving.size(); k++)
+            moving[k].keepDistinct(-2 * LOG_IMPOSSIBLE * dependence);
     }
 
     // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the
