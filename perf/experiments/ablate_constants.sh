@@ -64,11 +64,11 @@ measure()
         sequence/* | features/frame* | features/point* | factors/flow*) return ;;
     esac
     echo "street $(street --gravity_sigma=0) $(street)"
-    echo "random $("$programs/rsackermann_experiment_harm" --quiet --frames=40 |
+    echo "random $("$programs/rsackermann_experiment_harm" --quiet --frames=20 |
         awk '/corrected: raw/ { print $9 } /^made worse/ { print $11 }' | xargs)"
     if [ ${#drives[@]} -gt 0 ]; then
-        echo "nothing $(on_drives --every=6 ${controls:+"$controls"})"
-        echo "yaw_rate $(on_drives --every=6 --given=yaw_rate)"
+        echo "nothing $(on_drives --every=8 ${controls:+"$controls"})"
+        echo "yaw_rate $(on_drives --every=8 --given=yaw_rate)"
     fi
 }
 

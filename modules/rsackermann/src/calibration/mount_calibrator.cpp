@@ -186,7 +186,7 @@ public:
         const MountVector before = sigmaBefore();
         MountFit fit = {MountVector::Zero(), before, before[MOUNT_DELAY]};
         GyroOfDrive aligned;
-        if (frames.size() >= LEAST_FRAMES)
+        if (frames.size() > size_t(LEAST_WAVES))
         {
             const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
             std::vector<CalibrationFrame> fitted = frames;

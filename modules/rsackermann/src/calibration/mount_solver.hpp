@@ -10,8 +10,6 @@
 
 namespace cv { namespace rsackermann {
 
-const size_t LEAST_FRAMES = LEAST_WAVES + 1; //!< fewer don't show how much they err together
-
 //! How suspension and road tilt a car.
 struct Suspension
 {
@@ -27,7 +25,7 @@ struct MountFit
 };
 
 /** Explains all frames of a drive by one mount and one line delay (doc/theory.md, "Self-calibration").
-@param frames LEAST_FRAMES or more of them, as they follow each other; the result of each is left in its value.
+@param frames more than LEAST_WAVES of them, as they follow each other; the result of each is left in its value.
 @param sigma of the mount's values before, which are 0. */
 MountFit fitMount(const RollingShutterCamera& camera, std::vector<CalibrationFrame>& frames, const MountVector& sigma,
                   const Suspension& suspension);

@@ -50,7 +50,7 @@ public:
         fineBearings; // those of the fit, and of the inverse-depth offset if there is time for more
     std::vector<UprightSegment> verticals, others;
 
-    FrameFeatures() : tracker(COARSE_PIXELS), fineTracker(FINE_PIXELS) {}
+    FrameFeatures() : tracker(COARSE_PIXELS), fineTracker(4 * COARSE_PIXELS) {}
 
     /** Tracks points in the frame before, if that belongs to the same scene, and in the one after.
     @param passed seconds since the frame before.

@@ -9,10 +9,9 @@
 
 namespace cv { namespace rsackermann {
 
-//! For the motion: points are still located to a tenth of a pixel of the result.
+//! For the motion: points are still located to a tenth of a pixel of the result. For the inverse-depth offset, which
+//! more points show better, twice as fine if there is time.
 const size_t COARSE_PIXELS = 300000;
-//! For the inverse-depth offset, which more points show better, if there is time.
-const size_t FINE_PIXELS = 1200000;
 
 const double POINT_SIGMA = 1.5; //!< pixels, residuals of points of the scene, which are off its planes
 

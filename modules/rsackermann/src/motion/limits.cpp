@@ -7,7 +7,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double LARGEST_RATIO = 20;  // of the walls' distances
 static const double SLANTS_OF_SPEED = 4; // largest slants that the scaled speed may be without metric limits
 
 MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
@@ -25,15 +24,10 @@ MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEs
 }
 
 // One wall, or two whose distances aren't worlds apart.
-static bool isPlausibleRatio(double lambda)
-{
-    return lambda == 0 || (lambda >= 1 / LARGEST_RATIO && lambda <= LARGEST_RATIO);
-}
-
 bool MotionLimits::allow(const Model& m) const
 {
     const double speed = std::hypot(m[P_B], m[P_D]);
-    return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxScaledSpeed && isPlausibleRatio(m[P_LAMBDA]) &&
+    return std::abs(m[P_ALPHA]) <= maxAlpha && speed <= maxScaledSpeed && m[P_LAMBDA] >= 0 &&
            m[P_LAMBDA] * speed <= maxRightScaledSpeed;
 }
 

@@ -5,12 +5,12 @@
 #include "../precomp.hpp"
 #include "../scene/planes.hpp"
 #include "inliers_and_scale.hpp"
+#include "../factors/robust_losses.hpp"
 #include "../factors/vertical_residual.hpp"
 
 namespace cv { namespace rsackermann {
 
-static const double AMBIGUOUS = 0.9;    // correlation
-static const double AGREEING_LEANS = 2; // sigmas of the lean within which a vertical agrees
+static const double AMBIGUOUS = 0.9; // correlation
 
 void labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading,
                   const Agreement& agreement, AckermannMotion& motion, Mat& labels)
@@ -22,7 +22,7 @@ void labelInliers(const std::vector<UprightSegment>& verticals, const Model& mod
     {
         const UprightSegment& c = verticals[i];
         // Real verticals lean; their usual lean is no disagreement.
-        const double leaning = AGREEING_LEANS * agreement.focal * agreement.lean * norm(c.u - c.v),
+        const double leaning = SLANT_SCALE * agreement.focal * agreement.lean * norm(c.u - c.v),
                      threshold = std::max(agreement.threshold, leaning);
         int wall;
         const double r = agreement.focal * verticalResidual(c, model, heading, wall, 0);

@@ -16,7 +16,7 @@ static void checkProbability(double value, const char* name)
 
 AckermannEstimator::Params::Params()
     : model(MODEL_AUTO), detector(DETECTOR_VERTICALS), minLength(35), maxSlant(0.35), slantTolerance(0.06),
-      minCandidates(6), threshold(0.5), confidence(0.99), maxIterations(5000), seed(0), maxYawRate(CV_PI / 2),
+      minCandidates(6), threshold(0.5), confidence(0.99), maxIterations(500), seed(0), maxYawRate(CV_PI / 2),
       maxSpeed(200 / 3.6), wallDistance(0), roadRatio(0), scaleFromRoad(false), gravitySigma(CV_PI / 180),
       vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4), priorYawRate(5 * CV_PI / 180), priorSpeed(12),
       priorSpeedLogSigma(0.8), priorWallDistance(15), priorWallDistanceLogSigma(0.9), priorSpeedWallCorrelation(0.6),

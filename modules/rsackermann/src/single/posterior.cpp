@@ -15,18 +15,14 @@
 namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
-static const int CONSENSUS_ITERATIONS = 500;  // it is one start of several
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
-static const double ROTATION_PRIOR = 0.05;    // of the probability that a motion has
-static const double WALLS_PRIOR = 0.7;
-static const double ONE_WALL_PRIOR = 0.1;           // of a street that is open to one side
-static const double NO_STREET_PRIOR = 0.01;         // of a scene without verticals, over that of one with them
+// Probability of a motion that isn't one between two walls: along one, or a turn alone. A scene that is unusual in both
+// ways, without a wall and without verticals, is as improbable as both together.
+static const double UNUSUAL = 0.1;
 static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion that isn't known
-static const double SAME_LEAN = 1.3;                // ratio below which the noise counts as unchanged
 static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
 static const double SAME_COST = 0.01; // of two fits that are the same minimum
-static const double BETTER = 4;       // cost by which another minimum is a better one
 // Logarithm of a probability with which motions don't count, however roughly it is known.
 static const double LOG_IMPOSSIBLE = 2 * std::log(NEGLIGIBLE);
 
@@ -109,12 +105,12 @@ private:
         if (model != MODEL_NONE && model != MODEL_1LA)
         {
             const int motion = model == MODEL_3LA ? MODEL_3LA : MODEL_4LA;
-            all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), WALLS_PRIOR));
+            all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), 1 - 3 * UNUSUAL));
             if (walls == 2)
-                all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), ONE_WALL_PRIOR));
+                all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), UNUSUAL));
         }
         if (model == MODEL_AUTO || model == MODEL_1LA)
-            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), ROTATION_PRIOR));
+            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), UNUSUAL));
         return all;
     }
 
@@ -168,7 +164,7 @@ private:
     {
         RansacOptions options;
         options.confidence = params.confidence;
-        options.maxIterations = std::min(params.maxIterations, CONSENSUS_ITERATIONS);
+        options.maxIterations = params.maxIterations;
         options.seed = (uint64)params.seed;
         CandidateConsensus consensus(problem, hypothesis, params.threshold);
         double score;
@@ -240,19 +236,15 @@ private:
         return *least;
     }
 
-    // Noise and fits, in turn, until the noise stays about the same; then by how much the evidence says less than its
-    // number.
+    // Noise and fits, in turn; then by how much the evidence says less than its number.
     void measureNoise(Fit& rest, std::vector<WeighedHypothesis>& moving)
     {
         const int passes = 3;
         dependence = dependenceOf(problem.rollSigma());
         for (int pass = 0; pass < passes; pass++)
         {
-            const double before = problem.lean;
             setNoise(leastOf(rest, moving));
             refineAll(rest, moving);
-            if (problem.lean < SAME_LEAN * before && before < SAME_LEAN * problem.lean)
-                break;
         }
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
@@ -373,7 +365,7 @@ private:
         const double tilts = problem.gravitySigma * problem.vehiclePitchSigma,
                      otherCost = rest.cost - costOf(ofRest) / dependence;
         mixture.add(unseen, unseen.hypothesis,
-                    std::log(NO_STREET_PRIOR * tilts) - otherCost / 2 +
+                    std::log(UNUSUAL * UNUSUAL * tilts) - otherCost / 2 +
                         (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
     }
 
@@ -398,7 +390,7 @@ private:
             return;
         Swept swept = sweepFrom(fit);
         const Fit& best = cheapest(swept.fits);
-        if (best.cost < fit.cost - BETTER)
+        if (best.cost < fit.cost - SAME_COST)
         {
             fit.model = best.model;
             fit.refine(problem);

@@ -8,7 +8,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const size_t LEAST_SEGMENTS = 5;
 // Of the loss, in sigmas: the motion, and with it the compensation, is still inexact
 static const double COARSENESS = 4;
 static const double STREET_RANGE = 0.8; // radians to both sides of the heading
@@ -32,7 +31,7 @@ static Model turnStreet(const Model& model, const MotionHypothesis& hypothesis, 
 
 bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model)
 {
-    if (problem.others.size() < LEAST_SEGMENTS)
+    if (problem.others.empty())
         return false;
     const int padded = problem.otherArrays.paddedSize();
     AutoBuffer<double> points(4 * size_t(padded));

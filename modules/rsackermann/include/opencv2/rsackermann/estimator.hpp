@@ -82,7 +82,7 @@ public:
         CV_PROP_RW int minCandidates; //!< with fewer candidates no motion is estimated, default 6
         CV_PROP_RW double threshold;  //!< pixels; a candidate with a smaller residual is an inlier, default 0.5
         CV_PROP_RW double confidence; //!< probability with which RANSAC has found the best consensus, default 0.99
-        CV_PROP_RW int maxIterations; //!< largest number of minimal samples, default 5000
+        CV_PROP_RW int maxIterations; //!< largest number of minimal samples, default 500
         CV_PROP_RW int seed;          //!< of the random numbers, default 0
         //! Radians per second, default 90 degrees per second; used if lineDelay is known
         CV_PROP_RW double maxYawRate;
