@@ -58,6 +58,18 @@ Json offsetOf(const AckermannMotion& motion)
             {"area", {rounded(area.x), rounded(area.y), rounded(area.width), rounded(area.height)}}};
 }
 
+// AckermannMotion::rotationCurve.
+Json curveOf(const AckermannMotion& motion)
+{
+    Json vectors = Json::array();
+    for (int i = 0; i < motion.rotationCurve.rows; i++)
+    {
+        const double* const v = motion.rotationCurve.ptr<double>(i);
+        vectors.push_back({rounded(v[0]), rounded(v[1]), rounded(v[2])});
+    }
+    return vectors;
+}
+
 bool isUtf8(const std::string& text)
 {
     try
@@ -113,6 +125,8 @@ std::string reportLine(const FrameReport& frame)
     line["direction"] = ok ? Json(m.direction) : Json();
     line["pitch_rate"] = orNull(ok, m.pitchRate);
     line["roll_rate"] = orNull(ok, m.rollRate);
+    if (ok && !m.rotationCurve.empty())
+        line["rotation_curve"] = curveOf(m);
     line["roll_correction_deg"] = orNull(ok, m.rollCorrection / DEGREE);
     line["pitch_correction_deg"] = orNull(ok, m.pitchCorrection / DEGREE);
     line["wall_distance_m"] = orNull(ok && m.wallDistance > 0, m.wallDistance);

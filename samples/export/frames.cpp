@@ -91,6 +91,17 @@ void readOffset(const Json& offset, const std::string& source, AckermannMotion& 
     motion.offsetArea = cv::Rect2d(area[0], area[1], area[2], area[3]);
 }
 
+// By how much the rows of a frame turn beyond its rates.
+void readCurve(const Json& vectors, const std::string& source, AckermannMotion& motion)
+{
+    for (const std::vector<double>& vector : vectors.get<std::vector<std::vector<double>>>())
+    {
+        if (vector.size() != 3)
+            throw InputError(source + " has a rotation_curve that isn't of vectors of 3 numbers");
+        motion.rotationCurve.push_back(cv::Mat(vector, true).reshape(1, 1));
+    }
+}
+
 AckermannMotion motionOf(const Json& line, const std::string& source)
 {
     AckermannMotion motion;
@@ -112,6 +123,8 @@ AckermannMotion motionOf(const Json& line, const std::string& source)
     motion.scale = parseWord(line.at("scale"), source, SCALE_WORDS);
     if (line.contains("relief"))
         readOffset(line.at("relief"), source, motion);
+    if (line.contains("rotation_curve"))
+        readCurve(line.at("rotation_curve"), source, motion);
     return motion;
 }
 

@@ -20,7 +20,7 @@ std::vector<json> readPageFrames(const std::string& report)
         const size_t place = places.insert(std::make_pair(name, frames.size())).first->second;
         frames.resize(std::max(frames.size(), place + 1));
         frames[place] = line;
-        for (const char* large : {"relief", "covariance"})
+        for (const char* large : {"relief", "rotation_curve", "covariance"})
             frames[place].erase(large);
     });
     return frames;

@@ -145,7 +145,17 @@ AckermannMotion Values::motion(const RollingShutterCamera& camera)
     motion.wallDistance = around(3, 0, 20);
     if (flag())
         addOffset(motion);
+    if (flag())
+        addCurve(motion);
     return motion;
+}
+
+void Values::addCurve(AckermannMotion& motion)
+{
+    motion.rotationCurve.create(integer(1, 20), integer(0, 31) ? 3 : 2, integer(0, 31) ? CV_64F : CV_32F);
+    motion.rotationCurve.setTo(number(-0.01, 0.01));
+    for (int i = 0; i < 4 && motion.rotationCurve.depth() == CV_64F; i++)
+        motion.rotationCurve.at<double>(integer(0, motion.rotationCurve.rows - 1), integer(0, 1)) = number(-0.1, 0.1);
 }
 
 void Values::addOffset(AckermannMotion& motion)

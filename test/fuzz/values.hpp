@@ -54,6 +54,7 @@ public:
 private:
     double any();
     void addOffset(cv::rsackermann::AckermannMotion& motion);
+    void addCurve(cv::rsackermann::AckermannMotion& motion);
 
     FuzzedDataProvider bytes_;
 };

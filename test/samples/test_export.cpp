@@ -551,6 +551,42 @@ TEST_F(Export, report_of_a_drive)
     }
 }
 
+// With a gyro rows turn by a curve, which is in the maps of both programs.
+TEST_F(Export, report_of_rows_that_shake)
+{
+    cv::imwrite(folder / "dark.png", cv::Mat(480, 640, CV_8U, cv::Scalar(0)));
+    writeContent(folder / "log.csv", "file,time_s\ndark.png,1\n");
+    std::string gyro = "time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n";
+    for (int i = 0; i < 400; i++)
+        gyro += cv::format("%g,60,%.9g,10\n", 0.5 + i / 400., 4 * std::sin(2 * CV_PI * 20 * i / 400.));
+    writeContent(folder / "gyro.csv", gyro);
+    const Outcome corrected = correct({folder / "dark.png", "--focal=500", "--readout=0.03",
+                                       "--gyro=" + (folder / "gyro.csv"), "--log=" + (folder / "log.csv"),
+                                       "--maps=" + (folder / "maps.yml"), "--report=" + (folder / "report.jsonl")});
+    ASSERT_EQ(0, corrected.exitCode) << corrected.messages;
+    json frame = json::parse(contentOf(folder / "report.jsonl"));
+    ASSERT_EQ("ok", frame["status"]);
+    ASSERT_EQ(17u, frame["rotation_curve"].size());
+    EXPECT_GT(std::abs(frame["rotation_curve"][0][0].get<double>()), 1e-4);
+    EXPECT_LT(std::abs(frame["rotation_curve"][0][1].get<double>()), 1e-8); // the yaw is steady
+    const Arguments stmap = {"--report=" + (folder / "report.jsonl"), "--stmap=" + folder.path(), "--stmap_format=exr"};
+    const Outcome exported = exportMotion(stmap);
+    ASSERT_EQ(0, exported.exitCode) << exported.messages;
+    expectSameMap(folder / "maps.yml", folder / "dark.png.rectify.exr");
+
+    for (const json& bad : {json({{0, 0}, {0, 0}}), json({{0, 0, 0}}), json("none"), json({{0, 0, 0}, {0, 0, 4}})})
+    {
+        frame["rotation_curve"] = bad;
+        writeContent(folder / "report.jsonl", frame.dump() + "\n");
+        const Outcome refused = exportMotion(stmap);
+        EXPECT_NE(0, refused.exitCode) << bad;
+        const std::string named = bad.is_string()                         ? "report.jsonl, line 1"
+                                  : bad.size() == 1 || bad[0].size() == 3 ? "rotationCurve"
+                                                                          : "rotation_curve";
+        EXPECT_NE(std::string::npos, refused.messages.find(named)) << refused.messages;
+    }
+}
+
 TEST_F(Export, frames_without_a_motion_stay_as_they_are)
 {
     {

@@ -33,7 +33,8 @@ protected:
                              {"status", "ok"},
                              {"yaw_rate_deg_s", 12.5},
                              {"speed_km_h", nullptr},
-                             {"relief", {{"columns", 4}}}});
+                             {"relief", {{"columns", 4}}},
+                             {"rotation_curve", {{0, 0, 0}, {0, 0, 0}}}});
         }
         lines.push_back(
             {{"input", folder / "raw/damaged.png"}, {"status", "failed"}, {"error", "it's </script> short"}});
@@ -112,6 +113,7 @@ TEST_F(Page, holds_lines_and_pictures)
         EXPECT_EQ(12.5, frame["yaw_rate_deg_s"]);
         EXPECT_TRUE(frame["speed_km_h"].is_null());
         EXPECT_FALSE(frame.contains("relief"));
+        EXPECT_FALSE(frame.contains("rotation_curve"));
         expectColour(cv::Scalar(40, 40, 40), embedded(frame["raw"]));
         expectColour(cv::Scalar(250, 0, 0), embedded(frame["corrected"]));
         expectColour(cv::Scalar(0, 250, 0), embedded(frame["overlay"]));

@@ -95,6 +95,7 @@ inline AckermannMotion exampleMotion()
     for (int i = 0; i < 20; i++)
         m.inverseDepthOffset.at<double>(i / 5, i % 5) = 0.001 * (i - 7);
     m.offsetArea = Rect2d(-0.5, -0.25, 1.125, 0.75);
+    m.rotationCurve = (Mat_<double>(4, 3) << 0.001, -0.002, 0.0005, 0, 0, 0, 0.002, 0, -0.001, -0.003, 0.001, 0.002);
     return m;
 }
 
@@ -110,10 +111,13 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
     EXPECT_EQ(a.covariance, b.covariance);
-    ASSERT_EQ(a.inverseDepthOffset.size(), b.inverseDepthOffset.size());
-    EXPECT_TRUE(a.inverseDepthOffset.empty() || a.inverseDepthOffset.type() == b.inverseDepthOffset.type());
-    EXPECT_TRUE(a.inverseDepthOffset.empty() || a.inverseDepthOffset.type() != b.inverseDepthOffset.type() ||
-                cvtest::norm(a.inverseDepthOffset, b.inverseDepthOffset, NORM_INF) == 0);
+    for (Mat T::*const field : {&T::inverseDepthOffset, &T::rotationCurve})
+    {
+        const Mat &x = a.*field, &y = b.*field;
+        ASSERT_EQ(x.size(), y.size());
+        EXPECT_TRUE(x.empty() || x.type() == y.type());
+        EXPECT_TRUE(x.empty() || x.type() != y.type() || cvtest::norm(x, y, NORM_INF) == 0);
+    }
     EXPECT_EQ(a.offsetArea, b.offsetArea);
 }
 

@@ -36,6 +36,12 @@ AckermannMotion smallMotion(const RollingShutterCamera& camera, int k)
     m.status = MOTION_OK;
     m.pitchRate = 3e-5 * (k % 3);
     m.rollRate = 5e-5 * (1 - k % 2);
+    if (k > 2)
+    {
+        RNG rng(k);
+        m.rotationCurve.create(5, 3, CV_64F);
+        rng.fill(m.rotationCurve, RNG::UNIFORM, -1e-5, 1e-5);
+    }
     return m;
 }
 
@@ -59,7 +65,7 @@ TEST(RSAckermann_DisplacementField, is_that_of_the_simulator)
             const AckermannMotion motion = smallMotion(camera, k);
             DisplacementField::Values values;
             DisplacementField(camera).displacement(modelOf(motion), motion.roadSlope, values);
-            DisplacementField(camera).addTilt(motion.pitchRate, motion.rollRate, values);
+            DisplacementField(camera).addTilt(RowTilt(camera, motion), values);
             const Simulator simulator = Simulator::fromMotion(camera, motion);
             double largest = 0;
             std::vector<double> errors;

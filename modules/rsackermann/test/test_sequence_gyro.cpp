@@ -6,6 +6,8 @@
 #include "test_common.hpp"
 #include "test_drive_simulator.hpp"
 #include "test_shaking_camera.hpp"
+#include "../src/motion/row_tilt.hpp"
+#include "../src/sequence/row_rates.hpp"
 #include "../src/sequence/gyro_rates.hpp"
 #include "opencv2/rsackermann/corrector.hpp"
 
@@ -253,6 +255,78 @@ TEST(RSAckermann_Gyro, samples_of_fast_shaking)
     EXPECT_LT(worst, 0.1); // of 2; straight pieces leave 0.25
 }
 
+//! From the frame of a camera with these rates, rad/s about its own axes, some seconds after an instant to that of the
+//! instant: integrated in small steps.
+Matx33d integrated(const std::function<Vec3d(double)>& rate, double instant, double after)
+{
+    const int steps = 2000;
+    Matx33d R = Matx33d::eye();
+    for (int i = 0; i < steps; i++)
+    {
+        Matx33d step;
+        Rodrigues(rate(instant + after * (i + 0.5) / steps) * (after / steps), step);
+        R = R * step;
+    }
+    return R;
+}
+
+// An engine's shaking turns back within an image: its rows turn as the gyro has turned, about the axes of a camera that
+// leans, from whichever side they are read. Rates alone leave most of it.
+TEST(RSAckermann_Gyro, rows_follow_what_shakes_fast)
+{
+    const auto rate = [](double t) {
+        return 8 * DEGREE *
+               Vec3d(std::sin(2 * CV_PI * 27 * t), 0.5 + std::sin(2 * CV_PI * 35 * t), std::cos(2 * CV_PI * 31 * t));
+    };
+    Mat times, values;
+    for (int i = 0; i < 400; i++)
+    {
+        times.push_back(i / 400.);
+        values.push_back(Mat(rate(i / 400.).t()));
+    }
+    GyroRates gyro;
+    gyro.samples.add(times, values);
+    for (int scan : {SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP})
+    {
+        RollingShutterCamera camera = simulation::paperCamera();
+        camera.scanDirection = scan;
+        camera.lineDelay = 0.03 / camera.imageSize.height;
+        camera.setRollPitch(0.1, -0.2);
+        const double seconds = 0.4, unit = camera.secondsPerUnitTime();
+        CameraRates rates;
+        ASSERT_TRUE(gyro.at(seconds, RowSpan(camera), rates));
+        MeasuredTurns turns;
+        rates.about(camera.uprightRotation, turns.pitch, turns.yaw, turns.roll);
+        turns.pitch.value = -turns.pitch.value;
+        const double first = unit * camera.rowTime(Point2d()),
+                     last = unit * camera.rowTime(Point2d(0, camera.imageSize.height - 1));
+        turns.curve = gyro.curve(seconds, rates, first, last, camera.uprightRotation);
+        RowRates rowRates;
+        rowRates.set(turns);
+        AckermannMotion motion;
+        rowRates.toMotion(unit, motion);
+        motion.alpha = turns.yaw.value * unit / 2;
+        AckermannMotion steady = motion;
+        steady.rotationCurve.release();
+        double left = 0, leftBySteady = 0;
+        for (int row = 0; row < camera.imageSize.height; row += 10)
+        {
+            const double time = camera.rowTime(Point2d(0, row));
+            const Matx33d truth = integrated(rate, seconds, unit * time);
+            Matx33d R;
+            Vec3d T;
+            motion.pose(camera, time, R, T);
+            left += cv::norm(R, truth);
+            steady.pose(camera, time, R, T);
+            leftBySteady += cv::norm(R, truth);
+        }
+        EXPECT_LT(left, 0.03 * leftBySteady) << scan;
+        // Beyond the samples there is none.
+        EXPECT_TRUE(gyro.curve(0.01, rates, first, last, camera.uprightRotation).empty());
+        EXPECT_TRUE(gyro.curve(0.995, rates, first, last, camera.uprightRotation).empty());
+    }
+}
+
 //! Mean squares of the errors of pitch, roll and yaw rate, (rad/s)^2, over frames that are corrected one after another.
 Vec3d errorsOf(const Ptr<RollingShutterCorrector>& corrector, const ShakingCamera& shaking, int frames, int from)
 {
@@ -301,6 +375,26 @@ TEST(RSAckermann_Gyro, of_a_camera_that_shakes)
     const Vec3d with = errorsOf(corrector, shaking, 30, 10);
     EXPECT_LT(std::sqrt((with[0] + with[2]) / (without[0] + without[2])), 0.5);
     EXPECT_LT(std::sqrt(with[0]), 0.025); // of 0.18 rad/s
+
+    // And so are their rows beyond the rates.
+    Mat corrected;
+    double left = 0, all = 0;
+    for (int i = 30; i < 38; i++)
+    {
+        const double seconds = i * ShakingCamera::interval(), unit = shaking.camera.secondsPerUnitTime();
+        corrector->setTimestamp(seconds);
+        const AckermannMotion motion = corrector->correctWithSegments(shaking.frame(i), Mat(), corrected);
+        ASSERT_FALSE(motion.rotationCurve.empty()) << i;
+        for (int row = 0; row < shaking.camera.imageSize.height; row += 20)
+        {
+            const double time = shaking.camera.rowTime(Point2d(0, row)),
+                         truth = ShakingCamera::pitchAt(seconds + time * unit) - ShakingCamera::pitchAt(seconds) -
+                                 motion.pitchRate * time;
+            left += std::abs(truth + RotationCurve(shaking.camera, motion.rotationCurve).at(time)[0]);
+            all += std::abs(truth);
+        }
+    }
+    EXPECT_LT(left, 0.3 * all);
     double delay;
     Vec3d axes, bias;
     EXPECT_TRUE(corrector->getGyroAlignment(delay, axes, bias));

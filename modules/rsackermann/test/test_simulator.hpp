@@ -10,6 +10,7 @@
 #include "test_metric_motion.hpp"
 #include "test_lens_models.hpp"
 #include "test_random.hpp"
+#include "test_rotation_curve.hpp"
 #include "opencv2/rsackermann/solvers.hpp"
 
 namespace opencv_test {
@@ -32,6 +33,7 @@ struct Drive
     double pitch;                         // radians per unit of time, downward
     double roll;                          // the same, clockwise seen from behind
     std::function<Vec3d(double)> shaking; // instead of these: angles of roll, pitch and yaw since time 0
+    std::function<Vec3d(double)> curve;   // and then by a rotation vector
 
     Drive() : yaw(0), speed(0), heading(0), yawChange(0), pitch(0), roll(0) {}
     Drive(double yaw_, double speed_, double heading_)
@@ -58,8 +60,9 @@ struct Drive
     }
 
     //! A direction in the camera at time t as one in the camera at time 0.
-    Vec3d turn(const Vec3d& d, double t) const
+    Vec3d turn(const Vec3d& inCamera, double t) const
     {
+        const Vec3d d = curved(inCamera, t, 1);
         // A camera that has pitched down sees what is ahead further up, one that has rolled clockwise sees it turned
         // the other way round.
         const Vec3d a = tilted(t);
@@ -74,10 +77,27 @@ struct Drive
         const Vec3d a = tilted(t), ahead = rotated(P - position(t), -turned(t) - a[2]);
         const double cp = std::cos(a[1]), sp = std::sin(a[1]), cr = std::cos(a[0]), sr = std::sin(a[0]);
         const Vec3d q(cr * ahead[0] + sr * ahead[1], cr * ahead[1] - sr * ahead[0], ahead[2]);
-        return Vec3d(q[0], cp * q[1] - sp * q[2], cp * q[2] + sp * q[1]);
+        return curved(Vec3d(q[0], cp * q[1] - sp * q[2], cp * q[2] + sp * q[1]), t, -1);
+    }
+
+    //! The motion's turns beside the yaw.
+    void setTilt(const cv::rsackermann::RollingShutterCamera& camera, const cv::rsackermann::AckermannMotion& m)
+    {
+        pitch = m.pitchRate;
+        roll = m.rollRate;
+        curve = rotationCurveOf(camera, m);
     }
 
 private:
+    Vec3d curved(const Vec3d& d, double t, int sign) const
+    {
+        if (!curve)
+            return d;
+        Matx33d R;
+        cv::Rodrigues(curve(t) * sign, R);
+        return R * d;
+    }
+
     //! Roll and pitch since time 0, and the yaw beyond that of the car.
     Vec3d tilted(double t) const { return shaking ? shaking(t) : Vec3d(roll * t, pitch * t, 0); }
 
@@ -165,8 +185,7 @@ public:
         street.normal[RIGHT] = Vec3d(m.wallSlope, 0, -m.wallOffset) * (m.wallRatio * m.direction);
         street.normal[ROAD] = Vec3d(0, m.roadSlope, 0) * double(m.direction);
         Drive drive(2 * m.alpha, m.direction, camera.heading);
-        drive.pitch = m.pitchRate;
-        drive.roll = m.rollRate;
+        drive.setTilt(camera, m);
         return Simulator(camera, drive, street);
     }
 

@@ -25,11 +25,12 @@ TEST(RSAckermann_Storage, motion)
     checkStorage(exampleMotion(), "alpha", &AckermannMotion::alpha);
 }
 
-TEST(RSAckermann_Storage, motion_without_offset)
+TEST(RSAckermann_Storage, motion_without_offset_and_curve)
 {
     AckermannMotion motion = exampleMotion(), restored = motion;
     motion.inverseDepthOffset.release();
     motion.offsetArea = Rect2d();
+    motion.rotationCurve.release();
     readFrom(written(motion, ".yml"), restored);
     expectSame(motion, restored);
 }
@@ -98,6 +99,7 @@ TEST(RSAckermann_Storage, size_of_matrices)
     checkSizeOfMatrix<RollingShutterCamera>("upright_rotation");
     checkSizeOfMatrix<AckermannMotion>("covariance");
     checkSizeOfMatrix<AckermannMotion>("inverse_depth_offset");
+    checkSizeOfMatrix<AckermannMotion>("rotation_curve");
 }
 
 TEST(RSAckermann_Storage, reading_is_all_or_nothing)

@@ -57,7 +57,7 @@ inline cv::rsackermann::AckermannMotion motionSideways(cv::rsackermann::RollingS
 }
 
 //! A motion within the paper's limits, 10-140 km/h and up to 70 deg/s to either side, in a street of random width;
-//! every second one rolls and pitches, too.
+//! every second one rolls and pitches, too, and some of these by a curve.
 inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::RollingShutterCamera& camera, RNG& rng)
 {
     const double sign = rng.uniform(0, 8) == 0 ? -1 : 1, wallDirection = camera.heading + rng.uniform(-0.05, 0.05),
@@ -69,6 +69,12 @@ inline cv::rsackermann::AckermannMotion randomMotion(const cv::rsackermann::Roll
         const double most = 30 * CV_PI / 180 * camera.secondsPerUnitTime();
         motion.pitchRate = rng.uniform(-most, most);
         motion.rollRate = rng.uniform(-most, most);
+        RNG ofCurve(rng.state); // the random numbers of what follows stay
+        if (ofCurve.uniform(0, 2))
+        {
+            const int vectors = ofCurve.uniform(2, 12);
+            addRotationCurve(motion, vectors, ofCurve);
+        }
     }
     return motion;
 }

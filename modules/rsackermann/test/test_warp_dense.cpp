@@ -41,7 +41,13 @@ TEST_P(WarpDense, equals_points)
         camera.scanDirection = rng.uniform(0, 4);
         camera.height = rng.uniform(0.5, 3.);
         camera.lineDelay = rng.uniform(10e-6, 90e-6);
-        const AckermannMotion motion = anyMotion(camera, rng);
+        AckermannMotion motion = anyMotion(camera, rng);
+        RNG ofCurve(90 + round);
+        if (round % 4 > 1) // some with more knots than a square can have
+        {
+            addRotationCurve(motion, round % 8 > 5 ? 200 : ofCurve.uniform(2, 18), ofCurve);
+            motion.rotationCurve *= 0.5; // bent four times as much as by an engine
+        }
         WarpMapGenerator::Params params;
         if (round % 2)
         {

@@ -20,8 +20,7 @@ struct Scene
         double speed;
         motion.speed(camera, speed);
         simulator.drive = simulation::Drive(2 * motion.alpha, speed * camera.secondsPerUnitTime(), camera.heading);
-        simulator.drive.pitch = motion.pitchRate;
-        simulator.drive.roll = motion.rollRate;
+        simulator.drive.setTilt(camera, motion);
         simulator.street.normal[simulation::LEFT] = normal;
     }
 
@@ -46,7 +45,8 @@ struct Scene
             {
                 const Point2d pixel(x, y);
                 const bool ofRaw = ofCamera == DEPTH_RAW;
-                const Vec3d P = simulator.drive.toCamera(pointAt(pixel, ofRaw), ofRaw ? simulator.time(pixel) : 0);
+                const Vec3d seen = pointAt(pixel, ofRaw),
+                            P = ofRaw ? simulator.drive.toCamera(seen, simulator.time(pixel)) : seen;
                 values(y, x) = float((camera.uprightRotation.t() * P)[2]);
             }
         return DepthMap(values, ofCamera);

@@ -61,6 +61,7 @@ TEST_P(WarpOpenCL, equals_CPU)
         camera.scanDirection = std::get<1>(GetParam());
         AckermannMotion motion = randomMotion(camera, rng);
         motion.pitchRate = motion.rollRate = 0;
+        motion.rotationCurve.release();
         if (round == 0)
             motion.status = MOTION_NOT_SIGNIFICANT;
         if (round > 1)
@@ -100,16 +101,22 @@ TEST_P(WarpOpenCL, rows_that_pitch_and_roll_are_left_to_the_processor)
     skipWithoutDevice();
     const bool distort = std::get<2>(GetParam());
     const RollingShutterCamera camera = scannedCamera(GetParam());
-    AckermannMotion motion = motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
-    (distort ? motion.pitchRate : motion.rollRate) = 0.02;
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
-    UMat map1, map2, mask;
-    Mat expected1, expected2, expectedMask;
-    initMap(generator, distort, motion, map1, map2, CV_32FC1, mask);
-    initMap(generator, distort, motion, expected1, expected2, CV_32FC1, expectedMask);
-    EXPECT_EQ(0, maxDifference(map1, expected1));
-    EXPECT_EQ(0, maxDifference(map2, expected2));
-    EXPECT_EQ(0, maxDifference(mask, expectedMask));
+    for (bool isCurve : {false, true})
+    {
+        AckermannMotion motion = motionFromMetric(camera, 0.6, 15, 2.5, 3, 0);
+        if (isCurve)
+            motion.rotationCurve = (Mat_<double>(3, 3) << 0, 0, 0, 0.002, 0, 0, 0, 0.001, 0);
+        else
+            (distort ? motion.pitchRate : motion.rollRate) = 0.02;
+        UMat map1, map2, mask;
+        Mat expected1, expected2, expectedMask;
+        initMap(generator, distort, motion, map1, map2, CV_32FC1, mask);
+        initMap(generator, distort, motion, expected1, expected2, CV_32FC1, expectedMask);
+        EXPECT_EQ(0, maxDifference(map1, expected1)) << isCurve;
+        EXPECT_EQ(0, maxDifference(map2, expected2)) << isCurve;
+        EXPECT_EQ(0, maxDifference(mask, expectedMask)) << isCurve;
+    }
 }
 
 TEST_P(WarpOpenCL, map_types)

@@ -426,6 +426,8 @@ TEST(RSAckermann_WarpPoints, poses_of_rows)
         AckermannMotion motion = motionFromMetric(camera, rng.uniform(-1., 1.), speed, 2.5, 3, camera.heading);
         motion.pitchRate = rng.uniform(-0.02, 0.02);
         motion.rollRate = rng.uniform(-0.02, 0.02);
+        if (round % 2)
+            addRotationCurve(motion, 2 + round, rng);
         const Mat pixels = randomPixels(camera.imageSize, 20, rng);
         Mat depths(20, 1, CV_64F), raw, mask;
         rng.fill(depths, RNG::UNIFORM, 2, 30);

@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../camera/axis_rotations.hpp"
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "compensation.hpp"
+#include "row_tilt.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../storage.hpp"
 
@@ -120,7 +120,7 @@ void AckermannMotion::pose(const RollingShutterCamera& camera, double time, Matx
     // doc/theory.md, "Motion"
     const RowMotion row(alpha, camera.heading, time);
     const Matx33d upright = uprightRotation(camera);
-    R = upright.t() * yawRotation(2 * alpha * time) * tiltRotation(rollRate * time, pitchRate * time) * upright;
+    R = upright.t() * yawRotation(2 * alpha * time) * RowTilt(camera, *this).at(time) * upright;
     const bool translates = wallSlope != 0 || wallOffset != 0 || roadSlope != 0 || !inverseDepthOffset.empty();
     T = translates ? upright.t() * Vec3d(row.s2, 0, row.c2) * (direction * row.tau) : Vec3d();
 }
@@ -139,30 +139,37 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "offset_area" << offsetArea;
     if (!inverseDepthOffset.empty())
         fs << "inverse_depth_offset" << inverseDepthOffset;
+    if (!rotationCurve.empty())
+        fs << "rotation_curve" << rotationCurve;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "contradicts_prior" << contradictsPrior << "seen_yaw_rate" << seenYawRate << "seen_yaw_rate_sigma"
        << seenYawRateSigma << "seen_speed" << seenSpeed << "seen_speed_sigma" << seenSpeedSigma;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
 }
 
-// A size or type that no offset has is refused before OpenCV takes the memory for it.
+// A size or type that is none of those that are possible is refused before OpenCV takes the memory for it.
+template <class Possible>
+static Mat readValues(const FileNode& fn, const char* key)
+{
+    Mat values; // copies of the motion keep theirs
+    const FileNode node = fn[key];
+    if (node.empty())
+        return values;
+    const Size stored = storedSize(node);
+    const String type = node.isMap() ? String(node["dt"]) : String();
+    if (!Possible::isPossible(stored) || type != "d")
+        CV_Error(Error::StsBadArg,
+                 format("%s is %d x %d of type \"%s\"; %s of type \"d\" are expected", key, stored.height, stored.width,
+                        type.c_str(), Possible::possibleSizes().c_str()));
+    cv::read(node, values);
+    return values;
+}
+
 static void readOffset(const FileNode& fn, Mat& offset, Rect2d& area)
 {
     if (fn["offset_area"].empty() && fn["inverse_depth_offset"].empty())
         return;
-    Mat values; // copies of the motion keep theirs
-    const FileNode node = fn["inverse_depth_offset"];
-    if (!node.empty())
-    {
-        const Size stored = storedSize(node);
-        const String type = node.isMap() ? String(node["dt"]) : String();
-        if (!InverseDepthOffset::isPossible(stored) || type != "d")
-            CV_Error(Error::StsBadArg,
-                     format("inverse_depth_offset is %d x %d of type \"%s\"; %s of type \"d\" are expected",
-                            stored.height, stored.width, type.c_str(), InverseDepthOffset::possibleSizes().c_str()));
-        cv::read(node, values);
-    }
-    offset = values;
+    offset = readValues<InverseDepthOffset>(fn, "inverse_depth_offset");
     cv::read(fn["offset_area"], area, area);
 }
 
@@ -189,6 +196,8 @@ void AckermannMotion::read(const FileNode& fn)
     cv::read(fn["probability_worse"], probabilityWorse, probabilityWorse);
     readMatrix(fn, "covariance", covariance);
     readOffset(fn, inverseDepthOffset, offsetArea);
+    if (!fn["pitch_rate"].empty() || !fn["rotation_curve"].empty())
+        rotationCurve = readValues<RotationCurve>(fn, "rotation_curve");
     cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);
     cv::read(fn["contradicts_prior"], contradictsPrior, contradictsPrior);
     cv::read(fn["seen_yaw_rate"], seenYawRate, seenYawRate);

@@ -279,4 +279,23 @@ bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) cons
     return true;
 }
 
+Mat GyroRates::curve(double seconds, const CameraRates& rates, double first, double last, const Matx33d& rotation) const
+{
+    const int pieces = 16; // of 2 ms or so: what a gyro shows is slower
+    const double instant = seconds + found.delay;
+    Mat vectors(pieces + 1, 3, CV_64F);
+    for (int i = 0; i <= pieces; i++)
+    {
+        const double later = first + (last - first) * i / pieces;
+        Vec3d angle;
+        if (!(later < 0 ? samples.turn(instant + later, instant, angle)
+                        : samples.turn(instant, instant + later, angle)))
+            return Mat();
+        const Vec3d turned = found.toCamera(later < 0 ? -angle : angle, later) - rates.value * later,
+                    vector = rotation * turned;
+        std::copy(vector.val, vector.val + 3, vectors.ptr<double>(i));
+    }
+    return vectors;
+}
+
 }} // namespace cv::rsackermann

@@ -93,6 +93,13 @@ public:
     @return false if there are no samples. */
     bool at(double seconds, const RowSpan& rows, CameraRates& rates) const;
 
+    /** How rows turn beyond these rates: rotation vectors at equal steps from one row to another.
+    @param rates of the same frame.
+    @param first,last seconds of the rows from the reference row.
+    @param rotation camera frame to that of the vectors.
+    @return of AckermannMotion::rotationCurve; empty if samples are missing. */
+    Mat curve(double seconds, const CameraRates& rates, double first, double last, const Matx33d& rotation) const;
+
     //! Whether the gyro explains little of what the points show: then it's of no use.
     bool contradicts() const;
     //! Whether it even differs from them so much that something is wrong.

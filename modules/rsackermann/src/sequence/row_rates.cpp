@@ -67,6 +67,7 @@ InstantRate RateProcess::now(double next, double share) const
 void RowRates::update(const SequenceFit& fit, double before, double after)
 {
     isMeasured = false;
+    curve.release();
     // Turns are counted from a frame to one that was taken later.
     const bool backward = before < 0;
     const double earlier = std::abs(before), later = std::abs(after), share = earlier / (earlier + later);
@@ -89,15 +90,17 @@ void RowRates::interrupt()
     roll.interrupt();
     yaw.interrupt();
     pitchNow = rollNow = InstantRate();
+    curve.release();
     yawSigma = 0;
     isMeasured = false;
 }
 
-void RowRates::set(const InstantRate& pitch_, const InstantRate& roll_, const InstantRate& yaw_)
+void RowRates::set(const MeasuredTurns& measured)
 {
-    pitchNow = pitch_;
-    rollNow = roll_;
-    yawNow = yaw_;
+    pitchNow = measured.pitch;
+    rollNow = measured.roll;
+    yawNow = measured.yaw;
+    curve = measured.curve;
     yawSigma = 0;
     isMeasured = true;
 }
@@ -122,6 +125,7 @@ void RowRates::toMotion(double unit, AckermannMotion& motion) const
     motion.rollRate = rollNow.value * unit;
     motion.pitchRateSigma = pitchNow.sigma * unit;
     motion.rollRateSigma = rollNow.sigma * unit;
+    motion.rotationCurve = curve;
     const double sigma = yawSigma * unit / 2;
     motion.covariance(0, 0) += sigma * sigma;
 }

@@ -47,6 +47,13 @@ private:
     int known;              // of these
 };
 
+//! How a gyro has measured that the rows of a frame turn.
+struct MeasuredTurns
+{
+    InstantRate pitch, roll, yaw;
+    Mat curve; //!< AckermannMotion::rotationCurve: what rates don't tell
+};
+
 //! How fast a camera turns while an image is read, from the turns between the frames of a sequence.
 class RowRates
 {
@@ -62,7 +69,7 @@ public:
     void interrupt();
 
     //! Of the present frame, by a gyro.
-    void set(const InstantRate& pitch, const InstantRate& roll, const InstantRate& yaw);
+    void set(const MeasuredTurns& measured);
 
     //! Sets the yaw rate that a gyro has measured.
     void toState(SequenceState& state) const;
@@ -75,6 +82,7 @@ public:
 private:
     RateProcess pitch, roll, yaw;
     InstantRate pitchNow, rollNow, yawNow;
+    Mat curve;
     double yawSigma;
     bool isMeasured; // yawNow
 };

@@ -77,8 +77,9 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
                                                     Mat& labels) const
 {
     const MotionPrior given = prior;
-    InstantRate pitch, roll, yaw;
-    const bool isMeasured = measure(seconds, pitch, roll, yaw);
+    MeasuredTurns turns;
+    const bool isMeasured = measure(seconds, turns);
+    const InstantRate& yaw = turns.yaw;
     if (isMeasured && prior.yawRateSigma > 0)
     {
         const double own = 1 / (yaw.sigma * yaw.sigma), other = 1 / (prior.yawRateSigma * prior.yawRateSigma);
@@ -95,11 +96,9 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
         compareAgain(prior, given, motion);
     if (isMeasured && motion.status == MOTION_OK)
     {
-        const double unit = camera.secondsPerUnitTime();
-        motion.pitchRate = pitch.value * unit;
-        motion.rollRate = roll.value * unit;
-        motion.pitchRateSigma = pitch.sigma * unit;
-        motion.rollRateSigma = roll.sigma * unit;
+        RowRates turning;
+        turning.set(turns);
+        turning.toMotion(camera.secondsPerUnitTime(), motion);
     }
     return motion;
 }
@@ -107,14 +106,15 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
 // Where the image shows nothing a gyro still knows how the camera turns. Changed only if that is expected to help.
 void SequenceEstimator::turnAlone(double seconds, AckermannMotion& motion) const
 {
-    InstantRate pitch, roll, yaw;
-    if (!measure(seconds, pitch, roll, yaw))
+    MeasuredTurns turns;
+    if (!measure(seconds, turns))
         return;
+    const InstantRate& yaw = turns.yaw;
     const double unit = camera.secondsPerUnitTime();
     AckermannMotion turned;
     turned.candidates = motion.candidates;
     RowRates turning;
-    turning.set(pitch, roll, yaw);
+    turning.set(turns);
     turning.toMotion(unit, turned);
     Model model;
     model[P_ALPHA] = turned.alpha = yaw.value * unit / 2;
@@ -125,7 +125,7 @@ void SequenceEstimator::turnAlone(double seconds, AckermannMotion& motion) const
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
     field.displacement(model, 0, displacement);
-    field.addTilt(turned.pitchRate, turned.rollRate, displacement);
+    field.addTilt(RowTilt(camera, turned), displacement);
     field.variance(model, 0, 0, covariance, variances);
     field.addTiltVariance(turned.pitchRateSigma, turned.rollRateSigma, variances);
     turned.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
@@ -238,21 +238,24 @@ void SequenceEstimator::updateRates(double before, double after)
 // A gyro that the points confirm knows the instant.
 void SequenceEstimator::useGyro()
 {
-    InstantRate pitch, roll, yaw;
-    if (measure(filter.time, pitch, roll, yaw))
-        rates.set(pitch, roll, yaw);
+    MeasuredTurns turns;
+    if (measure(filter.time, turns))
+        rates.set(turns);
 }
 
 // What a gyro that isn't wrong measures in a frame.
-bool SequenceEstimator::measure(double seconds, InstantRate& pitch, InstantRate& roll, InstantRate& yaw) const
+bool SequenceEstimator::measure(double seconds, MeasuredTurns& turns) const
 {
     CameraRates now;
     const bool isMeasured = std::isfinite(seconds) && camera.isRowShutter() && camera.secondsPerUnitTime() > 0 &&
                             !gyro.contradicts() && gyro.at(seconds, RowSpan(camera), now);
     if (!isMeasured)
         return false;
-    now.about(camera.uprightRotation, pitch, yaw, roll);
-    pitch.value = -pitch.value; // looking down is a turn against the x axis
+    now.about(camera.uprightRotation, turns.pitch, turns.yaw, turns.roll);
+    turns.pitch.value = -turns.pitch.value; // looking down is a turn against the x axis
+    const double unit = camera.secondsPerUnitTime(), lastRow = camera.imageSize.height - 1;
+    turns.curve = gyro.curve(seconds, now, unit * camera.rowTime(Point2d()), unit * camera.rowTime(Point2d(0, lastRow)),
+                             camera.uprightRotation);
     return true;
 }
 
@@ -274,7 +277,7 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
     field.displacement(model, G, displacement);
-    field.addTilt(motion.pitchRate, motion.rollRate, displacement);
+    field.addTilt(RowTilt(camera, motion), displacement);
     field.variance(model, G, (roadByValues * fit.state.covariance * roadByValues.t())(0),
                    byValues * fit.state.covariance * byValues.t(), variances);
     field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);

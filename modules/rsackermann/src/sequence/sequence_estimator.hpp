@@ -50,7 +50,7 @@ private:
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
     void updateRates(double before, double after);
-    bool measure(double seconds, InstantRate& pitch, InstantRate& roll, InstantRate& yaw) const;
+    bool measure(double seconds, MeasuredTurns& turns) const;
     void useGyro();
     void turnAlone(double seconds, AckermannMotion& motion) const;
     Model predictDisplacement(const SequenceFit& fit, AckermannMotion& motion) const;

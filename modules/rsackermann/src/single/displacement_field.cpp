@@ -27,7 +27,7 @@ DisplacementField::DisplacementField(const RollingShutterCamera& camera, const s
         const double z = std::max(bearing[2], IN_FRONT); // never behind a camera that looks steeply up or down
         points[k].x = bearing[0] / z;
         points[k].y = bearing[1] / z;
-        points[k].t = camera.rowTime(pixels[k]);
+        points[k].time = camera.rowTime(pixels[k]);
     }
     weigh(seen);
 }
@@ -46,7 +46,10 @@ void DisplacementField::weigh(const std::vector<Point2d>& seen)
         count[int(nearest - points)]++;
     }
     for (int k = 0; k < POINTS; k++)
-        points[k].t *= count[k] * POINTS / double(POINTS + seen.size());
+    {
+        points[k].weight = count[k] * POINTS / double(POINTS + seen.size());
+        points[k].t = points[k].time * points[k].weight;
+    }
 }
 
 namespace {
@@ -116,23 +119,32 @@ void DisplacementField::variance(const Model& m, double G, double varianceG,
     }
 }
 
-void DisplacementField::addTilt(double pitchRate, double rollRate, Values& values) const
+// By a rotation vector.
+Point2d DisplacementField::byTurn(const Point& point, const Vec3d& turn) const
+{
+    const double x = point.x, y = point.y;
+    return Point2d(fx * (-x * y * turn[0] + (1 + x * x) * turn[1] - y * turn[2]),
+                   fy * (-(1 + y * y) * turn[0] + x * y * turn[1] + x * turn[2]));
+}
+
+void DisplacementField::addTilt(const RowTilt& tilt, Values& values) const
 {
     for (int k = 0; k < POINTS; k++)
     {
-        const double x = points[k].x, y = points[k].y, t = points[k].t;
-        values[2 * k] += fx * t * (x * y * pitchRate - y * rollRate);
-        values[2 * k + 1] += fy * t * ((1 + y * y) * pitchRate + x * rollRate);
+        const Point2d added = byTurn(points[k], tilt.vector(points[k].time)) * points[k].weight;
+        values[2 * k] += added.x;
+        values[2 * k + 1] += added.y;
     }
 }
 
 void DisplacementField::addTiltVariance(double pitchRateSigma, double rollRateSigma, Variances& values) const
 {
-    Values byPitch = Values(), byRoll = Values();
-    addTilt(pitchRateSigma, 0, byPitch);
-    addTilt(0, rollRateSigma, byRoll);
-    for (int k = 0; k < 2 * POINTS; k++)
-        values[k / 2] += byPitch[k] * byPitch[k] + byRoll[k] * byRoll[k];
+    for (int k = 0; k < POINTS; k++)
+    {
+        const Point2d byPitch = byTurn(points[k], Vec3d(-pitchRateSigma * points[k].t, 0, 0)),
+                      byRoll = byTurn(points[k], Vec3d(0, 0, rollRateSigma * points[k].t));
+        values[k] += byPitch.dot(byPitch) + byRoll.dot(byRoll);
+    }
 }
 
 double DisplacementField::meanDistance(const Values& a, const Values& b, const Variances& variance)

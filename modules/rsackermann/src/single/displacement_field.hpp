@@ -7,6 +7,7 @@
 
 #include "opencv2/rsackermann/camera.hpp"
 #include "../motion/model.hpp"
+#include "../motion/row_tilt.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -30,8 +31,9 @@ public:
     //! Times the weight of the point. @param G slope of the road's scaled inverse depth.
     void displacement(const Model& model, double G, Values& values) const;
 
-    //! Adds what rows that pitch and roll by so much per unit of row time contribute.
-    void addTilt(double pitchRate, double rollRate, Values& values) const;
+    //! Adds what rows contribute that are tilted.
+    void addTilt(const RowTilt& tilt, Values& values) const;
+    //! The same of the standard deviations of how much they pitch and roll per unit of row time.
     void addTiltVariance(double pitchRateSigma, double rollRateSigma, Variances& values) const;
 
     //! Mean length over the points of the difference of two displacements, if one of them has the given variance.
@@ -47,10 +49,12 @@ public:
 private:
     struct Point
     {
-        double x, y, t; // t: row time, times the weight, which is 1 in the mean
+        double x, y, time, weight; // row time; 1 in the mean
+        double t;                  // product of both
     };
 
     void weigh(const std::vector<Point2d>& seen);
+    Point2d byTurn(const Point& point, const Vec3d& turn) const;
 
     Point points[POINTS];
     double fx, fy, headingSine, headingCosine;

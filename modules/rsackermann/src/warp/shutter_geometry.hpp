@@ -5,9 +5,9 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_SHUTTER_GEOMETRY_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_SHUTTER_GEOMETRY_HPP
 
-#include "../camera/axis_rotations.hpp"
 #include "../camera/lens.hpp"
 #include "../motion/compensation.hpp"
+#include "../motion/row_tilt.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../scene/planes.hpp"
 
@@ -18,16 +18,16 @@ namespace cv { namespace rsackermann {
 *Rays* are directions (x, y, z) of any scale in the camera frame, *bearings* the same turned into the upright frame of
 the motion. A bearing b of the global-shutter camera and the bearing q of the camera at a row time are tied by q =
 tilt(t)^T R(-theta) (b - tau w (s2, 0, c2)), where w belongs to the scale of b as in Scene::inverseDepth and tilt(t) is
-the roll and the pitch of the row.
+that of RowTilt.
 */
 class ShutterGeometry
 {
 public:
     ShutterGeometry(const RollingShutterCamera& camera, const AckermannMotion& motion)
         : moving(motion.status == MOTION_OK), scene(motion), depthOffset(motion), lens(camera),
-          up(motion.uprightRotation(camera)), down(up.t()), alpha(motion.alpha), rollRate(motion.rollRate),
-          pitchRate(motion.pitchRate), heading(camera.heading), byRows(camera.isRowShutter()),
-          time0(camera.rowTime(Point2d(0, 0))), timeStep(camera.rowTime(Point2d(1, 1)) - time0)
+          up(motion.uprightRotation(camera)), down(up.t()), rowTilt(camera, motion), alpha(motion.alpha),
+          heading(camera.heading), byRows(camera.isRowShutter()), time0(camera.rowTime(Point2d(0, 0))),
+          timeStep(camera.rowTime(Point2d(1, 1)) - time0)
     {
     }
 
@@ -52,19 +52,20 @@ public:
         return Vec3d(m.c * x - m.s * z, b[1], m.s * x + m.c * z);
     }
 
-    //! Whether rows roll or pitch.
-    bool tilts() const { return rollRate != 0 || pitchRate != 0; }
-
-    //! A bearing that is only turned and moved as the row at a time sees it, which rolls and pitches as well.
-    Vec3d tilt(const Vec3d& q, double t) const
-    {
-        return tilts() ? tiltRotation(rollRate * t, pitchRate * t).t() * q : q;
-    }
+    //! A bearing that is only turned and moved as the row at a time sees it, which is tilted as well.
+    Vec3d tilt(const Vec3d& q, double t) const { return rowTilt.isNone() ? q : rowTilt.at(t).t() * q; }
 
     //! Inverse of tilt().
-    Vec3d tiltBack(const Vec3d& q, double t) const
+    Vec3d tiltBack(const Vec3d& q, double t) const { return rowTilt.isNone() ? q : rowTilt.at(t) * q; }
+
+    //! Whether rows turn by a curve that has knots.
+    bool hasCurve() const { return moving && !rowTilt.curve.empty(); }
+
+    //! Whether there are so few knots of that curve between two row times that the checks of a patch notice them.
+    bool isSmoothBetween(double from, double to) const
     {
-        return tilts() ? tiltRotation(rollRate * t, pitchRate * t) * q : q;
+        const int most = 2;
+        return !hasCurve() || rowTilt.curve.pieces(from, to) <= most;
     }
 
     //! Bearing of the moved camera, without its tilt, in the orientation of the global-shutter camera.
@@ -96,7 +97,8 @@ public:
     Matx33d down; //!< upright frame to camera frame
 
 private:
-    double alpha, rollRate, pitchRate;
+    RowTilt rowTilt;
+    double alpha;
     Heading heading;
     bool byRows;
     double time0, timeStep;

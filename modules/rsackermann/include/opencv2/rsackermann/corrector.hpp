@@ -112,7 +112,8 @@ public:
      */
     CV_WRAP virtual void setTimestamp(double seconds) = 0;
 
-    /** @brief Adds what a gyro on the camera has measured: how rows turn.
+    /** @brief Adds what a gyro on the camera has measured: how rows turn, at rates and beyond them
+    (AckermannMotion::rotationCurve).
 
     In a sequence with Params::trackPoints the points of the frames show the gyro's bias, the delay of its clock and by
     how much its axes are turned (a few degrees), and whether it says anything true at all. Without points, and of a

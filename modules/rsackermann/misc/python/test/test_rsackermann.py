@@ -299,6 +299,8 @@ class rsackermann_test(NewOpenCVTests):
         self.assertAlmostEqual(motion.pitchRate / unit, -.3, places=6)
         self.assertAlmostEqual(2 * motion.alpha / unit, .2, places=6)
         self.assertAlmostEqual(motion.rollRate / unit, -.1, places=6)
+        self.assertEqual(np.array(motion.rotationCurve).shape, (17, 3))
+        self.assertLess(np.abs(np.array(motion.rotationCurve)).max(), 1e-9)  # the rates are constant
         agrees, delay, axes, bias = corrector.getGyroAlignment()
         self.assertTrue(agrees)
         self.assertEqual(delay, 0)
@@ -333,6 +335,7 @@ class rsackermann_test(NewOpenCVTests):
         motion = make_motion(camera)
         motion.inverseDepthOffset = np.arange(30.0).reshape(5, 6) / 1000
         motion.offsetArea = (-0.5, -0.25, 1.125, 0.75)
+        motion.rotationCurve = np.arange(12.0).reshape(4, 3) / 1000
         prior = cv.rsackermann.MotionPrior()
         prior.speed = 12.5
         estimator_params = cv.rsackermann.AckermannEstimator.Params()
@@ -342,7 +345,8 @@ class rsackermann_test(NewOpenCVTests):
         values = [
             (camera, lambda c: (c.lineDelay, c.height, c.imageSize, c.cameraMatrix.tolist())),
             (motion, lambda m: (m.status, m.alpha, m.wallSlope, m.wallOffset, m.wallRatio, m.roadSlope,
-                                np.array(m.inverseDepthOffset).tolist(), m.offsetArea)),
+                                np.array(m.inverseDepthOffset).tolist(), m.offsetArea,
+                                np.array(m.rotationCurve).tolist())),
             (prior, lambda p: (p.speed, p.yawRate)),
             (estimator_params, lambda p: p.seed),
             (warp_params, lambda p: p.tolerance),

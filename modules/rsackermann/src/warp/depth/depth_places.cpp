@@ -56,8 +56,8 @@ double RectifyPlaces::depthInRow(const Vec3d& b, const RowMotion& m, double t) c
     return (shutter.down * shutter.tilt(shutter.toRolling(b, 0, m), t))[2];
 }
 
-DistortPlaces::DistortPlaces(const ShutterGeometry& shutter, const Matx33d& matrix_, double way_, bool ofRaw_)
-    : distorter(shutter), matrix(matrix_), way(way_), ofRaw(ofRaw_)
+DistortPlaces::DistortPlaces(const ShutterGeometry& shutter_, const Matx33d& matrix_, double way_, bool ofRaw_)
+    : shutter(shutter_), distorter(shutter_), matrix(matrix_), way(way_), ofRaw(ofRaw_)
 {
 }
 

@@ -22,6 +22,12 @@ public:
 
     //! False if there is no place, or one that cv::remap can't address.
     virtual bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const = 0;
+
+    //! Whether rows turn by a curve that has knots.
+    virtual bool hasKnots() const = 0;
+    //! Whether there are so few of them between two pixels with their places that the checks of a patch notice them.
+    virtual bool isSmoothBetween(const Point2d& pixel, const Point2d& place, const Point2d& otherPixel,
+                                 const Point2d& otherPlace) const = 0;
 };
 
 //! Of the pixels of a rectify map: places in the raw image.
@@ -37,6 +43,12 @@ public:
                   double tolerance);
 
     bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const CV_OVERRIDE;
+    bool hasKnots() const CV_OVERRIDE { return shutter.hasCurve(); }
+    bool isSmoothBetween(const Point2d&, const Point2d& place, const Point2d&,
+                         const Point2d& otherPlace) const CV_OVERRIDE
+    {
+        return shutter.isSmoothBetween(shutter.rowTime(place), shutter.rowTime(otherPlace));
+    }
 
 private:
     bool findOfRaw(const Vec3d& ray, double v, Point2d& place) const;
@@ -57,8 +69,15 @@ public:
     DistortPlaces(const ShutterGeometry& shutter, const Matx33d& matrix, double way, bool ofRaw);
 
     bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const CV_OVERRIDE;
+    bool hasKnots() const CV_OVERRIDE { return shutter.hasCurve(); }
+    bool isSmoothBetween(const Point2d& pixel, const Point2d&, const Point2d& otherPixel,
+                         const Point2d&) const CV_OVERRIDE
+    {
+        return shutter.isSmoothBetween(shutter.rowTime(pixel), shutter.rowTime(otherPixel));
+    }
 
 private:
+    const ShutterGeometry& shutter;
     Distorter distorter;
     Matx33d matrix;
     double way;

@@ -35,12 +35,28 @@ DepthVariable::DepthVariable(const Point2d& pixel, double lowest, double highest
     scale = float((DepthPatch::NODES - 1) / (to - from));
 }
 
+// Between opposite corners.
+static bool isSmooth(const Rect& square, double inverseDepth, const DepthPlaces& places)
+{
+    for (int k = 0; k < 2; k++)
+    {
+        const Point2d from(square.x + k * square.width, square.y), to(square.br().x - k * square.width, square.br().y);
+        Point2d place, otherPlace;
+        if (!places.find(from, inverseDepth, place) || !places.find(to, inverseDepth, otherPlace) ||
+            !places.isSmoothBetween(from, place, to, otherPlace))
+            return false;
+    }
+    return true;
+}
+
 bool DepthPatch::fit(const Rect& square, double lowest, double highest, const DepthPlaces& places)
 {
     const double step = square.width / (NODES - 1.);
     const Point2d first = square.tl();
     variable = DepthVariable(first + 1.5 * step * Point2d(1, 1), lowest, highest, places);
 
+    if (places.hasKnots() && !isSmooth(square, lowest, places))
+        return false;
     double valuesX[NODES][NODES][NODES], valuesY[NODES][NODES][NODES]; // [power or depth][row][column]
     for (int m = 0; m < NODES; m++)
         for (int n = 0; n < NODES; n++)
@@ -69,13 +85,14 @@ bool DepthPatch::fit(const Rect& square, double lowest, double highest, const De
 bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& places) const
 {
     const double depths[] = {0.38, 2.62};
-    for (int i = 0; i < MapPatch::CHECKS * 2; i++)
+    const int checks = places.hasKnots() ? MapPatch::CHECKS_WITH_KNOTS : MapPatch::CHECKS;
+    for (int i = 0; i < checks * 2; i++)
     {
         const Point2d check = MapPatch::check(i / 2, step);
         const double depth = depths[i % 2];
         Point2d expected;
         if (!places.find(first + check, variable.inverseDepth(depth), expected) ||
-            !MapPatch::isNear(at(check, depth), expected))
+            !MapPatch::isNear(at(check, depth), expected, places.hasKnots()))
             return false;
     }
     return true;

@@ -110,7 +110,7 @@ bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const Wa
                 const AckermannMotion& motion, int m1type, OutputArray map1_, OutputArray map2_, OutputArray mask_)
 {
     // The kernel knows rows that turn to the right or left alone.
-    if (motion.status == MOTION_OK && (motion.pitchRate != 0 || motion.rollRate != 0))
+    if (motion.status == MOTION_OK && !RowTilt(camera, motion).isNone())
         return false;
     ocl::Kernel kernel("warpMap", ocl::rsackermann::warp_map_oclsrc,
                        buildOptions(warp, Lens<float>(camera), motion, m1type, mask_.needed()));

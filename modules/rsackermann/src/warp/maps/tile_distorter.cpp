@@ -10,7 +10,8 @@
 namespace cv { namespace rsackermann {
 
 TileDistorter::TileDistorter(const ShutterGeometry& shutter_, const Matx33d& matrix_)
-    : shutter(shutter_), distorter(shutter_), matrix(matrix_)
+    : shutter(shutter_), distorter(shutter_), matrix(matrix_),
+      checks(shutter_.hasCurve() ? MapPatch::CHECKS_WITH_KNOTS : MapPatch::CHECKS)
 {
 }
 
@@ -36,11 +37,13 @@ bool TileDistorter::fillByPatches(const Rect& square, MapWriter::Tile& tile) con
 bool TileDistorter::evaluate(const Rect& square, Nodes& nodes) const
 {
     const Point2d first = square.tl();
+    if (!shutter.isSmoothBetween(shutter.rowTime(first), shutter.rowTime(square.br())))
+        return false;
     nodes.step = square.width / (NODES - 1.);
     for (int i = 0; i < NODES * NODES; i++)
         if (!evaluate(first + nodes.step * Point2d(Point(i % NODES, i / NODES)), nodes.grid[i / NODES][i % NODES]))
             return false;
-    for (int i = 0; i < MapPatch::CHECKS; i++)
+    for (int i = 0; i < checks; i++)
         if (!evaluate(first + MapPatch::check(i, nodes.step), nodes.checks[i]))
             return false;
     return true;
@@ -113,12 +116,12 @@ bool TileDistorter::fitPatch(const Nodes& nodes, int plane, MapPatch& patch) con
             return false;
     }
     patch = MapPatch(places, nodes.step);
-    for (int i = 0; i < MapPatch::CHECKS; i++)
+    for (int i = 0; i < checks; i++)
     {
         const Point2d check = MapPatch::check(i, nodes.step);
         Point2d expected;
         if (!place(nodes.checks[i], nodes.checks[i].depths[plane], expected) ||
-            !MapPatch::isNear(patch.at(check.x, check.y), expected))
+            !MapPatch::isNear(patch.at(check.x, check.y), expected, shutter.hasCurve()))
             return false;
     }
     return true;
@@ -131,7 +134,7 @@ bool TileDistorter::fitDepth(const Nodes& nodes, int plane, Bicubic& depth) cons
     for (int i = 0; i < NODES * NODES; i++)
         values[i / NODES][i % NODES] = nodes.grid[i / NODES][i % NODES].depths[plane];
     depth = Bicubic(values, nodes.step);
-    for (int i = 0; i < MapPatch::CHECKS; i++)
+    for (int i = 0; i < checks; i++)
     {
         const Point2d check = MapPatch::check(i, nodes.step);
         Point2d expected, got;

@@ -36,7 +36,7 @@ private:
     struct Nodes
     {
         double step;
-        Node grid[NODES][NODES], checks[MapPatch::CHECKS];
+        Node grid[NODES][NODES], checks[MapPatch::CHECKS_WITH_KNOTS];
     };
 
     bool evaluate(const Point2d& pixel, Node& node) const;
@@ -49,6 +49,7 @@ private:
     const ShutterGeometry& shutter;
     Distorter distorter;
     Matx33d matrix;
+    int checks; // of MapPatch
 };
 
 }} // namespace cv::rsackermann

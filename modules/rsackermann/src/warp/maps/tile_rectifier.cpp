@@ -11,7 +11,9 @@ namespace cv { namespace rsackermann {
 
 TileRectifier::TileRectifier(const ShutterGeometry& shutter_, const Matx33d& matrix, int maxIterations,
                              double tolerance)
-    : shutter(shutter_), forPixels(shutter_, maxIterations, tolerance),
+    : shutter(shutter_),
+      // The rate of a neighbour, by which the last step goes, is less exact where rows turn by a curve.
+      forPixels(shutter_, maxIterations, (shutter_.hasCurve() ? 0.1 : 1) * tolerance),
       forPatches(shutter_, maxIterations, 0.3 * tolerance), inverse(matrix.inv()), upright(shutter_.up * inverse)
 {
     const double time0 = shutter.rowTime(Point2d(0, 0));
@@ -137,14 +139,19 @@ bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth,
             twist = (times[3][3] - times[0][3] - times[3][0] + times[0][0]) / 9;
     }
 
+    const auto span = std::minmax_element(&times[0][0], &times[0][0] + MapPatch::NODES * MapPatch::NODES);
+    if (!shutter.isSmoothBetween(*span.first, *span.second))
+        return false;
     patch = MapPatch(nodes, step);
-    const int checks = shutter.depthOffset.empty() ? MapPatch::CHECKS : MapPatch::CHECKS_WITH_KNOTS;
+    const int checks =
+        shutter.depthOffset.empty() && !shutter.hasCurve() ? MapPatch::CHECKS : MapPatch::CHECKS_WITH_KNOTS;
     for (int i = 0; i < checks; i++)
     {
         const Point2d check = MapPatch::check(i, step), expected = patch.at(check.x, check.y);
         Point2d place;
         guess.time = shutter.rowTime(expected);
-        if (!solve(square, check.x, check.y, depth, guess, place) || !MapPatch::isNear(place, expected))
+        if (!solve(square, check.x, check.y, depth, guess, place) ||
+            !MapPatch::isNear(place, expected, shutter.hasCurve()))
             return false;
     }
     return true;
