@@ -4,6 +4,7 @@
 
 // Compares results of rsackermann_correct with the truth of rsackermann_simulate.
 
+#include "json_text.hpp"
 #include "map_distance.hpp"
 #include "options.hpp"
 #include "truth_file.hpp"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 namespace {
 
@@ -35,7 +35,7 @@ nlohmann::json lastLine(const std::string& path)
     std::string last;
     for (std::string line; std::getline(file, line);)
         last = line;
-    const nlohmann::json json = nlohmann::json::parse(last, nullptr, false);
+    const nlohmann::json json = parseJson(last, false);
     if (!json.is_object())
         throw InputError(path + " is not a report");
     return json;

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "report_lines.hpp"
+#include "json_text.hpp"
 #include "options.hpp"
 
 #include <fstream>
@@ -21,7 +22,7 @@ void readReportLines(const std::string& path,
         const std::string source = path + cv::format(", line %d", ++number);
         try
         {
-            use(nlohmann::json::parse(text), source);
+            use(parseJson(text), source);
         }
         catch (const nlohmann::json::exception& e)
         {

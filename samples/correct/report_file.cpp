@@ -3,22 +3,17 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "report_file.hpp"
+#include "json_text.hpp"
 #include "report.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include <algorithm>
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 
 namespace rsackermann_samples {
 
 namespace {
-
-nlohmann::json parsed(const std::string& line)
-{
-    return nlohmann::json::parse(line, nullptr, false);
-}
 
 // The input of a line; empty if it isn't a line of a report.
 std::string inputOf(const nlohmann::json& line)
@@ -57,16 +52,16 @@ void ReportFile::prepare(const Job& job)
     {
         findComplete();
         lines_.filter([&](const std::string& line) {
-            const std::string input = inputOf(parsed(line));
+            const std::string input = inputOf(parseJson(line, false));
             return !own_.count(input) || complete_.count(input);
         });
     }
     else if (job.overwrite)
-        lines_.filter([&](const std::string& line) { return !alone && !own_.count(inputOf(parsed(line))); });
+        lines_.filter([&](const std::string& line) { return !alone && !own_.count(inputOf(parseJson(line, false))); });
     else
         // Other shards may have begun the file.
         lines_.filter([&](const std::string& line) {
-            if (alone || own_.count(inputOf(parsed(line))))
+            if (alone || own_.count(inputOf(parseJson(line, false))))
                 throw InputError(path_ + " exists (--overwrite replaces it)");
             return true;
         });
@@ -77,7 +72,7 @@ void ReportFile::findComplete()
     std::map<std::string, int> missing; // frames of videos
     std::set<std::string> failed;
     lines_.filter([&](const std::string& text) {
-        const nlohmann::json line = parsed(text);
+        const nlohmann::json line = parseJson(text, false);
         const std::string input = inputOf(line);
         if (!own_.count(input))
             return true;

@@ -3,12 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "truth_file.hpp"
+#include "json_text.hpp"
 #include "units.hpp"
 #include "options.hpp"
 
 #include <climits>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
 
 namespace rsackermann_samples {
 
@@ -86,7 +87,7 @@ try
     std::ifstream file(path.c_str());
     if (!file)
         throw InputError(path + " can't be read");
-    const nlohmann::json json = nlohmann::json::parse(file);
+    const nlohmann::json json = parseJson(std::string(std::istreambuf_iterator<char>(file), {}));
     const cv::Size size(int(inRange(path, json, "width", 1, 65535)), int(inRange(path, json, "height", 1, 65535)));
     Truth truth = {street::StreetCamera(size, 1, json.at("line_delay_s"), json.at("height_m")), street::StreetScene()};
     street::StreetCamera& c = truth.camera;

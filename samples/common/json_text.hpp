@@ -1,0 +1,19 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_JSON_TEXT_HPP
+#define RSACKERMANN_SAMPLES_JSON_TEXT_HPP
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace rsackermann_samples {
+
+//! What the text stands for. Compiled once: the parser is a template that takes the compiler seconds.
+//! @param throws whether an exception of JSON tells of an error, or a value that is_discarded().
+nlohmann::json parseJson(const std::string& text, bool throws = true);
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_JSON_TEXT_HPP
