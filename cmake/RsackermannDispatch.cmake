@@ -54,10 +54,12 @@ function(rsackermann_add_dispatched_file target source_dir name)
   file(GENERATE OUTPUT "${generated_dir}/${name}.simd_declarations.hpp"
     CONTENT "${declarations}#define CV_CPU_DISPATCH_MODES_ALL ${modes}\n")
   target_include_directories(${target} PRIVATE "${generated_dir}")
-  set_property(SOURCE "${source_dir}/${name}.dispatch.cpp" APPEND PROPERTY
-    COMPILE_OPTIONS -include "${RSACKERMANN_DISPATCH_DIR}/cpu_dispatch.hpp")
-  # That header has to come first.
-  set_property(SOURCE "${source_dir}/${name}.dispatch.cpp" PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  set_property(SOURCE "${source_dir}/${name}.dispatch.cpp" PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  # That header has to come first, as it does in the precompiled header.
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    set_property(SOURCE "${source_dir}/${name}.dispatch.cpp" APPEND PROPERTY
+      COMPILE_OPTIONS -include "${RSACKERMANN_DISPATCH_DIR}/cpu_dispatch.hpp")
+  endif()
 endfunction()
 
 # Sets RSACKERMANN_COMPILER_HAS_mode.

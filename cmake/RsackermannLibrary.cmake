@@ -10,6 +10,7 @@ rsackermann_keep_core(library_sources)
 add_library(opencv_rsackermann ${library_sources})
 add_library(rsackermann::rsackermann ALIAS opencv_rsackermann)
 rsackermann_add_dispatched_files(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}")
+target_include_directories(opencv_rsackermann PRIVATE "${RSACKERMANN_DISPATCH_DIR}")
 rsackermann_embed_opencl(opencv_rsackermann "${RSACKERMANN_MODULE_DIR}/src/opencl")
 
 set_target_properties(opencv_rsackermann PROPERTIES
@@ -38,6 +39,7 @@ target_link_libraries(opencv_rsackermann
 # What most sources include. By names that are found on the way of includes: with paths ccache would find nothing again
 # from another checkout.
 target_precompile_headers(opencv_rsackermann PRIVATE
+  <cpu_dispatch.hpp> # for *.dispatch.cpp, in which it has to come first
   <opencv2/rsackermann/estimator.hpp> <opencv2/rsackermann/warp.hpp>
   <opencv2/imgproc.hpp> <opencv2/core/utils/logger.hpp> <Eigen/Cholesky>)
 # opencv2/opencv_modules.hpp defines HAVE_OPENCV_XIMGPROC if OpenCV has this module.

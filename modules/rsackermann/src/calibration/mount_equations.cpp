@@ -4,8 +4,7 @@
 
 #include "../precomp.hpp"
 #include "mount_equations.hpp"
-#include <Eigen/Dense>
-#include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
 
 namespace cv { namespace rsackermann {
 
