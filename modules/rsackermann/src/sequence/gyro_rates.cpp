@@ -7,7 +7,7 @@
 
 namespace cv { namespace rsackermann {
 
-typedef Vec<double, GyroRates::UNKNOWNS> Unknowns; // of GyroAlignment
+typedef Vec<double, GyroRates::UNKNOWNS> GyroUnknowns; // of GyroAlignment
 typedef Matx<double, GyroRates::UNKNOWNS, GyroRates::UNKNOWNS> UnknownsMatrix;
 
 static const double DELAY_SIGMA = 0.02;                // seconds, of clocks that are said to be the same
@@ -19,8 +19,8 @@ static const size_t DELAY_FRAMES = 12;                 // that show such a delay
 static const double EXPLAINED = 0.5;                   // share of the turns' loss that a true gyro leaves at most
 static const double SMALL = 0.3 * CV_PI / 180;         // rad/s about each axis that it may leave in any case
 
-static const Unknowns SIGMAS(DELAY_SIGMA, AXES_SIGMA, AXES_SIGMA, AXES_SIGMA, BIAS_SIGMA, BIAS_SIGMA, BIAS_SIGMA,
-                             SCALE_SIGMA);
+static const GyroUnknowns SIGMAS(DELAY_SIGMA, AXES_SIGMA, AXES_SIGMA, AXES_SIGMA, BIAS_SIGMA, BIAS_SIGMA, BIAS_SIGMA,
+                                 SCALE_SIGMA);
 
 RowSpan::RowSpan(const RollingShutterCamera& camera)
 {
@@ -118,10 +118,10 @@ void GyroRates::judge(const TurnOfPoints& turn)
 }
 
 // Of a rate about the i-th axis of the camera, by the unknowns. @param slope of the gyro's rate g by time.
-static Unknowns derivatives(const Vec3d& g, const Vec3d& slope, int i)
+static GyroUnknowns derivatives(const Vec3d& g, const Vec3d& slope, int i)
 {
     const int j = (i + 1) % 3, l = (i + 2) % 3;
-    Unknowns J;
+    GyroUnknowns J;
     J[0] = slope[i];
     J[1 + j] = g[l];
     J[1 + l] = -g[j];
@@ -139,9 +139,9 @@ void GyroRates::align()
     for (int iteration = 0; iteration < iterations; iteration++)
     {
         UnknownsMatrix information = UnknownsMatrix::zeros();
-        Unknowns gradient;
-        const Unknowns now(found.delay - start, found.turn[0], found.turn[1], found.turn[2], found.bias[0],
-                           found.bias[1], found.bias[2], found.scale - 1);
+        GyroUnknowns gradient;
+        const GyroUnknowns now(found.delay - start, found.turn[0], found.turn[1], found.turn[2], found.bias[0],
+                               found.bias[1], found.bias[2], found.scale - 1);
         for (int i = 0; i < UNKNOWNS; i++)
         {
             information(i, i) = 1 / (SIGMAS[i] * SIGMAS[i]);
@@ -163,7 +163,7 @@ void GyroRates::align()
             const double weight = kept / (1 + squared / 9);
             for (int i = 0; i < 3; i++)
             {
-                const Unknowns J = derivatives(g, slope, i);
+                const GyroUnknowns J = derivatives(g, slope, i);
                 const double w = weight / (noise[i] * noise[i]);
                 information = information + J * J.t() * w;
                 gradient -= J * (w * r[i]);
@@ -172,7 +172,7 @@ void GyroRates::align()
             weights += weight;
         }
         covariance = information.inv(DECOMP_CHOLESKY);
-        const Unknowns step = covariance * gradient;
+        const GyroUnknowns step = covariance * gradient;
         found.delay -= step[0];
         found.scale -= step[7];
         for (int i = 0; i < 3; i++)
@@ -184,9 +184,9 @@ void GyroRates::align()
     }
 }
 
-Unknowns GyroRates::alignmentSigma() const
+GyroUnknowns GyroRates::alignmentSigma() const
 {
-    Unknowns sigma;
+    GyroUnknowns sigma;
     for (int i = 0; i < UNKNOWNS; i++)
         sigma[i] = std::sqrt(covariance(i, i));
     return sigma;
@@ -273,7 +273,7 @@ bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) cons
     rates.value = found.toCamera(g, 1);
     for (int i = 0; i < 3; i++)
     {
-        const Unknowns J = derivatives(g, (after - before) * (1 / (2 * h)), i);
+        const GyroUnknowns J = derivatives(g, (after - before) * (1 / (2 * h)), i);
         rates.sigma[i] = std::sqrt((J.t() * covariance * J)(0) + noise[i] * noise[i] / 4);
     }
     return true;
