@@ -48,11 +48,12 @@ class RowTilt
 {
 public:
     RowTilt(const RollingShutterCamera& camera, const AckermannMotion& motion)
-        : curve(camera, motion.rotationCurve), rollRate(motion.rollRate), pitchRate(motion.pitchRate)
+        : curve(camera, motion.rotationCurve), rollRate(motion.rollRate), pitchRate(motion.pitchRate),
+          none(rollRate == 0 && pitchRate == 0 && curve.empty())
     {
     }
 
-    bool isNone() const { return rollRate == 0 && pitchRate == 0 && curve.empty(); }
+    bool isNone() const { return none; }
 
     //! Upright frame of a row to that of one that only yaws.
     Matx33d at(double time) const
@@ -72,6 +73,7 @@ public:
 
 private:
     double rollRate, pitchRate;
+    bool none;
 };
 
 }} // namespace cv::rsackermann

@@ -139,9 +139,12 @@ bool TileRectifier::fitPatch(const Rect& square, const PlaneInverseDepth& depth,
             twist = (times[3][3] - times[0][3] - times[3][0] + times[0][0]) / 9;
     }
 
-    const auto span = std::minmax_element(&times[0][0], &times[0][0] + MapPatch::NODES * MapPatch::NODES);
-    if (!shutter.isSmoothBetween(*span.first, *span.second))
-        return false;
+    if (shutter.hasCurve())
+    {
+        const auto span = std::minmax_element(&times[0][0], &times[0][0] + MapPatch::NODES * MapPatch::NODES);
+        if (!shutter.isSmoothBetween(*span.first, *span.second))
+            return false;
+    }
     patch = MapPatch(nodes, step);
     const int checks =
         shutter.depthOffset.empty() && !shutter.hasCurve() ? MapPatch::CHECKS : MapPatch::CHECKS_WITH_KNOTS;
