@@ -105,7 +105,7 @@ private:
         if (model != MODEL_NONE && model != MODEL_1LA)
         {
             const int motion = model == MODEL_3LA ? MODEL_3LA : MODEL_4LA;
-            all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), 1 - 3 * UNUSUAL));
+            all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), 1 - 2 * UNUSUAL));
             if (walls == 2)
                 all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), UNUSUAL));
         }
