@@ -59,7 +59,7 @@ TEST(RSAckermann_StreetDirection, is_found_at_every_angle)
             EXPECT_NEAR(0.2 * sign * std::cos(model[P_STREET]), walls[P_B], 0.01) << k;
             EXPECT_NEAR(0.2 * sign * std::sin(model[P_STREET]), walls[P_D], 0.01) << k;
         }
-        problem.others.resize(4);
+        problem.others.clear();
         problem.arrange();
         EXPECT_FALSE(startFromStreetDirection(problem, MotionHypothesis(MODEL_1LA, 0), model)) << k;
     }
