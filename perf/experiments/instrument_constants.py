@@ -34,8 +34,8 @@ template <class T> inline T ablated(const char* name, T value)
 #endif
 '''
 DECLARATION = re.compile(r'^(?P<indent>\s*)(?P<head>(?:static )?const (?:double|int|size_t)) (?P<list>[^;(){}]*=[^;]*);', re.M)
-# Needed while the compiler runs.
-FIXED = {'ALONG', 'MIN_DETECTOR_SIZE'}
+# Needed while the compiler runs; steps that shrink would never end.
+FIXED = {'ALONG', 'MIN_DETECTOR_SIZE', 'STEP_GROWTH'}
 
 
 def split(text):
