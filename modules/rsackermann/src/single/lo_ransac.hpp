@@ -17,13 +17,17 @@ struct RansacOptions
     uint64 seed;
 };
 
-/** Smallest number of samples after which one without outliers has been drawn with the given confidence.
+const double USEFUL_SAMPLES = 0.1; //!< of those without outliers
 
+/** Smallest number of samples after which a useful one has been drawn with the given confidence.
+
+Only one in ten samples without outliers is counted on: the others fall on the walls in another arrangement than the
+solver takes, or noise spoils them.
 @return at most maxIterations.
 */
 inline int requiredIterations(int inliers, int size, int sampleSize, double confidence, int maxIterations)
 {
-    double useful = 1; // probability of one, drawn without replacement
+    double useful = USEFUL_SAMPLES; // probability of one, drawn without replacement
     for (int i = 0; i < sampleSize; i++)
         useful *= std::max(inliers - i, 0) / double(size - i);
     const double needed = std::log(1 - std::min(confidence, 1 - 1e-12)) / std::log1p(-useful);

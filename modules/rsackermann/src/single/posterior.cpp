@@ -16,8 +16,8 @@ namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
 static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
-// Probability of a motion that isn't one between two walls: along one, or a turn alone. A scene that is unusual in both
-// ways, without a wall and without verticals, is as improbable as both together.
+// Probability of a motion along one wall instead of between two; half of it, of a turn alone; squared, of a scene
+// without verticals over that of one with them.
 static const double UNUSUAL = 0.1;
 static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion that isn't known
 static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
@@ -110,7 +110,7 @@ private:
                 all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), UNUSUAL));
         }
         if (model == MODEL_AUTO || model == MODEL_1LA)
-            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), UNUSUAL));
+            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), UNUSUAL / 2));
         return all;
     }
 
