@@ -37,15 +37,26 @@ std::string writtenToTerminal(Arguments command, int& exitCode)
     return text;
 }
 
+std::string repeated(const std::string& line, int times)
+{
+    std::string lines;
+    for (int i = 0; i < times; i++)
+        lines += line;
+    return lines;
+}
+
 TEST(Progress, one_line_on_a_terminal)
 {
-    // So many images that it takes more than a second anywhere.
+    // So many images that it takes some three seconds, wherever it runs: a line is shown after one.
     const TemporaryFolder folder;
-    std::string list;
-    for (int i = 0; i < 100; i++)
-        list += streetFolder() + "/rolling.png\n";
-    list += folder / "missing.png\n";
-    writeContent(folder / "list.txt", list);
+    const int some = 50;
+    writeContent(folder / "some.txt", repeated(streetFolder() + "/rolling.png\n", some));
+    const int64 start = cv::getTickCount();
+    EXPECT_EQ(0, correct({"@" + (folder / "some.txt"), "--report=" + (folder / "some.jsonl")}).exitCode);
+    const double seconds = double(cv::getTickCount() - start) / cv::getTickFrequency();
+    const int count = some + int(some * 3 / seconds);
+    writeContent(folder / "list.txt",
+                 repeated(streetFolder() + "/rolling.png\n", count) + (folder / "missing.png") + "\n");
     const Arguments arguments = {"@" + (folder / "list.txt"), "--report=" + (folder / "report.jsonl")};
 
     int exitCode = 0;
