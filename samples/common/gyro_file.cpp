@@ -209,7 +209,8 @@ GyroRecording readGyroOptions(const Options& options, const std::string& program
     if (!options.given("gyro"))
         return GyroRecording();
     GyroRecording gyro = readGyro(options.inputFile("gyro"), program);
-    if (options.given("gyro_delay"))
+    gyro.isClockKnown = options.given("gyro_delay");
+    if (gyro.isClockKnown)
         gyro.times -= options.number("gyro_delay", -1e12, 1e12);
     return gyro;
 }

@@ -14,8 +14,11 @@ namespace rsackermann_samples {
 //! What a gyro on the camera has measured.
 struct GyroRecording
 {
-    cv::Mat times; //!< seconds, N x 1, CV_64F
-    cv::Mat rates; //!< rad/s about the camera's axes x (to the right), y (down) and z (ahead), N x 3, CV_64F
+    cv::Mat times;     //!< seconds, N x 1, CV_64F
+    cv::Mat rates;     //!< rad/s about the camera's axes x (to the right), y (down) and z (ahead), N x 3, CV_64F
+    bool isClockKnown; //!< it is that of the frames, by --gyro_delay
+
+    GyroRecording() : isClockKnown(false) {}
 };
 
 /** Reads a CSV file with the columns time_s, yaw_rate_deg_s (positive to the right), pitch_rate_deg_s (down) and

@@ -4,6 +4,7 @@
 
 #include "batch.hpp"
 #include "files.hpp"
+#include "gyro_clock.hpp"
 #include "output/interrupt.hpp"
 #ifdef RSACKERMANN_WITH_VIDEOIO
 #include "video_task.hpp"
@@ -57,7 +58,7 @@ size_t overlapOf(const cv::Size& size)
 
 Batch::Batch(const Job& job)
     : job_(job), inputs_(job.inputs.inputs), report_(job.report.empty() ? nullptr : new ReportFile(job)),
-      corrector_(job), lastTask_(0), done_(0), failures_(0), hasWarned_(false)
+      corrector_(job), lastTask_(0), done_(0), failures_(0), hasWarned_(false), hasClock_(false)
 {
     for (size_t i = 0; i < inputs_.size(); i++)
         if (inputs_[i].isFile() && !isVideo(inputs_[i].name) && !taskOf(inputs_[i].name).isDone())
@@ -139,6 +140,20 @@ NextFrame Batch::nextOf(size_t index)
     return error.empty() ? next : NextFrame();
 }
 
+// By the images from one to the next video.
+double Batch::gyroDelayFrom(size_t index) const
+{
+    return gyroDelay(job_, [&](cv::Mat& image, FrameFacts& facts) {
+        if (index == inputs_.size() || isVideo(inputs_[index].name))
+            return false;
+        image = cv::Mat();
+        facts = factsOf(index);
+        errorOf([&]() { image = readStored(inputs_[index].name).pixels; });
+        index++;
+        return true;
+    });
+}
+
 void Batch::readAhead(size_t index, size_t count)
 {
     for (; count > 0 && index < inputs_.size() && inputs_[index].isFile() && !isVideo(inputs_[index].name); index++)
@@ -169,7 +184,12 @@ void Batch::correctFile(size_t index, const Targets& targets, Outcome& outcome)
     if (isVideo(input))
         corrector_.reset();
     else
+    {
+        if (needsGyroClock(job_) && !hasClock_)
+            corrector_.setGyroDelay(gyroDelayFrom(index));
         corrector_.beginFrame(factsOf(index));
+    }
+    hasClock_ = !isVideo(input);
     targets.check(job_);
 #ifdef RSACKERMANN_WITH_VIDEOIO
     if (isVideo(input))

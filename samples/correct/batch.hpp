@@ -63,6 +63,7 @@ private:
     FrameFacts factsOf(size_t index) const;
     FutureImage imageOf(size_t index);
     NextFrame nextOf(size_t index);
+    double gyroDelayFrom(size_t index) const;
     void readAhead(size_t index, size_t count);
     void correct(size_t index, const Task& task);
     void correctFile(size_t index, const Targets& targets, Outcome& outcome);
@@ -83,6 +84,7 @@ private:
     double done_;
     int failures_;
     bool hasWarned_; // of a contradiction
+    bool hasClock_;  // the gyro, of the sequence that the last input belongs to
 };
 
 } // namespace rsackermann_samples

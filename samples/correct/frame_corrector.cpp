@@ -33,7 +33,7 @@ void FrameCorrector::prepare(const cv::Size& size)
     RollingShutterCorrector::Params params = job_.params;
     params.warp = StripWarp::coarse(camera_);
     corrector_ = RollingShutterCorrector::create(camera_, params);
-    corrector_->addGyro(job_.gyro.times, job_.gyro.rates);
+    setGyroDelay(gyroDelay_);
     warp_.reset(new StripWarp(camera_));
     WarpMapGenerator::create(camera_, params.warp)->initRectifyMap(AckermannMotion(), lensMap1_, lensMap2_);
 }
@@ -73,6 +73,22 @@ void FrameCorrector::reset()
     isFirst_ = true;
     if (corrector_)
         corrector_->reset();
+}
+
+void FrameCorrector::setGyroDelay(double delay)
+{
+    gyroDelay_ = delay;
+    if (!corrector_ || job_.gyro.times.empty())
+        return;
+    corrector_->clearGyro();
+    corrector_->addGyro(cv::Mat(job_.gyro.times - delay), job_.gyro.rates);
+}
+
+double FrameCorrector::gyroDelay() const
+{
+    double delay;
+    cv::Vec3d axes, bias;
+    return corrector_ && corrector_->getGyroAlignment(delay, axes, bias) ? delay : 0;
 }
 
 void FrameCorrector::warnOfGyro()

@@ -33,8 +33,10 @@ struct NextFrame
 class FrameCorrector
 {
 public:
-    explicit FrameCorrector(const Job& job)
-        : job_(job), isFirst_(true), hasWarned_(false), hasWarnedOfDepth_(false), time_(0), roll_(0), pitch_(0)
+    //! @param isSilent whether it doesn't warn.
+    explicit FrameCorrector(const Job& job, bool isSilent = false)
+        : job_(job), isFirst_(true), hasWarned_(isSilent), hasWarnedOfDepth_(isSilent), gyroDelay_(0), time_(0),
+          roll_(0), pitch_(0)
     {
     }
 
@@ -55,6 +57,12 @@ public:
     //! The next image belongs to another sequence.
     void reset();
 
+    //! The clock of the gyro is ahead of that of the frames to come. @param delay seconds.
+    void setGyroDelay(double delay);
+
+    //! How far the frames up to now show that it is ahead; 0: they contradict the gyro.
+    double gyroDelay() const;
+
 private:
     void prepare(const cv::Size& size);
     void useFacts();
@@ -66,6 +74,7 @@ private:
     bool isFirst_;   // of a sequence
     bool hasWarned_; // of a gyro without effect
     bool hasWarnedOfDepth_;
+    double gyroDelay_;
     FrameFacts facts_;                                            // of the present image
     double time_;                                                 // of it, known or assumed
     cv::rsackermann::RollingShutterCamera camera_;                // of the last image

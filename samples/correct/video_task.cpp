@@ -4,6 +4,7 @@
 
 #include "video_task.hpp"
 #include "files.hpp"
+#include "gyro_clock.hpp"
 #include "map_file.hpp"
 #include "output/interrupt.hpp"
 #include "video_ends.hpp"
@@ -70,6 +71,19 @@ private:
     FrameFacts facts_, factsAhead_;
 };
 
+// By its first frames.
+double gyroDelayOf(const std::string& input, const FrameIndex& index, const Job& job)
+{
+    cv::VideoCapture capture = openVideo(input);
+    FrameReader reader(capture, index, job.log, input);
+    return gyroDelay(job, [&](cv::Mat& image, FrameFacts& facts) {
+        const bool isRead = reader.read();
+        image = reader.image();
+        facts = reader.facts();
+        return isRead;
+    });
+}
+
 void addTo(std::unique_ptr<VideoFile>& video, const std::string& path, double framesPerSecond, const cv::Mat& frame)
 {
     if (path.empty())
@@ -104,6 +118,8 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     const double announced = index.shown ? double(index.shown) : capture.get(cv::CAP_PROP_FRAME_COUNT),
                  framesPerSecond = isWritten ? meanRate(input) : 0;
     FrameReader reader(capture, index, job.log, input);
+    if (needsGyroClock(job))
+        corrector.setGyroDelay(gyroDelayOf(input, index, job));
 
     std::unique_ptr<VideoFile> output, overlay;
     std::vector<FrameReport> frames;

@@ -94,7 +94,8 @@ void GyroRates::add(const TurnOfPoints& turn)
     while (std::abs(turn.end - turns.front().end) > RATE_MEMORY)
         turns.pop_front();
     align();
-    unexplainedFrames = contradicts() ? unexplainedFrames + 1 : 0;
+    Vec3d rate;
+    unexplainedFrames = contradicts() || !expected(turn, found.delay, rate) ? unexplainedFrames + 1 : 0;
     if (unexplainedFrames < DELAY_FRAMES)
         return;
     unexplainedFrames = 0;

@@ -123,7 +123,7 @@ private:
     Vec3d noise;              // standard deviation of what the gyro leaves of the turns of points, rad/s
     Vec3d meanTurn;           // of the points, rad/s
     double count;             // of the turns; those that are forgotten count less
-    size_t unexplainedFrames; // in a row, since a delay was looked for
+    size_t unexplainedFrames; // in a row, or without samples, since a delay was looked for
     double left, unexplained; // losses of their predictions with the gyro and without it
 };
 
