@@ -23,8 +23,6 @@ static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion th
 static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
 static const double SAME_COST = 0.01; // of two fits that are the same minimum
-// Logarithm of a probability with which motions don't count, however roughly it is known.
-static const double LOG_IMPOSSIBLE = 2 * std::log(NEGLIGIBLE);
 
 namespace {
 
@@ -270,7 +268,7 @@ private:
                 fits.push_back(&moving[k].minima[i]);
         forEach(fits.size(), [&](size_t i) { fits[i]->refine(problem); });
         for (size_t k = 0; k < moving.size(); k++)
-            moving[k].keepDistinct(-2 * LOG_IMPOSSIBLE * dependence);
+            moving[k].keepDistinct(-2 * std::log(NEGLIGIBLE) * dependence);
     }
 
     // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the
@@ -386,7 +384,7 @@ private:
     // Adds motions with the yaw rates to both sides of a fit. If one of them fits better there was another minimum.
     void sweep(Fit fit, double logPrior)
     {
-        if (logPrior + logNoise(fit) + logEvidence(fit, fit.hypothesis) < mixture.largest() + LOG_IMPOSSIBLE)
+        if (logPrior + logNoise(fit) + logEvidence(fit, fit.hypothesis) < mixture.largest() + std::log(NEGLIGIBLE))
             return;
         Swept swept = sweepFrom(fit);
         const Fit& best = cheapest(swept.fits);
