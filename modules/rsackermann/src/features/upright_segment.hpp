@@ -10,6 +10,7 @@
 namespace cv { namespace rsackermann {
 
 const double PRIOR_LEAN = 0.3 * CV_PI / 180; //!< radians, of verticals of real streets
+const double END_SIGMA = 0.5;                //!< pixels, of a vertical's slant, until the noise is measured
 
 //! A segment of the image in the upright frame.
 struct UprightSegment

@@ -13,9 +13,8 @@
 namespace cv { namespace rsackermann {
 
 // How the residuals of points and verticals are weighed; doc/theory.md, "Sequence", has the reasons.
-const int STEPS = 10;         //!< of a fit, at each scale of the loss
-const double AGREES = 4;      //!< sigmas by which a point of the scene may be off its planes
-const double END_SIGMA = 0.5; //!< pixels, of a vertical's slant in the image
+const int STEPS = 10;    //!< of a fit, at each scale of the loss
+const double AGREES = 4; //!< sigmas by which a point of the scene may be off its planes
 //! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
 const double DEVIATION_SIGMA = 0.03;
 const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars usually steer: two frames hardly determine it

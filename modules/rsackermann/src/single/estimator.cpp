@@ -14,8 +14,8 @@
 
 namespace cv { namespace rsackermann {
 
-// First guesses for the segments of a detector: the noise of the image is measured.
-static const double FIRST_SIGMA = 0.25, FIRST_OTHERS_SIGMA = 1; // pixels
+// A first guess for other segments than verticals: the noise of the image is measured.
+static const double FIRST_OTHERS_SIGMA = 1; // pixels
 
 namespace {
 
@@ -63,7 +63,7 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits
     problem.distortionSigma = camera.distortionSigma;
     problem.heading = camera.heading;
     problem.focal = camera.cameraMatrix(0, 0);
-    problem.sigma = FIRST_SIGMA;
+    problem.sigma = END_SIGMA;
     problem.directionSigma = FIRST_OTHERS_SIGMA;
     const bool isExact = !(params.gravitySigma > 0);
     problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
