@@ -10,7 +10,6 @@
 namespace cv { namespace rsackermann {
 
 static const int WINDOW = 11;       // pixels, of the tracker
-static const int LEVELS = 4;        // of the pyramid, besides the image itself
 static const int CELL = 8;          // pixels of the halved image; each cell has one point at most
 static const double TEXTURE = 4e-4; // least of cornerMinEigenVal for grey values from 0 to 1
 static const double RETURN = 0.3;   // pixels by which a point that is followed back may miss its origin
@@ -62,7 +61,9 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
         resize(image, target, Size(std::max(image.cols / 2, 1), std::max(image.rows / 2, 1)), 0, 0, INTER_AREA);
         image = target;
     }
-    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), LEVELS, true, BORDER_REFLECT_101,
+    // Down to the smallest image that the window fits in: that one is the last.
+    const int allLevels = 31;
+    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), allLevels, true, BORDER_REFLECT_101,
                                      BORDER_CONSTANT, false);
     return halvings;
 }
