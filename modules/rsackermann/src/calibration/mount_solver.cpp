@@ -4,7 +4,9 @@
 
 #include "../precomp.hpp"
 #include "../optim/levenberg_marquardt.hpp"
+#include "../optim/sigma_of_median.hpp"
 #include "../sequence/frame_terms.hpp"
+#include "../sequence/row_rates.hpp"
 #include "mount_equations.hpp"
 #include "mount_solver.hpp"
 #include <Eigen/LU>
@@ -16,8 +18,6 @@ namespace cv { namespace rsackermann {
 static const double SAME_TURN = 0.005 * CV_PI / 180;
 // Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
 static const double SAME_DELAY = 0.01;
-static const double ASSUMED_FRAMES = 3; // as many count as the weights say
-static const double MEDIAN = 0.67;      // of a normal distribution's absolute value, in sigmas
 // Of residuals, over the usual ones: points are tracked to some hundredths of a pixel at best
 static const double LEAST_SIGMA = 0.03;
 
@@ -104,7 +104,7 @@ public:
             problem.addSlantResiduals(frames[k], slants);
         }
         if (!across.empty())
-            sigmas.points = std::min(std::max(median(across) / (MEDIAN * POINT_SIGMA), LEAST_SIGMA), 1.);
+            sigmas.points = std::min(std::max(sigmaOfMedian(median(across)) / POINT_SIGMA, LEAST_SIGMA), 1.);
         sigmas.depths = solveScale(
             along, 0, [&](double depths, double by) { return std::hypot(POINT_SIGMA * sigmas.points, depths * by); });
         sigmas.slants = solveScale(slants, LEAST_SIGMA,
@@ -149,7 +149,7 @@ private:
             const double middle = (low + high) / 2;
             for (size_t k = 0; k < residuals.size(); k++)
                 values[k] = residuals[k].value / sigmaOf(middle, residuals[k].byDepth);
-            (median(values) > MEDIAN ? low : high) = middle;
+            (sigmaOfMedian(median(values)) > 1 ? low : high) = middle;
         }
         return high;
     }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../optim/sigma_of_median.hpp"
 #include "image_noise.hpp"
 
 namespace cv { namespace rsackermann {
@@ -10,7 +11,7 @@ namespace cv { namespace rsackermann {
 double imageNoise(const Mat& gray)
 {
     const int enoughPixels = 100000, levels = 8 * UCHAR_MAX + 1;
-    const double gain = 6, medianOfSigma = 0.6745, rounding = 0.29; // of second differences; of a normal distribution
+    const double gain = 6, rounding = 0.29; // of second differences
     std::vector<int> counts(levels);
     const int step = std::max(int(gray.total() / enoughPixels), 1);
     int total = 0;
@@ -31,7 +32,7 @@ double imageNoise(const Mat& gray)
     int median = 0;
     for (int n = counts[0]; n * 2 < total; n += counts[median])
         median++;
-    return std::max(median / (gain * medianOfSigma), rounding);
+    return std::max(sigmaOfMedian(median) / gain, rounding);
 }
 
 }} // namespace cv::rsackermann

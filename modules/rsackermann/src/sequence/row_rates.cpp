@@ -7,8 +7,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double RATE_FRAMES = 4; // for which coefficients of 0 count
-
 RateProcess::RateProcess() : products(Matx22d::zeros()), count(0), changes(0), errors(0), known(0) {}
 
 // The next mean.
@@ -17,7 +15,7 @@ double RateProcess::predict() const
     if (!(products(0, 0) > 0))
         return 0;
     // Coefficients of 0 weigh as much as some frames do.
-    const double prior = RATE_FRAMES * products(0, 0) / count;
+    const double prior = ASSUMED_FRAMES * products(0, 0) / count;
     Matx22d information = products;
     information(0, 0) += prior;
     information(1, 1) += prior;

@@ -10,6 +10,9 @@
 
 namespace cv { namespace rsackermann {
 
+//! For which what is assumed of a whole drive counts beside what its frames show.
+const double ASSUMED_FRAMES = 4;
+
 /** The mean rates of a turn over the intervals between frames, as a damped oscillator that noise drives
 (doc/theory.md, "Rates of rows"): a suspension that swings, an arm or a mount that shakes.
 
