@@ -15,6 +15,7 @@ CalibrationFrame frameBetween(const RollingShutterCamera& camera, double left, d
 {
     CalibrationFrame frame;
     frame.drive = 1;
+    frame.before = 0;
     frame.time = frame.interval = 1 / 30.;
     frame.value.setZero();
     frame.value[SEQUENCE_SPEED] = 10;

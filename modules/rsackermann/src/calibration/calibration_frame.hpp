@@ -50,13 +50,11 @@ struct DepthResidual
     double value, byDepth;
 };
 
-const double SAME_TIME = 1e-6; //!< seconds, as times are rounded
-
 //! How a frame is seen, and its evidence.
 struct CalibrationFrame
 {
-    int drive;             //!< its number: frames of one drive follow each other
-    double time, interval; //!< seconds; since the frame before
+    int drive;                     //!< its number: frames of one drive follow each other
+    double time, before, interval; //!< seconds; of the frame before; between both
     std::vector<TrackedBearing> bearings;
     std::vector<UprightSegment> verticals;
     TurnOfPoints turn; //!< since the frame before
@@ -68,10 +66,7 @@ struct CalibrationFrame
     std::vector<double> slantWeights;
 
     //! Whether there is no other frame between.
-    bool follows(const CalibrationFrame& before) const
-    {
-        return drive == before.drive && time - before.time < interval + SAME_TIME;
-    }
+    bool follows(const CalibrationFrame& other) const { return drive == other.drive && before == other.time; }
 };
 
 //! Values of the mount on which the residuals of a frame depend: the last ones. Roll and pitch are in the frame's own

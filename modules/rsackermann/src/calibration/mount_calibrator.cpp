@@ -18,8 +18,6 @@
 
 namespace cv { namespace rsackermann {
 
-// Frames that are kept or left out together, since what connects neighbours shows the suspension
-static const int RUN = 30;
 static const double PRIOR_READOUT = 0.5; // of the time between two frames, if no line delay is given
 // Of the standard deviation before, at most, for a value that is observable
 static const double OBSERVED = 0.5;
@@ -238,7 +236,7 @@ private:
     template <class SetPoints>
     bool add(const Mat& segments, double seconds, const MotionPrior& prior, const SetPoints& setPoints)
     {
-        const double passed = seconds - filter.time;
+        const double before = filter.time, passed = seconds - before;
         // Frames that go back in time are those of another drive.
         if (!(passed > 0))
             filter.hasFrame = false;
@@ -261,17 +259,18 @@ private:
         SequenceFit fit(filter.state);
         if (!filter.update(features, start, gates, fit) || !fit.moves)
             return false;
-        keep(frameOf(fit, passed, prior));
+        keep(frameOf(fit, before, prior));
         return true;
     }
 
-    CalibrationFrame frameOf(const SequenceFit& fit, double passed, const MotionPrior& prior) const
+    CalibrationFrame frameOf(const SequenceFit& fit, double before, const MotionPrior& prior) const
     {
         CalibrationFrame frame;
         frame.drive = drive;
         frame.time = filter.time;
-        frame.interval = passed;
-        frame.turn = TurnOfPoints(start, features.bearings, fit.values, filter.time, -passed);
+        frame.before = before;
+        frame.interval = frame.time - before;
+        frame.turn = TurnOfPoints(start, features.bearings, fit.values, filter.time, -frame.interval);
         frame.verticals = features.verticals;
         for (int i = 0; i < FRAME_VALUES; i++)
             frame.value[i] = i < SEQUENCE_VALUES ? fit.state.value[i] : 0;
@@ -286,10 +285,11 @@ private:
         return frame;
     }
 
-    // Of a long drive runs of frames are kept at equal distances.
+    // Of a long drive runs of frames are kept at equal distances, since what connects neighbours shows the suspension:
+    // as many as one has frames.
     void keep(const CalibrationFrame& frame)
     {
-        const int run = number++ / RUN;
+        const int run = number++ / int(std::sqrt(params.maxFrames));
         if (run % stride)
             return;
         frames.push_back(frame);

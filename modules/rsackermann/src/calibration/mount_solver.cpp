@@ -173,7 +173,7 @@ private:
     double passedBefore(size_t k) const
     {
         const bool isFirst = k == 0 || frames[k].drive != frames[k - 1].drive;
-        return isFirst ? DBL_MAX : std::max(frames[k].time - frames[k - 1].time, SAME_TIME);
+        return isFirst ? DBL_MAX : frames[k].time - frames[k - 1].time;
     }
 
     // The connections of a frame with the one before and with the mount.
@@ -182,13 +182,13 @@ private:
         static const int turns[] = {LINKED_ROLL_TURN, LINKED_PITCH_TURN};
         const FrameVector& now = state.frames[k];
         const double passed = passedBefore(k);
-        const double kept = std::exp(-passed / suspension.memory);
+        const double kept = std::exp(-passed / suspension.memory),
+                     inverse = 1 / (suspension.sigma * std::sqrt(-std::expm1(-2 * passed / suspension.memory)));
         const bool follows = k > 0 && frames[k].follows(frames[k - 1]);
         for (int i = 0; i < 2; i++)
         {
             const double m = state.mount[MOUNTS[i]], a = now[SCENE_VALUES + TILTS[i]],
                          b = k > 0 ? state.frames[k - 1][SCENE_VALUES + TILTS[i]] : m;
-            const double inverse = 1 / (suspension.sigma * std::sqrt(1 - kept * kept));
             LinearTerm tilt(k, inverse * (a - m - kept * (b - m)));
             tilt.by(unknownOf(k, TILTS[i]), inverse);
             if (k > 0)
