@@ -217,7 +217,7 @@ void summariseDrives(const char* name, const std::vector<Outcome>& outcomes)
         worst = std::max(worst, o.left / std::max(o.raw, 0.3));
     }
     std::printf(
-        "%-32s n %3d raw %.2f left %.2f ratio %.2f worse %.1f %% worst ratio %.2f yaw rate %.2f beyond 2 sigma %.1f %% "
+        "%-32s n %3d raw %.2f left %.2f ratio %.3f worse %.1f %% worst ratio %.2f yaw rate %.2f beyond 2 sigma %.1f %% "
         "3 sigma %.1f %%\n",
         name, int(outcomes.size()), quantile(raw, 0.5), quantile(left, 0.5), mean(left) / mean(raw),
         100. * worse / outcomes.size(), worst, quantile(yawRate, 0.5), percentBeyond(outcomes, 2),
