@@ -18,7 +18,6 @@ namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Relative depth", has the reasons.
 static const double LEAST_IN_COMMON = 2.5; // sigmas
-static const double WORSE = 2;             // cost beyond that of the planes
 
 namespace {
 
@@ -97,30 +96,7 @@ public:
 
     bool allows(const Aligned& state) const { return std::abs(state[A_ALPHA]) < maxAlpha; }
 
-    //! Cost of the verticals alone, with the depth and with the planes of a motion.
-    double costOf(const Aligned& state) const
-    {
-        double sum = 0;
-        for (const DeepVertical& v : verticals)
-            sum += costOf(residual(v, state));
-        return sum;
-    }
-
-    double costOf(const Model& model) const
-    {
-        const PreparedModel prepared(model, heading);
-        double sum = 0;
-        for (const DeepVertical& v : verticals)
-        {
-            int wall;
-            sum += costOf(verticalResidual(v.segment, prepared, wall, 0) / v.sigma);
-        }
-        return sum;
-    }
-
 private:
-    double costOf(double r) const { return loss.cost(r * r); }
-
     // The difference of the compensated columns of both ends, in sigmas. All of a vertical has the horizontal depth of
     // its middle.
     double residual(const DeepVertical& v, const Aligned& state) const
@@ -217,19 +193,6 @@ struct ExpectedDisplacement
     }
 };
 
-Model planesOf(const AckermannMotion& motion)
-{
-    Model m;
-    m[P_ALPHA] = motion.alpha;
-    m[P_B] = motion.wallSlope;
-    m[P_D] = motion.wallOffset;
-    m[P_LAMBDA] = motion.wallRatio;
-    m[P_ROLL] = motion.rollCorrection;
-    m[P_PITCH] = motion.pitchCorrection;
-    m.direction = motion.direction;
-    return m;
-}
-
 // The walls stay as they are where the depth is unknown; their correlations with the yaw rate stay, too.
 void report(const Aligned& state, double alphaSigma, const ExpectedDisplacement& expected, AckermannMotion& motion)
 {
@@ -277,9 +240,8 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
         scaledInverse<AlignmentProblem::Equations::Matrix>(equations.symmetric());
     const ExpectedDisplacement expected(camera, relative, direction, state, covariance);
     const double scale = std::exp(state[A_LOG_ROAD]) / relative.slope(), shift = -scale * relative.infinity();
-    const bool isExplained = problem.costOf(state) <= problem.costOf(planesOf(motion)) + WORSE,
-               areFloats = scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX;
-    if (!isExplained || !areFloats || !(expected.residual < expected.raw))
+    const bool areFloats = scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX;
+    if (!areFloats || !(expected.residual < expected.raw))
         return false;
     report(state, std::sqrt(covariance(A_ALPHA, A_ALPHA)), expected, motion);
     depth.scale = scale;
