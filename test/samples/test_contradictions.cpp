@@ -42,7 +42,7 @@ void expectVerdict(const Json& line, const char* seenKey, const char* sigmaKey, 
 TEST(Contradictions, yaw_rate_of_a_sequence)
 {
     const TemporaryFolder folder;
-    const TurningDrive drive;
+    const TurningDrive drive = {};
     const int frames = 5;
     for (int i = 0; i < frames; i++)
         cv::imwrite(folder / cv::format("%d.png", i), drive.frame(i * drive.interval));

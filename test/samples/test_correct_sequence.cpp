@@ -59,7 +59,7 @@ protected:
     }
 
     const TemporaryFolder folder_;
-    const TurningDrive drive_;
+    TurningDrive drive_;
 };
 
 // Each frame but the first one has the true yaw rate within its uncertainty, whatever happens to others.
