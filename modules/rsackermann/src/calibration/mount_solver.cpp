@@ -18,8 +18,6 @@ namespace cv { namespace rsackermann {
 static const double SAME_TURN = 0.005 * CV_PI / 180;
 // Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
 static const double SAME_DELAY = 0.01;
-// Of residuals, over the usual ones: points are tracked to some hundredths of a pixel at best
-static const double LEAST_SIGMA = 0.03;
 
 namespace {
 
@@ -104,11 +102,11 @@ public:
             problem.addSlantResiduals(frames[k], slants);
         }
         if (!across.empty())
-            sigmas.points = std::min(std::max(sigmaOfMedian(median(across)) / POINT_SIGMA, LEAST_SIGMA), 1.);
+            sigmas.points = std::min(std::max(sigmaOfMedian(median(across)) / POINT_SIGMA, double(FLT_EPSILON)), 1.);
         sigmas.depths = solveScale(
-            along, 0, [&](double depths, double by) { return std::hypot(POINT_SIGMA * sigmas.points, depths * by); });
-        sigmas.slants = solveScale(slants, LEAST_SIGMA,
-                                   [&](double slant, double by) { return std::hypot(slant, sigmas.depths * by); });
+            along, [&](double depths, double by) { return std::hypot(POINT_SIGMA * sigmas.points, depths * by); });
+        sigmas.slants =
+            solveScale(slants, [&](double slant, double by) { return std::hypot(slant, sigmas.depths * by); });
     }
 
     MountFit result() const
@@ -139,10 +137,10 @@ private:
     // The value up to 1 with which residuals have the median of a normal distribution of the standard deviations
     // sigmaOf(value, byDepth), which grow with it.
     template <class SigmaOf>
-    static double solveScale(const std::vector<DepthResidual>& residuals, double least, const SigmaOf& sigmaOf)
+    static double solveScale(const std::vector<DepthResidual>& residuals, const SigmaOf& sigmaOf)
     {
         const int halvings = 10;
-        double low = least, high = 1;
+        double low = 0, high = 1;
         std::vector<double> values(residuals.size());
         for (int i = 0; i < halvings && !residuals.empty(); i++)
         {

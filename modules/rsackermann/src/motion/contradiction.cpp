@@ -7,8 +7,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double CONTRADICTION = 3; // standard deviations
-
 bool contradicts(double seen, double seenSigma, double given, double givenSigma)
 {
     return seenSigma > 0 && givenSigma > 0 &&

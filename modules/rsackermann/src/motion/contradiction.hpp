@@ -9,6 +9,8 @@
 
 namespace cv { namespace rsackermann {
 
+const double CONTRADICTION = 3; //!< standard deviations by which two values exclude each other
+
 //! Whether a value that is seen and a given one exclude each other.
 bool contradicts(double seen, double seenSigma, double given, double givenSigma);
 

@@ -153,7 +153,7 @@ double expect(const FrameFitProblem& problem, const Unknowns& u, double focal, S
     {
         const TrackedBearing& s = problem.bearings[i];
         const double residual = norm(problem.residual.evaluate(s, u.data(), 0));
-        if (!(residual < AGREES * POINT_SIGMA))
+        if (!(residual < CONTRADICTION * POINT_SIGMA))
         {
             others += !s.isStill; // what stands still is of the car itself
             continue;

@@ -7,14 +7,14 @@
 
 #include "../factors/robust_losses.hpp"
 #include "../factors/vertical_residual.hpp"
+#include "../motion/contradiction.hpp"
 #include "frame_fit.hpp"
 #include <Eigen/Core>
 
 namespace cv { namespace rsackermann {
 
 // How the residuals of points and verticals are weighed; doc/theory.md, "Sequence", has the reasons.
-const int STEPS = 10;    //!< of a fit, at each scale of the loss
-const double AGREES = 4; //!< sigmas by which a point of the scene may be off its planes
+const int STEPS = 10; //!< of a fit, at each scale of the loss
 //! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
 const double DEVIATION_SIGMA = 0.03;
 const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars usually steer: two frames hardly determine it
@@ -24,7 +24,7 @@ const double TURN_SIGMA = 0.5 * CV_PI / 180;     //!< of pitch and roll from fra
 //! sigmas.
 inline bool isOfOwnCar(const TrackedBearing& point, double squared)
 {
-    return point.isStill && squared > AGREES * AGREES;
+    return point.isStill && squared > CONTRADICTION * CONTRADICTION;
 }
 
 //! Those that aren't seen on the car itself. @param values FLOW_VALUES of them.
@@ -63,7 +63,7 @@ void addPoints(const std::vector<TrackedBearing>& bearings, const std::vector<Ma
         const Eigen::Map<const Eigen::Matrix2d> weight(weights[i].val);
         const Eigen::Vector2d weighed = weight * Eigen::Vector2d(r.x, r.y);
         if (isOfOwnCar(bearings[i], r.dot(r) / (POINT_SIGMA * POINT_SIGMA)))
-            equations.cost += loss.cost(AGREES * AGREES);
+            equations.cost += loss.cost(CONTRADICTION * CONTRADICTION);
         else if (FlowResidual::isBehind(r))
             equations.cost += loss.cost(weighed.squaredNorm());
         else

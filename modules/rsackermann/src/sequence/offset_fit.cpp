@@ -12,8 +12,7 @@
 
 namespace cv { namespace rsackermann {
 
-static const int REWEIGHTINGS = 3; // by the robust loss
-static const double WIDEST = 2;    // x and y in the upright frame up to which there are cells
+static const double WIDEST = 2; // x and y in the upright frame up to which there are cells
 
 namespace {
 
@@ -136,7 +135,7 @@ Eigen::VectorXd solveControls(const std::vector<Deviation>& deviations, const Ei
     prior.setIdentity();
     prior *= 1 / (sigma * sigma);
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver;
-    for (int k = 0; k < REWEIGHTINGS; k++)
+    for (int k = 0; k < STEPS; k++)
     {
         const Eigen::VectorXd left = along + slopes * values;
         for (int i = 0; i < points; i++)

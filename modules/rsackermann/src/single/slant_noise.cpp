@@ -9,7 +9,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double HIDING_ROLL = CV_PI / 180;                    // hides what verticals share
 static const double OTHER_LEAN = 3 * CV_PI / 180;                 // usual scale for lines that aren't vertical
 static const double DISTINCT = 2;                                 // least ratio of both scales
 static const double DETECTOR_ERRORS[] = {0.005, 0.05, 0.15, 0.4}; // pixels that are tried
@@ -127,7 +126,9 @@ double logLikelihoodWithoutVerticals(const Slants& slants)
 
 double dependenceOf(double rollSigma)
 {
-    return 1 + (DEPENDENCE - 1) * std::min(1., rollSigma / HIDING_ROLL);
+    // What verticals share is hidden by a roll that isn't known: the one of a camera that isn't level by default.
+    const double hiding = AckermannEstimator::Params().gravitySigma;
+    return 1 + (DEPENDENCE - 1) * std::min(1., rollSigma / hiding);
 }
 
 }} // namespace cv::rsackermann
