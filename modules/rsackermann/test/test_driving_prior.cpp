@@ -13,8 +13,7 @@ namespace opencv_test { namespace {
 
 typedef AckermannEstimator::Params Params;
 
-const double PRIOR_WALL = 15, WALL_SIGMA = 0.9, PRIOR_SPEED = 12, SPEED_SIGMA = 0.8, CORRELATION = 0.6,
-             PRIOR_REVERSE_SPEED = 1.5;
+const double PRIOR_WALL = 15, WALL_SIGMA = 0.9, PRIOR_SPEED = 12, SPEED_SIGMA = 0.8, CORRELATION = 0.6;
 
 // Standard deviation of the logarithm of a speed over a wall's distance, whose logarithm has the given one.
 double scaledSpeedSigma(double wallSigma)
@@ -139,28 +138,27 @@ TEST(RSAckermann_DrivingPrior, speed)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime();
-    EXPECT_NEAR(PRIOR_SPEED * unit / PRIOR_WALL, makeDrive(camera).expectedScaledSpeed(1), 1e-12);
-    EXPECT_NEAR(PRIOR_REVERSE_SPEED * unit / PRIOR_WALL, makeDrive(camera).expectedScaledSpeed(-1), 1e-12);
+    EXPECT_NEAR(PRIOR_SPEED * unit / PRIOR_WALL, makeDrive(camera).expectedScaledSpeed(), 1e-12);
     EXPECT_EQ(0, makeDrive(camera).givenDirection());
     // A given speed is as probable backward as forward.
     const DrivingPrior back = makeDrive(camera, givenSpeed(-20, 0.5));
-    EXPECT_NEAR(20 * unit / PRIOR_WALL, back.expectedScaledSpeed(-1), 1e-12);
+    EXPECT_NEAR(20 * unit / PRIOR_WALL, back.expectedScaledSpeed(), 1e-12);
     EXPECT_EQ(-1, back.givenDirection());
     Params params;
     params.wallDistance = 5;
-    EXPECT_NEAR(PRIOR_SPEED * unit / 5, makeDrive(camera, MotionPrior(), params).expectedScaledSpeed(1), 1e-12);
+    EXPECT_NEAR(PRIOR_SPEED * unit / 5, makeDrive(camera, MotionPrior(), params).expectedScaledSpeed(), 1e-12);
 
     // The expected speed costs nothing, another one its logarithm over the standard deviation of speed and wall.
     Jet r[DrivingPrior::MAX_RESIDUALS];
     const DrivingPrior drive = makeDrive(camera);
-    ASSERT_EQ(3, drive.evaluate(movingModel(2 * drive.expectedScaledSpeed(1), 0), MotionHypothesis(MODEL_4LA, 1), r));
+    ASSERT_EQ(3, drive.evaluate(movingModel(2 * drive.expectedScaledSpeed(), 0), MotionHypothesis(MODEL_4LA, 1), r));
     EXPECT_NEAR(std::log(2.) / scaledSpeedSigma(WALL_SIGMA), r[1].value, 1e-6);
     // The error of a given speed has nothing to do with walls.
     const DrivingPrior given = makeDrive(camera, givenSpeed(12, 6));
-    given.evaluate(movingModel(2 * given.expectedScaledSpeed(1), 0), MotionHypothesis(MODEL_4LA, 1), r);
+    given.evaluate(movingModel(2 * given.expectedScaledSpeed(), 0), MotionHypothesis(MODEL_4LA, 1), r);
     EXPECT_NEAR(std::log(2.) / std::hypot(0.5, WALL_SIGMA), r[1].value, 1e-6);
     // With two walls the distance of both, in the mean of the logarithms, is what is expected.
-    Model m = movingModel(drive.expectedScaledSpeed(1) * 4, 0);
+    Model m = movingModel(drive.expectedScaledSpeed() * 4, 0);
     m[P_LAMBDA] = 1. / 16;
     ASSERT_EQ(4, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
     EXPECT_NEAR(0, r[1].value, 1e-6);

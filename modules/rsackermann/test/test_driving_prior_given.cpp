@@ -44,11 +44,10 @@ TEST(RSAckermann_DrivingPrior, reverse_has_its_probability)
     Params params;
     params.reverseProbability = 0.003;
     const DrivingPrior terms = makeTerms(MotionPrior(), params);
-    Model forward, back; // each at the speed that is expected
+    Model forward, back;
     forward.direction = 1;
-    forward[P_B] = terms.expectedScaledSpeed(1);
     back.direction = -1;
-    back[P_B] = terms.expectedScaledSpeed(-1);
+    forward[P_B] = back[P_B] = terms.expectedScaledSpeed();
     const MotionHypothesis hypothesis(MODEL_3LA, 1);
     // A cost is minus twice the logarithm of a probability.
     EXPECT_NEAR(-2 * std::log(0.003), costOf(terms, back, hypothesis) - costOf(terms, forward, hypothesis), 1e-9);

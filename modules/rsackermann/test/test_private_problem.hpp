@@ -22,6 +22,7 @@ inline RefinementProblem makeProblem(const RollingShutterCamera& camera, const A
     problem.lossScale = 3;
     problem.gravitySigma = params.gravitySigma;
     problem.vehiclePitchSigma = params.vehiclePitchSigma;
+    problem.streetDeviation = params.wallDeviationSigma;
     selectCandidates(segments, camera, params, problem.verticals, problem.others);
     problem.arrange();
     return problem;

@@ -10,7 +10,7 @@
 
 namespace cv { namespace rsackermann {
 
-static const double STEP = 1e-5; // of numerical derivatives, radians or relative
+static const double STEP = std::sqrt(DBL_EPSILON); // of forward differences, radians or relative
 // Of the robust loss of slants, in sigmas. It is narrower than that of single frames: a line that leans does so in many
 // frames, and those of a street don't cancel.
 static const double LEANING_SCALE = 1;

@@ -18,7 +18,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double PRIOR_READOUT = 0.5; // of the time between two frames, if no line delay is given
 // Of the standard deviation before, at most, for a value that is observable
 static const double OBSERVED = 0.5;
 
@@ -248,7 +247,7 @@ private:
         }
         else if (!(start.lineDelay > 0))
         {
-            start.lineDelay = PRIOR_READOUT * passed / start.imageSize.height;
+            start.lineDelay = passed / start.imageSize.height / 2; // rows take between nothing and all of the time
             filter.reset(start, gates);
         }
         setPoints(passed);

@@ -11,12 +11,10 @@ namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Prior", has the reasons.
 static const double YAW_FREEDOM = 2;               // of Student's t, the distribution of yaw rates
-static const double REVERSE_SPEED = 1.5;           // m/s, median
 static const double PRIOR_SECONDS_PER_UNIT = 0.06; // of the row time, if the line delay is unknown
 static const double LOG_SECONDS_SIGMA = 1;
 // Times the probability of standing: who is given a motion is seldom at rest.
 static const double STANDING_IF_GIVEN = 0.3;
-static const double KNOWN_HEIGHT_SIGMA = 0.15; // of the inverse of a given height: a camera that bounces
 
 GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera, double wallDistance)
     : GivenValues()
@@ -45,8 +43,7 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
                            const AckermannEstimator::Params& params, const MotionLimits& limits)
     : given_(prior, camera, params.wallDistance), heading(camera.heading), headingSigma(params.wallDeviationSigma),
       height(camera.height), speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation),
-      standing(params.standingProbability), reverseRatio(REVERSE_SPEED / params.priorSpeed),
-      reversePenalty(-2 * std::log(params.reverseProbability))
+      standing(params.standingProbability), reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
@@ -107,8 +104,7 @@ Jet DrivingPrior::speedResidual(const Model& model, const MotionHypothesis& hypo
         const Jet r = Jet::variable(model[P_LAMBDA], P_LAMBDA);
         logarithm = logarithm + r.apply(0.5 * std::log(r.value), 0.5 / r.value);
     }
-    return (1 / std::sqrt(scaledSpeedLog(hypothesis.walls).variance)) *
-           (logarithm - std::log(expectedScaledSpeed(model.direction)));
+    return (1 / std::sqrt(scaledSpeedLog(hypothesis.walls).variance)) * (logarithm - std::log(expectedScaledSpeed()));
 }
 
 // What a direction costs. A given speed has a sign, which is among the residuals if the wall's distance is known;
@@ -163,9 +159,9 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
     return n;
 }
 
-double DrivingPrior::expectedScaledSpeed(int direction) const
+double DrivingPrior::expectedScaledSpeed() const
 {
-    return std::exp(logSpeed) * (direction < 0 && !speedIsGiven() ? reverseRatio : 1);
+    return std::exp(logSpeed);
 }
 
 double DrivingPrior::logYawDensity(double a) const
@@ -222,7 +218,7 @@ void DrivingPrior::road(const Model& model, const RoadContact& contact, double& 
     double logG = std::log(mean * ratio);
     if (!roadRatioIsGiven)
     {
-        logG -= (1 - log.speedShare) * std::log(mean / expectedScaledSpeed(model.direction));
+        logG -= (1 - log.speedShare) * std::log(mean / expectedScaledSpeed());
         variance = logHeightSigma * logHeightSigma + log.speedVariance;
     }
     if (contact.ratio > 0 && !roadRatioIsGiven)
@@ -259,7 +255,7 @@ void stationaryState(const RollingShutterCamera& camera, const AckermannEstimato
     const double moves = 1 - params.standingProbability, speed = moves * moving[0],
                  speedSigma = std::sqrt(moves * moving.dot(moving) - speed * speed);
     const double height = camera.height > 0 ? camera.height : params.priorHeight,
-                 heightSigma = camera.height > 0 ? KNOWN_HEIGHT_SIGMA : params.priorHeightLogSigma;
+                 heightSigma = camera.height > 0 ? HEIGHT_SIGMA : params.priorHeightLogSigma;
     const double directionSigma = params.wallDeviationSigma > 0 ? params.wallDeviationSigma : 1;
     const bool isExact = !(params.gravitySigma > 0);
     const double rollSigma = isExact ? EXACT_GRAVITY : params.gravitySigma,

@@ -12,6 +12,7 @@
 namespace cv { namespace rsackermann {
 
 const double EXACT_GRAVITY = 1e-4;  //!< radians: a gravity that is given as exact is as good as that
+const double HEIGHT_SIGMA = 0.06;   //!< relative, of a given height: a car bounces on its suspension
 const double LOG_RATIO_SIGMA = 0.8; //!< of the ratio of the walls' distances
 
 //! What segments that stand on the road say about its distance.
@@ -74,8 +75,8 @@ public:
     bool yawRateIsGiven() const { return given_.alphaSigma > 0; }
     bool speedIsGiven() const { return given_.speedSigma > 0; }
     bool scaledSpeedIsGiven() const { return given_.scaledSpeedSigma > 0; }
-    //! Scaled speed sqrt(B^2 + D^2) that is to be expected, for 1 forward and -1 reverse.
-    double expectedScaledSpeed(int direction) const;
+    //! Scaled speed sqrt(B^2 + D^2) that is to be expected.
+    double expectedScaledSpeed() const;
     //! The direction of a given speed: 1 or -1; 0: none is given.
     int givenDirection() const { return speedIsGiven() ? (given_.speed < 0 ? -1 : 1) : 0; }
     //! Distance of the left (or only) wall over the height of the camera.
@@ -102,7 +103,6 @@ private:
     double height, ratio, logHeightSigma;
     double speedWallCorrelation; // of the logarithms: drivers slow down where walls are near
     double standing;             // probability
-    double reverseRatio;         // of the expected speed in reverse to that forward
     double reversePenalty;       // cost of driving backward
     bool roadRatioIsGiven;
     bool roadIsSeen;

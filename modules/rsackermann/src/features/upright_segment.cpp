@@ -8,14 +8,12 @@
 
 namespace cv { namespace rsackermann {
 
-static const double BORDER = 2; // pixels by which a segment may leave the image
-
 // Whether both ends are in the image or, by the inaccuracy of a detector, just outside; never for NaN.
 static bool isInImage(const double* segment, const Size& size)
 {
     for (int i = 0; i < 4; i += 2)
-        if (!(segment[i] >= -BORDER && segment[i] <= size.width - 1 + BORDER && segment[i + 1] >= -BORDER &&
-              segment[i + 1] <= size.height - 1 + BORDER))
+        if (!(segment[i] >= -END_SIGMA && segment[i] <= size.width - 1 + END_SIGMA && segment[i + 1] >= -END_SIGMA &&
+              segment[i + 1] <= size.height - 1 + END_SIGMA))
             return false;
     return true;
 }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../motion/contradiction.hpp"
 #include "gyro_rates.hpp"
 
 namespace cv { namespace rsackermann {
@@ -17,7 +18,6 @@ static const double SCALE_SIGMA = 0.03;                // of focal lengths and o
 static const double TURN_RATE_NOISE = 1 * CV_PI / 180; // rad/s about each axis, of turns of points at worst
 static const size_t DELAY_FRAMES = 12;                 // that show such a delay
 static const double EXPLAINED = 0.5;                   // share of the turns' loss that a true gyro leaves at most
-static const double SMALL = 0.3 * CV_PI / 180;         // rad/s about each axis that it may leave in any case
 
 static const GyroUnknowns SIGMAS(DELAY_SIGMA, AXES_SIGMA, AXES_SIGMA, AXES_SIGMA, BIAS_SIGMA, BIAS_SIGMA, BIAS_SIGMA,
                                  SCALE_SIGMA);
@@ -255,7 +255,8 @@ bool GyroRates::findDelay()
 
 bool GyroRates::contradicts() const
 {
-    return left > EXPLAINED * unexplained + 3 * SMALL * SMALL * count;
+    const double small = TURN_RATE_NOISE / CONTRADICTION; // about each axis, that it may leave in any case
+    return left > EXPLAINED * unexplained + 3 * small * small * count;
 }
 
 bool GyroRates::isWrong() const

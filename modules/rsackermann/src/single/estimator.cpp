@@ -68,6 +68,7 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits
     const bool isExact = !(params.gravitySigma > 0);
     problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
     problem.vehiclePitchSigma = isExact ? EXACT_GRAVITY : params.vehiclePitchSigma;
+    problem.streetDeviation = params.wallDeviationSigma;
     return problem;
 }
 

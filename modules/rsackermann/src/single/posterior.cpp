@@ -22,7 +22,6 @@ static const double UNUSUAL = 0.1;
 static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion that isn't known
 static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
-static const double SAME_COST = 0.01; // of two fits that are the same minimum
 
 namespace {
 
@@ -43,7 +42,7 @@ struct WeighedHypothesis
 
     void addMinimum(const Fit& fit)
     {
-        const auto isSame = [&](const Fit& other) { return std::abs(other.cost - fit.cost) < SAME_COST; };
+        const auto isSame = [&](const Fit& other) { return std::abs(other.cost - fit.cost) < NEGLIGIBLE; };
         if (fit.cost < DBL_MAX && std::none_of(minima.begin(), minima.end(), isSame))
             minima.push_back(fit);
     }
@@ -137,7 +136,7 @@ private:
                 if ((prior.givenDirection() != 0 && direction != prior.givenDirection()) ||
                     (direction < 0 && prior.givenDirection() == 0 && i != 1))
                     continue;
-                const double speed = direction * factors[i] * prior.expectedScaledSpeed(direction);
+                const double speed = direction * factors[i] * prior.expectedScaledSpeed();
                 m[P_B] = speed * problem.heading.c;
                 m[P_D] = speed * problem.heading.s;
                 m.direction = direction;
@@ -388,7 +387,7 @@ private:
             return;
         Swept swept = sweepFrom(fit);
         const Fit& best = cheapest(swept.fits);
-        if (best.cost < fit.cost - SAME_COST)
+        if (best.cost < fit.cost - NEGLIGIBLE)
         {
             fit.model = best.model;
             fit.refine(problem);

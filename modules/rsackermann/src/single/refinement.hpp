@@ -33,12 +33,13 @@ struct RefinementProblem
     double roadRatio;          // distance of the left (or only) wall over the height of the camera
     double gravitySigma;       // radians, of the vehicle's roll; 0: gravity is exact
     double vehiclePitchSigma;  // radians, of its pitch
+    double streetDeviation;    // radians from the heading, standard deviation; 0: unknown
     const DrivingPrior* prior; // 0: none
 
     explicit RefinementProblem(const MotionLimits& l)
         : limits(l), uprightRotation(Matx33d::eye()), distortionSigma(0), heading(0), focal(1), sigma(1), lean(0),
           directionSigma(1), lossScale(1), verticalWeight(1), otherWeight(1), roadRatio(1), gravitySigma(0),
-          vehiclePitchSigma(0), prior(0)
+          vehiclePitchSigma(0), streetDeviation(0), prior(0)
     {
     }
 

@@ -9,10 +9,9 @@
 namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Relative depth".
-static const double ROAD_NOISE = 0.2; // largest relative deviation of a pixel of the road
+static const double NOISE = 0.15;     // relative, of a pixel: what exceeds it is an edge, or no road
 static const double LEAST_ROAD = 0.2; // share of what is below the horizon
 static const double SIDE = 0.003;     // beside a segment, of the longer side
-static const double EDGE = 0.15;      // relative difference of both sides
 
 // Of other lines beside a segment, parts of the longer side.
 static const double BESIDE[] = {0.025, 0.0375, 0.05, 0.0625, 0.075};
@@ -60,7 +59,7 @@ void RelativeDepth::fitRoad(const RollingShutterCamera& camera, const Matx33d& u
 // Deviation from a road as a part of the largest one.
 static double deviation(const Point2d& p, double zero, double slope)
 {
-    return ((p.y - zero) / (slope * p.x) - 1) / ROAD_NOISE;
+    return ((p.y - zero) / (slope * p.x) - 1) / NOISE;
 }
 
 // The line with the most support among those through two pixels.
@@ -165,7 +164,7 @@ bool RelativeDepth::isEdge(const Vec4d& segment, double shift, bool& edge) const
     double nearer, farther;
     if (!findSides(segment, shift, nearer, farther))
         return false;
-    edge = nearer - farther > EDGE * nearer;
+    edge = nearer - farther > NOISE * nearer;
     return true;
 }
 

@@ -10,7 +10,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double SAME_RATIO = 1.06; // of the largest to the smallest of the contacts that agree
 static const size_t LEAST_CONTACTS = 3;
 
 // The smallest ratio on which several agree; 0: there is none.
@@ -20,7 +19,7 @@ static double smallestAgreed(std::vector<double>& ratios)
     for (size_t first = 0; first + LEAST_CONTACTS <= ratios.size(); first++)
     {
         const size_t end =
-            std::upper_bound(ratios.begin() + first, ratios.end(), ratios[first] * SAME_RATIO) - ratios.begin();
+            std::upper_bound(ratios.begin() + first, ratios.end(), ratios[first] * (1 + HEIGHT_SIGMA)) - ratios.begin();
         if (end - first >= LEAST_CONTACTS)
             return ratios[first + (end - first) / 2];
     }
@@ -53,7 +52,7 @@ RoadContact findRoadContact(const RefinementProblem& problem, const Model& model
     }
     const double left = smallestAgreed(ratios[0]), right = lambda * smallestAgreed(ratios[1]);
     contact.ratio = left > 0 && right > 0 ? std::sqrt(left * right) : left + right;
-    contact.logSigma = std::log(SAME_RATIO);
+    contact.logSigma = std::log(1 + HEIGHT_SIGMA);
     // The speed rests on the geometric mean of both distances.
     if (lambda > 0 && (left == 0 || right == 0))
         contact.logSigma = std::hypot(

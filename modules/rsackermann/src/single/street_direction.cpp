@@ -10,7 +10,6 @@ namespace cv { namespace rsackermann {
 
 // Of the loss, in sigmas: the motion, and with it the compensation, is still inexact
 static const double COARSENESS = 4;
-static const double STREET_RANGE = 0.8; // radians to both sides of the heading
 static const double STREET_STEP = 0.01; // radians
 
 // The model with walls along an azimuth.
@@ -39,7 +38,8 @@ bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypo
 
     const double scale = problem.focal / (COARSENESS * problem.directionSigma);
     double bestCost = DBL_MAX, best = 0;
-    for (double offset = -STREET_RANGE; offset <= STREET_RANGE; offset += STREET_STEP)
+    const double range = problem.streetDeviation > 0 ? std::min(2 * problem.streetDeviation, CV_PI / 2) : CV_PI / 2;
+    for (double offset = -range; offset <= range; offset += STREET_STEP)
     {
         const double azimuth = problem.heading.angle + offset;
         const double cost = streetCost(points.data(), padded, std::sin(azimuth), std::cos(azimuth), scale);
