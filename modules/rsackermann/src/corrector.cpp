@@ -20,6 +20,11 @@ namespace cv { namespace rsackermann {
 RollingShutterCorrector::Params::Params()
     : interpolation(INTER_LINEAR), sequence(false), trackPoints(true), frameInterval(1. / 30)
 {
+    const GyroSigmas gyro;
+    gyroDelaySigma = gyro.delay;
+    gyroAxesSigma = gyro.axes;
+    gyroBiasSigma = gyro.bias;
+    gyroScaleSigma = gyro.scale;
 }
 
 void RollingShutterCorrector::Params::setEstimatorParams(const AckermannEstimator::Params& params)
@@ -51,7 +56,8 @@ void RollingShutterCorrector::Params::write(FileStorage& fs) const
     warp.write(fs);
     fs.endWriteStruct();
     fs << "interpolation" << interpolation << "sequence" << sequence << "track_points" << trackPoints
-       << "frame_interval" << frameInterval;
+       << "frame_interval" << frameInterval << "gyro_delay_sigma" << gyroDelaySigma << "gyro_axes_sigma"
+       << gyroAxesSigma << "gyro_bias_sigma" << gyroBiasSigma << "gyro_scale_sigma" << gyroScaleSigma;
 }
 
 void RollingShutterCorrector::Params::read(const FileNode& fn)
@@ -62,6 +68,10 @@ void RollingShutterCorrector::Params::read(const FileNode& fn)
     cv::read(fn["sequence"], sequence, sequence);
     cv::read(fn["track_points"], trackPoints, trackPoints);
     cv::read(fn["frame_interval"], frameInterval, frameInterval);
+    cv::read(fn["gyro_delay_sigma"], gyroDelaySigma, gyroDelaySigma);
+    cv::read(fn["gyro_axes_sigma"], gyroAxesSigma, gyroAxesSigma);
+    cv::read(fn["gyro_bias_sigma"], gyroBiasSigma, gyroBiasSigma);
+    cv::read(fn["gyro_scale_sigma"], gyroScaleSigma, gyroScaleSigma);
 }
 
 void RollingShutterCorrector::Params::check() const
@@ -80,6 +90,10 @@ void RollingShutterCorrector::Params::check() const
         CV_Error(
             Error::StsBadArg,
             format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval));
+    checkPositive(gyroDelaySigma, "params.gyroDelaySigma");
+    checkPositive(gyroAxesSigma, "params.gyroAxesSigma");
+    checkPositive(gyroBiasSigma, "params.gyroBiasSigma");
+    checkPositive(gyroScaleSigma, "params.gyroScaleSigma");
     if (sequence && trackPoints && estimator.model != MODEL_AUTO)
         CV_Error(Error::StsBadArg, format("params.estimator.model is %d; MODEL_AUTO (%d) is expected if points are "
                                           "tracked from frame to frame (sequence and trackPoints)",
@@ -133,6 +147,7 @@ public:
     {
         params_.check();
         params = params_;
+        setGyroSigmas();
     }
 
     void setCamera(const RollingShutterCamera& camera) CV_OVERRIDE
@@ -154,6 +169,7 @@ public:
         generator->setParams(params_.warp);
         params = params_;
         sequence.set(generator->getCamera(), params.estimator);
+        setGyroSigmas();
     }
 
     Params getParams() const CV_OVERRIDE { return params; }
@@ -283,6 +299,16 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_RollingShutterCorrector"; }
 
 private:
+    void setGyroSigmas()
+    {
+        GyroSigmas sigmas;
+        sigmas.delay = params.gyroDelaySigma;
+        sigmas.axes = params.gyroAxesSigma;
+        sigmas.bias = params.gyroBiasSigma;
+        sigmas.scale = params.gyroScaleSigma;
+        sequence.gyro.setSigmas(sigmas);
+    }
+
     // In seconds beyond which there is no room for an interval between frames.
     static void checkTime(double seconds)
     {

@@ -20,6 +20,10 @@ inline RollingShutterCorrector::Params exampleCorrectorParams()
     p.sequence = true;
     p.trackPoints = false;
     p.frameInterval = 0.04;
+    p.gyroDelaySigma = 0.001;
+    p.gyroAxesSigma = 0.002;
+    p.gyroBiasSigma = 0.003;
+    p.gyroScaleSigma = 0.004;
     return p;
 }
 
@@ -31,6 +35,10 @@ inline void expectSame(const RollingShutterCorrector::Params& a, const RollingSh
     EXPECT_EQ(a.sequence, b.sequence);
     EXPECT_EQ(a.trackPoints, b.trackPoints);
     EXPECT_EQ(a.frameInterval, b.frameInterval);
+    EXPECT_EQ(a.gyroDelaySigma, b.gyroDelaySigma);
+    EXPECT_EQ(a.gyroAxesSigma, b.gyroAxesSigma);
+    EXPECT_EQ(a.gyroBiasSigma, b.gyroBiasSigma);
+    EXPECT_EQ(a.gyroScaleSigma, b.gyroScaleSigma);
 }
 
 } // namespace opencv_test

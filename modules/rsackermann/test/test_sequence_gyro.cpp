@@ -454,4 +454,68 @@ TEST(RSAckermann_Gyro, in_the_dark)
     }
 }
 
+// What is known of a gyro stays as it is, and what isn't makes its rates uncertain: each sigma of both.
+TEST(RSAckermann_Gyro, is_known_as_well_as_its_sigmas_say)
+{
+    typedef RollingShutterCorrector::Params Params;
+    const ShakingCamera shaking;
+    Mat times, rates;
+    const Vec3d trueBias(0.01, -0.008, 0.006);
+    gyroOf(0.015, trueBias, times, rates);
+    double Params::*const sigmas[] = {&Params::gyroDelaySigma, &Params::gyroAxesSigma, &Params::gyroBiasSigma,
+                                      &Params::gyroScaleSigma};
+    const Mat dark(shaking.camera.imageSize, CV_8U, Scalar(0));
+    for (bool sequence : {false, true})
+    {
+        Params params;
+        params.sequence = sequence;
+        for (double Params::*const sigma : sigmas)
+            params.*sigma = 1e-6;
+        for (int i = -1; i < 4; i++)
+        {
+            SCOPED_TRACE(testing::Message() << sequence << i);
+            Params one = params;
+            if (i >= 0)
+                one.*sigmas[i] = 0.02;
+            const Ptr<RollingShutterCorrector> corrector =
+                RollingShutterCorrector::create(shaking.camera, i == 1 ? one : params);
+            corrector->setParams(one);
+            corrector->addGyro(times, rates);
+            corrector->setTimestamp(0.1);
+            Mat corrected;
+            const AckermannMotion motion = corrector->correct(dark, corrected);
+            const double unit = shaking.camera.secondsPerUnitTime();
+            // Of points' errors there are 0.5 deg/s.
+            const double least = 0.5 * CV_PI / 180 * unit;
+            if (i < 0)
+                EXPECT_NEAR(least, motion.pitchRateSigma, 1e-3 * least);
+            else
+                EXPECT_GT(motion.pitchRateSigma, 1.001 * least);
+        }
+    }
+    // A bias that isn't possible isn't found, nor a delay.
+    for (const bool isKnown : {false, true})
+    {
+        Params params;
+        params.sequence = true;
+        if (isKnown)
+            params.gyroDelaySigma = params.gyroBiasSigma = 1e-6;
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(shaking.camera, params);
+        corrector->addGyro(times, rates);
+        errorsOf(corrector, shaking, 20, 5);
+        double delay;
+        Vec3d axes, bias;
+        corrector->getGyroAlignment(delay, axes, bias);
+        EXPECT_EQ(!isKnown, std::abs(delay - 0.015) < 0.005) << delay;
+        EXPECT_EQ(!isKnown, std::abs(bias[0] - trueBias[0]) < 0.007) << bias;
+    }
+    for (double Params::*const sigma : sigmas)
+        for (double bad : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+        {
+            Params params;
+            params.*sigma = bad;
+            EXPECT_THROW(params.check(), cv::Exception);
+        }
+}
+
 }} // namespace

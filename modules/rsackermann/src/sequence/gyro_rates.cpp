@@ -11,16 +11,9 @@ namespace cv { namespace rsackermann {
 typedef Vec<double, GyroRates::UNKNOWNS> GyroUnknowns; // of GyroAlignment
 typedef Matx<double, GyroRates::UNKNOWNS, GyroRates::UNKNOWNS> UnknownsMatrix;
 
-static const double DELAY_SIGMA = 0.02;                // seconds, of clocks that are said to be the same
-static const double AXES_SIGMA = 2 * CV_PI / 180;      // of the gyro's axes
-static const double BIAS_SIGMA = 1 * CV_PI / 180;      // rad/s
-static const double SCALE_SIGMA = 0.03;                // of focal lengths and of gyros
 static const double TURN_RATE_NOISE = 1 * CV_PI / 180; // rad/s about each axis, of turns of points at worst
 static const size_t DELAY_FRAMES = 12;                 // that show such a delay
 static const double EXPLAINED = 0.5;                   // share of the turns' loss that a true gyro leaves at most
-
-static const GyroUnknowns SIGMAS(DELAY_SIGMA, AXES_SIGMA, AXES_SIGMA, AXES_SIGMA, BIAS_SIGMA, BIAS_SIGMA, BIAS_SIGMA,
-                                 SCALE_SIGMA);
 
 RowSpan::RowSpan(const RollingShutterCamera& camera)
 {
@@ -67,7 +60,15 @@ void CameraRates::about(const Matx33d& rotation, InstantRate& x, InstantRate& y,
 
 GyroRates::GyroRates()
 {
+    setSigmas(GyroSigmas());
     reset();
+}
+
+void GyroRates::setSigmas(const GyroSigmas& s)
+{
+    prior = GyroUnknowns(s.delay, s.axes, s.axes, s.axes, s.bias, s.bias, s.bias, s.scale);
+    if (turns.empty())
+        covariance = UnknownsMatrix::diag(prior.mul(prior));
 }
 
 void GyroRates::reset()
@@ -75,7 +76,7 @@ void GyroRates::reset()
     turns.clear();
     found = GyroAlignment();
     start = 0;
-    covariance = UnknownsMatrix::diag(SIGMAS.mul(SIGMAS));
+    covariance = UnknownsMatrix::diag(prior.mul(prior));
     noise = Vec3d::all(TURN_RATE_NOISE);
     meanTurn = Vec3d();
     count = left = unexplained = 0;
@@ -145,7 +146,7 @@ void GyroRates::align()
                                found.bias[1], found.bias[2], found.scale - 1);
         for (int i = 0; i < UNKNOWNS; i++)
         {
-            information(i, i) = 1 / (SIGMAS[i] * SIGMAS[i]);
+            information(i, i) = 1 / (prior[i] * prior[i]);
             gradient[i] = now[i] * information(i, i);
         }
         Vec3d squares = Vec3d::all(noiseFrames * TURN_RATE_NOISE * TURN_RATE_NOISE);
@@ -219,7 +220,7 @@ double GyroRates::shareLeft(double delay) const
     {
         const double all = squares[0][i] - sums[0][i] * sums[0][i] / n,
                      left_ = squares[1][i] - sums[1][i] * sums[1][i] / n;
-        if (std::abs(sums[1][i]) > 3 * BIAS_SIGMA * n)
+        if (std::abs(sums[1][i]) > 3 * prior[4 + i] * n)
             return 1;
         if (!(all > TURN_RATE_NOISE * TURN_RATE_NOISE * n))
             continue;

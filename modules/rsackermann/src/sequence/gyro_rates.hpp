@@ -62,6 +62,14 @@ struct GyroAlignment
     }
 };
 
+//! Standard deviations of the same before the points have shown anything.
+struct GyroSigmas
+{
+    double delay, axes, bias, scale;
+
+    GyroSigmas() : delay(0.02), axes(2 * CV_PI / 180), bias(1 * CV_PI / 180), scale(0.03) {}
+};
+
 //! Rates and their standard deviations about the axes of the camera, rad/s.
 struct CameraRates
 {
@@ -82,6 +90,8 @@ public:
     GyroRates();
 
     GyroSamples samples;
+
+    void setSigmas(const GyroSigmas& sigmas);
 
     //! Another sequence, with another clock.
     void reset();
@@ -116,6 +126,7 @@ private:
     double shareLeft(double delay) const;
     bool findDelay();
 
+    Vec<double, UNKNOWNS> prior; // standard deviations of delay, turn, bias and scale
     std::deque<TurnOfPoints> turns;
     double start; // the delay that is expected
     GyroAlignment found;

@@ -56,6 +56,16 @@ public:
         CV_PROP_RW bool trackPoints;
         //! Seconds from one frame to the next without setTimestamp(), default 1/30
         CV_PROP_RW double frameInterval;
+        /** @name What is known of a gyro beforehand, as standard deviations; without effect without addGyro()
+        Of what it isn't known for sure the points of a sequence are asked.
+        @{ */
+        //! Seconds; of its clock against that of setTimestamp(), default 0.02
+        CV_PROP_RW double gyroDelaySigma;
+        CV_PROP_RW double gyroAxesSigma; //!< radians; of the directions of its axes, default 2 degrees
+        CV_PROP_RW double gyroBiasSigma; //!< rad/s; of its bias about each axis, default 1 deg/s
+        //! Relative; of the focal length over what it says of pitch and yaw, default 0.03
+        CV_PROP_RW double gyroScaleSigma;
+        //! @}
 
         //! Throws cv::Exception with the name and value of the first field that is out of range.
         CV_WRAP void check() const;
@@ -117,7 +127,7 @@ public:
 
     In a sequence with Params::trackPoints the points of the frames show the gyro's bias, the delay of its clock and by
     how much its axes are turned (a few degrees), and whether it says anything true at all. Without points, and of a
-    single image, the samples count as they are, with a bias of up to 1 deg/s.
+    single image, the samples count as they are, with a bias of 0 up to Params::gyroBiasSigma.
     A single image needs a time of setTimestamp().
     An image is corrected with samples that reach beyond both its ends; others are corrected without the gyro, and so is
     an image in a gap of more than 0.1 s.
