@@ -55,6 +55,15 @@ protected:
     const TemporaryFolder in_, out_;
 };
 
+// It says of a new file that there is no such file, and of itself that it's there.
+TEST_F(CorrectResults, folder_that_takes_no_files)
+{
+    putImages(1);
+    const Outcome outcome = correct({in_ / "00.png", "--output=/proc/00.png"});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("/proc/00.png can't be written")) << outcome.messages;
+}
+
 // A disk on which a file can have some blocks only is as good as a full one.
 Outcome correctOnFullDisk(const Arguments& arguments, int kilobytes)
 {

@@ -71,14 +71,17 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), committed_(false)
     const std::string name = fileName(path), folder = path.substr(0, path.size() - name.size());
     if (!folder.empty() && !cv::utils::fs::createDirectories(folder))
         throw InputError("the folder " + folder + " can't be made");
-    do
+    // Some folders exist in which no file can be made, and say ENOENT (/proc).
+    const int mostAttempts = 10000;
+    for (int i = 0; i < mostAttempts; i++)
     {
         temporary_ = folder + PREFIX + cv::format("%d-%u", int(getpid()), counter++) + extensionsOf(name);
         errno = 0;
         file_ = createLocked(temporary_);
+        const bool isWorthAnother = errno == EEXIST || errno == 0 || errno == ENOENT;
+        if (file_.get() >= 0 || !isWorthAnother || !cv::utils::fs::exists(folder.empty() ? "." : folder))
+            break;
     }
-    while (file_.get() < 0 && (errno == EEXIST || errno == 0 || errno == ENOENT) &&
-           cv::utils::fs::exists(folder.empty() ? "." : folder));
     if (file_.get() < 0)
         throw InputError(path_ + " can't be written: " + systemError());
 }
