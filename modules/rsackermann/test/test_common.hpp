@@ -170,6 +170,9 @@ inline AckermannEstimator::Params exampleEstimatorParams()
     p.priorSpeedWallCorrelation = 0.5;
     p.priorHeight = 2.5;
     p.priorHeightLogSigma = 0.45;
+    p.priorWallRatioLogSigma = 0.55;
+    p.priorReadoutTime = 0.02;
+    p.priorReadoutTimeLogSigma = 0.65;
     p.standingProbability = 0.25;
     p.reverseProbability = 0.125;
     p.harmAversion = 2;
@@ -200,6 +203,9 @@ inline void expectSame(const AckermannEstimator::Params& a, const AckermannEstim
                       &T::priorSpeedWallCorrelation,
                       &T::priorHeight,
                       &T::priorHeightLogSigma,
+                      &T::priorWallRatioLogSigma,
+                      &T::priorReadoutTime,
+                      &T::priorReadoutTimeLogSigma,
                       &T::standingProbability,
                       &T::reverseProbability,
                       &T::harmAversion});

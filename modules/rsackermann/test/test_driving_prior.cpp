@@ -89,6 +89,45 @@ TEST(RSAckermann_DrivingPrior, density_of_the_yaw_rate)
     EXPECT_NEAR(-std::log(given.alphaScale() * std::sqrt(2 * CV_PI)), given.logYawDensity(0.3), 1e-12);
 }
 
+// A line delay of the median leaves the expected speed as it is; its uncertainty adds.
+TEST(RSAckermann_DrivingPrior, unknown_line_delay)
+{
+    RollingShutterCamera known = simulation::paperCamera(), unknown = known;
+    unknown.lineDelay = 0;
+    Params params;
+    params.priorReadoutTime = known.lineDelay * known.imageSize.height;
+    params.priorReadoutTimeLogSigma = 0.5;
+    const DrivingPrior a = makeDrive(known, MotionPrior(), params), b = makeDrive(unknown, MotionPrior(), params);
+    EXPECT_NEAR(a.expectedScaledSpeed(), b.expectedScaledSpeed(), 1e-12);
+    double logG, sigma, widerSigma;
+    a.anyRoad(logG, sigma);
+    b.anyRoad(logG, widerSigma);
+    EXPECT_NEAR(std::hypot(sigma, 0.5), widerSigma, 1e-12);
+    params.priorReadoutTime *= 2;
+    EXPECT_NEAR(2 * a.expectedScaledSpeed(), makeDrive(unknown, MotionPrior(), params).expectedScaledSpeed(), 1e-12);
+}
+
+TEST(RSAckermann_DrivingPrior, ratio_of_the_walls)
+{
+    Params params;
+    params.priorWallRatioLogSigma = 0.3;
+    const DrivingPrior usual = makeDrive(simulation::paperCamera()),
+                       alike = makeDrive(simulation::paperCamera(), MotionPrior(), params);
+    Model m = movingModel(usual.expectedScaledSpeed(), 0);
+    m[P_LAMBDA] = 2;
+    const MotionHypothesis two(MODEL_4LA, 2);
+    const auto costOfRatio = [&](const DrivingPrior& prior) {
+        Jet r[DrivingPrior::MAX_RESIDUALS];
+        double cost = 0;
+        for (int i = prior.evaluate(m, two, r) - 1; i >= 0; i--)
+            cost += r[i].value * r[i].value;
+        return cost;
+    };
+    const double square = std::log(2.) * std::log(2.);
+    EXPECT_NEAR(square / 0.09 - square / 0.64, costOfRatio(alike) - costOfRatio(usual), 1e-9);
+    EXPECT_NEAR(std::log(0.3 / 0.8), alike.logVolume(two) - usual.logVolume(two), 1e-12);
+}
+
 TEST(RSAckermann_DrivingPrior, residual_of_the_yaw_rate_is_its_density)
 {
     const DrivingPrior drive = makeDrive(simulation::paperCamera());

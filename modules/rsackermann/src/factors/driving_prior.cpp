@@ -10,9 +10,7 @@
 namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Prior", has the reasons.
-static const double YAW_FREEDOM = 2;               // of Student's t, the distribution of yaw rates
-static const double PRIOR_SECONDS_PER_UNIT = 0.06; // of the row time, if the line delay is unknown
-static const double LOG_SECONDS_SIGMA = 1;
+static const double YAW_FREEDOM = 2; // of Student's t, the distribution of yaw rates
 // Times the probability of standing: who is given a motion is seldom at rest.
 static const double STANDING_IF_GIVEN = 0.3;
 
@@ -41,9 +39,10 @@ GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& c
 
 DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera,
                            const AckermannEstimator::Params& params, const MotionLimits& limits)
-    : given_(prior, camera, params.wallDistance), heading(camera.heading), headingSigma(params.wallDeviationSigma),
-      height(camera.height), speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation),
-      standing(params.standingProbability), reversePenalty(-2 * std::log(params.reverseProbability))
+    : given_(prior, camera, params.wallDistance), logRatioSigma(params.priorWallRatioLogSigma), heading(camera.heading),
+      headingSigma(params.wallDeviationSigma), height(camera.height),
+      speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation), standing(params.standingProbability),
+      reversePenalty(-2 * std::log(params.reverseProbability))
 {
     const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
@@ -56,8 +55,11 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
         speedSigma = std::min(speedSigma, prior.speedSigma / speed);
     }
     const double wallDistance = knowsWall ? params.wallDistance : params.priorWallDistance;
-    logSpeed = std::log(speed * (unit > 0 ? unit : PRIOR_SECONDS_PER_UNIT) / wallDistance);
-    logSpeedSigma = std::hypot(speedSigma, unit > 0 ? 0 : LOG_SECONDS_SIGMA);
+    RollingShutterCamera timed = camera;
+    if (!(unit > 0))
+        timed.lineDelay = params.priorReadoutTime / camera.imageSize.height;
+    logSpeed = std::log(speed * timed.secondsPerUnitTime() / wallDistance);
+    logSpeedSigma = std::hypot(speedSigma, unit > 0 ? 0 : params.priorReadoutTimeLogSigma);
     logWallSigma = knowsWall ? 0 : params.priorWallDistanceLogSigma;
     roadRatioIsGiven = params.roadRatio > 0;
     ratio = roadRatioIsGiven ? params.roadRatio : wallDistance / (height > 0 ? height : params.priorHeight);
@@ -139,7 +141,7 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
         if (hypothesis.walls == 2)
         {
             const Jet r = Jet::variable(model[P_LAMBDA], P_LAMBDA);
-            residuals[n++] = (1 / LOG_RATIO_SIGMA) * r.apply(std::log(r.value), 1 / r.value);
+            residuals[n++] = (1 / logRatioSigma) * r.apply(std::log(r.value), 1 / r.value);
         }
     }
     else
@@ -179,7 +181,7 @@ double DrivingPrior::logVolume(const MotionHypothesis& hypothesis) const
     if (hypothesis.translates() && !scaledSpeedIsGiven())
         volume += 0.5 * std::log(scaledSpeedLog(hypothesis.walls).variance);
     if (hypothesis.walls == 2)
-        volume += std::log(LOG_RATIO_SIGMA);
+        volume += std::log(logRatioSigma);
     return volume;
 }
 

@@ -11,9 +11,8 @@
 
 namespace cv { namespace rsackermann {
 
-const double EXACT_GRAVITY = 1e-4;  //!< radians: a gravity that is given as exact is as good as that
-const double HEIGHT_SIGMA = 0.06;   //!< relative, of a given height: a car bounces on its suspension
-const double LOG_RATIO_SIGMA = 0.8; //!< of the ratio of the walls' distances
+const double EXACT_GRAVITY = 1e-4; //!< radians: a gravity that is given as exact is as good as that
+const double HEIGHT_SIGMA = 0.06;  //!< relative, of a given height: a car bounces on its suspension
 
 //! What segments that stand on the road say about its distance.
 struct RoadContact
@@ -79,6 +78,8 @@ public:
     double expectedScaledSpeed() const;
     //! The direction of a given speed: 1 or -1; 0: none is given.
     int givenDirection() const { return speedIsGiven() ? (given_.speed < 0 ? -1 : 1) : 0; }
+    //! Standard deviation of the logarithm of the ratio of both walls' distances.
+    double wallRatioLogSigma() const { return logRatioSigma; }
     //! Distance of the left (or only) wall over the height of the camera.
     double roadRatio() const { return ratio; }
 
@@ -99,6 +100,7 @@ private:
     double yawScale;                // of alpha
     double logSpeed, logSpeedSigma; // of the scaled speed, without the uncertainty of the wall
     double logWallSigma;            // of the logarithm of a wall's distance; 0: given
+    double logRatioSigma;           // of both walls' distances
     double heading, headingSigma;   // the walls are along the vehicle's forward direction, more or less
     double height, ratio, logHeightSigma;
     double speedWallCorrelation; // of the logarithms: drivers slow down where walls are near

@@ -5,15 +5,16 @@
 #include "../precomp.hpp"
 #include "../motion/contradiction.hpp"
 #include "gyro_rates.hpp"
+#include "row_rates.hpp"
 
 namespace cv { namespace rsackermann {
 
 typedef Vec<double, GyroRates::UNKNOWNS> GyroUnknowns; // of GyroAlignment
 typedef Matx<double, GyroRates::UNKNOWNS, GyroRates::UNKNOWNS> UnknownsMatrix;
 
-static const double TURN_RATE_NOISE = 1 * CV_PI / 180; // rad/s about each axis, of turns of points at worst
-static const size_t DELAY_FRAMES = 12;                 // that show such a delay
-static const double EXPLAINED = 0.5;                   // share of the turns' loss that a true gyro leaves at most
+static const double TURN_RATE_NOISE = 1 * CV_PI / 180;         // rad/s about each axis, of turns of points at worst
+static const size_t DELAY_FRAMES = 2 * size_t(ASSUMED_FRAMES); // that show such a delay
+static const double EXPLAINED = 0.5; // share of the turns' loss that a true gyro leaves at most
 
 RowSpan::RowSpan(const RollingShutterCamera& camera)
 {
@@ -137,7 +138,7 @@ void GyroRates::align()
 {
     // Each frame goes on from the one before.
     const int iterations = turns.size() < DELAY_FRAMES ? 3 : 1;
-    const double h = 1e-3, noiseFrames = 4; // that TURN_RATE_NOISE counts for
+    const double h = 1e-3;
     for (int iteration = 0; iteration < iterations; iteration++)
     {
         UnknownsMatrix information = UnknownsMatrix::zeros();
@@ -149,7 +150,7 @@ void GyroRates::align()
             information(i, i) = 1 / (prior[i] * prior[i]);
             gradient[i] = now[i] * information(i, i);
         }
-        Vec3d squares = Vec3d::all(noiseFrames * TURN_RATE_NOISE * TURN_RATE_NOISE);
+        Vec3d squares = Vec3d::all(ASSUMED_FRAMES * TURN_RATE_NOISE * TURN_RATE_NOISE);
         double weights = 0;
         for (size_t k = 0; k < turns.size(); k++)
         {
@@ -181,7 +182,7 @@ void GyroRates::align()
         {
             found.turn[i] -= step[1 + i];
             found.bias[i] -= step[4 + i];
-            noise[i] = std::sqrt(squares[i] / (noiseFrames + weights));
+            noise[i] = std::sqrt(squares[i] / (ASSUMED_FRAMES + weights));
         }
     }
 }

@@ -11,8 +11,6 @@
 
 namespace cv { namespace rsackermann {
 
-static const double LARGEST_LEFT = 0.5; // of a turn without its translation, which is missing as well
-
 SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
                                      const Ptr<AckermannEstimator>& single_)
     : camera(camera_), params(params_), single(single_), filter(camera_, params_), unaided(filter), isAided(false),
@@ -130,7 +128,7 @@ void SequenceEstimator::turnAlone(double seconds, AckermannMotion& motion) const
     field.addTiltVariance(turned.pitchRateSigma, turned.rollRateSigma, variances);
     turned.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
     turned.expectedResidual = DisplacementField::meanDistance(displacement, displacement, variances);
-    if (!(turned.expectedResidual < LARGEST_LEFT * turned.expectedRaw))
+    if (!(turned.expectedResidual < turned.expectedRaw))
         return;
     motion = turned;
     motion.status = MOTION_OK;

@@ -19,8 +19,9 @@ AckermannEstimator::Params::Params()
       minCandidates(6), threshold(0.5), confidence(0.99), maxIterations(500), seed(0), maxYawRate(CV_PI / 2),
       maxSpeed(200 / 3.6), wallDistance(0), roadRatio(0), scaleFromRoad(false), gravitySigma(CV_PI / 180),
       vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4), priorYawRate(5 * CV_PI / 180), priorSpeed(12),
-      priorSpeedLogSigma(0.8), priorWallDistance(15), priorWallDistanceLogSigma(0.9), priorSpeedWallCorrelation(0.6),
-      priorHeight(1.3), priorHeightLogSigma(0.35), standingProbability(.5), reverseProbability(0.02), harmAversion(1)
+      priorSpeedLogSigma(0.8), priorWallDistance(15), priorWallDistanceLogSigma(0.9), priorWallRatioLogSigma(0.8),
+      priorSpeedWallCorrelation(0.6), priorHeight(1.3), priorHeightLogSigma(0.35), priorReadoutTime(0.05),
+      priorReadoutTimeLogSigma(0.7), standingProbability(.5), reverseProbability(0.02), harmAversion(1)
 {
 }
 
@@ -35,6 +36,8 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "wall_deviation_sigma" << wallDeviationSigma << "prior_yaw_rate" << priorYawRate;
     fs << "prior_speed" << priorSpeed << "prior_speed_log_sigma" << priorSpeedLogSigma;
     fs << "prior_wall_distance" << priorWallDistance << "prior_wall_distance_log_sigma" << priorWallDistanceLogSigma;
+    fs << "prior_wall_ratio_log_sigma" << priorWallRatioLogSigma << "prior_readout_time" << priorReadoutTime;
+    fs << "prior_readout_time_log_sigma" << priorReadoutTimeLogSigma;
     fs << "prior_speed_wall_correlation" << priorSpeedWallCorrelation;
     fs << "prior_height" << priorHeight << "prior_height_log_sigma" << priorHeightLogSigma;
     fs << "standing_probability" << standingProbability << "reverse_probability" << reverseProbability;
@@ -67,6 +70,9 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     cv::read(fn["prior_wall_distance"], priorWallDistance, priorWallDistance);
     cv::read(fn["prior_wall_distance_log_sigma"], priorWallDistanceLogSigma, priorWallDistanceLogSigma);
     cv::read(fn["prior_speed_wall_correlation"], priorSpeedWallCorrelation, priorSpeedWallCorrelation);
+    cv::read(fn["prior_wall_ratio_log_sigma"], priorWallRatioLogSigma, priorWallRatioLogSigma);
+    cv::read(fn["prior_readout_time"], priorReadoutTime, priorReadoutTime);
+    cv::read(fn["prior_readout_time_log_sigma"], priorReadoutTimeLogSigma, priorReadoutTimeLogSigma);
     cv::read(fn["prior_height"], priorHeight, priorHeight);
     cv::read(fn["prior_height_log_sigma"], priorHeightLogSigma, priorHeightLogSigma);
     cv::read(fn["standing_probability"], standingProbability, standingProbability);
@@ -107,6 +113,9 @@ void AckermannEstimator::Params::check() const
         CV_Error(Error::StsBadArg,
                  format("params.priorSpeedWallCorrelation is %g; a number between -1 and 1 is expected",
                         priorSpeedWallCorrelation));
+    checkPositive(priorWallRatioLogSigma, "params.priorWallRatioLogSigma");
+    checkPositive(priorReadoutTime, "params.priorReadoutTime");
+    checkPositive(priorReadoutTimeLogSigma, "params.priorReadoutTimeLogSigma");
     checkPositive(priorHeight, "params.priorHeight");
     checkPositive(priorHeightLogSigma, "params.priorHeightLogSigma");
     checkProbability(standingProbability, "params.standingProbability");

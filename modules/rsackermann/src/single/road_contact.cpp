@@ -55,8 +55,9 @@ RoadContact findRoadContact(const RefinementProblem& problem, const Model& model
     contact.logSigma = std::log(1 + HEIGHT_SIGMA);
     // The speed rests on the geometric mean of both distances.
     if (lambda > 0 && (left == 0 || right == 0))
-        contact.logSigma = std::hypot(
-            contact.logSigma, 0.5 * std::min(std::sqrt(covariance(P_LAMBDA, P_LAMBDA)) / lambda, LOG_RATIO_SIGMA));
+        contact.logSigma =
+            std::hypot(contact.logSigma, 0.5 * std::min(std::sqrt(covariance(P_LAMBDA, P_LAMBDA)) / lambda,
+                                                        problem.prior ? problem.prior->wallRatioLogSigma() : DBL_MAX));
     return contact;
 }
 

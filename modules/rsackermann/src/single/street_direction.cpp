@@ -9,7 +9,7 @@
 namespace cv { namespace rsackermann {
 
 // Of the loss, in sigmas: the motion, and with it the compensation, is still inexact
-static const double COARSENESS = 4;
+static const double COARSENESS = 2 * SLANT_SCALE;
 static const double STREET_STEP = 0.01; // radians
 
 // The model with walls along an azimuth.

@@ -115,10 +115,16 @@ public:
         CV_PROP_RW double priorSpeedLogSigma;        //!< standard deviation of its logarithm, default 0.8
         CV_PROP_RW double priorWallDistance;         //!< metres; median distance of a wall, default 15
         CV_PROP_RW double priorWallDistanceLogSigma; //!< standard deviation of its logarithm, default 0.9
-        //! Correlation of both logarithms, below 1: drivers slow down where walls are near, default 0.6
+        //! Standard deviation of the logarithm of the ratio of both walls' distances: streets are alike, default 0.8
+        CV_PROP_RW double priorWallRatioLogSigma;
+        //! Correlation of the logarithms of speed and distance, below 1: drivers slow down where walls are near,
+        //! default 0.6
         CV_PROP_RW double priorSpeedWallCorrelation;
         CV_PROP_RW double priorHeight;         //!< metres; median height of the camera, default 1.3
         CV_PROP_RW double priorHeightLogSigma; //!< standard deviation of its logarithm, default 0.35
+        //! Seconds from the first row to the last, if RollingShutterCamera::lineDelay is unknown: median, default 0.05
+        CV_PROP_RW double priorReadoutTime;
+        CV_PROP_RW double priorReadoutTimeLogSigma; //!< standard deviation of its logarithm, default 0.7
         CV_PROP_RW double
             standingProbability; //!< that the car stands, or that the shutter isn't a rolling one, default 1/2
         CV_PROP_RW double reverseProbability; //!< that the car drives backward, default 0.02
