@@ -267,6 +267,24 @@ TEST(RSAckermann_CorrectorState, clock_that_is_set_back_begins_another_sequence)
     }
 }
 
+// One that is taken long after shows another scene.
+TEST(RSAckermann_CorrectorState, next_frame_that_is_too_late)
+{
+    const Sequence s;
+    for (const bool isNear : {false, true})
+    {
+        const Ptr<Corrector> with = createCorrector(s.camera, CARRIED), without = createCorrector(s.camera, CARRIED);
+        with->setTimestamp(0);
+        without->setTimestamp(0);
+        with->setNextFrame(s.frame(1), isNear ? INTERVAL : 1.5);
+        const AckermannMotion expected = correctFrame(*without, s, 0), motion = correctFrame(*with, s, 0);
+        if (isNear)
+            EXPECT_NE(expected.alpha, motion.alpha);
+        else
+            expectSame(expected, motion);
+    }
+}
+
 // All of the camera but gravity and uncertainties is that of a sequence.
 TEST(RSAckermann_CorrectorState, camera_of_a_sequence)
 {

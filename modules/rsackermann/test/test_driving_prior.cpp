@@ -149,11 +149,12 @@ TEST(RSAckermann_DrivingPrior, derivatives)
     const MotionHypothesis structures[] = {MotionHypothesis(MODEL_1LA, 0), MotionHypothesis(MODEL_3LA, 1),
                                            MotionHypothesis(MODEL_4LA, 1), MotionHypothesis(MODEL_4LA, 2)};
     for (int d = 0; d < 2; d++)
-        for (int s = 0; s < 4; s++)
+        for (int s = 0; s < 8; s++)
         {
-            const Model m = movingModel(0.03, 0.1);
+            Model m = movingModel(0.03, 0.1);
+            m[P_ALPHA] *= s < 4 ? 1 : -1; // to the right, or to the left
             Jet r[DrivingPrior::MAX_RESIDUALS], up[DrivingPrior::MAX_RESIDUALS], down[DrivingPrior::MAX_RESIDUALS];
-            const int n = drives[d].evaluate(m, structures[s], r);
+            const int n = drives[d].evaluate(m, structures[s % 4], r);
             ASSERT_GT(n, 0);
             for (int p = 0; p < PARAMETERS; p++)
             {
@@ -161,8 +162,8 @@ TEST(RSAckermann_DrivingPrior, derivatives)
                 Model a = m, b = m;
                 a.value[p] += h;
                 b.value[p] -= h;
-                drives[d].evaluate(a, structures[s], up);
-                drives[d].evaluate(b, structures[s], down);
+                drives[d].evaluate(a, structures[s % 4], up);
+                drives[d].evaluate(b, structures[s % 4], down);
                 for (int i = 0; i < n; i++)
                 {
                     const double expected = (up[i].value - down[i].value) / (2 * h);
@@ -215,6 +216,28 @@ TEST(RSAckermann_DrivingPrior, rest)
     MotionPrior gyro;
     gyro.yawRateSigma = 0.01;
     EXPECT_NEAR(std::log(0.15 / 0.85), makeDrive(camera, gyro).logRest(), 1e-12);
+}
+
+// Mean and standard deviation of what the distributions give, forward, at rest or not.
+TEST(RSAckermann_DrivingPrior, state_of_a_sequence)
+{
+    Params params;
+    params.standingProbability = 0.3;
+    SequenceVector mean, sigma;
+    stationaryState(simulation::paperCamera(), params, mean, sigma);
+    RNG rng(5);
+    const int draws = 400000;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < draws; i++)
+    {
+        double speed, wall;
+        drawSpeedAndWall(rng, WALL_SIGMA, speed, wall);
+        speed *= rng.uniform(0., 1.) < params.standingProbability ? 0 : 1;
+        sum += speed;
+        squares += speed * speed;
+    }
+    EXPECT_NEAR(sum / draws, mean[SEQUENCE_SPEED], 0.15);
+    EXPECT_NEAR(std::sqrt(squares / draws - sum / draws * sum / draws), sigma[SEQUENCE_SPEED], 0.3);
 }
 
 TEST(RSAckermann_DrivingPrior, volume)
@@ -282,6 +305,10 @@ TEST(RSAckermann_DrivingPrior, road)
     makeDrive(camera, givenSpeed(15, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_NEAR(15 * unit / height, G, 0.1 * 0.5 * unit / height);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 0.01 * 0.5 * unit / height);
+    // Of a motion the other way it says nothing.
+    Model back = movingModel(-0.05, 0.2);
+    makeDrive(camera, givenSpeed(0.5, 0.5)).road(back, RoadContact(), G, variance);
+    EXPECT_LT(G, 0);
     // At rest, too.
     makeDrive(camera, givenSpeed(0, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
     EXPECT_EQ(0, G);

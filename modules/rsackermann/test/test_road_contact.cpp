@@ -43,7 +43,8 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
     std::vector<double> distanceErrors, speedErrors;
     for (int i = 0; i < 20; i++)
     {
-        const double left = rng.uniform(2., 4.), right = rng.uniform(2., 4.), speed = rng.uniform(8., 30.);
+        const double left = rng.uniform(2., 4.), right = rng.uniform(2., 4.),
+                     speed = (i % 2 ? -1 : 1) * rng.uniform(8., 30.);
         const RollingShutterCamera camera = simulation::paperCamera();
         const Simulator simulator = Simulator::fromMetric(camera, 0.5, speed, left, right, 0);
         simulation::SegmentOptions options;
@@ -56,7 +57,8 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
         AckermannEstimator::Params params;
         params.scaleFromRoad = true;
         params.gravitySigma = 0;
-        MotionPrior prior; // verticals alone say little of the vanishing point, and with it of the distance
+        params.reverseProbability = 1; // as usual as forward
+        MotionPrior prior;             // verticals alone say little of the vanishing point, and with it of the distance
         prior.wallDirectionSigma = 0.005;
         const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
         ASSERT_EQ(MOTION_OK, motion.status);
