@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_rotation_curve.hpp"
+#include "test_simulator.hpp"
 #include "../src/motion/row_tilt.hpp"
 
 // How rows turn beyond their rates. What maps and points make of it is in test_warp_*.cpp.
@@ -100,6 +101,26 @@ TEST(RSAckermann_RowTilt, bad_curves_are_refused)
     expectRefused(bad, "row 2 of motion.rotationCurve is a rotation by 3.2");
     bad.at<double>(2, 1) = NaN;
     expectRefused(bad, "row 2 of motion.rotationCurve");
+}
+
+// Points before the first row or behind the last one, of another image, turn on as the rows next to them.
+TEST(RSAckermann_RowTilt, curve_goes_on_beyond_its_ends)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const double first = camera.rowTime(Point2d(0, 0)), last = camera.rowTime(Point2d(0, camera.imageSize.height - 1));
+    const Vec3d rate(0.01, -0.02, 0.03);
+    Mat vectors(9, 3, CV_64F);
+    for (int i = 0; i < 9; i++)
+    {
+        const Vec3d vector = rate * (first + (last - first) * i / 8);
+        std::copy(vector.val, vector.val + 3, vectors.ptr<double>(i));
+    }
+    const RotationCurve curve(camera, vectors);
+    for (double part = -0.5; part < 1.6; part += 0.1)
+    {
+        const double time = first + part * (last - first);
+        EXPECT_LT(cv::norm(curve.at(time) - rate * time), 1e-12) << part;
+    }
 }
 
 }} // namespace

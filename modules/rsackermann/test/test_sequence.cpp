@@ -99,6 +99,30 @@ Truth randomTruth(RNG& rng)
     return truth;
 }
 
+// With another gravity what is known of motion and street stays known, together.
+TEST(RSAckermann_Sequence, state_with_another_gravity)
+{
+    const RollingShutterCamera camera = driveCamera(SCAN_TOP_TO_BOTTOM);
+    const AckermannEstimator::Params params;
+    const SequenceState fresh(camera, params);
+    SequenceState state(camera, params);
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+        for (int j = 0; j < SEQUENCE_VALUES; j++)
+        {
+            state.value[i] = 0.1 * i;
+            state.covariance(i, j) = i == j ? 2 : 0.01 * (i + j);
+        }
+    const SequenceState before = state;
+    state.change(camera, params, SEQUENCE_ROLL);
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+        for (int j = 0; j < SEQUENCE_VALUES; j++)
+        {
+            const bool isKept = i < SEQUENCE_ROLL && j < SEQUENCE_ROLL;
+            EXPECT_EQ((isKept ? before : fresh).covariance(i, j), state.covariance(i, j)) << i << ", " << j;
+            EXPECT_EQ((i < SEQUENCE_ROLL ? before : fresh).value[i], state.value[i]) << i;
+        }
+}
+
 typedef testing::TestWithParam<int> Scans;
 
 TEST_P(Scans, points_move_as_the_simulated_motion_moves_them)
