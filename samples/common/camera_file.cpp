@@ -35,7 +35,7 @@ void readShutterAndMounting(const NumberSource& number, const TextSource& text, 
     const bool delay = number("line_delay", s.lineDelay), readOut = number("readout", s.readOut);
     require(!delay || !readOut, "line_delay and readout exclude each other");
     require(s.lineDelay >= 0 && s.readOut >= 0, "line_delay and readout must not be negative");
-    require(s.lineDelay <= 1 && s.readOut <= 100, "line_delay and readout are in seconds");
+    require(s.lineDelay <= LONGEST_READ_OUT && s.readOut <= LONGEST_READ_OUT, "line_delay and readout are in seconds");
     number("roll", s.roll);
     number("pitch", s.pitch);
     number("heading", s.heading);

@@ -62,6 +62,9 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     camera.scanDirection = scan;
     const int lines = camera.isRowShutter() ? imageSize.height : imageSize.width;
     camera.lineDelay = readOut > 0 ? readOut / lines : lineDelay;
+    if (camera.lineDelay * lines > LONGEST_READ_OUT)
+        throw InputError(cv::format("%d lines of %g s each are read in %g s: line_delay is in seconds", lines,
+                                    camera.lineDelay, camera.lineDelay * lines));
     const bool upwards = scan == SCAN_BOTTOM_TO_TOP || scan == SCAN_RIGHT_TO_LEFT;
     if (reference == "middle")
         camera.referenceRow = (lines - 1) / 2.;
@@ -107,8 +110,8 @@ CameraSettings readCameraOptions(const Options& options)
         throw UsageError("--line_delay and --readout exclude each other");
     if (options.given("line_delay") || options.given("readout"))
     {
-        s.lineDelay = options.given("line_delay") ? options.number("line_delay", 0, 1, false) : 0;
-        s.readOut = options.given("readout") ? options.number("readout", 0, 100, false) : 0;
+        s.lineDelay = options.given("line_delay") ? options.number("line_delay", 0, LONGEST_READ_OUT, false) : 0;
+        s.readOut = options.given("readout") ? options.number("readout", 0, LONGEST_READ_OUT, false) : 0;
         s.lineDelaySigma = 0;
     }
     if (options.given("scan"))

@@ -250,6 +250,7 @@ TEST(CameraFiles, broken)
              ros + "scan: sideways\n",
              ros + "line_delay: 1e-5\nreadout: 0.01\n",
              ros + "line_delay: -1\n",
+             ros + "readout: 30\n",
              ros + "roll: much\n",
              opencv + "roll: much\n",
              ros + "reference: half\n",

@@ -56,6 +56,7 @@ const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--out
                                                        {"--focal=1e999", "1e999"},
                                                        {"--line_delay=0", "--line_delay"},
                                                        {"--readout=x", "--readout"},
+                                                       {"--readout=30", "--readout"}, // milliseconds
                                                        {"--scan=sideways", "sideways"},
                                                        {"--reference=half", "half"},
                                                        {"--roll=1,5", "--roll"},
@@ -105,6 +106,14 @@ TEST(CorrectUsage, options_that_exclude_each_other)
     EXPECT_EQ(2, correct({image, "--output=/tmp/never-written.png", "--skip_existing", "--overwrite"}).exitCode);
     EXPECT_EQ(2, correct({image, "--report=-", "--skip_existing"}).exitCode);
     EXPECT_EQ(2, correct({image, "--report=-", "--carry", "--shard=1/2"}).exitCode);
+}
+
+// Of 380 lines: they would be read in 13 s.
+TEST(CorrectUsage, line_delay_in_milliseconds)
+{
+    const Outcome outcome = correct({streetFolder() + "/rolling.png", "--report=-", "--line_delay=0.035"});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("line_delay is in seconds")) << outcome.messages;
 }
 
 TEST(CorrectUsage, names_of_results_that_can_not_be)
