@@ -7,7 +7,7 @@
 
 namespace cv { namespace rsackermann {
 
-RateProcess::RateProcess() : products(Matx22d::zeros()), count(0), changes(0), errors(0), known(0) {}
+RateProcess::RateProcess() : products(Matx22d::zeros()), count(0), pairs(0), changes(0), errors(0), known(0) {}
 
 // The next mean.
 double RateProcess::predict() const
@@ -24,15 +24,20 @@ double RateProcess::predict() const
 
 void RateProcess::add(double rate, double interval)
 {
+    const double kept = std::exp(-std::abs(interval) / RATE_MEMORY);
+    if (known > 0)
+    {
+        const double change = rate - past[0];
+        changes = kept * changes + change * change;
+        pairs = kept * pairs + 1;
+    }
     if (known > 1)
     {
-        const double kept = std::exp(-std::abs(interval) / RATE_MEMORY), error = rate - predict(),
-                     change = rate - past[0];
+        const double error = rate - predict();
         products = kept * products + past * past.t();
         response = kept * response + rate * past;
         count = kept * count + 1;
         errors = kept * errors + error * error;
-        changes = kept * changes + change * change;
     }
     past = Vec2d(rate, known > 0 ? past[0] : 0);
     known = std::min(known + 1, 2);
@@ -45,7 +50,7 @@ InstantRate RateProcess::now() const
     if (count > 0 && known > 0)
     {
         result.value = (past[0] + predict()) / 2;
-        result.sigma = std::sqrt((changes + errors) / count) / 2;
+        result.sigma = std::sqrt(changes / pairs + errors / count) / 2;
     }
     return result;
 }
@@ -57,7 +62,7 @@ InstantRate RateProcess::now(double next, double share) const
     {
         const double change = next - past[0];
         result.value = past[0] + share * change;
-        result.sigma = std::sqrt((changes + change * change) / (count + 1)) / 2;
+        result.sigma = std::sqrt((changes + change * change) / (pairs + 1)) / 2;
     }
     return result;
 }

@@ -37,14 +37,14 @@ public:
     InstantRate now(double next, double share) const;
 
     //! Standard deviation of the rate at the present frame about the last mean.
-    double wandering() const { return count > 0 ? std::sqrt(changes / count / 2) : 0; }
+    double wandering() const { return pairs > 0 ? std::sqrt(changes / pairs / 2) : 0; }
 
 private:
     double predict() const;
 
     Matx22d products;       // of the two means before
     Vec2d response;         // their products with the mean that follows
-    double count;           // of the means; those that are forgotten count less
+    double count, pairs;    // of the means with two before, and with one; those that are forgotten count less
     double changes, errors; // squares of the differences of neighbouring means, and of the errors of predictions
     Vec2d past;             // the last mean and the one before
     int known;              // of these
