@@ -69,10 +69,9 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
     if ((meaning_.kind == DepthMeaning::DISPARITY) != options.given("baseline"))
         throw UsageError("--depth_kind=disparity and --baseline need each other");
     if (meaning_.kind == DepthMeaning::RELATIVE &&
-        (options.given("depth_scale") || meaning_.camera != cv::rsackermann::DEPTH_RAW || options.flag("carry")))
-        throw UsageError(
-            "--depth_kind=relative is of the raw camera and of single images, and has no --depth_scale: it can't go "
-            "with --depth_camera=corrected, --depth_scale or --carry");
+        (options.given("depth_scale") || meaning_.camera != cv::rsackermann::DEPTH_RAW))
+        throw UsageError("--depth_kind=relative is of the raw camera, and has no --depth_scale: it can't go with "
+                         "--depth_camera=corrected or --depth_scale");
     files_ = filesFor(options.inputFile("depth"), inputs);
 }
 

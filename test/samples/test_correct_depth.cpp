@@ -92,6 +92,16 @@ void writeNpy(const std::string& path, const cv::Mat1f& values, const std::strin
                            std::string(reinterpret_cast<const char*>(values.data), values.total() * sizeof(float)));
 }
 
+cv::Mat1f relativeOf(const cv::Mat1f& metres)
+{
+    cv::Mat1f relative(metres.size(), 1.5f); // the sky
+    for (int y = 0; y < metres.rows; y++)
+        for (int x = 0; x < metres.cols; x++)
+            if (metres(y, x) > 0)
+                relative(y, x) += 40 / metres(y, x);
+    return relative;
+}
+
 TEST_F(CorrectDepth, removes_what_the_planes_leave)
 {
     EXPECT_GT(residual({}), 0.1);
@@ -138,11 +148,8 @@ TEST_F(CorrectDepth, relative)
 {
     const TemporaryFolder folder;
     const cv::Mat1f depth = metres("rolling_depth.png");
-    cv::Mat1f relative(depth.size(), 1.5f), mirrored; // the sky
-    for (int y = 0; y < depth.rows; y++)
-        for (int x = 0; x < depth.cols; x++)
-            if (depth(y, x) > 0)
-                relative(y, x) += 40 / depth(y, x);
+    const cv::Mat1f relative = relativeOf(depth);
+    cv::Mat1f mirrored;
     cv::flip(relative, mirrored, 1);
     writeNpy(folder / "relative.npy", relative);
     writeNpy(folder / "mirrored.npy", mirrored);
@@ -167,8 +174,40 @@ TEST_F(CorrectDepth, relative)
     const Outcome cut = run({"--depth=" + (folder / "cut.npy"), kind, "--report=" + (folder / "r.jsonl")});
     EXPECT_EQ(1, cut.exitCode);
     EXPECT_NE(std::string::npos, cut.messages.find(folder / "cut.npy"));
-    for (const char* wrong : {"--depth_scale=2", "--depth_camera=corrected", "--carry"})
+    for (const char* wrong : {"--depth_scale=2", "--depth_camera=corrected"})
         EXPECT_EQ(2, run({"--depth=" + (folder / "relative.npy"), kind, wrong}).exitCode) << wrong;
+}
+
+// The points of a sequence agree with the true depths of their frames, and not with mirrored ones.
+TEST_F(CorrectDepth, relative_in_sequences)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, simulate({"--output=" + (folder / "drive"), "--frames=6", "--depth", "--left=7", "--right=6",
+                           "--obstacles=12", "--readout=0.03"})
+                     .exitCode);
+    ASSERT_TRUE(cv::utils::fs::createDirectories(folder / "own"));
+    ASSERT_TRUE(cv::utils::fs::createDirectories(folder / "mirrored"));
+    const Arguments names = namesIn(folder / "drive/depth");
+    ASSERT_EQ(6u, names.size());
+    for (const std::string& name : names)
+    {
+        cv::Mat1f depth;
+        cv::imread(folder / ("drive/depth/" + name), cv::IMREAD_UNCHANGED).convertTo(depth, CV_32F, 1. / 256);
+        const std::string number = "/" + name.substr(0, name.rfind('.')) + ".npy";
+        cv::Mat1f relative = relativeOf(depth);
+        writeNpy(folder / ("own" + number), relative);
+        cv::flip(relative, relative, 1);
+        writeNpy(folder / ("mirrored" + number), relative);
+    }
+    for (const char* depths : {"own", "mirrored"})
+    {
+        const Outcome outcome = correct({folder / "drive/frames", "--camera=" + (folder / "drive/camera.yml"),
+                                         "--log=" + (folder / "drive/log.csv"), "--carry", "--report=-",
+                                         "--depth=" + (folder / depths), "--depth_kind=relative"});
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(depths == std::string("own"), outcome.output.find("\"depth_used\":true") != std::string::npos)
+            << outcome.output;
+    }
 }
 
 TEST_F(CorrectDepth, bad_files_are_named_and_others_processed)

@@ -10,7 +10,6 @@
 #include "features/segment_finder.hpp"
 #include "motion/metric_way.hpp"
 #include "sequence/sequence_estimator.hpp"
-#include "single/depth_alignment.hpp"
 #include "features/segments.hpp"
 #include "storage.hpp"
 #include "warp/maps/maps.hpp"
@@ -363,8 +362,8 @@ private:
     // False if the relative depth isn't used.
     bool align(AckermannMotion& motion, DepthMap& depth) const
     {
-        return !depth.empty() && depth.camera == DEPTH_RAW && motion.status == MOTION_OK && !params.sequence &&
-               alignDepth(generator->getCamera(), params.estimator, prior, segmentRows(segments), motion, depth);
+        return !depth.empty() && depth.camera == DEPTH_RAW && motion.status == MOTION_OK &&
+               sequence.alignDepth(segmentRows(segments), prior, motion, depth);
     }
 
     void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,

@@ -5,9 +5,10 @@
 #include "test_precomp.hpp"
 #include "test_inverse_depth_offset.hpp"
 #include "test_simulator.hpp"
+#include "../src/sequence/depth_fit.hpp"
 #include "../src/sequence/offset_fit.hpp"
 
-// Scenes that deviate from their planes: how tracked points show them.
+// Scenes that deviate from their planes: how tracked points show them, and the scale of a given depth.
 
 namespace opencv_test { namespace {
 
@@ -74,6 +75,24 @@ struct BumpyStreet
         std::vector<TrackedBearing> result;
         addBearings(camera, pairs, seconds, result);
         return result;
+    }
+
+    //! Inverse depths of what the raw image shows, 1/m along the optical axis, in squares; NaN where nothing fell.
+    Mat1f inverseDepths() const
+    {
+        Mat1f inverse(camera.imageSize, std::numeric_limits<float>::quiet_NaN());
+        for (int y = -40; y < 580; y += 8)
+            for (int x = -60; x < 1020; x += 8)
+            {
+                Vec3d P;
+                Point2d raw;
+                if (!pointAt(Point2d(x, y), P) || !simulator.project(P, raw))
+                    continue;
+                const Vec3d inRow = simulator.drive.toCamera(P, simulator.time(raw));
+                const Rect square(cvRound(raw.x) - 5, cvRound(raw.y) - 5, 10, 10);
+                inverse(square & Rect(Point(), inverse.size())) = 1 / (camera.uprightRotation.t() * inRow)[2];
+            }
+        return inverse;
     }
 
     //! Mean distance in pixels of what a motion says from the truth.
@@ -181,6 +200,51 @@ TEST(RSAckermann_InverseDepthOffset, of_the_car_itself_is_none)
     addBearings(street.camera, still, 0.05, bearings);
     fitOffset(street.camera, bearings, street.values, misled);
     EXPECT_LT(street.error(misled), street.error(found) + 0.05);
+}
+
+TEST(RSAckermann_DepthFit, points_show_scale_and_shift)
+{
+    RNG rng(40);
+    for (int i = 0; i < 6; i++)
+    {
+        const BumpyStreet street(i % 3 == 0 ? -4 : 12, 0.03, rng);
+        const Mat1f inverse = street.inverseDepths();
+        DepthMap depth(std::exp(rng.gaussian(2)) * inverse + rng.gaussian(3), DEPTH_RAW, 1, DEPTH_RELATIVE);
+        ASSERT_TRUE(fitDepth(street.camera, street.bearings(250, 0.3, 0.2, rng), street.values,
+                             withoutOffset(street.motion), depth))
+            << i;
+        const double way = std::abs(street.values[SEQUENCE_SPEED]) * street.camera.secondsPerUnitTime();
+        const Mat1f error = depth.scale * Mat1f(depth.values) + depth.shift - way * inverse;
+        const Mat known = inverse == inverse;
+        EXPECT_LT(cv::norm(error, NORM_L1, known), 0.05 * way * cv::norm(inverse, NORM_L1, known)) << i;
+    }
+}
+
+// Of another scene, and of what the motion knows as well without it.
+TEST(RSAckermann_DepthFit, refuses_what_points_contradict)
+{
+    RNG rng(41);
+    const BumpyStreet street(12, 0.05, rng), other(12, 0.05, rng);
+    const std::vector<TrackedBearing> bearings = street.bearings(250, 0.3, 0.1, rng);
+    const AckermannMotion planes = withoutOffset(street.motion);
+    const Mat1f inverse = street.inverseDepths(), ofOther = other.inverseDepths();
+    Mat mirrored, whole;
+    flip(inverse, mirrored, 1);
+    for (const Mat& values : {mirrored, Mat(ofOther), Mat(-inverse), Mat(Mat1f(inverse.size(), 3.f))})
+    {
+        DepthMap depth(values, DEPTH_RAW, 1, DEPTH_RELATIVE);
+        EXPECT_FALSE(fitDepth(street.camera, bearings, street.values, planes, depth));
+        EXPECT_EQ(1, depth.scale);
+        EXPECT_EQ(0, depth.shift);
+    }
+    DepthMap depth(inverse, DEPTH_RAW, 1, DEPTH_RELATIVE);
+    EXPECT_FALSE(fitDepth(street.camera, street.bearings(15, 0.3, 0, rng), street.values, planes, depth));
+    inverse.convertTo(whole, CV_16U, 60000);
+    for (const Mat& values : {Mat(inverse), whole})
+    {
+        depth = DepthMap(values, DEPTH_RAW, 1, DEPTH_RELATIVE);
+        EXPECT_TRUE(fitDepth(street.camera, bearings, street.values, planes, depth));
+    }
 }
 
 }} // namespace opencv_test::

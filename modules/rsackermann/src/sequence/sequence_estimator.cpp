@@ -4,9 +4,11 @@
 
 #include "../precomp.hpp"
 #include "../motion/contradiction.hpp"
+#include "../single/depth_alignment.hpp"
 #include "../single/inliers_and_scale.hpp"
 #include "../single/displacement_field.hpp"
 #include "sequence_estimator.hpp"
+#include "depth_fit.hpp"
 #include "offset_fit.hpp"
 
 namespace cv { namespace rsackermann {
@@ -333,6 +335,13 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
         return;
     result.candidates = motion.candidates;
     motion = result;
+}
+
+bool SequenceEstimator::alignDepth(const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
+                                   DepthMap& depth) const
+{
+    return seen == filter.time ? fitDepth(camera, features.bearings, last.values, motion, depth)
+                               : rsackermann::alignDepth(camera, params, prior, segments, motion, depth);
 }
 
 // From the image alone, with the yaw rate of the frames before, and for the frames after.

@@ -221,8 +221,9 @@ public:
     suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK.
 
     A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
-    verticals that it explains as well as the planes do: one of another image, mirrored or constant isn't used. Frames
-    of a sequence (Params::sequence) don't use it yet. With correctWithMotion() it is used as it is.
+    verticals that it explains as well as the planes do: one of another image, mirrored or constant isn't used. In a
+    frame of a sequence (Params::sequence) with tracked points it has to explain these better than the planes do. With
+    correctWithMotion() it is used as it is.
      */
     CV_WRAP virtual bool isDepthUsed() const = 0;
 

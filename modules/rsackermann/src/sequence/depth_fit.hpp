@@ -1,0 +1,23 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_DEPTH_FIT_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_DEPTH_FIT_HPP
+
+#include "opencv2/rsackermann/depth_map.hpp"
+#include "frame_fit.hpp"
+
+namespace cv { namespace rsackermann {
+
+/** Finds scale and shift of a #DEPTH_RELATIVE of the raw camera by the displacements of points (doc/theory.md,
+"Relative depth").
+@param bearings points, those of the fit.
+@param values of the fit, FLOW_VALUES of them.
+@return whether the depth explains the points better than the planes of the fit do; otherwise it stays as it is. */
+bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
+              const AckermannMotion& motion, DepthMap& depth);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_DEPTH_FIT_HPP
