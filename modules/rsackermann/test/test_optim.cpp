@@ -95,6 +95,29 @@ TEST(RSAckermann_Optim, steps_are_limited)
     EXPECT_EQ(rosenbrock(x).squaredNorm(), at.cost);
 }
 
+TEST(RSAckermann_Optim, no_steps_towards_what_is_too_far)
+{
+    // 100 above that of the valley alone
+    const MockProblem problem([](const Unknowns& v) {
+        const Eigen::VectorXd r = rosenbrock(v);
+        return Eigen::VectorXd(Eigen::Vector3d(r[0], r[1], 10));
+    });
+    for (double farthest : {50., 101.})
+    {
+        Unknowns x = vectorOf({-1.2, 1});
+        SmallEquations at;
+        MinimizerOptions options(40, 1e-12);
+        options.farthest = farthest;
+        const MinimizerStats stats = minimize(problem, options, x, at);
+        EXPECT_EQ(farthest > 100, stats.converged);
+        EXPECT_LE(at.cost, 100 + rosenbrock(vectorOf({-1.2, 1})).squaredNorm());
+        if (farthest < 100)
+            EXPECT_LT(stats.steps, 15);
+        else
+            EXPECT_NEAR(100, at.cost, 1e-9);
+    }
+}
+
 TEST(RSAckermann_Optim, linear_problem_takes_few_steps)
 {
     Eigen::MatrixXd A = Eigen::MatrixXd::Random(9, 4);

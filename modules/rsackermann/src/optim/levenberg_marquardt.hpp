@@ -6,6 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_OPTIM_LEVENBERG_MARQUARDT_HPP
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 
@@ -21,10 +22,11 @@ struct MinimizerOptions
     double increase;          // of the damping after a step that gains nothing
     double decrease;          // after one that gains
     double largestDamping;    // with which no step is tried
+    double farthest;          // cost above which there are no more steps if those that are left don't promise less
 
     MinimizerOptions(int maxSteps_, double absolute, double relative = 0)
         : maxSteps(maxSteps_), absoluteTolerance(absolute), relativeTolerance(relative), damping(1e-3), increase(8),
-          decrease(0.2), largestDamping(1e8)
+          decrease(0.2), largestDamping(1e8), farthest(DBL_MAX)
     {
     }
 
@@ -81,6 +83,9 @@ MinimizerStats minimize(const Problem& problem, const MinimizerOptions& options,
         damping = std::max(damping * options.decrease, 1e-9);
         state = std::move(there);
         equations = std::move(next);
+        // Even if each step that is left gained as much as was expected of this one.
+        if (equations.cost - (options.maxSteps - stats.steps) * expected > options.farthest)
+            break;
     }
     return stats;
 }

@@ -8,10 +8,10 @@
 
 namespace cv { namespace rsackermann {
 
-void Fit::refine(const RefinementProblem& problem)
+void Fit::refine(const RefinementProblem& problem, double farthest)
 {
     const int iterations = 30;
-    cost = rsackermann::refine(problem, hypothesis, ALL_SEGMENTS, iterations, model, &covariance);
+    cost = rsackermann::refine(problem, hypothesis, ALL_SEGMENTS, iterations, model, &covariance, farthest);
 }
 
 double logVolume(const Fit& fit)

@@ -19,8 +19,8 @@ struct Fit
 
     explicit Fit(const MotionHypothesis& h) : hypothesis(h), cost(DBL_MAX) {}
 
-    //! Refines the model with all segments.
-    void refine(const RefinementProblem& problem);
+    //! Refines the model with all segments. @param farthest cost above which it may end early.
+    void refine(const RefinementProblem& problem, double farthest = DBL_MAX);
 };
 
 //! Logarithm of the square root of the determinant of the covariance of the unknowns that are free.

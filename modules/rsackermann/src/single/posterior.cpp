@@ -35,7 +35,7 @@ struct WeighedHypothesis
 {
     MotionHypothesis hypothesis;
     double logPrior;
-    // All that its starts lead to: which is the least depends on the noise, which isn't known yet.
+    // Starts, and then all that they lead to: which is the least depends on the noise, which isn't known yet.
     std::vector<Fit> minima;
 
     WeighedHypothesis(const MotionHypothesis& h, double prior) : hypothesis(h), logPrior(std::log(prior)) {}
@@ -71,9 +71,13 @@ public:
         problem.lossScale = SLANT_SCALE; // until the noise is known
         problem.lean = 0;
         problem.weigh();
-        Fit rest = restFit();
+        dependence = dependenceOf(problem.rollSigma());
+        Fit rest = Fit(MotionHypothesis(MODEL_NONE, 0));
+        rest.model[P_STREET] = problem.heading.angle;
         std::vector<WeighedHypothesis> moving = hypotheses();
-        findMinima(moving);
+        for (WeighedHypothesis& h : moving)
+            h.minima = allowedStarts(h.hypothesis);
+        refineAll(rest, moving);
         if (!(leastOf(rest, moving).cost < DBL_MAX))
             return false;
         measureNoise(rest, moving);
@@ -188,30 +192,23 @@ private:
         return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
     }
 
-    // From each start, and from there in the direction of the street.
-    void findMinima(std::vector<WeighedHypothesis>& moving) const
+    // Each start, and another one from there in the direction of the street.
+    std::vector<Fit> allowedStarts(const MotionHypothesis& hypothesis) const
     {
         const int ways = 2;
-        std::vector<Fit> fits;
-        std::vector<size_t> owners;
-        for (size_t k = 0; k < moving.size(); k++)
-        {
-            const std::vector<Model> models = starts(moving[k].hypothesis);
-            for (size_t i = 0; i < ways * models.size(); i++)
-            {
-                fits.push_back(Fit(moving[k].hypothesis));
-                fits.back().model = models[i / ways];
-                owners.push_back(k);
-            }
-        }
+        const std::vector<Model> models = starts(hypothesis);
+        std::vector<Fit> fits(ways * models.size(), Fit(hypothesis));
+        AutoBuffer<bool> isUsed(fits.size());
         forEach(fits.size(), [&](size_t i) {
-            Fit& fit = fits[i];
-            if ((i % ways == 0 || startFromStreetDirection(problem, fit.hypothesis, fit.model)) &&
-                isAllowed(fit.hypothesis, fit.model))
-                fit.refine(problem);
+            fits[i].model = models[i / ways];
+            isUsed[i] = (i % ways == 0 || startFromStreetDirection(problem, hypothesis, fits[i].model)) &&
+                        isAllowed(hypothesis, fits[i].model);
         });
+        std::vector<Fit> allowed;
         for (size_t i = 0; i < fits.size(); i++)
-            moving[owners[i]].addMinimum(fits[i]);
+            if (isUsed[i])
+                allowed.push_back(fits[i]);
+        return allowed;
     }
 
     // In parallel.
@@ -237,7 +234,6 @@ private:
     void measureNoise(Fit& rest, std::vector<WeighedHypothesis>& moving)
     {
         const int passes = 3;
-        dependence = dependenceOf(problem.rollSigma());
         for (int pass = 0; pass < passes; pass++)
         {
             setNoise(leastOf(rest, moving));
@@ -259,15 +255,22 @@ private:
         problem.weigh();
     }
 
+    // The first minimum of each hypothesis says which others are worth their steps.
     void refineAll(Fit& rest, std::vector<WeighedHypothesis>& moving) const
     {
-        std::vector<Fit*> fits(1, &rest);
-        for (size_t k = 0; k < moving.size(); k++)
-            for (size_t i = 0; i < moving[k].minima.size(); i++)
-                fits.push_back(&moving[k].minima[i]);
-        forEach(fits.size(), [&](size_t i) { fits[i]->refine(problem); });
-        for (size_t k = 0; k < moving.size(); k++)
-            moving[k].keepDistinct(-2 * std::log(NEGLIGIBLE) * dependence);
+        const double tooFar = -2 * std::log(NEGLIGIBLE) * dependence;
+        std::vector<Fit*> firsts(1, &rest);
+        std::vector<std::pair<Fit*, const Fit*>> others;
+        for (WeighedHypothesis& h : moving)
+            for (size_t i = 0; i < h.minima.size(); i++)
+                if (i == 0)
+                    firsts.push_back(&h.minima[i]);
+                else
+                    others.push_back(std::make_pair(&h.minima[i], &h.minima[0]));
+        forEach(firsts.size(), [&](size_t i) { firsts[i]->refine(problem); });
+        forEach(others.size(), [&](size_t i) { others[i].first->refine(problem, others[i].second->cost + tooFar); });
+        for (WeighedHypothesis& h : moving)
+            h.keepDistinct(tooFar);
     }
 
     // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the
@@ -324,14 +327,6 @@ private:
     // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.
     double logNoise(const Fit& fit) const { return (ownNoiseOf(fit) - ownNoise) / dependence; }
 
-    Fit restFit() const
-    {
-        Fit fit(MotionHypothesis(MODEL_NONE, 0));
-        fit.model[P_STREET] = problem.heading.angle;
-        fit.refine(problem);
-        return fit;
-    }
-
     // A lens that isn't known bends verticals as a motion can: those of a camera at rest may be seen through any lens.
     void addRestThroughOtherLenses(const Fit& rest)
     {
@@ -380,7 +375,7 @@ private:
         std::vector<double> logDensity, logWidth;
     };
 
-    // Adds motions with the yaw rates to both sides of a fit. If one of them fits better there was another minimum.
+    // Adds motions with the yaw rates to both sides of a fit. If one of them fits better there may be another minimum.
     void sweep(Fit fit, double logPrior)
     {
         if (logPrior + logNoise(fit) + logEvidence(fit, fit.hypothesis) < mixture.largest() + std::log(NEGLIGIBLE))
@@ -389,9 +384,14 @@ private:
         const Fit& best = cheapest(swept.fits);
         if (best.cost < fit.cost - NEGLIGIBLE)
         {
-            fit.model = best.model;
-            fit.refine(problem);
-            swept = sweepFrom(fit);
+            Fit other = fit;
+            other.model = best.model;
+            other.refine(problem);
+            if (other.cost < fit.cost - NEGLIGIBLE)
+            {
+                fit = other;
+                swept = sweepFrom(fit);
+            }
         }
         const double logWeight = logPrior + logNoise(cheapest(swept.fits));
         for (size_t i = 0; i < swept.fits.size(); i++)

@@ -197,11 +197,13 @@ public:
 } // namespace
 
 double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence,
-              int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance)
+              int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance, double farthest)
 {
     const ModelProblem ofModel(problem, hypothesis, evidence);
     ModelProblem::Equations equations;
-    minimize(ofModel, MinimizerOptions(maxIterations, 1e-12, 1e-6), model, equations);
+    MinimizerOptions options(maxIterations, 1e-12, 1e-6);
+    options.farthest = farthest;
+    minimize(ofModel, options, model, equations);
     if (covariance)
         *covariance = ofModel.covariance(model, equations);
     return equations.cost < DBL_MAX ? equations.cost : DBL_MAX;

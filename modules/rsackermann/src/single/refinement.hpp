@@ -69,10 +69,12 @@ enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
 @param hypothesis which unknowns are free.
 @param model start and result.
 @param covariance receives, unless it is null, the covariance of all parameters; 0 for those that aren't free.
+@param farthest cost above which it ends early if the steps that are left don't promise less.
 @return cost of the result; DBL_MAX if it isn't finite.
 */
 double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence,
-              int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance = 0);
+              int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance = 0,
+              double farthest = DBL_MAX);
 
 }} // namespace cv::rsackermann
 

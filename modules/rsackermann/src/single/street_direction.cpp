@@ -49,8 +49,9 @@ bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypo
             best = azimuth;
         }
     }
+    const double before = hypothesis.translates() ? std::atan2(model[P_D], model[P_B]) : model[P_STREET];
     model = turnStreet(model, hypothesis, best);
-    return true;
+    return std::abs(std::sin(best - before)) > 1e-9; // more than rounding
 }
 
 }} // namespace cv::rsackermann

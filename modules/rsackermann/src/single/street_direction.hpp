@@ -11,7 +11,7 @@ namespace cv { namespace rsackermann {
 
 /** Searches the direction of the street with which most of the other segments agree, and turns the walls of the model
 there.
-@return false if there are too few segments.
+@return whether that is another model: false if there are too few segments, or if it was there already.
 */
 bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model);
 
