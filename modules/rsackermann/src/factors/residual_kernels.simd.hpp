@@ -48,12 +48,13 @@ RotatedEnd<PackOf<Number>> endV(const SegmentArrays& s, int i, const PreparedMod
                                       load<Number>(s, SegmentArrays::TIME_V, i), m);
 }
 
-// ResidualSums in vectors.
+// ResidualSums in vectors. Products of derivatives are summed for a block of vectors at once: each sum goes to memory
+// and back once a block.
 class Sums
 {
 public:
     Sums(const RobustLoss& loss_, const FreeParameters& unknowns_)
-        : unknowns(unknowns_), loss(loss_), cost(0.), weights(0.), influence2(0.), slopes(0.)
+        : unknowns(unknowns_), loss(loss_), cost(0.), weights(0.), influence2(0.), slopes(0.), filled(0)
     {
         for (int i = 0; i < unknowns.count; i++)
         {
@@ -67,25 +68,27 @@ public:
     void add(const Pack& value, const Pack* by, const Pack& scale)
     {
         const Pack one(1), r = scale * value, r2 = r * r;
-        const Pack weight = choose(scale > Pack(0.), loss.slope(r2), Pack(0.));
+        const Pack w = choose(scale > Pack(0.), loss.slope(r2), Pack(0.));
         cost = cost + loss.cost(r2);
-        weights = weights + weight;
+        weights = weights + w;
         // The influence is r * weight.
-        influence2 = influence2 + weight * weight * r2;
-        slopes = slopes + weight * (one - Pack(4) * (one - loss.fading(r2)));
-        Pack scaled[PARAMETERS];
+        influence2 = influence2 + w * w * r2;
+        slopes = slopes + w * (one - Pack(4) * (one - loss.fading(r2)));
+        weight[filled] = w;
+        residual[filled] = r;
         for (int i = 0; i < unknowns.count; i++)
-        {
-            scaled[i] = by[unknowns.index[i]] * scale;
-            const Pack weighted = scaled[i] * weight;
-            gradient[i] = gradient[i] + weighted * r;
-            for (int j = 0; j <= i; j++)
-                hessian[i][j] = hessian[i][j] + weighted * scaled[j];
-        }
+            scaled[i][filled] = by[unknowns.index[i]] * scale;
+        if (++filled == BLOCK)
+            addProducts();
     }
 
-    void addTo(ResidualSums& sums) const
+    void addTo(ResidualSums& sums)
     {
+        const Pack zero(0.);
+        Pack none[PARAMETERS];
+        std::fill(none, none + PARAMETERS, zero);
+        while (filled > 0) // up to a whole block
+            add(zero, none, zero);
         sums.cost += cost.sum();
         sums.weights += weights.sum();
         sums.influence2 += influence2.sum();
@@ -99,10 +102,30 @@ public:
     }
 
 private:
+    enum { BLOCK = 4 };
+
+    void addProducts()
+    {
+        for (int i = 0; i < unknowns.count; i++)
+        {
+            const Pack* by = scaled[i];
+            const Pack a = by[0] * weight[0], b = by[1] * weight[1], c = by[2] * weight[2], d = by[3] * weight[3];
+            gradient[i] = gradient[i] + a * residual[0] + b * residual[1] + c * residual[2] + d * residual[3];
+            for (int j = 0; j <= i; j++)
+            {
+                const Pack* other = scaled[j];
+                hessian[i][j] = hessian[i][j] + a * other[0] + b * other[1] + c * other[2] + d * other[3];
+            }
+        }
+        filled = 0;
+    }
+
     const FreeParameters& unknowns;
     GemanMcClureLoss<Pack> loss;
     Pack cost, weights, influence2, slopes;
     Pack gradient[PARAMETERS], hessian[PARAMETERS][PARAMETERS];
+    int filled;
+    Pack weight[BLOCK], residual[BLOCK], scaled[PARAMETERS][BLOCK];
 };
 
 } // namespace
