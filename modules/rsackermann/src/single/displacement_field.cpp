@@ -38,12 +38,15 @@ void DisplacementField::weigh(const std::vector<Point2d>& seen)
     Vec<double, POINTS> count = Vec<double, POINTS>::all(1);
     for (size_t i = 0; i < seen.size(); i++)
     {
-        const auto distance = [&](const Point& p) {
-            return (p.x - seen[i].x) * (p.x - seen[i].x) + (p.y - seen[i].y) * (p.y - seen[i].y);
-        };
-        const Point* nearest = std::min_element(
-            points, points + POINTS, [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
-        count[int(nearest - points)]++;
+        double least = DBL_MAX;
+        int nearest = 0;
+        for (int k = 0; k < POINTS; k++)
+        {
+            const double dx = points[k].x - seen[i].x, dy = points[k].y - seen[i].y, distance2 = dx * dx + dy * dy;
+            nearest = distance2 < least ? k : nearest;
+            least = std::min(least, distance2);
+        }
+        count[nearest]++;
     }
     for (int k = 0; k < POINTS; k++)
     {
