@@ -5,6 +5,7 @@
 #include "figures.hpp"
 #include "workload.hpp"
 
+#include "test_box_depth.hpp"
 #include "test_lens_models.hpp"
 #include "opencv2/core/utility.hpp"
 #include <cstring>
@@ -22,7 +23,7 @@ const std::vector<double> NO_LENS, LENS = {-0.28, 0.09, 8e-4, -6e-4, -0.012};
 // What is compared writes into the same maps.
 struct Maps
 {
-    cv::Mat columns, rows;
+    cv::Mat columns, rows, mask;
     explicit Maps(const cv::Size& size) : columns(size, CV_32FC1), rows(size, CV_32FC1) {}
 };
 
@@ -42,6 +43,20 @@ int addDistortMap(Benchmark& benchmark, const std::vector<double>& lens, const s
         const Drive drive(FULL_HD, lens);
         const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(drive.camera);
         return [generator, drive, maps]() { generator->initDistortMap(drive.motion, maps->columns, maps->rows); };
+    });
+}
+
+// @param camera of the depth: that of the map is the global-shutter one.
+int addDepthMap(Benchmark& benchmark, DepthCamera camera, bool masked, const std::shared_ptr<Maps>& maps)
+{
+    return benchmark.work([camera, masked, maps]() -> Benchmark::Work {
+        const Drive drive(FULL_HD, LENS);
+        const cv::Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(drive.camera);
+        const DepthMap depth(opencv_test::makeBoxDepth(FULL_HD), camera);
+        return [generator, drive, depth, masked, maps]() {
+            generator->initRectifyMap(drive.motion, maps->columns, maps->rows, CV_32FC1,
+                                      masked ? cv::OutputArray(maps->mask) : cv::OutputArray(cv::noArray()), depth);
+        };
     });
 }
 
@@ -80,6 +95,12 @@ void addMapFigures(Benchmark& benchmark)
     benchmark.figure("rectify_map_1080p_over_memset", "ratio", {rectify, addMemset(benchmark, maps)}, overOthers);
     benchmark.figure("distort_map_1080p_ms", "ms", {addDistortMap(benchmark, NO_LENS, maps)}, scaled(1e3));
     benchmark.figure("distort_map_lens_1080p_ms", "ms", {addDistortMap(benchmark, LENS, maps)}, scaled(1e3));
+
+    for (const bool masked : {false, true})
+        for (const DepthCamera camera : {DEPTH_CORRECTED, DEPTH_RAW})
+            benchmark.figure(std::string("rectify_map_") + (camera == DEPTH_RAW ? "raw_" : "") + "depth_" +
+                                 (masked ? "mask_" : "") + "1080p_over_map",
+                             "ratio", {addDepthMap(benchmark, camera, masked, maps), rectifyLens}, overOthers);
 
     const cv::Size small(640, 480), large(3840, 2160);
     const int first = addRectifyMap(benchmark, small, NO_LENS, std::make_shared<Maps>(small));

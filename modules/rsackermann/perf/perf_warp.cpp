@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "perf_precomp.hpp"
+#include "../test/test_box_depth.hpp"
 #include "../test/test_lens_models.hpp"
 #include "../test/test_metric_motion.hpp"
 
@@ -80,22 +81,6 @@ PERF_TEST_P(Distort, initDistortMap, testing::Combine(testing::Values(szVGA, sz1
     SANITY_CHECK_NOTHING();
 }
 
-// Depth in metres of a wall, a road and of boxes in front of them.
-Mat makeDepth(const Size& size)
-{
-    Mat1f depth(size);
-    for (int y = 0; y < size.height; y++)
-        for (int x = 0; x < size.width; x++)
-        {
-            const float wall = std::max(0.01f, std::abs(2.f * x / size.width - 1)) / 6,
-                        road = std::max(0.f, 2.f * y / size.height - 1) / 3;
-            depth(y, x) = 1 / std::max(wall, road);
-        }
-    for (int i = 0; i < 8; i++)
-        depth(Rect(size.width * i / 8, size.height * 2 / 5, size.width / 20, size.height / 5)).setTo(3 + 0.3 * i);
-    return std::move(depth);
-}
-
 CV_ENUM(DepthOf, DEPTH_RAW, DEPTH_CORRECTED)
 typedef TestBaseWithParam<tuple<Size, DepthOf, bool>> Depth; // and whether a mask is wanted
 
@@ -104,7 +89,7 @@ PERF_TEST_P(Depth, initRectifyMap, testing::Combine(testing::Values(szVGA, sz108
     const RollingShutterCamera camera = makeCamera(get<0>(GetParam()), PINHOLE_5);
     const AckermannMotion motion = makeMotion(camera);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
-    const DepthMap depth(makeDepth(camera.imageSize), get<1>(GetParam()));
+    const DepthMap depth(makeBoxDepth(camera.imageSize), get<1>(GetParam()));
     Mat map1, map2, mask;
     const OutputArray maskWanted = get<2>(GetParam()) ? OutputArray(mask) : OutputArray(noArray());
     declare.in(depth.values);
