@@ -38,11 +38,18 @@ public:
     /** The raw pixel of a ray of the global-shutter camera; false if there is none.
     @param ray direction in the camera frame.
     @param b the same in the upright frame.
-    @param w scaled inverse depth, to the scale of b.
+    @param w scaled inverse depth, to the scale of b; or a function of the row's motion and time that gives it.
     @param onPlane whether w is that of one of the planes, which the camera must not have passed.
     @param guess read and written.
     */
     bool solve(const Vec3d& ray, const Vec3d& b, double w, bool onPlane, Guess& guess, Point2d& raw) const
+    {
+        return solve(
+            ray, b, [w](const RowMotion&, double) { return w; }, onPlane, guess, raw);
+    }
+
+    template <class InverseDepth>
+    bool solve(const Vec3d& ray, const Vec3d& b, const InverseDepth& w, bool onPlane, Guess& guess, Point2d& raw) const
     {
         if (!shutter.moving)
             return shutter.project(ray, raw);
@@ -60,14 +67,15 @@ private:
     // Steeper functions are no contractions; there the step is cut.
     static constexpr double MAX_SLOPE = 0.9;
 
-    bool iterate(const Vec3d& b, double w, bool onPlane, Guess& guess, Point2d& raw) const
+    template <class InverseDepth>
+    bool iterate(const Vec3d& b, const InverseDepth& w, bool onPlane, Guess& guess, Point2d& raw) const
     {
         double time = guess.time, slope = guess.slope, lastTime = 0, lastValue = 0;
         Point2d rate = guess.rate, lastRaw;
         for (int i = 0; i < maxIterations; i++)
         {
             const RowMotion m = shutter.motionAt(time);
-            if (!shutter.project(shutter.down * shutter.tilt(shutter.toRolling(b, w, m), time), raw))
+            if (!shutter.project(shutter.down * shutter.tilt(shutter.toRolling(b, w(m, time), m), time), raw))
                 return false;
             const double value = shutter.rowTime(raw);
             if (i > 0)

@@ -16,39 +16,18 @@ RectifyPlaces::RectifyPlaces(const ShutterGeometry& shutter_, const Matx33d& mat
 
 bool RectifyPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place) const
 {
-    const Vec3d ray = inverse * Vec3d(pixel.x, pixel.y, 1);
+    const Vec3d ray = inverse * Vec3d(pixel.x, pixel.y, 1), b = shutter.up * ray;
     const double v = way * inverseDepth;
-    if (ofRaw)
-        return findOfRaw(ray, v, place) && isAddressable(place);
-    Rectifier::Guess guess;
-    return rectifier.solve(ray, shutter.up * ray, v, false, guess, place) && isAddressable(place);
-}
-
-// The depth in the global-shutter camera follows from the row that sees the point, and the row from that depth: a fixed
-// point, at which the row's motion changes so little that a few rounds suffice.
-bool RectifyPlaces::findOfRaw(const Vec3d& ray, double v, Point2d& place) const
-{
-    const int rounds = 20;
-    const double enough = 1e-12;
-    const Vec3d b = shutter.up * ray;
-    double w = v;
-    Rectifier::Guess guess;
-    for (int i = 0; i < rounds; i++)
-    {
-        if (!rectifier.solve(ray, b, w, false, guess, place))
-            return false;
-        const double t = shutter.rowTime(place), last = w;
-        const RowMotion m = shutter.motionAt(t);
-        // w = v z, where z = far - w closer is the depth in the row's camera for depth 1 in the global-shutter camera
+    // w = v z, where z = far - w closer is the depth in the row's camera for depth 1 in the global-shutter camera
+    const auto inRow = [&](const RowMotion& m, double t) {
         const Vec3d camera(m.tau * m.s2, 0, m.tau * m.c2);
         const double far = depthInRow(b, m, t), closer = depthInRow(camera, m, t);
-        if (!(1 + v * closer > 0))
-            return false;
-        w = v * far / (1 + v * closer);
-        if (std::abs(w - last) <= enough * (1 + std::abs(w)))
-            return true;
-    }
-    return false;
+        return 1 + v * closer > 0 ? v * far / (1 + v * closer) : std::numeric_limits<double>::quiet_NaN();
+    };
+    Rectifier::Guess guess;
+    const bool found =
+        ofRaw ? rectifier.solve(ray, b, inRow, false, guess, place) : rectifier.solve(ray, b, v, false, guess, place);
+    return found && isAddressable(place);
 }
 
 double RectifyPlaces::depthInRow(const Vec3d& b, const RowMotion& m, double t) const

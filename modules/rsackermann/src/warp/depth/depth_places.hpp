@@ -51,7 +51,6 @@ public:
     }
 
 private:
-    bool findOfRaw(const Vec3d& ray, double v, Point2d& place) const;
     double depthInRow(const Vec3d& b, const RowMotion& m, double t) const;
 
     const ShutterGeometry& shutter;
