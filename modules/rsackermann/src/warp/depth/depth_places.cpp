@@ -14,7 +14,7 @@ RectifyPlaces::RectifyPlaces(const ShutterGeometry& shutter_, const Matx33d& mat
 {
 }
 
-bool RectifyPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place) const
+bool RectifyPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const
 {
     const Vec3d ray = inverse * Vec3d(pixel.x, pixel.y, 1), b = shutter.up * ray;
     const double v = way * inverseDepth;
@@ -24,7 +24,6 @@ bool RectifyPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& pla
         const double far = depthInRow(b, m, t), closer = depthInRow(camera, m, t);
         return 1 + v * closer > 0 ? v * far / (1 + v * closer) : std::numeric_limits<double>::quiet_NaN();
     };
-    Rectifier::Guess guess;
     const bool found =
         ofRaw ? rectifier.solve(ray, b, inRow, false, guess, place) : rectifier.solve(ray, b, v, false, guess, place);
     return found && isAddressable(place);
@@ -40,7 +39,7 @@ DistortPlaces::DistortPlaces(const ShutterGeometry& shutter_, const Matx33d& mat
 {
 }
 
-bool DistortPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place) const
+bool DistortPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess&) const
 {
     const double v = way * inverseDepth;
     Vec3d ray;

@@ -20,8 +20,15 @@ class DepthPlaces
 public:
     virtual ~DepthPlaces() {}
 
-    //! False if there is no place, or one that cv::remap can't address.
-    virtual bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const = 0;
+    //! False if there is no place, or one that cv::remap can't address. @param guess read and written: that of a place
+    //! nearby.
+    virtual bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const = 0;
+
+    bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const
+    {
+        Rectifier::Guess none;
+        return find(pixel, inverseDepth, place, none);
+    }
 
     //! Whether rows turn by a curve that has knots.
     virtual bool hasKnots() const = 0;
@@ -42,7 +49,8 @@ public:
     RectifyPlaces(const ShutterGeometry& shutter, const Matx33d& matrix, double way, bool ofRaw, int maxIterations,
                   double tolerance);
 
-    bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const CV_OVERRIDE;
+    using DepthPlaces::find;
+    bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const CV_OVERRIDE;
     bool hasKnots() const CV_OVERRIDE { return shutter.hasCurve(); }
     bool isSmoothBetween(const Point2d&, const Point2d& place, const Point2d&,
                          const Point2d& otherPlace) const CV_OVERRIDE
@@ -67,7 +75,8 @@ public:
     //! The parameters are those of RectifyPlaces.
     DistortPlaces(const ShutterGeometry& shutter, const Matx33d& matrix, double way, bool ofRaw);
 
-    bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const CV_OVERRIDE;
+    using DepthPlaces::find;
+    bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const CV_OVERRIDE;
     bool hasKnots() const CV_OVERRIDE { return shutter.hasCurve(); }
     bool isSmoothBetween(const Point2d& pixel, const Point2d&, const Point2d& otherPixel,
                          const Point2d&) const CV_OVERRIDE

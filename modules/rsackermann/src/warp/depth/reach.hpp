@@ -98,11 +98,12 @@ inline bool findReach(const DepthPlaces& places, const InverseDepthImage& depths
                       const Size& size, float& low, float& high, float& stretch)
 {
     depths.range(low, high);
+    Rectifier::Guess guess;
     return narrowReach(
         [&](int k, float inverseDepth, Point2f& place) {
             Point2d exact;
             const bool found =
-                places.find(corner + Point2d(k % 2 * size.width, k / 2 * size.height), inverseDepth, exact);
+                places.find(corner + Point2d(k % 2 * size.width, k / 2 * size.height), inverseDepth, exact, guess);
             place = exact;
             return found;
         },

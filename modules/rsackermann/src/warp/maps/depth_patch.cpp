@@ -62,8 +62,9 @@ bool DepthPatch::fit(const Rect& square, double lowest, double highest, const De
         for (int n = 0; n < NODES; n++)
         {
             Point2d p[NODES];
+            Rectifier::Guess guess;
             for (int k = 0; k < NODES; k++)
-                if (!places.find(first + step * Point2d(n, m), variable.inverseDepth(k), p[k]))
+                if (!places.find(first + step * Point2d(n, m), variable.inverseDepth(k), p[k], guess))
                     return false;
             Bicubic::interpolate(1, p[0].x, p[1].x, p[2].x, p[3].x);
             Bicubic::interpolate(1, p[0].y, p[1].y, p[2].y, p[3].y);
@@ -86,12 +87,13 @@ bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& p
 {
     const double depths[] = {0.38, 2.62};
     const int checks = places.hasKnots() ? MapPatch::CHECKS_WITH_KNOTS : MapPatch::CHECKS;
+    Rectifier::Guess guess;
     for (int i = 0; i < checks * 2; i++)
     {
         const Point2d check = MapPatch::check(i / 2, step);
         const double depth = depths[i % 2];
         Point2d expected;
-        if (!places.find(first + check, variable.inverseDepth(depth), expected) ||
+        if (!places.find(first + check, variable.inverseDepth(depth), expected, guess) ||
             !MapPatch::isNear(at(check, depth), expected, places.hasKnots()))
             return false;
     }
