@@ -4,7 +4,7 @@
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 #include "direction_terms.hpp"
-#include "simd_pack.hpp"
+#include "sinc_pack.hpp"
 #include "vertical_terms.hpp"
 #endif
 #include "residual_kernels.hpp"

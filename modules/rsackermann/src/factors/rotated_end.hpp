@@ -9,7 +9,7 @@
 
 namespace cv { namespace rsackermann {
 
-// T is double, or a vector of them (simd_pack.hpp).
+// T is double, or a vector of them (../simd_pack.hpp).
 inline double choose(bool condition, double a, double b)
 {
     return condition ? a : b;

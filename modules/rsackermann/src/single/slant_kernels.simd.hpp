@@ -3,8 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
-#include "../factors/rotated_end.hpp"
-#include "../factors/simd_pack.hpp"
+#include "../factors/sinc_pack.hpp"
 #endif
 #include "slant_kernels.hpp"
 

@@ -9,86 +9,111 @@
 
 namespace cv { namespace rsackermann {
 
+// Of one number what packs of them have (simd_pack.hpp).
+inline float choose(bool condition, float a, float b)
+{
+    return condition ? a : b;
+}
+inline float magnitude(float x)
+{
+    return std::abs(x);
+}
+inline float largest(float x)
+{
+    return x;
+}
+inline bool isAnyTrue(bool condition)
+{
+    return condition;
+}
+
+//! Pixels by which neighbours in the other image may be displaced against each other and be one surface: less than that
+//! uncovers nothing.
+static constexpr float LARGEST_STRETCH = 0.5f;
+
 /** Follows the places that a pixel may show in the other image, from the nearest depth on, to the first one at which
 the other image has the depth of the place (doc/theory.md, "Warp").
-
-Neighbouring pixels of the other image are one surface unless their depths displace them by more than half a pixel
-against each other: less than that uncovers nothing.
-@tparam Places has Point2f at(float inverseDepth) const.
+@tparam Places has the type Number, float or a pack of them for as many pixels, and at(inverseDepth) with x and y.
+@tparam Depths has at(x, y, gap) as InverseDepthImage.
 */
-template <class Places>
+template <class Places, class Depths>
 class SurfaceSearch
 {
 public:
+    typedef typename Places::Number Number;
+
     //! @param low, high inverse depths between which all surfaces are that the pixel could show.
-    SurfaceSearch(const InverseDepthImage& depths_, const Places& places_, float low_, float high_)
+    SurfaceSearch(const Depths& depths_, const Places& places_, const Number& low_, const Number& high_)
         : depths(depths_), places(places_), low(low_), high(high_)
     {
-        const Point2f way = places.at(high) - places.at(low);
-        length = std::max(std::abs(way.x), std::abs(way.y));
-        pixelsPerDepth = high > low ? length / (high - low) : 0;
-        gap = pixelsPerDepth > 0 ? LARGEST_STRETCH / pixelsPerDepth : FLT_MAX;
+        const auto nearest = places.at(high), farthest = places.at(low);
+        const Number x = magnitude(nearest.x - farthest.x), y = magnitude(nearest.y - farthest.y);
+        length = choose(x < y, y, x);
+        pixelsPerDepth = choose(low < high, length / (high - low), 0);
+        gap = choose(pixelsPerDepth > 0, LARGEST_STRETCH / pixelsPerDepth, FLT_MAX);
     }
 
-    //! The inverse depth of what the pixel shows, or of the surface behind; false if it isn't seen.
-    bool find(float& depth) const
+    /** Finds the inverse depth of what the pixel shows, or of the surface behind.
+    @return 0, or by how many pixels the surfaces between which the curve passes are displaced against each other: if
+    these are more than LARGEST_STRETCH the pixel isn't seen. */
+    Number find(Number& depth) const
     {
-        float front = high, back;
+        Number front = high, back = low, error = FLT_MAX;
         nextBehind(front, back);
-        for (int i = 0; i < ITERATIONS; i++)
+        depth = front;
+        for (int i = 0; i < ITERATIONS && isAnyTrue(error > TOLERANCE); i++)
         {
-            const float middle = 0.5f * (front + back), value = surfaceAt(middle);
-            const float next = std::min(std::max(value, back), front), again = surfaceAt(next);
-            if (std::abs(again - next) * pixelsPerDepth <= TOLERANCE)
-            {
-                depth = again;
-                return true;
-            }
+            const Number middle = 0.5f * (front + back), value = surfaceAt(middle),
+                         next = smaller(larger(value, back), front), again = surfaceAt(next);
+            depth = choose(error > TOLERANCE, again, depth);
+            error = choose(error > TOLERANCE, magnitude(again - next) * pixelsPerDepth, error);
             narrow(middle, value, front, back);
             narrow(next, again, front, back);
         }
-        depth = surfaceAt(front);
-        return (surfaceAt(back) - depth) * pixelsPerDepth <= LARGEST_STRETCH;
+        if (!isAnyTrue(error > TOLERANCE))
+            return 0;
+        const Number behind = surfaceAt(front);
+        depth = choose(error > TOLERANCE, behind, depth);
+        return choose(error > TOLERANCE, (surfaceAt(back) - behind) * pixelsPerDepth, 0);
     }
 
-    //! Pixels; curves that aren't longer meet one surface only.
-    static float largestStretch() { return LARGEST_STRETCH; }
-
 private:
-    static constexpr float LARGEST_STRETCH = 0.5f, STEP = 0.5f, TOLERANCE = 1e-5f; // pixels
-    static const int ITERATIONS = 24, MOST_STEPS = 4096;
+    static constexpr float STEP = 0.5f, TOLERANCE = 1e-4f; // pixels
+    static const int ITERATIONS = 12, MOST_STEPS = 4096;
 
-    float surfaceAt(float depth) const
+    static Number smaller(const Number& a, const Number& b) { return choose(b < a, b, a); }
+    static Number larger(const Number& a, const Number& b) { return choose(a < b, b, a); }
+
+    Number surfaceAt(const Number& depth) const
     {
-        const Point2f place = places.at(depth);
+        const auto place = places.at(depth);
         return depths.at(place.x, place.y, gap);
     }
 
     // Front is before the surfaces, back at or behind the first of them, a step apart.
-    void nextBehind(float& front, float& back) const
+    void nextBehind(Number& front, Number& back) const
     {
-        const int steps = length < STEP * MOST_STEPS ? int(length / STEP) : MOST_STEPS;
-        for (int i = 1; i <= steps; i++)
+        const float longest = largest(length);
+        const int steps = longest < STEP * MOST_STEPS ? int(longest / STEP) : MOST_STEPS;
+        Number middle = high;
+        for (int i = 1; i <= steps && isAnyTrue(back < middle); i++)
         {
-            back = high + (low - high) * i / (steps + 1);
-            if (surfaceAt(back) >= back)
-                return;
-            front = back;
+            middle = high + (low - high) * (float(i) / (steps + 1));
+            const Number surface = surfaceAt(middle), next = choose(surface < middle, back, middle);
+            front = choose(back < middle, choose(surface < middle, middle, front), front);
+            back = choose(back < middle, next, back);
         }
-        back = low;
     }
 
-    static void narrow(float depth, float surface, float& front, float& back)
+    static void narrow(const Number& depth, const Number& surface, Number& front, Number& back)
     {
-        if (surface < depth)
-            front = std::min(front, depth);
-        else
-            back = std::max(back, depth);
+        front = choose(surface < depth, smaller(front, depth), front);
+        back = choose(surface < depth, back, larger(back, depth));
     }
 
-    const InverseDepthImage& depths;
+    const Depths& depths;
     const Places& places;
-    float low, high, length, pixelsPerDepth, gap;
+    Number low, high, length, pixelsPerDepth, gap;
 };
 
 }} // namespace cv::rsackermann

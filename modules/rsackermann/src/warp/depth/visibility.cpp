@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "../maps/search_kernels.hpp"
 #include "quarters.hpp"
 #include "reach.hpp"
 #include "surface_search.hpp"
@@ -10,11 +11,8 @@
 
 namespace cv { namespace rsackermann {
 
-static bool isNear(const Point2f& a, const Point2f& b)
-{
-    const float limit = 1; // pixel: surfaces that aren't further apart, as those of noise, hide nothing of one another
-    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) <= limit;
-}
+// Pixels: surfaces that aren't further apart, as those of noise, hide nothing of one another.
+static const float DISTANCE = 1;
 
 static const int SMALLEST = 8; // pixels of blocks that aren't divided any more
 
@@ -41,7 +39,7 @@ void Visibility::find(const DepthPatch& own, const Point& first, const Rect& blo
     float low, high, stretch;
     DepthPatch patch;
     const bool isKnown = findReach(back, depths, square.tl(), square.size(), low, high, stretch);
-    if (isKnown && stretch <= SurfaceSearch<CubicCurve>::largestStretch())
+    if (isKnown && stretch <= LARGEST_STRETCH)
         hidden(block).setTo(0);
     else if (isKnown && patch.fit(square, low, high, back))
         findByPatches({own, first, patch, square.tl()}, low, high, block, tile, hidden);
@@ -57,45 +55,34 @@ void Visibility::findByPatches(const Patches& patches, float low, float high, co
     const Rect square = placesOf(patches.own, patches.ownFirst, block);
     float stretch;
     narrowReach(patches.back, Rect(square.tl() - patches.backFirst, square.size()), depths, low, high, stretch);
-    if (stretch <= SurfaceSearch<CubicCurve>::largestStretch())
+    if (stretch <= LARGEST_STRETCH)
         hidden(block).setTo(0);
     else if (std::max(block.width, block.height) > SMALLEST)
         forEachQuarter(block, [&](const Rect& quarter) { findByPatches(patches, low, high, quarter, tile, hidden); });
     else
-        forEachInside(block, tile, hidden, [&](const Point& pixel, const Point2f& place) {
-            float depth = depths.values()(pixel);
-            if (depth >= high) // nothing is in front
-                return true;
-            const CubicCurve curve(patches.back, place - Point2f(patches.backFirst));
-            if (!isNear(curve.at(high), pixel))
-                SurfaceSearch<CubicCurve>(depths, curve, depth, high).find(depth);
-            return isNear(curve.at(depth), pixel);
-        });
+        findHidden(patches.back, patches.backFirst, depths.values(), high, DISTANCE, block, tile.x(block.tl()),
+                   tile.y(block.tl()), tile.step, Point2f(lastX, lastY), hidden);
 }
 
 void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const
-{
-    forEachInside(block, tile, hidden, [&](const Point& pixel, const Point2f& place) {
-        float low, high, stretch, depth;
-        Point2d shown;
-        if (!findReach(back, depths, place, Size(), low, high, stretch))
-            return true;
-        SurfaceSearch<CubicCurve>(depths, CubicCurve(back, place, low, high), low, high).find(depth);
-        return back.find(place, depth, shown) && isNear(shown, pixel);
-    });
-}
-
-template <class IsSeen>
-void Visibility::forEachInside(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden,
-                               const IsSeen& isSeen) const
 {
     for (int y = block.y; y < block.br().y; y++)
         for (int x = block.x; x < block.br().x; x++)
         {
             const Point pixel(x, y);
             const Point2f place(*tile.x(pixel), *tile.y(pixel));
-            const bool isInside = place.x >= 0 && place.y >= 0 && place.x <= lastX && place.y <= lastY;
-            hidden(pixel) = !isInside || isSeen(pixel, place) ? 0 : 255;
+            float low, high, stretch, depth;
+            Point2d shown;
+            hidden(pixel) = 0;
+            if (!(place.x >= 0 && place.y >= 0 && place.x <= lastX && place.y <= lastY) ||
+                !findReach(back, depths, place, Size(), low, high, stretch))
+                continue;
+            const CubicCurve curve(back, place, low, high);
+            SurfaceSearch<CubicCurve, InverseDepthImage>(depths, curve, low, high).find(depth);
+            const bool found = back.find(place, depth, shown);
+            const Point2d away = shown - Point2d(pixel);
+            if (!found || std::max(std::abs(away.x), std::abs(away.y)) > DISTANCE)
+                hidden(pixel) = 255;
         }
 }
 

@@ -45,8 +45,6 @@ private:
     Rect placesOf(const DepthPatch& own, const Point& first, const Rect& block) const;
     void findByPatches(const Patches& patches, float low, float high, const Rect& block, const MapWriter::Tile& tile,
                        Mat1b& hidden) const;
-    template <class IsSeen>
-    void forEachInside(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden, const IsSeen& isSeen) const;
 
     const DepthPlaces& back;
     const InverseDepthImage& depths;

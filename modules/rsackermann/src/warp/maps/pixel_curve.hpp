@@ -12,33 +12,11 @@ namespace cv { namespace rsackermann {
 
 // The curve of places that one pixel may show, for SurfaceSearch.
 
-//! A patch along one of its rows.
-struct DepthPatchRow
-{
-    enum { NODES = DepthPatch::NODES };
-
-    float x[NODES][NODES], y[NODES][NODES]; // [power of the depth][power of the column]
-    DepthVariable variable;
-
-    DepthPatchRow(const DepthPatch& patch, double row) : variable(patch.variable)
-    {
-        for (int k = 0; k < NODES; k++)
-        {
-            patch.x[k].alongRow(row, x[k]);
-            patch.y[k].alongRow(row, y[k]);
-        }
-    }
-};
-
 //! A polynomial of degree 3 in the inverse depth.
 class CubicCurve
 {
 public:
-    CubicCurve(const DepthPatchRow& row, float column) : variable(row.variable)
-    {
-        for (int k = 0; k < NODES; k++)
-            c[k] = Point2f(at(row.x[k], column), at(row.y[k], column));
-    }
+    typedef float Number;
 
     //! @param pixel from the first one of the patch.
     CubicCurve(const DepthPatch& patch, const Point2d& pixel) : variable(patch.variable)
@@ -70,11 +48,6 @@ public:
 private:
     enum { NODES = DepthPatch::NODES };
 
-    static float at(const float* cubic, float column)
-    {
-        return cubic[0] + column * (cubic[1] + column * (cubic[2] + column * cubic[3]));
-    }
-
     Point2f c[NODES];
     DepthVariable variable;
 };
@@ -83,6 +56,8 @@ private:
 class ExactCurve
 {
 public:
+    typedef float Number;
+
     ExactCurve(const DepthPlaces& places_, const Point2d& pixel_) : places(places_), pixel(pixel_) {}
 
     Point2f at(float inverseDepth) const

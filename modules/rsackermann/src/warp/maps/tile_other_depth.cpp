@@ -6,7 +6,7 @@
 #include "../depth/quarters.hpp"
 #include "../depth/reach.hpp"
 #include "../depth/surface_search.hpp"
-#include "map_kernels.hpp"
+#include "search_kernels.hpp"
 #include "pixel_curve.hpp"
 #include "tile_other_depth.hpp"
 
@@ -30,7 +30,7 @@ void TileOtherDepth::fillBlock(const DepthPatch& patch, const Point& first, floa
     const int smallest = 8;
     float stretch;
     narrowReach(patch, Rect(block.tl() - first, block.size()), depths, low, high, stretch);
-    if (stretch <= SurfaceSearch<CubicCurve>::largestStretch())
+    if (stretch <= LARGEST_STRETCH)
         fillSmooth(patch, first, 0.5f * (low + high), block, tile);
     else if (std::max(block.width, block.height) <= smallest)
         fillSurfaces(patch, first, low, high, block, tile);
@@ -50,20 +50,9 @@ void TileOtherDepth::fillSmooth(const DepthPatch& patch, const Point& first, flo
 void TileOtherDepth::fillSurfaces(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
                                   MapWriter::Tile& tile) const
 {
-    for (int y = block.y; y < block.br().y; y++)
-    {
-        const DepthPatchRow row(patch, y - first.y);
-        for (int x = block.x; x < block.br().x; x++)
-        {
-            const CubicCurve curve(row, float(x - first.x));
-            float depth;
-            const bool isSeen = SurfaceSearch<CubicCurve>(depths, curve, low, high).find(depth);
-            const Point2f place = curve.at(depth);
-            *tile.x(Point(x, y)) = place.x;
-            *tile.y(Point(x, y)) = place.y;
-            mark(Point(x, y), isSeen);
-        }
-    }
+    Mat1b flags = hidden.empty() ? Mat1b() : hidden(block);
+    searchSurfaces(patch, depths.values(), low, high, block.tl() - first, block.size(), tile.x(block.tl()),
+                   tile.y(block.tl()), tile.step, flags);
 }
 
 void TileOtherDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
@@ -79,18 +68,15 @@ void TileOtherDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
                 tile.setNone(pixel);
                 continue;
             }
-            mark(pixel, SurfaceSearch<ExactCurve>(depths, ExactCurve(places, pixel), low, high).find(depth));
+            const ExactCurve curve(places, pixel);
+            const float uncovered = SurfaceSearch<ExactCurve, InverseDepthImage>(depths, curve, low, high).find(depth);
+            if (!hidden.empty())
+                hidden(pixel) = uncovered > LARGEST_STRETCH ? 255 : 0;
             if (places.find(pixel, depth, place))
                 tile.set(pixel, place);
             else
                 tile.setNone(pixel);
         }
-}
-
-void TileOtherDepth::mark(const Point& pixel, bool isSeen) const
-{
-    if (!hidden.empty())
-        hidden(pixel) = isSeen ? 0 : 255;
 }
 
 }} // namespace cv::rsackermann

@@ -39,7 +39,6 @@ private:
                     MapWriter::Tile& tile) const;
     void fillSurfaces(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
                       MapWriter::Tile& tile) const;
-    void mark(const Point& pixel, bool isSeen) const;
 
     const DepthPlaces& places;
     const InverseDepthImage& depths;

@@ -4,7 +4,7 @@
 
 // For *.simd.hpp files, which are compiled for several processors: the types in here are those of one of them.
 
-#include "../opencv_versions.hpp"
+#include "opencv_versions.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -36,7 +36,7 @@ inline v_float32 setAll(double x, float)
     return vx_setall_f32(float(x));
 }
 
-//! As many numbers as a vector of the processor holds; the residuals are written for it and for double.
+//! As many numbers as a vector of the processor holds; what is written for it is written for one number as well.
 template <class Number>
 struct PackOf
 {
@@ -57,11 +57,13 @@ struct PackOf
     static PackOf load(const Number* p) { return vx_load(p); }
     void store(Number* p) const { v_store(p, v); }
     double sum() const { return v_reduce_sum(v); }
+    friend Number largest(const PackOf& x) { return v_reduce_max(x.v); }
 
     friend PackOf operator+(const PackOf& a, const PackOf& b) { return v_add(a.v, b.v); }
     friend PackOf operator-(const PackOf& a, const PackOf& b) { return v_sub(a.v, b.v); }
     friend PackOf operator*(const PackOf& a, const PackOf& b) { return v_mul(a.v, b.v); }
     friend PackOf operator/(const PackOf& a, const PackOf& b) { return v_div(a.v, b.v); }
+    friend PackOf multiplyAdd(const PackOf& a, const PackOf& b, const PackOf& c) { return v_fma(a.v, b.v, c.v); }
     friend Mask operator<(const PackOf& a, const PackOf& b) { return Mask{v_lt(a.v, b.v)}; }
     friend Mask operator>(const PackOf& a, const PackOf& b) { return Mask{v_gt(a.v, b.v)}; }
     friend PackOf choose(const Mask& condition, const PackOf& a, const PackOf& b)
@@ -91,11 +93,13 @@ struct PackOf
     static PackOf load(const Number* p) { return PackOf(*p); }
     void store(Number* p) const { *p = v; }
     double sum() const { return v; }
+    friend Number largest(const PackOf& x) { return x.v; }
 
     friend PackOf operator+(const PackOf& a, const PackOf& b) { return PackOf(a.v + b.v); }
     friend PackOf operator-(const PackOf& a, const PackOf& b) { return PackOf(a.v - b.v); }
     friend PackOf operator*(const PackOf& a, const PackOf& b) { return PackOf(a.v * b.v); }
     friend PackOf operator/(const PackOf& a, const PackOf& b) { return PackOf(a.v / b.v); }
+    friend PackOf multiplyAdd(const PackOf& a, const PackOf& b, const PackOf& c) { return PackOf(a.v * b.v + c.v); }
     friend bool operator<(const PackOf& a, const PackOf& b) { return a.v < b.v; }
     friend bool operator>(const PackOf& a, const PackOf& b) { return a.v > b.v; }
     friend PackOf choose(bool condition, const PackOf& a, const PackOf& b) { return condition ? a : b; }
@@ -104,29 +108,6 @@ struct PackOf
 };
 
 #endif
-
-//! The angles of a car's motion seldom leave the range of the series: one by one.
-template <class Number>
-void sincTerms(const PackOf<Number>& x, PackOf<Number>& sincX, PackOf<Number>& cosX, PackOf<Number>& slope)
-{
-    Number angles[PackOf<Number>::COUNT], s[PackOf<Number>::COUNT], c[PackOf<Number>::COUNT], d[PackOf<Number>::COUNT];
-    x.store(angles);
-    sincX.store(s);
-    cosX.store(c);
-    slope.store(d);
-    for (int i = 0; i < PackOf<Number>::COUNT; i++)
-        if (std::abs(angles[i]) > LARGEST_IN_SERIES)
-        {
-            double exactSinc, exactCos, exactSlope;
-            rsackermann::sincTerms(angles[i], exactSinc, exactCos, exactSlope);
-            s[i] = Number(exactSinc);
-            c[i] = Number(exactCos);
-            d[i] = Number(exactSlope);
-        }
-    sincX = PackOf<Number>::load(s);
-    cosX = PackOf<Number>::load(c);
-    slope = PackOf<Number>::load(d);
-}
 
 } // namespace
 

@@ -1,0 +1,41 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_SEARCH_KERNELS_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_MAPS_SEARCH_KERNELS_HPP
+
+#include "depth_patch.hpp"
+
+// Searches in the depths of an image, in vectors. The widest ones read single values more slowly than two half as wide.
+
+namespace cv { namespace rsackermann {
+
+/** A part of a patch with the inverse depths of the other image, which differ so little that a pixel shows one surface
+only.
+@param depths all of the other image, at least 2 x 2.
+@param start a depth in the middle of all that can be met.
+@param first, size the pixels of the square. */
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
+                      float* x, float* y, size_t step);
+
+/** The same where there are several surfaces, each pixel of its own.
+@param low, high inverse depths between which they are.
+@param hidden of the same pixels, receives whether the other image doesn't show them; or empty. */
+void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
+                    const Size& size, float* x, float* y, size_t step, Mat1b& hidden);
+
+/** Which pixels of a block something in front hides from the other image.
+@param patch, first of the other image's pixels in the map's own image.
+@param depths all of the map's own image.
+@param high the largest inverse depth that can be in front.
+@param distance pixels within which surfaces hide nothing of one another.
+@param block of pixels of the map, with the places x and y.
+@param last pixel of the other image: what is outside of it counts as seen.
+@param hidden of the whole map. */
+void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
+                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b& hidden);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_WARP_MAPS_SEARCH_KERNELS_HPP
