@@ -109,6 +109,28 @@ struct PackOf
 
 #endif
 
+// All of a pack, or its first values.
+template <class Number>
+void storeFirst(const PackOf<Number>& values, int count, Number* to)
+{
+    Number all[PackOf<Number>::COUNT];
+    if (count >= PackOf<Number>::COUNT)
+        return values.store(to);
+    values.store(all);
+    std::copy(all, all + count, to);
+}
+
+// Of values behind the first ones there are none: they repeat the first.
+template <class Number>
+PackOf<Number> loadFirst(const Number* from, int count)
+{
+    Number all[PackOf<Number>::COUNT];
+    if (count >= PackOf<Number>::COUNT)
+        return PackOf<Number>::load(from);
+    std::fill(std::copy(from, from + count, all), all + PackOf<Number>::COUNT, from[0]);
+    return PackOf<Number>::load(all);
+}
+
 } // namespace
 
 CV_CPU_OPTIMIZATION_NAMESPACE_END

@@ -255,7 +255,7 @@ private:
         if (depth.empty())
             writeMap(warp, camera, params, motion, writer);
         else
-            writeDepthMap(warp, camera, params, motion, depth, writer, mask.needed() ? mask.getMat() : Mat());
+            writeDepthMap(warp, camera, params, motion, depth, writer);
     }
 
     void movePoints(PointFunction function, const AckermannMotion& motion, InputArray src_, OutputArray dst,

@@ -10,16 +10,21 @@
 
 namespace cv { namespace rsackermann {
 
-bool invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
     CV_CPU_DISPATCH(invertDepths, (depths, width, unitsPerMetre, nearest, farthest, inverse),
                     CV_CPU_DISPATCH_MODES_ALL);
 }
 
-bool invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
     CV_CPU_DISPATCH(invertDepths, (depths, width, unitsPerMetre, nearest, farthest, inverse),
                     CV_CPU_DISPATCH_MODES_ALL);
+}
+
+bool findRange(const float* values, int width, float& low, float& high)
+{
+    CV_CPU_DISPATCH(findRange, (values, width, low, high), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down)

@@ -4,46 +4,63 @@
 
 #include "../../opencv_versions.hpp"
 #include "opencv2/core.hpp"
-#include "opencv2/core/hal/intrin.hpp"
+#ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+#include "../../simd_pack.hpp"
+#endif
 
 namespace cv { namespace rsackermann {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-bool invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
-bool invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
+void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
+void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
+bool findRange(const float* values, int width, float& low, float& high);
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
 namespace {
 
+typedef PackOf<float> Pack;
+
 // A loop that compilers turn into vectors.
 template <class T>
-bool invert(const T* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+void invert(const T* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
     const float unknown = std::numeric_limits<float>::quiet_NaN();
-    int count = 0;
     for (int x = 0; x < width; x++)
     {
         const float depth = float(depths[x]), value = unitsPerMetre / depth;
         const bool known = depth >= nearest && depth <= farthest;
         inverse[x] = known ? value : unknown;
-        count += known;
     }
-    return count == width;
 }
 
 } // namespace
 
-bool invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
-    return invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
+    invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
 }
 
-bool invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
-    return invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
+    invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
+}
+
+bool findRange(const float* values, int width, float& low, float& high)
+{
+    Pack least = low, most = high, known = 1;
+    for (int x = 0; x < width; x += Pack::COUNT)
+    {
+        const Pack value = loadFirst(values + x, width - x);
+        least = choose(value < least, value, least);
+        most = choose(value > most, value, most);
+        known = choose(value > -FLT_MAX, known, 0); // isn't NaN
+    }
+    low = -largest(0 - least);
+    high = largest(most);
+    return !isAnyTrue(known < 1);
 }
 
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down)

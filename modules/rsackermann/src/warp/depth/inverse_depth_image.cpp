@@ -14,30 +14,27 @@ namespace {
 // Values of a relative depth, whose scale and shift give inverse depths, those behind infinity being there; what is
 // unknown becomes NaN.
 template <class T>
-bool scaleRow(const T* values, int width, float scale, float shift, float nearest, float* inverse)
+void scaleDepths(const T* values, int width, float scale, float shift, float nearest, float* inverse)
 {
     const float unknown = std::numeric_limits<float>::quiet_NaN();
-    int count = 0;
     for (int x = 0; x < width; x++)
     {
         const float value = scale * float(values[x]) + shift;
         const bool known = value * nearest <= 1 && value >= -FLT_MAX; // neither is NaN
         inverse[x] = known ? std::max(value, 0.f) : unknown;
-        count += known;
     }
-    return count == width;
 }
 
-// One row of any kind of depth map; false if some of it is unknown.
+// A part of a row of any kind of depth map.
 template <class T>
-bool readRow(const DepthMap& depth, int y, double nearest, float* inverse)
+void readRow(const DepthMap& depth, const Point& first, int width, double nearest, float* inverse)
 {
-    const T* values = depth.values.ptr<T>(y);
-    const int width = depth.values.cols;
+    const T* values = depth.values.ptr<T>(first.y) + first.x;
     if (depth.kind == DEPTH_RELATIVE)
-        return scaleRow(values, width, float(depth.scale), float(depth.shift), float(nearest), inverse);
-    return invertDepths(values, width, float(1 / depth.scale), std::max(float(nearest / depth.scale), FLT_MIN), FLT_MAX,
-                        inverse);
+        scaleDepths(values, width, float(depth.scale), float(depth.shift), float(nearest), inverse);
+    else
+        invertDepths(values, width, float(1 / depth.scale), std::max(float(nearest / depth.scale), FLT_MIN), FLT_MAX,
+                     inverse);
 }
 
 // Of BLOCK values.
@@ -55,15 +52,38 @@ float least(const float* v)
 
 } // namespace
 
+bool GivenDepths::read(const Point& first, int width, float* inverse, float& low, float& high) const
+{
+    if (depth.values.depth() == CV_16U)
+        readRow<ushort>(depth, first, width, nearest, inverse);
+    else
+        readRow<float>(depth, first, width, nearest, inverse);
+    return findRange(inverse, width, low, high);
+}
+
+Mat1f GivenDepths::part(const Rect& area, float& low, float& high) const
+{
+    Mat1f values(area.size());
+    low = FLT_MAX;
+    high = -FLT_MAX;
+    for (int y = 0; y < area.height && isComplete; y++)
+        if (!read(area.tl() + Point(0, y), area.width, values[y], low, high))
+            isComplete = false;
+    return isComplete ? values : Mat1f();
+}
+
 InverseDepthImage::InverseDepthImage(const DepthMap& depth, const ShutterGeometry& shutter, const Matx33d& matrix,
                                      double way, double nearest)
     : image(depth.values.size()), lastX(float(image.cols - 1)), lastY(float(image.rows - 1)), lowest(0), highest(0)
 {
+    const GivenDepths given(depth, nearest);
     std::vector<uchar> isComplete(image.rows);
     parallel_for_(Range(0, image.rows), [&](const Range& rows) {
         for (int y = rows.start; y < rows.end; y++)
-            isComplete[y] = depth.values.depth() == CV_16U ? readRow<ushort>(depth, y, nearest, image[y])
-                                                           : readRow<float>(depth, y, nearest, image[y]);
+        {
+            float low = FLT_MAX, high = -FLT_MAX;
+            isComplete[y] = given.read(Point(0, y), image.cols, image[y], low, high);
+        }
     });
     if (std::find(isComplete.begin(), isComplete.end(), 0) != isComplete.end())
         fillUnknown(SceneDepth(shutter, image.size(), depth.camera == DEPTH_RAW, matrix), 1 / way, image);
@@ -94,6 +114,12 @@ void InverseDepthImage::findRanges()
     });
     lowest = *std::min_element(lows.begin(), lows.end());
     highest = *std::max_element(highs.begin(), highs.end());
+}
+
+Mat1f InverseDepthImage::part(const Rect& area, float& low, float& high) const
+{
+    range(area, low, high);
+    return image(area);
 }
 
 Rect InverseDepthImage::blocksOf(const Rect& area) const

@@ -7,11 +7,44 @@
 
 #include "opencv2/rsackermann/depth_map.hpp"
 #include "scene_depth.hpp"
+#include <atomic>
 
 namespace cv { namespace rsackermann {
 
-//! Inverse depth in 1/m of all pixels of a camera: the given one, and the scene's where none is known.
-class InverseDepthImage
+//! Inverse depth in 1/m of the pixels of a camera.
+class InverseDepths
+{
+public:
+    virtual ~InverseDepths() {}
+
+    //! Those of a rectangle, with their range, which is never too narrow; empty if some aren't known.
+    virtual Mat1f part(const Rect& area, float& low, float& high) const = 0;
+};
+
+//! The given ones. They are read when they are needed: one pixel's own depth is needed once.
+class GivenDepths CV_FINAL : public InverseDepths
+{
+public:
+    /** @param depth checked, not empty.
+        @param nearest least depth in metres that counts as known. */
+    GivenDepths(const DepthMap& depth_, double nearest_) : depth(depth_), nearest(nearest_), isComplete(true) {}
+
+    Mat1f part(const Rect& area, float& low, float& high) const CV_OVERRIDE;
+
+    //! Whether everything that was asked for is known.
+    bool areComplete() const { return isComplete; }
+
+    //! Some pixels of a row, of which the unknown are NaN, and their range as findRange().
+    bool read(const Point& first, int width, float* inverse, float& low, float& high) const;
+
+private:
+    const DepthMap& depth;
+    double nearest;
+    mutable std::atomic<bool> isComplete;
+};
+
+//! Those of all pixels: the given ones, and the scene's where none is known.
+class InverseDepthImage CV_FINAL : public InverseDepths
 {
 public:
     /** @param depth checked, not empty.
@@ -19,6 +52,8 @@ public:
         @param nearest least depth in metres that counts as known. */
     InverseDepthImage(const DepthMap& depth, const ShutterGeometry& shutter, const Matx33d& matrix, double way,
                       double nearest);
+
+    Mat1f part(const Rect& area, float& low, float& high) const CV_OVERRIDE;
 
     const Mat1f& values() const { return image; }
 

@@ -32,39 +32,38 @@ Rect Visibility::placesOf(const DepthPatch& own, const Point& first, const Rect&
 }
 
 // If the pixels that could be in front of a block and those behind belong to one surface all are seen.
-void Visibility::find(const DepthPatch& own, const Point& first, const Rect& block, const MapWriter::Tile& tile,
-                      Mat1b& hidden) const
+void Visibility::find(const DepthPatch& own, const Point& first, const Rect& block, const MapWriter::Tile& tile) const
 {
     const Rect square = placesOf(own, first, block);
     float low, high, stretch;
     DepthPatch patch;
     const bool isKnown = findReach(back, depths, square.tl(), square.size(), low, high, stretch);
     if (isKnown && stretch <= LARGEST_STRETCH)
-        hidden(block).setTo(0);
-    else if (isKnown && patch.fit(square, low, high, back))
-        findByPatches({own, first, patch, square.tl()}, low, high, block, tile, hidden);
+        return;
+    if (isKnown && patch.fit(square, low, high, back))
+        findByPatches({own, first, patch, square.tl()}, low, high, block, tile);
     else if (std::max(block.width, block.height) > SMALLEST)
-        forEachQuarter(block, [&](const Rect& quarter) { find(own, first, quarter, tile, hidden); });
+        forEachQuarter(block, [&](const Rect& quarter) { find(own, first, quarter, tile); });
     else
-        findByPixels(block, tile, hidden);
+        findByPixels(block, tile);
 }
 
 void Visibility::findByPatches(const Patches& patches, float low, float high, const Rect& block,
-                               const MapWriter::Tile& tile, Mat1b& hidden) const
+                               const MapWriter::Tile& tile) const
 {
     const Rect square = placesOf(patches.own, patches.ownFirst, block);
     float stretch;
     narrowReach(patches.back, Rect(square.tl() - patches.backFirst, square.size()), depths, low, high, stretch);
     if (stretch <= LARGEST_STRETCH)
-        hidden(block).setTo(0);
-    else if (std::max(block.width, block.height) > SMALLEST)
-        forEachQuarter(block, [&](const Rect& quarter) { findByPatches(patches, low, high, quarter, tile, hidden); });
+        return;
+    if (std::max(block.width, block.height) > SMALLEST)
+        forEachQuarter(block, [&](const Rect& quarter) { findByPatches(patches, low, high, quarter, tile); });
     else
         findHidden(patches.back, patches.backFirst, depths.values(), high, DISTANCE, block, tile.x(block.tl()),
-                   tile.y(block.tl()), tile.step, Point2f(lastX, lastY), hidden);
+                   tile.y(block.tl()), tile.step, Point2f(lastX, lastY), tile.mask(block));
 }
 
-void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const
+void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile) const
 {
     for (int y = block.y; y < block.br().y; y++)
         for (int x = block.x; x < block.br().x; x++)
@@ -73,7 +72,6 @@ void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile, Ma
             const Point2f place(*tile.x(pixel), *tile.y(pixel));
             float low, high, stretch, depth;
             Point2d shown;
-            hidden(pixel) = 0;
             if (!(place.x >= 0 && place.y >= 0 && place.x <= lastX && place.y <= lastY) ||
                 !findReach(back, depths, place, Size(), low, high, stretch))
                 continue;
@@ -82,7 +80,7 @@ void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile, Ma
             const bool found = back.find(place, depth, shown);
             const Point2d away = shown - Point2d(pixel);
             if (!found || std::max(std::abs(away.x), std::abs(away.y)) > DISTANCE)
-                hidden(pixel) = 255;
+                tile.hide(pixel);
         }
 }
 

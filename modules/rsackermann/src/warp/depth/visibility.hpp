@@ -23,14 +23,13 @@ public:
     {
     }
 
-    /** Finds the hidden ones among the pixels of a block: 255, or 0 for those that are seen.
+    /** Marks the hidden ones among the pixels of a block in the tile.
     @param own the block's part of the map, for all depths in it.
     @param first pixel of this patch.
     @param tile has the places of the pixels. */
-    void find(const DepthPatch& own, const Point& first, const Rect& block, const MapWriter::Tile& tile,
-              Mat1b& hidden) const;
+    void find(const DepthPatch& own, const Point& first, const Rect& block, const MapWriter::Tile& tile) const;
     //! The same without a patch, and slowly.
-    void findByPixels(const Rect& block, const MapWriter::Tile& tile, Mat1b& hidden) const;
+    void findByPixels(const Rect& block, const MapWriter::Tile& tile) const;
 
 private:
     // Of the map and of the opposite one, with their first pixels.
@@ -43,8 +42,8 @@ private:
     };
 
     Rect placesOf(const DepthPatch& own, const Point& first, const Rect& block) const;
-    void findByPatches(const Patches& patches, float low, float high, const Rect& block, const MapWriter::Tile& tile,
-                       Mat1b& hidden) const;
+    void findByPatches(const Patches& patches, float low, float high, const Rect& block,
+                       const MapWriter::Tile& tile) const;
 
     const DepthPlaces& back;
     const InverseDepthImage& depths;

@@ -10,62 +10,6 @@
 
 namespace cv { namespace rsackermann {
 
-namespace {
-
-// Both maps of a motion and a depth.
-class DepthMaps
-{
-public:
-    DepthMaps(const RollingShutterCamera& camera_, const WarpMapGenerator::Params& params,
-              const ShutterGeometry& shutter, const DepthMap& depth, double way)
-        : ofRaw(depth.camera == DEPTH_RAW), rawSize(camera_.imageSize), global(camera_, params),
-          depths(depth, shutter, global.matrix, way, nearest(camera_, way)),
-          rectify(shutter, global.matrix, way, ofRaw, params.maxIterations, params.tolerance),
-          distort(shutter, global.matrix, way, ofRaw)
-    {
-    }
-
-    void write(WarpDirection warp, MapWriter& writer, Mat& mask) const
-    {
-        Mat1b hidden;
-        if (!mask.empty())
-            hidden.create(mask.size());
-        const bool isOwn = ofRaw == (warp == WARP_DISTORT), isRectify = warp == WARP_RECTIFY;
-        const Visibility visibility(placesOf(isRectify ? WARP_DISTORT : WARP_RECTIFY), depths,
-                                    isRectify ? rawSize : global.size);
-        if (isOwn)
-            fillTiles(TileOwnDepth(placesOf(warp), depths, mask.empty() ? nullptr : &visibility, hidden), writer);
-        else
-            fillTiles(TileOtherDepth(placesOf(warp), depths, hidden), writer);
-        if (!mask.empty())
-            mask.setTo(MASK_HIDDEN, (mask == MASK_SEEN) & hidden);
-    }
-
-private:
-    // Twice the way from the reference row to the farther end: what is nearer the camera would nearly reach.
-    static double nearest(const RollingShutterCamera& camera, double way)
-    {
-        const Point2d end(camera.imageSize.width - 1, camera.imageSize.height - 1);
-        return 2 * std::abs(way) * std::max(std::abs(camera.rowTime(Point2d())), std::abs(camera.rowTime(end)));
-    }
-
-    const DepthPlaces& placesOf(WarpDirection warp) const
-    {
-        if (warp == WARP_RECTIFY)
-            return rectify;
-        return distort;
-    }
-
-    const bool ofRaw;
-    const Size rawSize;
-    const GlobalCamera global;
-    const InverseDepthImage depths;
-    const RectifyPlaces rectify;
-    const DistortPlaces distort;
-};
-
-} // namespace
-
 void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params)
 {
     depth.check();
@@ -80,14 +24,42 @@ void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const
                         ofRaw ? "raw" : "global-shutter"));
 }
 
+// Twice the way from the reference row to the farther end: what is nearer the camera would nearly reach.
+static double nearestDepth(const RollingShutterCamera& camera, double way)
+{
+    const Point2d end(camera.imageSize.width - 1, camera.imageSize.height - 1);
+    return 2 * std::abs(way) * std::max(std::abs(camera.rowTime(Point2d())), std::abs(camera.rowTime(end)));
+}
+
 void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
-                   const AckermannMotion& motion, const DepthMap& depth, MapWriter& writer, Mat mask)
+                   const AckermannMotion& motion, const DepthMap& depth, MapWriter& writer)
 {
     const double way = motion.status != MOTION_OK ? 0 : wayPerUnitTime(camera, motion, depth);
     if (way == 0) // the places are the same at all depths
         return writeMap(warp, camera, params, motion, writer);
     const ShutterGeometry shutter(camera, motion);
-    DepthMaps(camera, params, shutter, depth, way).write(warp, writer, mask);
+    const GlobalCamera global(camera, params);
+    const double nearest = nearestDepth(camera, way);
+    const bool ofRaw = depth.camera == DEPTH_RAW, isOwn = ofRaw == (warp == WARP_DISTORT),
+               isRectify = warp == WARP_RECTIFY;
+    const RectifyPlaces rectify(shutter, global.matrix, way, ofRaw, params.maxIterations, params.tolerance);
+    const DistortPlaces distort(shutter, global.matrix, way, ofRaw);
+    const DepthPlaces* const ways[] = {&rectify, &distort};
+    const DepthPlaces &places = *ways[!isRectify], &back = *ways[isRectify];
+
+    if (isOwn && !writer.hasMask())
+    {
+        const GivenDepths given(depth, nearest);
+        fillTiles(TileOwnDepth(places, given, nullptr), writer);
+        if (given.areComplete())
+            return;
+    }
+    const InverseDepthImage depths(depth, shutter, global.matrix, way, nearest);
+    const Visibility visibility(back, depths, isRectify ? camera.imageSize : global.size);
+    if (isOwn)
+        fillTiles(TileOwnDepth(places, depths, writer.hasMask() ? &visibility : nullptr), writer);
+    else
+        fillTiles(TileOtherDepth(places, depths), writer);
 }
 
 }} // namespace cv::rsackermann

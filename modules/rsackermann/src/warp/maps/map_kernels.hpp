@@ -35,7 +35,7 @@ void packFixedPoint(const float* x, const float* y, int width, short* whole, ush
 //! A row of coordinates in the format CV_32FC2.
 void packInterleaved(const float* x, const float* y, int width, float* xy);
 
-//! 255 where low <= x <= highX and low <= y <= highY, elsewhere 0.
+//! 0 in the mask unless low <= x <= highX and low <= y <= highY.
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
 
 }} // namespace cv::rsackermann

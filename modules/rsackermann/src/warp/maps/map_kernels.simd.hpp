@@ -215,11 +215,11 @@ void packMask(const float* x, const float* y, int width, float low, float highX,
         for (int k = 0; k < 4; k++)
             inside[k] = v_and(isBetween(vx_load(x + i + k * lanes), wideLow, wideHighX),
                               isBetween(vx_load(y + i + k * lanes), wideLow, wideHighY));
-        v_store(mask + i, v_pack_b(inside[0], inside[1], inside[2], inside[3]));
+        v_store(mask + i, v_and(vx_load(mask + i), v_pack_b(inside[0], inside[1], inside[2], inside[3])));
     }
 #endif
     for (; i < width; i++)
-        mask[i] = x[i] >= low && x[i] <= highX && y[i] >= low && y[i] <= highY ? 255 : 0;
+        mask[i] = x[i] >= low && x[i] <= highX && y[i] >= low && y[i] <= highY ? mask[i] : 0;
 }
 
 #endif // CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY

@@ -60,26 +60,6 @@ inline Pack columnsFrom(int first)
     return Pack::load(column) + float(first);
 }
 
-// All of a pack, or its first values.
-inline void storeFirst(const Pack& values, int count, float* to)
-{
-    float all[Pack::COUNT];
-    if (count >= Pack::COUNT)
-        return values.store(to);
-    values.store(all);
-    std::copy(all, all + count, to);
-}
-
-// Of values behind the first ones there are none: they repeat the first.
-inline Pack loadFirst(const float* from, int count)
-{
-    float all[Pack::COUNT];
-    if (count >= Pack::COUNT)
-        return Pack::load(from);
-    std::fill(std::copy(from, from + count, all), all + Pack::COUNT, from[0]);
-    return Pack::load(all);
-}
-
 // The polynomials of a patch along one row, one for each power of the depth.
 struct RowDepthPatch
 {

@@ -5,6 +5,7 @@
 #include "../../precomp.hpp"
 #include "map_kernels.hpp"
 #include "map_writer.hpp"
+#include "opencv2/rsackermann/depth_map.hpp"
 #include "remap_limits.hpp"
 
 namespace cv { namespace rsackermann {
@@ -49,6 +50,7 @@ MapWriter::Tile::Tile(MapWriter& writer_, int index, std::vector<float>& buffer)
 {
     const bool whole = part.br().x <= writer.mapSize.width;
     part &= Rect(Point(), writer.mapSize);
+    mask(part).setTo(MASK_SEEN);
     // If nothing would be written beyond its end the map itself takes the coordinates.
     inPlace = writer.type == CV_32FC1 && whole && writer.map1.step == writer.map2.step;
     if (inPlace)
@@ -77,9 +79,15 @@ void MapWriter::Tile::setNone(const Point& pixel)
     *x(pixel) = *y(pixel) = FAR_OUTSIDE;
 }
 
+void MapWriter::Tile::hide(const Point& pixel) const
+{
+    if (writer.hasMask())
+        writer.mask.at<uchar>(pixel) = MASK_HIDDEN;
+}
+
 void MapWriter::Tile::write()
 {
-    const bool masked = !writer.mask.empty();
+    const bool masked = writer.hasMask();
     if (inPlace && !masked)
         return;
     for (int i = 0; i < part.height; i++)

@@ -56,6 +56,9 @@ public:
         float* y(const Point& pixel) const { return firstY + offset(pixel); }
         void set(const Point& pixel, const Point2d& place);
         void setNone(const Point& pixel);
+        //! The mask of some pixels of the tile, in which they are seen unless a filler marks them; or empty.
+        Mat1b mask(const Rect& block) const { return writer.mask.empty() ? Mat1b() : Mat1b(writer.mask(block)); }
+        void hide(const Point& pixel) const;
         //! Writes the coordinates into the maps and the mask.
         void write();
 
@@ -71,6 +74,7 @@ public:
         bool inPlace; // in the maps
     };
 
+    bool hasMask() const { return !mask.empty(); }
     int tiles() const { return tilesAcross() * ((mapSize.height + TILE - 1) / TILE); }
 
 private:

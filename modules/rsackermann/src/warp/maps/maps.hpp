@@ -32,11 +32,9 @@ void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const Warp
 //! Throws unless a depth is possible and has the size of its camera's image, or is empty.
 void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params);
 
-/** The same with a given depth.
-@param depth checked, not empty.
-@param mask that of the writer, in which pixels that the other image doesn't show are marked; or empty. */
+//! The same with a given depth, which is checked and isn't empty.
 void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
-                   const AckermannMotion& motion, const DepthMap& depth, MapWriter& writer, Mat mask);
+                   const AckermannMotion& motion, const DepthMap& depth, MapWriter& writer);
 
 //! Fills all tiles in parallel.
 void fillTiles(const TileFiller& filler, MapWriter& writer);

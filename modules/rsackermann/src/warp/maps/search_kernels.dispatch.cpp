@@ -17,16 +17,16 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start,
 }
 
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
-                    const Size& size, float* x, float* y, size_t step, Mat1b& hidden)
+                    const Size& size, float* x, float* y, size_t step, Mat1b mask)
 {
-    CV_CPU_DISPATCH(searchSurfaces, (patch, depths, low, high, first, size, x, y, step, hidden),
+    CV_CPU_DISPATCH(searchSurfaces, (patch, depths, low, high, first, size, x, y, step, mask),
                     CV_CPU_DISPATCH_MODES_ALL);
 }
 
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b& hidden)
+                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b mask)
 {
-    CV_CPU_DISPATCH(findHidden, (patch, first, depths, high, distance, block, x, y, step, last, hidden),
+    CV_CPU_DISPATCH(findHidden, (patch, first, depths, high, distance, block, x, y, step, last, mask),
                     CV_CPU_DISPATCH_MODES_ALL);
 }
 

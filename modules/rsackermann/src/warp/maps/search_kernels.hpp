@@ -21,9 +21,9 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start,
 
 /** The same where there are several surfaces, each pixel of its own.
 @param low, high inverse depths between which they are.
-@param hidden of the same pixels, receives whether the other image doesn't show them; or empty. */
+@param mask of these pixels, in which those are marked that the other image doesn't show; or empty. */
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
-                    const Size& size, float* x, float* y, size_t step, Mat1b& hidden);
+                    const Size& size, float* x, float* y, size_t step, Mat1b mask);
 
 /** Which pixels of a block something in front hides from the other image.
 @param patch, first of the other image's pixels in the map's own image.
@@ -32,9 +32,9 @@ void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, flo
 @param distance pixels within which surfaces hide nothing of one another.
 @param block of pixels of the map, with the places x and y.
 @param last pixel of the other image: what is outside of it counts as seen.
-@param hidden of the whole map. */
+@param mask of the block, in which they are marked. */
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b& hidden);
+                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b mask);
 
 }} // namespace cv::rsackermann
 

@@ -16,9 +16,9 @@ CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
                       float* x, float* y, size_t step);
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
-                    const Size& size, float* x, float* y, size_t step, Mat1b& hidden);
+                    const Size& size, float* x, float* y, size_t step, Mat1b mask);
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b& hidden);
+                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b mask);
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
 namespace {
@@ -112,12 +112,12 @@ struct PackDepths
 #endif
 };
 
-// 255 where a condition holds, 0 elsewhere.
+// Pixels for which a condition holds are hidden.
 template <class Mask>
-void storeFlags(const Mask& mask, int count, uchar* to)
+void storeMask(const Mask& isHidden, int count, uchar* to)
 {
     float flags[Pack::COUNT];
-    choose(mask, Pack(255.f), Pack(0.f)).store(flags);
+    choose(isHidden, Pack(MASK_HIDDEN), Pack(MASK_SEEN)).store(flags);
     std::copy(flags, flags + count, to);
 }
 
@@ -168,7 +168,7 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
 }
 
 void searchSurfaces(const DepthPatch& patch, const Mat1f& image, float low, float high, const Point& first,
-                    const Size& size, float* x, float* y, size_t step, Mat1b& hidden)
+                    const Size& size, float* x, float* y, size_t step, Mat1b mask)
 {
     const PackDepths other(image);
     const PackVariable variable(patch.variable);
@@ -184,14 +184,14 @@ void searchSurfaces(const DepthPatch& patch, const Mat1f& image, float low, floa
             const int count = std::min(size.width - i, int(Pack::COUNT));
             storeFirst(place.x, count, x + i);
             storeFirst(place.y, count, y + i);
-            if (!hidden.empty())
-                storeFlags(uncovered > LARGEST_STRETCH, count, hidden[row] + i);
+            if (!mask.empty())
+                storeMask(uncovered > LARGEST_STRETCH, count, mask[row] + i);
         }
     }
 }
 
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b& hidden)
+                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b mask)
 {
     const PackDepths own(depths);
     const PackVariable variable(patch.variable);
@@ -211,7 +211,7 @@ void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths
             const PackCurve::Place shown = curve.at(depth);
             const Pack awayX = magnitude(shown.x - (columnsFrom(block.x + i))),
                        awayY = magnitude(shown.y - float(block.y + row)), away = choose(awayX > awayY, awayX, awayY);
-            storeFlags(choose(low < high, away, 0.f) > distance, count, hidden[block.y + row] + block.x + i);
+            storeMask(choose(low < high, away, 0.f) > distance, count, mask[row] + i);
         }
 }
 

@@ -31,28 +31,13 @@ void TileOtherDepth::fillBlock(const DepthPatch& patch, const Point& first, floa
     float stretch;
     narrowReach(patch, Rect(block.tl() - first, block.size()), depths, low, high, stretch);
     if (stretch <= LARGEST_STRETCH)
-        fillSmooth(patch, first, 0.5f * (low + high), block, tile);
+        searchDepthPatch(patch, depths.values(), 0.5f * (low + high), block.tl() - first, block.size(),
+                         tile.x(block.tl()), tile.y(block.tl()), tile.step);
     else if (std::max(block.width, block.height) <= smallest)
-        fillSurfaces(patch, first, low, high, block, tile);
+        searchSurfaces(patch, depths.values(), low, high, block.tl() - first, block.size(), tile.x(block.tl()),
+                       tile.y(block.tl()), tile.step, tile.mask(block));
     else
         forEachQuarter(block, [&](const Rect& quarter) { fillBlock(patch, first, low, high, quarter, tile); });
-}
-
-void TileOtherDepth::fillSmooth(const DepthPatch& patch, const Point& first, float start, const Rect& block,
-                                MapWriter::Tile& tile) const
-{
-    searchDepthPatch(patch, depths.values(), start, block.tl() - first, block.size(), tile.x(block.tl()),
-                     tile.y(block.tl()), tile.step);
-    if (!hidden.empty())
-        hidden(block).setTo(0);
-}
-
-void TileOtherDepth::fillSurfaces(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
-                                  MapWriter::Tile& tile) const
-{
-    Mat1b flags = hidden.empty() ? Mat1b() : hidden(block);
-    searchSurfaces(patch, depths.values(), low, high, block.tl() - first, block.size(), tile.x(block.tl()),
-                   tile.y(block.tl()), tile.step, flags);
 }
 
 void TileOtherDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
@@ -69,9 +54,8 @@ void TileOtherDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
                 continue;
             }
             const ExactCurve curve(places, pixel);
-            const float uncovered = SurfaceSearch<ExactCurve, InverseDepthImage>(depths, curve, low, high).find(depth);
-            if (!hidden.empty())
-                hidden(pixel) = uncovered > LARGEST_STRETCH ? 255 : 0;
+            if (SurfaceSearch<ExactCurve, InverseDepthImage>(depths, curve, low, high).find(depth) > LARGEST_STRETCH)
+                tile.hide(pixel);
             if (places.find(pixel, depth, place))
                 tile.set(pixel, place);
             else

@@ -21,12 +21,7 @@ surface behind (doc/theory.md, "Warp").
 class TileOtherDepth CV_FINAL : public TileFiller
 {
 public:
-    //! @param hidden of the size of the map, receives a value other than 0 for pixels that the other image doesn't
-    //! show; or empty.
-    TileOtherDepth(const DepthPlaces& places_, const InverseDepthImage& depths_, Mat1b& hidden_)
-        : places(places_), depths(depths_), hidden(hidden_)
-    {
-    }
+    TileOtherDepth(const DepthPlaces& places_, const InverseDepthImage& depths_) : places(places_), depths(depths_) {}
 
 protected:
     bool fillByPatches(const Rect& square, MapWriter::Tile& tile) const CV_OVERRIDE;
@@ -35,14 +30,9 @@ protected:
 private:
     void fillBlock(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
                    MapWriter::Tile& tile) const;
-    void fillSmooth(const DepthPatch& patch, const Point& first, float start, const Rect& block,
-                    MapWriter::Tile& tile) const;
-    void fillSurfaces(const DepthPatch& patch, const Point& first, float low, float high, const Rect& block,
-                      MapWriter::Tile& tile) const;
 
     const DepthPlaces& places;
     const InverseDepthImage& depths;
-    Mat1b& hidden;
 };
 
 }} // namespace cv::rsackermann

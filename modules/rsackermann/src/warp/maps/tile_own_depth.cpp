@@ -8,35 +8,38 @@
 
 namespace cv { namespace rsackermann {
 
+// If some depths aren't known the tile isn't of use.
 bool TileOwnDepth::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
 {
     const Rect seen = square & tile.area();
     float low, high;
-    depths.range(seen, low, high);
+    const Mat1f values = depths.part(seen, low, high);
+    if (values.empty())
+        return true;
     DepthPatch patch;
     if (!patch.fit(square, low, high, places))
         return false;
-    const Mat1f& values = depths.values();
-    evaluateDepthPatch(patch, values[seen.y] + seen.x, values.step1(), seen.size(), tile.x(seen.tl()),
-                       tile.y(seen.tl()), tile.step);
+    evaluateDepthPatch(patch, values[0], values.step1(), seen.size(), tile.x(seen.tl()), tile.y(seen.tl()), tile.step);
     if (visibility)
-        visibility->find(patch, square.tl(), seen, tile, hidden);
+        visibility->find(patch, square.tl(), seen, tile);
     return true;
 }
 
 void TileOwnDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
 {
+    float low, high;
+    const Mat1f values = depths.part(area, low, high);
     for (int y = area.y; y < area.br().y; y++)
         for (int x = area.x; x < area.br().x; x++)
         {
             Point2d place;
-            if (places.find(Point2d(x, y), depths.values()(y, x), place))
+            if (places.find(Point2d(x, y), values(Point(x, y) - area.tl()), place))
                 tile.set(Point(x, y), place);
             else
                 tile.setNone(Point(x, y));
         }
     if (visibility)
-        visibility->findByPixels(area, tile, hidden);
+        visibility->findByPixels(area, tile);
 }
 
 }} // namespace cv::rsackermann

@@ -16,12 +16,9 @@ namespace cv { namespace rsackermann {
 class TileOwnDepth CV_FINAL : public TileFiller
 {
 public:
-    /** @param visibility null: of no interest.
-        @param hidden of the size of the map, receives a value other than 0 for pixels that the other image doesn't
-       show, if visibility is given. */
-    TileOwnDepth(const DepthPlaces& places_, const InverseDepthImage& depths_, const Visibility* visibility_,
-                 Mat1b& hidden_)
-        : places(places_), depths(depths_), visibility(visibility_), hidden(hidden_)
+    //! @param visibility null: of no interest.
+    TileOwnDepth(const DepthPlaces& places_, const InverseDepths& depths_, const Visibility* visibility_)
+        : places(places_), depths(depths_), visibility(visibility_)
     {
     }
 
@@ -31,9 +28,8 @@ protected:
 
 private:
     const DepthPlaces& places;
-    const InverseDepthImage& depths;
+    const InverseDepths& depths;
     const Visibility* visibility;
-    Mat1b& hidden;
 };
 
 }} // namespace cv::rsackermann
