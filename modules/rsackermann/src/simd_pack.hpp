@@ -71,6 +71,8 @@ struct PackOf
         return v_select(condition.v, a.v, b.v);
     }
     friend bool isAnyTrue(const Mask& condition) { return v_check_any(condition.v); }
+    friend PackOf smaller(const PackOf& a, const PackOf& b) { return v_min(a.v, b.v); }
+    friend PackOf larger(const PackOf& a, const PackOf& b) { return v_max(a.v, b.v); }
     friend PackOf squareRoot(const PackOf& x) { return v_sqrt(x.v); }
     friend PackOf magnitude(const PackOf& x) { return v_abs(x.v); }
 };
@@ -103,6 +105,8 @@ struct PackOf
     friend bool operator<(const PackOf& a, const PackOf& b) { return a.v < b.v; }
     friend bool operator>(const PackOf& a, const PackOf& b) { return a.v > b.v; }
     friend PackOf choose(bool condition, const PackOf& a, const PackOf& b) { return condition ? a : b; }
+    friend PackOf smaller(const PackOf& a, const PackOf& b) { return PackOf(std::min(a.v, b.v)); }
+    friend PackOf larger(const PackOf& a, const PackOf& b) { return PackOf(std::max(a.v, b.v)); }
     friend PackOf squareRoot(const PackOf& x) { return PackOf(std::sqrt(x.v)); }
     friend PackOf magnitude(const PackOf& x) { return PackOf(std::abs(x.v)); }
 };

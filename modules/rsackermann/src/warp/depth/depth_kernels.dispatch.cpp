@@ -22,9 +22,9 @@ void invertDepths(const ushort* depths, int width, float unitsPerMetre, float ne
                     CV_CPU_DISPATCH_MODES_ALL);
 }
 
-bool findRange(const float* values, int width, float& low, float& high)
+bool findRange(const Mat1f& values, float& low, float& high)
 {
-    CV_CPU_DISPATCH(findRange, (values, width, low, high), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(findRange, (values, low, high), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down)

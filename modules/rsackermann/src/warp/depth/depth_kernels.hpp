@@ -16,10 +16,8 @@ namespace cv { namespace rsackermann {
 void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
 void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
 
-/** The range of some values.
-@param low, high read and written.
-@return false if one of them is NaN. */
-bool findRange(const float* values, int width, float& low, float& high);
+//! The range of some values; false if one of them is NaN.
+bool findRange(const Mat1f& values, float& low, float& high);
 
 /** Of each column in some rows of an image the lowest and the highest value, and the largest differences to the next
 column and to the next row, which may be one more than these.

@@ -14,7 +14,7 @@ CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
 void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
 void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
-bool findRange(const float* values, int width, float& low, float& high);
+bool findRange(const Mat1f& values, float& low, float& high);
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
@@ -48,19 +48,20 @@ void invertDepths(const ushort* depths, int width, float unitsPerMetre, float ne
     invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
 }
 
-bool findRange(const float* values, int width, float& low, float& high)
+bool findRange(const Mat1f& values, float& low, float& high)
 {
-    Pack least = low, most = high, known = 1;
-    for (int x = 0; x < width; x += Pack::COUNT)
-    {
-        const Pack value = loadFirst(values + x, width - x);
-        least = choose(value < least, value, least);
-        most = choose(value > most, value, most);
-        known = choose(value > -FLT_MAX, known, 0); // isn't NaN
-    }
+    Pack least = FLT_MAX, most = -FLT_MAX, zero = 0;
+    for (int y = 0; y < values.rows; y++)
+        for (int x = 0; x < values.cols; x += Pack::COUNT)
+        {
+            const Pack value = loadFirst(values[y] + x, values.cols - x);
+            least = smaller(value, least);
+            most = larger(value, most);
+            zero = multiplyAdd(value, 0, zero); // or NaN
+        }
     low = -largest(0 - least);
     high = largest(most);
-    return !isAnyTrue(known < 1);
+    return zero.sum() == 0;
 }
 
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down)

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "../../prefetch.hpp"
 #include "depth_kernels.hpp"
 #include "fill_unknown.hpp"
 #include "inverse_depth_image.hpp"
@@ -52,24 +53,32 @@ float least(const float* v)
 
 } // namespace
 
-bool GivenDepths::read(const Point& first, int width, float* inverse, float& low, float& high) const
+void GivenDepths::read(const Point& first, int width, float* inverse) const
 {
     if (depth.values.depth() == CV_16U)
         readRow<ushort>(depth, first, width, nearest, inverse);
     else
         readRow<float>(depth, first, width, nearest, inverse);
-    return findRange(inverse, width, low, high);
 }
 
 Mat1f GivenDepths::part(const Rect& area, float& low, float& high) const
 {
+    const int rowsAhead = 8, line = 64; // bytes that come together
+    const int size = int(depth.values.elemSize()), last = depth.values.rows - 1;
     Mat1f values(area.size());
-    low = FLT_MAX;
-    high = -FLT_MAX;
     for (int y = 0; y < area.height && isComplete; y++)
-        if (!read(area.tl() + Point(0, y), area.width, values[y], low, high))
-            isComplete = false;
-    return isComplete ? values : Mat1f();
+    {
+        const uchar* ahead = depth.values.ptr(std::min(area.y + y + rowsAhead, last)) + area.x * size;
+        for (int i = 0; i < area.width * size; i += line)
+            prefetch(ahead + i);
+        read(area.tl() + Point(0, y), area.width, values[y]);
+    }
+    if (!isComplete || !findRange(values, low, high))
+    {
+        isComplete = false;
+        return Mat1f();
+    }
+    return values;
 }
 
 InverseDepthImage::InverseDepthImage(const DepthMap& depth, const ShutterGeometry& shutter, const Matx33d& matrix,
@@ -81,8 +90,9 @@ InverseDepthImage::InverseDepthImage(const DepthMap& depth, const ShutterGeometr
     parallel_for_(Range(0, image.rows), [&](const Range& rows) {
         for (int y = rows.start; y < rows.end; y++)
         {
-            float low = FLT_MAX, high = -FLT_MAX;
-            isComplete[y] = given.read(Point(0, y), image.cols, image[y], low, high);
+            float low, high;
+            given.read(Point(0, y), image.cols, image[y]);
+            isComplete[y] = findRange(image.row(y), low, high);
         }
     });
     if (std::find(isComplete.begin(), isComplete.end(), 0) != isComplete.end())

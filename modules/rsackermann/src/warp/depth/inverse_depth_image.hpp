@@ -34,8 +34,8 @@ public:
     //! Whether everything that was asked for is known.
     bool areComplete() const { return isComplete; }
 
-    //! Some pixels of a row, of which the unknown are NaN, and their range as findRange().
-    bool read(const Point& first, int width, float* inverse, float& low, float& high) const;
+    //! Some pixels of a row; NaN: unknown.
+    void read(const Point& first, int width, float* inverse) const;
 
 private:
     const DepthMap& depth;

@@ -14,6 +14,14 @@ inline float choose(bool condition, float a, float b)
 {
     return condition ? a : b;
 }
+inline float smaller(float a, float b)
+{
+    return std::min(a, b);
+}
+inline float larger(float a, float b)
+{
+    return std::max(a, b);
+}
 inline float magnitude(float x)
 {
     return std::abs(x);
@@ -48,7 +56,7 @@ public:
     {
         const auto nearest = places.at(high), farthest = places.at(low);
         const Number x = magnitude(nearest.x - farthest.x), y = magnitude(nearest.y - farthest.y);
-        length = choose(x < y, y, x);
+        length = larger(x, y);
         pixelsPerDepth = choose(low < high, length / (high - low), 0);
         gap = choose(pixelsPerDepth > 0, LARGEST_STRETCH / pixelsPerDepth, FLT_MAX);
     }
@@ -80,9 +88,6 @@ public:
 private:
     static constexpr float STEP = 0.5f, TOLERANCE = 1e-4f; // pixels
     static const int ITERATIONS = 12, MOST_STEPS = 4096;
-
-    static Number smaller(const Number& a, const Number& b) { return choose(b < a, b, a); }
-    static Number larger(const Number& a, const Number& b) { return choose(a < b, b, a); }
 
     Number surfaceAt(const Number& depth) const
     {

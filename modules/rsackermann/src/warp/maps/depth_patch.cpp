@@ -58,14 +58,17 @@ bool DepthPatch::fit(const Rect& square, double lowest, double highest, const De
     if (places.hasKnots() && !isSmooth(square, lowest, places))
         return false;
     double valuesX[NODES][NODES][NODES], valuesY[NODES][NODES][NODES]; // [power or depth][row][column]
+    Rectifier::Guess guess;
     for (int m = 0; m < NODES; m++)
         for (int n = 0; n < NODES; n++)
         {
             Point2d p[NODES];
-            Rectifier::Guess guess;
-            for (int k = 0; k < NODES; k++)
+            for (int i = 0; i < NODES; i++)
+            {
+                const int k = n % 2 ? NODES - 1 - i : i; // on from where the last pixel ended
                 if (!places.find(first + step * Point2d(n, m), variable.inverseDepth(k), p[k], guess))
                     return false;
+            }
             Bicubic::interpolate(1, p[0].x, p[1].x, p[2].x, p[3].x);
             Bicubic::interpolate(1, p[0].y, p[1].y, p[2].y, p[3].y);
             for (int k = 0; k < NODES; k++)

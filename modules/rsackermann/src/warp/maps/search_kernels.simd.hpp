@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../opencv_versions.hpp"
+#include "../../prefetch.hpp"
 #include "../depth/surface_search.hpp"
 #include "depth_patch.hpp"
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
@@ -89,12 +90,8 @@ struct PackDepths
     {
         const Cell cell = cellAt(x, y);
         const Pack* p = cell.corners;
-        Pack least = p[0], most = p[0];
-        for (int k = 1; k < 4; k++)
-        {
-            least = choose(p[k] < least, p[k], least);
-            most = choose(p[k] > most, p[k], most);
-        }
+        const Pack least = smaller(smaller(p[0], p[1]), smaller(p[2], p[3])),
+                   most = larger(larger(p[0], p[1]), larger(p[2], p[3]));
         const Pack half = 0.5f, top = multiplyAdd(cell.x, p[1] - p[0], p[0]),
                    bottom = multiplyAdd(cell.x, p[3] - p[2], p[2]), nearestTop = choose(cell.x < half, p[0], p[1]),
                    nearestBottom = choose(cell.x < half, p[2], p[3]);
@@ -102,14 +99,10 @@ struct PackDepths
                       multiplyAdd(cell.y, bottom - top, top));
     }
 
-#ifdef __GNUC__
     void prefetch(float x, float y) const
     {
-        __builtin_prefetch(depths + size_t(clamp(y, lastY)) * step + size_t(clamp(x, lastX)));
+        rsackermann::prefetch(depths + size_t(clamp(y, lastY)) * step + size_t(clamp(x, lastX)));
     }
-#else
-    void prefetch(float, float) const {}
-#endif
 };
 
 // Pixels for which a condition holds are hidden.
@@ -210,7 +203,7 @@ void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths
             SurfaceSearch<PackCurve, PackDepths>(own, curve, low, high).find(depth);
             const PackCurve::Place shown = curve.at(depth);
             const Pack awayX = magnitude(shown.x - (columnsFrom(block.x + i))),
-                       awayY = magnitude(shown.y - float(block.y + row)), away = choose(awayX > awayY, awayX, awayY);
+                       awayY = magnitude(shown.y - float(block.y + row)), away = larger(awayX, awayY);
             storeMask(choose(low < high, away, 0.f) > distance, count, mask[row] + i);
         }
 }
