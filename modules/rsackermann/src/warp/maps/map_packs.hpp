@@ -101,12 +101,13 @@ struct PackVariable
 
     explicit PackVariable(const DepthVariable& v) : bend(v.bend), low(v.low), scale(v.scale) {}
 
-    // Rate receives the derivative.
-    Pack at(const Pack& inverseDepth, Pack& rate) const
+    Pack at(const Pack& inverseDepth) const { return (inverseDepth / (1.f - bend * inverseDepth) - low) * scale; }
+
+    // Newton's step from a value towards that of an inverse depth which grows at a rate with it, with one division.
+    Pack step(const Pack& value, const Pack& inverseDepth, const Pack& rate) const
     {
-        const Pack quotient = 1.f / (1.f - bend * inverseDepth);
-        rate = quotient * quotient * scale;
-        return (inverseDepth * quotient - low) * scale;
+        const Pack divisor = 1.f - bend * inverseDepth, square = divisor * divisor;
+        return (scale * (inverseDepth * divisor - low * square) - value * square) / (square - scale * rate);
     }
 };
 
@@ -151,11 +152,7 @@ struct PackCurve
 
     Place of(const Pack& value) const { return Place{x.at(value), y.at(value)}; }
 
-    Place at(const Pack& inverseDepth) const
-    {
-        Pack unused;
-        return of(variable.at(inverseDepth, unused));
-    }
+    Place at(const Pack& inverseDepth) const { return of(variable.at(inverseDepth)); }
 };
 
 } // namespace

@@ -141,10 +141,10 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
             Pack depth = above + Pack::load(growths.data() + i);
             for (int k = 0; k < steps; k++)
             {
-                Pack perX, perY, rate;
-                const Pack found = other.sample(curve.of(depth), perX, perY), next = variable.at(found, rate),
-                           slope = multiplyAdd(perX, curve.x.c[1], perY * curve.y.c[1]) * rate,
-                           change = (next - depth) / (1.f - slope);
+                Pack perX, perY;
+                const Pack found = other.sample(curve.of(depth), perX, perY),
+                           rate = multiplyAdd(perX, curve.x.c[1], perY * curve.y.c[1]),
+                           change = variable.step(depth, found, rate);
                 depth = depth + change;
                 if (!isAnyTrue(magnitude(change) * pixels > enough))
                     break;
