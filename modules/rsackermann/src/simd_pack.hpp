@@ -124,14 +124,14 @@ void storeFirst(const PackOf<Number>& values, int count, Number* to)
     std::copy(all, all + count, to);
 }
 
-// Of values behind the first ones there are none: they repeat the first.
+// The last of the first values stands for those behind; if there are none that before them.
 template <class Number>
 PackOf<Number> loadFirst(const Number* from, int count)
 {
     Number all[PackOf<Number>::COUNT];
     if (count >= PackOf<Number>::COUNT)
         return PackOf<Number>::load(from);
-    std::fill(std::copy(from, from + count, all), all + PackOf<Number>::COUNT, from[0]);
+    std::fill(std::copy(from, from + count, all), all + PackOf<Number>::COUNT, from[count - 1]);
     return PackOf<Number>::load(all);
 }
 

@@ -67,41 +67,24 @@ bool findRange(const Mat1f& values, float& low, float& high)
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down)
 {
     const int beyond = std::min(last + 1, image.rows - 1);
-    int x = 0;
-#if CV_SIMD
-    const int lanes = VTraits<v_float32>::vlanes();
-    for (; x < image.cols - lanes; x += lanes)
+    for (int x = 0; x < image.cols; x += Pack::COUNT)
     {
-        v_float32 value = vx_load(image[first] + x), lowest = value, highest = value, mostAcross = vx_setzero_f32(),
-                  mostDown = vx_setzero_f32();
+        const int count = image.cols - x;
+        Pack value = loadFirst(image[first] + x, count), lowest = value, highest = value, mostAcross = 0, mostDown = 0;
         for (int y = first; y <= last; y++)
         {
-            const v_float32 next = vx_load(image[std::min(y + 1, beyond)] + x);
-            lowest = v_min(lowest, value);
-            highest = v_max(highest, value);
-            mostAcross = v_max(mostAcross, v_absdiff(vx_load(image[y] + x + 1), value));
-            mostDown = v_max(mostDown, v_absdiff(next, value));
+            const Pack right = loadFirst(image[y] + x + 1, count - 1),
+                       next = loadFirst(image[std::min(y + 1, beyond)] + x, count);
+            lowest = smaller(lowest, value);
+            highest = larger(highest, value);
+            mostAcross = larger(mostAcross, magnitude(right - value));
+            mostDown = larger(mostDown, magnitude(next - value));
             value = next;
         }
-        v_store(low + x, lowest);
-        v_store(high + x, highest);
-        v_store(across + x, mostAcross);
-        v_store(down + x, mostDown);
-    }
-#endif
-    for (; x < image.cols; x++)
-    {
-        const int right = std::min(x + 1, image.cols - 1);
-        low[x] = high[x] = image(first, x);
-        across[x] = down[x] = 0;
-        for (int y = first; y <= last; y++)
-        {
-            const float value = image(y, x);
-            low[x] = std::min(low[x], value);
-            high[x] = std::max(high[x], value);
-            across[x] = std::max(across[x], std::abs(image(y, right) - value));
-            down[x] = std::max(down[x], std::abs(image(std::min(y + 1, beyond), x) - value));
-        }
+        storeFirst(lowest, count, low + x);
+        storeFirst(highest, count, high + x);
+        storeFirst(mostAcross, count, across + x);
+        storeFirst(mostDown, count, down + x);
     }
 }
 

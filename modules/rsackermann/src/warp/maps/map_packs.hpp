@@ -22,22 +22,7 @@ struct RowCubic
     float c[Bicubic::NODES];
 
     RowCubic() {}
-    RowCubic(const Bicubic& bicubic, double row)
-    {
-#if CV_SIMD128_64F
-        const double(&p)[Bicubic::NODES][Bicubic::NODES] = bicubic.c;
-        const v_float64x2 t = v_setall_f64(row);
-        v_float64x2 low = v_load(p[3]), high = v_load(p[3] + 2);
-        for (int m = 2; m >= 0; m--)
-        {
-            low = v_fma(low, t, v_load(p[m]));
-            high = v_fma(high, t, v_load(p[m] + 2));
-        }
-        v_store(c, v_cvt_f32(low, high));
-#else
-        bicubic.alongRow(row, c);
-#endif
-    }
+    RowCubic(const Bicubic& bicubic, double row) { bicubic.alongRow(row, c); }
 };
 
 struct PackCubic

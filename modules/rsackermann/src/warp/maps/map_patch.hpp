@@ -113,6 +113,29 @@ struct PlaneInverseDepth
     double at(double column, double row) const { return at0 + column * perColumn + row * perRow; }
 };
 
+/** Which planes of a square may be nearest somewhere in it.
+@param depths of each plane, numbers of which none is above that of another plane only if the plane is nowhere nearer.
+@param visible receives their indices.
+@return how many these are. */
+template <int PLANES, int COUNT>
+int findVisible(const Vec<double, COUNT> (&depths)[PLANES], int (&visible)[PLANES])
+{
+    int count = 0;
+    for (int i = 0; i < PLANES; i++)
+    {
+        bool hidden = false;
+        for (int j = 0; j < PLANES && !hidden; j++)
+        {
+            const Vec<double, COUNT> ahead = depths[j] - depths[i];
+            const auto range = std::minmax_element(ahead.val, ahead.val + COUNT);
+            hidden = j != i && *range.first >= 0 && (*range.second > 0 || j < i);
+        }
+        if (!hidden)
+            visible[count++] = i;
+    }
+    return count;
+}
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_PATCH_HPP

@@ -60,50 +60,31 @@ bool TileDistorter::evaluate(const Point2d& pixel, Node& node) const
 }
 
 // The values at 0, 1/3, 2/3 and 1 become the Bernstein coefficients of the cubic through them.
-static void toBernstein(const double& v0, double& v1, double& v2, const double& v3)
+static void toBernstein(double* v, int step)
 {
-    const double b1 = (-5 * v0 + 18 * v1 - 9 * v2 + 2 * v3) / 6;
+    double &v1 = v[step], &v2 = v[2 * step];
+    const double v0 = v[0], v3 = v[3 * step], b1 = (-5 * v0 + 18 * v1 - 9 * v2 + 2 * v3) / 6;
     v2 = (2 * v0 - 9 * v1 + 18 * v2 - 5 * v3) / 6;
     v1 = b1;
 }
 
 // A polynomial none of whose Bernstein coefficients is above that of another one is nowhere above it in the square.
-int TileDistorter::visiblePlanes(const Nodes& nodes, int visible[PLANES]) const
+int TileDistorter::visiblePlanes(const Nodes& nodes, int (&visible)[PLANES]) const
 {
     visible[0] = Scene::INFINITE;
     if (!shutter.moving)
         return 1;
-    double b[PLANES][NODES][NODES];
+    Vec<double, NODES * NODES> b[PLANES];
     for (int i = 0; i < PLANES; i++)
     {
+        for (int k = 0; k < NODES * NODES; k++)
+            b[i][k] = nodes.grid[k / NODES][k % NODES].depths[i];
         for (int m = 0; m < NODES; m++)
-        {
-            for (int n = 0; n < NODES; n++)
-                b[i][m][n] = nodes.grid[m][n].depths[i];
-            toBernstein(b[i][m][0], b[i][m][1], b[i][m][2], b[i][m][3]);
-        }
+            toBernstein(&b[i][m * NODES], 1);
         for (int n = 0; n < NODES; n++)
-            toBernstein(b[i][0][n], b[i][1][n], b[i][2][n], b[i][3][n]);
+            toBernstein(&b[i][n], NODES);
     }
-    int count = 0;
-    for (int i = 0; i < PLANES; i++)
-    {
-        bool hidden = false;
-        for (int j = 0; j < PLANES && !hidden; j++)
-        {
-            double least = DBL_MAX, largest = -DBL_MAX;
-            for (int k = 0; k < NODES * NODES; k++)
-            {
-                const double ahead = b[j][k / NODES][k % NODES] - b[i][k / NODES][k % NODES];
-                least = std::min(least, ahead);
-                largest = std::max(largest, ahead);
-            }
-            hidden = j != i && least >= 0 && (largest > 0 || j < i);
-        }
-        if (!hidden)
-            visible[count++] = i;
-    }
-    return count;
+    return findVisible(b, visible);
 }
 
 bool TileDistorter::fitPatch(const Nodes& nodes, int plane, MapPatch& patch) const

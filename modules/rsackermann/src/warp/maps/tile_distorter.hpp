@@ -41,7 +41,7 @@ private:
 
     bool evaluate(const Point2d& pixel, Node& node) const;
     bool evaluate(const Rect& square, Nodes& nodes) const;
-    int visiblePlanes(const Nodes& nodes, int visible[PLANES]) const;
+    int visiblePlanes(const Nodes& nodes, int (&visible)[PLANES]) const;
     bool fitPatch(const Nodes& nodes, int plane, MapPatch& patch) const;
     bool fitDepth(const Nodes& nodes, int plane, Bicubic& depth) const;
     bool place(const Node& node, double depth, Point2d& place) const;

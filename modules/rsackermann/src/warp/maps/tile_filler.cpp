@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "quarters.hpp"
 #include "tile_filler.hpp"
 
 namespace cv { namespace rsackermann {
@@ -22,9 +23,7 @@ void TileFiller::fillSquare(const Rect& square, MapWriter::Tile& tile) const
         return;
     if (square.width <= MIN_PATCH)
         return fillByPixels(seen, tile);
-    const Size half(square.width / 2, square.height / 2);
-    for (int i = 0; i < 4; i++)
-        fillSquare(Rect(square.tl() + Point(i % 2 * half.width, i / 2 * half.height), half), tile);
+    forEachQuarter(square, [&](const Rect& quarter) { fillSquare(quarter, tile); });
 }
 
 }} // namespace cv::rsackermann

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
-#include "../depth/quarters.hpp"
+#include "quarters.hpp"
 #include "../depth/reach.hpp"
 #include "../depth/surface_search.hpp"
 #include "search_kernels.hpp"

@@ -89,21 +89,12 @@ int TileRectifier::visiblePlanes(const Rect& square, PlaneInverseDepth visible[P
             const Point corner(square.x + k % 2 * square.width, square.y + k / 2 * square.height);
             atCorners[i][k] = planes[i].at(corner.x, corner.y);
         }
-    int count = 0;
-    for (int i = 0; i < PLANES; i++)
+    int indices[PLANES];
+    const int count = findVisible(atCorners, indices);
+    for (int i = 0; i < count; i++)
     {
-        bool hidden = false;
-        for (int j = 0; j < PLANES && !hidden; j++)
-        {
-            const Vec4d ahead = atCorners[j] - atCorners[i];
-            const double least = std::min(std::min(ahead[0], ahead[1]), std::min(ahead[2], ahead[3]));
-            const bool same = ahead == Vec4d();
-            hidden = j != i && least >= 0 && (!same || j < i);
-        }
-        if (hidden)
-            continue;
-        visible[count] = planes[i];
-        visible[count++].at0 = atCorners[i][0];
+        visible[i] = planes[indices[i]];
+        visible[i].at0 = atCorners[indices[i]][0];
     }
     return count;
 }

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_RSACKERMANN_SRC_WARP_DEPTH_QUARTERS_HPP
-#define OPENCV_RSACKERMANN_SRC_WARP_DEPTH_QUARTERS_HPP
+#ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_QUARTERS_HPP
+#define OPENCV_RSACKERMANN_SRC_WARP_MAPS_QUARTERS_HPP
 
 #include "opencv2/core.hpp"
 
@@ -24,4 +24,4 @@ void forEachQuarter(const Rect& block, const Use& use)
 
 }} // namespace cv::rsackermann
 
-#endif // OPENCV_RSACKERMANN_SRC_WARP_DEPTH_QUARTERS_HPP
+#endif // OPENCV_RSACKERMANN_SRC_WARP_MAPS_QUARTERS_HPP
