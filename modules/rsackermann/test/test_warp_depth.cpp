@@ -304,6 +304,25 @@ TEST_P(WarpDepthMaps, types_and_threads)
     EXPECT_EQ(0, cvtest::norm(alone.mask, expected.mask, NORM_INF));
 }
 
+// Without one depths of the map's own camera are read tile by tile, unless some aren't known.
+TEST_P(WarpDepthMaps, a_mask_changes_nothing)
+{
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    Boxes boxes;
+    for (int holes = 0; holes < 2; holes++)
+    {
+        if (holes > 0)
+            boxes.values(Rect(300, 200, 20, 20)).setTo(0);
+        const DepthMap depth(boxes.values, ofCamera);
+        const Result expected(boxes.camera, distort, boxes.motion, depth);
+        Mat map1, map2;
+        initMap(WarpMapGenerator::create(boxes.camera), distort, boxes.motion, map1, map2, noArray(), depth);
+        EXPECT_LE(cvtest::norm(map1, expected.map1, NORM_INF), 5e-4) << holes;
+        EXPECT_LE(cvtest::norm(map2, expected.map2, NORM_INF), 5e-4) << holes;
+    }
+}
+
 TEST_P(WarpDepthMaps, edges_of_the_values)
 {
     applyTestTag(CV_TEST_TAG_LONG);
