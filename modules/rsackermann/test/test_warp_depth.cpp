@@ -395,6 +395,23 @@ TEST(RSAckermann_WarpDepth, parts_of_the_image)
     EXPECT_LE(Result::difference(gotOwn.map1, own.map1(part)), 5e-4);
 }
 
+// No place in an image of one column has four pixels around it.
+TEST(RSAckermann_WarpDepth, one_column)
+{
+    const Boxes boxes;
+    const Rect part(230, 0, 1, boxes.values.rows);
+    WarpMapGenerator::Params params;
+    params.newSize = part.size();
+    params.newCameraMatrix = boxes.camera.cameraMatrix;
+    params.newCameraMatrix(0, 2) -= part.x;
+    const DepthMap depth(boxes.values(part).clone(), DEPTH_CORRECTED);
+    const Result whole(boxes.camera, false, boxes.motion, DepthMap(boxes.values, DEPTH_CORRECTED)),
+        got(boxes.camera, false, boxes.motion, depth, params), back(boxes.camera, true, boxes.motion, depth, params);
+    EXPECT_LE(Result::difference(got.map1, whole.map1(part)), 5e-4);
+    EXPECT_LE(Result::difference(got.map2, whole.map2(part)), 5e-4);
+    EXPECT_TRUE(checkRange(back.map1) && checkRange(back.map2));
+}
+
 TEST(RSAckermann_WarpDepth, bad_arguments)
 {
     const Boxes boxes;

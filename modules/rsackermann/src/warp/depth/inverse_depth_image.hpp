@@ -57,6 +57,9 @@ public:
 
     const Mat1f& values() const { return image; }
 
+    //! Whether there are four pixels around each place, between which vectors search.
+    bool hasCells() const { return image.rows > 1 && image.cols > 1; }
+
     //! The lowest and the highest value in a rectangle of pixels, of which the next ones within the image count if it
     //! is outside; never too narrow.
     void range(const Rect& area, float& low, float& high) const;

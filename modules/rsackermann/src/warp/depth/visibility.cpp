@@ -40,7 +40,7 @@ void Visibility::find(const DepthPatch& own, const Point& first, const Rect& blo
     const bool isKnown = findReach(back, depths, square.tl(), square.size(), low, high, stretch);
     if (isKnown && stretch <= LARGEST_STRETCH)
         return;
-    if (isKnown && patch.fit(square, low, high, back))
+    if (isKnown && depths.hasCells() && patch.fit(square, low, high, back))
         findByPatches({own, first, patch, square.tl()}, low, high, block, tile);
     else if (std::max(block.width, block.height) > SMALLEST)
         forEachQuarter(block, [&](const Rect& quarter) { find(own, first, quarter, tile); });

@@ -16,7 +16,7 @@ bool TileOtherDepth::fillByPatches(const Rect& square, MapWriter::Tile& tile) co
 {
     float low, high, stretch;
     DepthPatch patch;
-    if (!findReach(places, depths, square.tl(), square.size(), low, high, stretch) ||
+    if (!depths.hasCells() || !findReach(places, depths, square.tl(), square.size(), low, high, stretch) ||
         !patch.fit(square, low, high, places))
         return false;
     fillBlock(patch, square.tl(), low, high, square & tile.area(), tile);
