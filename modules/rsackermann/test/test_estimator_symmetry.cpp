@@ -104,40 +104,62 @@ AckermannMotion estimate(const Setting& s, Mat& labels)
     return AckermannEstimator::create(s.camera, s.params)->estimate(s.segments, labels, s.prior);
 }
 
-void expectNear(double expected, double value, double scale)
+//! Scaled inverse depth of the walls where the image is.
+Matx<double, 1, 9> wallsOf(const AckermannMotion& m)
 {
-    EXPECT_NEAR(expected, value, 0.01 * scale + 1e-9);
+    Matx<double, 1, 9> w;
+    for (int i = 0; i < 9; i++)
+    {
+        const double left = m.wallOffset - m.wallSlope * (i - 4) / 8, right = -m.wallRatio * left;
+        w(i) = m.direction * std::max(std::max(left * m.direction, right * m.direction), 0.);
+    }
+    return w;
 }
 
-//! The same minimum but for where iterations end.
-void expectNear(const AckermannMotion& a, const AckermannMotion& b)
+/** What is seen and how well: the same but for a part of it. The mean over possible motions is one in the unknowns, of
+which the wall on the left is one and the other wall another; only next to that is what a mirror shows the same. */
+void expectNear(const Setting& s, const AckermannMotion& a, const Setting& t, const AckermannMotion& b, double part)
 {
     EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(a.model, b.model);
-    EXPECT_EQ(a.direction, b.direction);
     EXPECT_EQ(a.scale, b.scale);
     EXPECT_EQ(a.contradictsPrior, b.contradictsPrior);
+    EXPECT_NEAR(a.inliers, b.inliers, 1 + part * a.candidates);
+    const double sigma = std::sqrt(a.covariance(0, 0));
+    EXPECT_NEAR(a.alpha, b.alpha, part * (std::abs(a.alpha) + sigma));
+    EXPECT_NEAR(sigma, std::sqrt(b.covariance(0, 0)), 2 * part * sigma);
+    EXPECT_LE(cv::norm(wallsOf(a), wallsOf(b), NORM_INF), part * (cv::norm(wallsOf(a), NORM_INF) + 0.01));
+    EXPECT_NEAR(a.roadSlope, b.roadSlope, part * (std::abs(a.roadSlope) + 0.01));
+    EXPECT_NEAR(a.rollCorrection, b.rollCorrection, part * 0.01);
+    EXPECT_NEAR(a.pitchCorrection, b.pitchCorrection, part * 0.01);
+    double speed, otherSpeed;
+    EXPECT_EQ(a.speed(s.camera, speed), b.speed(t.camera, otherSpeed));
+    EXPECT_NEAR(speed, otherSpeed, part * std::abs(speed) + 1e-9);
+    EXPECT_NEAR(a.seenYawRate, b.seenYawRate, part * (std::abs(a.seenYawRate) + a.seenYawRateSigma) + 1e-9);
+    EXPECT_NEAR(a.seenYawRateSigma, b.seenYawRateSigma, part * a.seenYawRateSigma + 1e-9);
+    EXPECT_NEAR(a.seenSpeed, b.seenSpeed, part * (std::abs(a.seenSpeed) + a.seenSpeedSigma) + 1e-9);
+    EXPECT_NEAR(a.seenSpeedSigma, b.seenSpeedSigma, 2 * part * a.seenSpeedSigma + 1e-9);
+    EXPECT_NEAR(a.expectedRaw, b.expectedRaw, part * (a.expectedRaw + 0.1));
+    EXPECT_NEAR(a.expectedResidual, b.expectedResidual, part * (a.expectedRaw + 0.1));
+    EXPECT_NEAR(a.probabilityWorse, b.probabilityWorse, part);
+}
+
+//! The same in every value, but for where iterations end.
+void expectSameUnknowns(const AckermannMotion& a, const AckermannMotion& b)
+{
+    const double speed = std::hypot(a.wallSlope, a.wallOffset);
+    EXPECT_EQ(a.model, b.model);
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);
-    EXPECT_NEAR(a.inliers, b.inliers, 1);
-    const double speed = std::hypot(a.wallSlope, a.wallOffset) + 1e-3;
-    expectNear(a.alpha, b.alpha, std::abs(a.alpha) + std::sqrt(a.covariance(0, 0)));
-    expectNear(a.wallSlope, b.wallSlope, speed);
-    expectNear(a.wallOffset, b.wallOffset, speed);
-    expectNear(a.wallRatio, b.wallRatio, 1);
-    expectNear(a.roadSlope, b.roadSlope, std::abs(a.roadSlope));
-    expectNear(a.rollCorrection, b.rollCorrection, 0.01);
-    expectNear(a.pitchCorrection, b.pitchCorrection, 0.01);
-    expectNear(a.wallDistance, b.wallDistance, a.wallDistance);
-    expectNear(a.seenYawRate, b.seenYawRate, 0.1);
-    expectNear(a.seenYawRateSigma, b.seenYawRateSigma, a.seenYawRateSigma);
-    expectNear(a.seenSpeed, b.seenSpeed, std::abs(a.seenSpeed));
-    expectNear(a.seenSpeedSigma, b.seenSpeedSigma, a.seenSpeedSigma);
-    expectNear(a.expectedRaw, b.expectedRaw, a.expectedRaw);
-    expectNear(a.expectedResidual, b.expectedResidual, a.expectedResidual);
-    expectNear(a.probabilityWorse, b.probabilityWorse, 1);
+    if (speed < 0.01)
+        return; // the direction of a car that stands isn't known
+    EXPECT_EQ(a.direction, b.direction);
+    EXPECT_NEAR(a.wallSlope, b.wallSlope, 0.01 * speed);
+    EXPECT_NEAR(a.wallOffset, b.wallOffset, 0.01 * speed);
+    EXPECT_NEAR(a.wallRatio, b.wallRatio, 0.01 + 0.01 * a.wallRatio);
+    EXPECT_NEAR(a.wallDistance, b.wallDistance, 0.01 * a.wallDistance);
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
-            expectNear(a.covariance(i, j), b.covariance(i, j), 2 * std::sqrt(a.covariance(i, i) * a.covariance(j, j)));
+            EXPECT_NEAR(a.covariance(i, j), b.covariance(i, j),
+                        0.02 * std::sqrt(a.covariance(i, i) * a.covariance(j, j)) + 1e-9);
 }
 
 typedef testing::TestWithParam<int> EstimatorSymmetry; // index of MODES
@@ -154,11 +176,22 @@ TEST_P(EstimatorSymmetry, mirror_and_reversed_drive)
         for (const Twin& twin : TWINS)
         {
             SCOPED_TRACE(testing::Message() << twin);
+            // A second wall is possible where none is seen, a car that only turns may do it in either direction, and
+            // few segments seem to stand on the road.
+            const bool isOneSided = s.metric.leftDistance == 0 || s.metric.rightDistance == 0,
+                       onlyTurns = s.metric.speed == 0 && s.metric.yawRate != 0;
+            if (onlyTurns || (twin.mirrored && (isOneSided || s.params.scaleFromRoad)))
+                continue;
             Setting t = s;
             t.camera = twin.of(s.camera);
             t.segments = twin.ofPlaces(s.segments, s.camera.imageSize);
             t.prior = twin.of(s.prior);
-            expectNear(twin.of(motion, s.camera), estimate(t, twinLabels));
+            const AckermannMotion expected = twin.of(motion, s.camera), other = estimate(t, twinLabels);
+            expectNear(t, expected, t, other, twin.mirrored ? 0.1 : 0.01);
+            if (twin.mirrored)
+                continue;
+            expectSameUnknowns(expected, other);
+            EXPECT_LE(countNonZero(labels != twinLabels), 1);
         }
     }
 }
@@ -166,32 +199,37 @@ TEST_P(EstimatorSymmetry, mirror_and_reversed_drive)
 // Seconds of another length, metres of another length, ends and segments in another order.
 TEST_P(EstimatorSymmetry, units_and_order)
 {
-    const Change changes[] = {{"seconds",
-                               [](Setting& s) {
-                                   s.camera.lineDelay *= 4;
-                                   for (double* rate : {&s.params.maxYawRate, &s.params.maxSpeed,
-                                                        &s.params.priorYawRate, &s.params.priorSpeed, &s.prior.speed,
-                                                        &s.prior.speedSigma, &s.prior.yawRate, &s.prior.yawRateSigma})
-                                       *rate /= 4;
-                                   s.params.priorReadoutTime *= 4;
-                               }},
-                              {"metres",
-                               [](Setting& s) {
-                                   for (double* length :
-                                        {&s.params.maxSpeed, &s.params.priorSpeed, &s.params.priorWallDistance,
-                                         &s.params.priorHeight, &s.camera.height, &s.prior.speed, &s.prior.speedSigma})
-                                       *length *= 4;
-                               }},
-                              {"order", [](Setting& s) {
-                                   Mat other;
-                                   flip(s.segments, other, 0);
-                                   for (int i = 0; i < other.rows; i += 2)
-                                   {
-                                       std::swap(other.at<double>(i, 0), other.at<double>(i, 2));
-                                       std::swap(other.at<double>(i, 1), other.at<double>(i, 3));
-                                   }
-                                   s.segments = other;
-                               }}};
+    struct
+    {
+        const char* name;
+        double second, metre; // old ones of a new one
+        std::function<void(Setting&)> make;
+    } const changes[] = {{"seconds", 4, 1,
+                          [](Setting& s) {
+                              s.camera.lineDelay *= 4;
+                              for (double* rate : {&s.params.maxYawRate, &s.params.maxSpeed, &s.params.priorYawRate,
+                                                   &s.params.priorSpeed, &s.prior.speed, &s.prior.speedSigma,
+                                                   &s.prior.yawRate, &s.prior.yawRateSigma})
+                                  *rate /= 4;
+                              s.params.priorReadoutTime *= 4;
+                          }},
+                         {"metres", 1, 4,
+                          [](Setting& s) {
+                              for (double* length :
+                                   {&s.params.maxSpeed, &s.params.priorSpeed, &s.params.priorWallDistance,
+                                    &s.params.priorHeight, &s.camera.height, &s.prior.speed, &s.prior.speedSigma})
+                                  *length *= 4;
+                          }},
+                         {"order", 1, 1, [](Setting& s) {
+                              Mat other;
+                              flip(s.segments, other, 0);
+                              for (int i = 0; i < other.rows; i += 2)
+                              {
+                                  std::swap(other.at<double>(i, 0), other.at<double>(i, 2));
+                                  std::swap(other.at<double>(i, 1), other.at<double>(i, 3));
+                              }
+                              s.segments = other;
+                          }}};
     SCOPED_TRACE(MODES[GetParam()].name);
     for (const Change& known : KNOWN)
     {
@@ -199,19 +237,19 @@ TEST_P(EstimatorSymmetry, units_and_order)
         const Setting s = settingOf(MODES[GetParam()], known);
         Mat labels;
         const AckermannMotion motion = estimate(s, labels);
-        for (const Change& change : changes)
+        for (const auto& change : changes)
         {
             SCOPED_TRACE(change.name);
             Setting other = s;
             change.make(other);
             AckermannMotion same = estimate(other, labels);
-            const double seconds = change.name[0] == 's' ? 4 : 1, metres = change.name[0] == 'm' ? 4 : 1;
-            same.wallDistance /= metres;
-            same.seenSpeed *= seconds / metres;
-            same.seenSpeedSigma *= seconds / metres;
-            same.seenYawRate *= seconds;
-            same.seenYawRateSigma *= seconds;
-            expectNear(motion, same);
+            same.wallDistance /= change.metre;
+            same.seenSpeed *= change.second / change.metre;
+            same.seenSpeedSigma *= change.second / change.metre;
+            same.seenYawRate *= change.second;
+            same.seenYawRateSigma *= change.second;
+            expectNear(s, motion, s, same, 0.01);
+            expectSameUnknowns(motion, same);
         }
     }
 }
