@@ -1,0 +1,337 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_symmetry.hpp"
+#include "test_simulator.hpp"
+#include "opencv2/rsackermann/corrector.hpp"
+#include <functional>
+
+// Sequences of images of a street in each mode: the truth, and what a mirror shows.
+
+namespace opencv_test { namespace {
+
+using simulation::Simulator;
+
+const double INTERVAL = 0.05;
+const int FRAMES = 4;
+
+struct Setting
+{
+    RollingShutterCamera camera;
+    MetricMotion metric;
+    RollingShutterCorrector::Params params;
+    double shaking = 0; // radians, of the camera's roll and pitch
+
+    //! Of roll, pitch and yaw, seconds after the first frame.
+    Vec3d shakenAt(double seconds) const { return shaking * Vec3d(std::sin(13 * seconds), -std::sin(17 * seconds), 0); }
+    Vec3d shakingAt(double seconds) const
+    {
+        return shaking * Vec3d(13 * std::cos(13 * seconds), -17 * std::cos(17 * seconds), 0);
+    }
+};
+
+struct Mode
+{
+    const char* name;
+    std::function<void(Setting&)> make;
+};
+
+const Mode MODES[] = {{"forward", [](Setting&) {}},
+                      {"reverse", [](Setting& s) { s.metric.speed = -7; }},
+                      {"left turn", [](Setting& s) { s.metric.yawRate = -0.4; }},
+                      {"left wall", [](Setting& s) { s.metric.rightDistance = 0; }},
+                      {"right wall", [](Setting& s) { s.metric.leftDistance = 0; }},
+                      {"right wall in reverse",
+                       [](Setting& s) {
+                           s.metric.leftDistance = 0;
+                           s.metric.speed = -7;
+                       }},
+                      {"looks half right",
+                       [](Setting& s) {
+                           s.camera.heading = -0.8;
+                           s.metric.wallDirection = -0.75;
+                       }},
+                      {"from below", [](Setting& s) { s.camera.scanDirection = SCAN_BOTTOM_TO_TOP; }},
+                      {"shakes", [](Setting& s) { s.shaking = 0.004; }},
+                      {"large images",
+                       [](Setting& s) {
+                           s.camera.imageSize = Size(1152, 720);
+                           s.camera.cameraMatrix = Matx33d(900, 0, 555, 0, 930, 345, 0, 0, 1);
+                           s.camera.lineDelay /= 3;
+                           s.camera.referenceRow *= 3;
+                       }},
+                      {"gravity is known", [](Setting& s) { s.params.estimator.gravitySigma = 0; }}};
+
+Setting settingOf(const Mode& mode)
+{
+    Setting s;
+    s.camera = RollingShutterCamera(Size(384, 240), Matx33d(300, 0, 185, 0, 310, 115, 0, 0, 1));
+    s.camera.lineDelay = 0.03 / 240;
+    s.camera.referenceRow = 100;
+    s.camera.height = 1.3;
+    s.camera.heading = 0.05;
+    s.camera.setRollPitch(0.02, 0.05);
+    s.metric.yawRate = 0.3;
+    s.metric.speed = 9;
+    s.metric.leftDistance = 4;
+    s.metric.rightDistance = 5;
+    s.metric.wallDirection = 0.08;
+    s.params.sequence = true;
+    s.params.frameInterval = INTERVAL;
+    s.params.estimator.gravitySigma = 0.005;
+    s.params.estimator.scaleFromRoad = true;
+    mode.make(s);
+    return s;
+}
+
+//! Images of walls and a road that have a texture, row by row.
+class StreetImages
+{
+public:
+    explicit StreetImages(const Setting& s)
+        : simulator(Simulator::fromMetric(s.camera, s.metric.yawRate, s.metric.speed, s.metric.leftDistance,
+                                          s.metric.rightDistance, s.metric.wallDirection)),
+          setting(s), interval(INTERVAL / s.camera.secondsPerUnitTime()), direction(s.metric.wallDirection)
+    {
+        const double unit = s.camera.secondsPerUnitTime();
+        simulator.drive.shaking = [=](double t) { return setting.shakenAt(t * unit); };
+        RNG rng(2);
+        Mat fine(1024, 1024, CV_32F), coarse(128, 128, CV_32F), grown;
+        rng.fill(fine, RNG::NORMAL, 0, 1);
+        rng.fill(coarse, RNG::NORMAL, 0, 1);
+        GaussianBlur(fine, fine, Size(), 2);
+        resize(coarse, grown, fine.size(), 0, 0, INTER_CUBIC);
+        texture = fine * 4 + grown;
+        normalize(texture, texture, 10, 245, NORM_MINMAX, CV_8U);
+    }
+
+    Mat frame(int i) const
+    {
+        const RollingShutterCamera& camera = simulator.camera;
+        Mat map(camera.imageSize, CV_32FC2), image;
+        for (int y = 0; y < map.rows; y++)
+        {
+            const double t = simulator.time(Point2d(0, y)) + i * interval;
+            const Vec3d place = simulator.drive.position(t);
+            for (int x = 0; x < map.cols; x++)
+            {
+                const Vec3d ray = simulator.drive.turn(simulator.bearing(Point2d(x, y)), t);
+                map.at<Point2f>(y, x) = patternAt(place, ray);
+            }
+        }
+        remap(texture, image, map, noArray(), INTER_LINEAR, BORDER_WRAP);
+        return image;
+    }
+
+    //! As the motion of a frame has it.
+    AckermannMotion truth(const Setting& s, int i) const
+    {
+        const double t = i * interval, yaw = simulator.drive.turned(t);
+        const Vec3d place = simulator.drive.position(t), right(std::cos(direction), 0, -std::sin(direction));
+        MetricMotion m = s.metric;
+        m.wallDirection -= yaw;
+        const double moved = place.dot(right);
+        m.leftDistance = m.leftDistance > 0 ? m.leftDistance + moved : 0;
+        m.rightDistance = m.rightDistance > 0 ? m.rightDistance - moved : 0;
+        AckermannMotion motion = AckermannMotion::fromMetric(s.camera, m);
+        const Vec3d shaken = s.shakenAt(i * INTERVAL), rate = s.shakingAt(i * INTERVAL) * s.camera.secondsPerUnitTime();
+        motion.rollCorrection = shaken[0];
+        motion.pitchCorrection = shaken[1];
+        motion.rollRate = rate[0];
+        motion.pitchRate = rate[1];
+        return motion;
+    }
+
+private:
+    Point2f patternAt(const Vec3d& place, const Vec3d& ray) const
+    {
+        const simulation::Surface surface = simulator.street.first(place, ray);
+        if (surface == simulation::NOTHING)
+            return Point2f(500, 500);
+        const double perMetre = 40;
+        const Vec3d P = place + ray * simulator.street.distance(surface, place, ray),
+                    along(std::sin(direction), 0, std::cos(direction)),
+                    across(std::cos(direction), 0, -std::sin(direction));
+        const double other = surface == simulation::ROAD ? P.dot(across) : P[1];
+        return Point2f(float(perMetre * P.dot(along)), float(perMetre * other + 300 * surface));
+    }
+
+    Simulator simulator;
+    const Setting setting;
+    const double interval, direction;
+    Mat texture;
+};
+
+//! What is known beside the frames.
+enum Source { NOTHING, NEXT_FRAME, GYRO, GIVEN, SOURCES };
+const char* const NAMES[] = {"nothing", "next frame", "gyro", "given"};
+
+Ptr<RollingShutterCorrector> createCorrector(const Setting& s, const Twin& twin, int source)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(twin.of(s.camera), s.params);
+    if (source == GIVEN)
+    {
+        MotionPrior prior;
+        prior.speed = s.metric.speed;
+        prior.speedSigma = 0.3;
+        prior.yawRate = s.metric.yawRate;
+        prior.yawRateSigma = 0.02;
+        corrector->setPrior(twin.of(prior));
+    }
+    if (source != GYRO)
+        return corrector;
+    Mat times, rates;
+    for (double t = -0.2; t < 1; t += 0.004)
+    {
+        const Vec3d shaken = s.shakingAt(t);
+        times.push_back(t);
+        const Vec3d rate = s.camera.uprightRotation.t() * Vec3d(-shaken[1], s.metric.yawRate, shaken[0]);
+        // A turn seen in a mirror.
+        rates.push_back(Mat((twin.mirrored ? Vec3d(rate[0], -rate[1], -rate[2]) : rate).t()));
+    }
+    corrector->addGyro(times, rates);
+    return corrector;
+}
+
+AckermannMotion correctFrame(RollingShutterCorrector& corrector, const std::vector<Mat>& frames, int i, int source,
+                             const Twin& twin = Twin())
+{
+    Mat corrected;
+    corrector.setTimestamp(i * INTERVAL);
+    if (source == NEXT_FRAME && i + 1 < int(frames.size()))
+        corrector.setNextFrame(twin.ofImage(frames[i + 1]), (i + 1) * INTERVAL);
+    return corrector.correct(twin.ofImage(frames[i]), corrected);
+}
+
+struct SequenceModes : testing::TestWithParam<int> // index of MODES
+{
+    SequenceModes() : setting(settingOf(MODES[GetParam()])), street(setting)
+    {
+        for (int i = 0; i < FRAMES; i++)
+            frames.push_back(street.frame(i));
+    }
+
+    const Setting setting;
+    const StreetImages street;
+    std::vector<Mat> frames;
+};
+
+void expectTruth(const Setting& s, const RollingShutterCamera& camera, const AckermannMotion& truth,
+                 const AckermannMotion& m, int source)
+{
+    ASSERT_EQ(MOTION_OK, m.status);
+    EXPECT_GT(m.direction * s.metric.speed, 0);
+    EXPECT_FALSE(m.contradictsPrior);
+    const Simulator exact = Simulator::fromMotion(camera, truth);
+    const double unit = camera.secondsPerUnitTime(), raw = exact.meanDisplacement();
+    EXPECT_LT(exact.meanDisplacement(Simulator::fromMotion(camera, m)), (s.shaking > 0 ? 0.2 : 0.06) * raw);
+    double speed, trueSpeed;
+    EXPECT_TRUE(m.speed(camera, speed));
+    truth.speed(camera, trueSpeed);
+    EXPECT_NEAR(trueSpeed, speed, 0.04 * std::abs(trueSpeed));
+    EXPECT_NEAR(truth.alpha, m.alpha, 0.02 * unit / 2);
+    EXPECT_NEAR(truth.alpha, m.alpha, 3 * std::sqrt(m.covariance(0, 0)));
+    EXPECT_NEAR(truth.roadSlope, m.roadSlope, 0.04 * std::abs(truth.roadSlope));
+    if (source == GYRO)
+    {
+        EXPECT_NEAR(truth.pitchRate, m.pitchRate, 0.01 * unit);
+        EXPECT_NEAR(truth.rollRate, m.rollRate, 0.01 * unit);
+    }
+    if (source == GIVEN)
+    {
+        EXPECT_NEAR(2 * truth.alpha / unit, m.seenYawRate, 3 * m.seenYawRateSigma);
+        EXPECT_NEAR(trueSpeed, m.seenSpeed, 3 * m.seenSpeedSigma);
+    }
+    if (!m.inverseDepthOffset.empty())
+    {
+        // Its cells are nearly squares.
+        const double width = m.offsetArea.width / (m.inverseDepthOffset.cols - 3),
+                     height = m.offsetArea.height / (m.inverseDepthOffset.rows - 3);
+        EXPECT_LT(std::abs(std::log(width / height)), 0.4);
+    }
+}
+
+TEST_P(SequenceModes, truth_and_mirror)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    for (int source = 0; source < SOURCES; source++)
+        for (const bool isMirrored : {false, true})
+        {
+            const Twin twin = {isMirrored, false};
+            const RollingShutterCamera camera = twin.of(setting.camera);
+            const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, twin, source);
+            for (int i = 0; i < FRAMES; i++)
+            {
+                const AckermannMotion m = correctFrame(*corrector, frames, i, source, twin);
+                SCOPED_TRACE(testing::Message() << NAMES[source] << (isMirrored ? " mirrored " : " ") << i);
+                if (i > 1)
+                    expectTruth(setting, camera, twin.of(street.truth(setting, i), setting.camera), m, source);
+            }
+        }
+}
+
+// What isn't there any more leaves nothing.
+TEST_P(SequenceModes, state_of_sources)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const Twin same = {false, false};
+    const Ptr<RollingShutterCorrector> plain = createCorrector(setting, same, NOTHING),
+                                       withGyro = createCorrector(setting, same, GYRO);
+    for (int i = 0; i < FRAMES; i++)
+    {
+        if (i + 1 == FRAMES)
+            withGyro->clearGyro();
+        const AckermannMotion expected = correctFrame(*plain, frames, i, NOTHING),
+                              motion = correctFrame(*withGyro, frames, i, NOTHING);
+        if (i + 1 == FRAMES)
+            expectSame(expected, motion);
+    }
+    // In the dark it goes on, but nobody knows how it shakes.
+    Mat corrected;
+    plain->setTimestamp(FRAMES * INTERVAL);
+    const AckermannMotion dark = plain->correct(Mat(setting.camera.imageSize, CV_8U, Scalar(0)), corrected);
+    ASSERT_EQ(MOTION_OK, dark.status);
+    EXPECT_EQ(0, dark.pitchRate);
+    EXPECT_EQ(0, dark.rollRate);
+    EXPECT_TRUE(dark.rotationCurve.empty());
+    EXPECT_NEAR(street.truth(setting, FRAMES).alpha, dark.alpha, 0.2 * std::abs(dark.alpha));
+}
+
+// Another street before, of which nothing is told, is forgotten.
+TEST_P(SequenceModes, another_street_before)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const Twin same = {false, false};
+    for (const int source : {NOTHING, GIVEN})
+    {
+        SCOPED_TRACE(NAMES[source]);
+        const Ptr<RollingShutterCorrector> used = createCorrector(setting, same, source),
+                                           unused = createCorrector(setting, same, source);
+        Mat corrected;
+        for (int i = 0; i < FRAMES; i++)
+        {
+            Mat other;
+            flip(frames[i], other, 0);
+            used->setTimestamp((i - FRAMES) * INTERVAL);
+            used->correct(other, corrected);
+        }
+        for (int i = 0; i < FRAMES; i++)
+        {
+            const AckermannMotion expected = correctFrame(*unused, frames, i, source),
+                                  motion = correctFrame(*used, frames, i, source);
+            EXPECT_EQ(expected.status, motion.status) << i;
+            // What is given for the frame in which the change is seen is a part of what is forgotten.
+            const double sigma = std::sqrt(expected.covariance(0, 0)), part = source == GIVEN ? 0.3 : 1e-4;
+            EXPECT_NEAR(expected.alpha, motion.alpha, part * sigma) << i;
+            EXPECT_NEAR(sigma, std::sqrt(motion.covariance(0, 0)), part * sigma) << i;
+            EXPECT_NEAR(expected.seenSpeed, motion.seenSpeed, 1e-3) << i;
+        }
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, SequenceModes, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));
+
+}} // namespace opencv_test::
