@@ -254,6 +254,29 @@ TEST_P(EstimatorSymmetry, units_and_order)
     }
 }
 
+// A focal length that is hardly known adds to the variances what another focal length changes.
+TEST_P(EstimatorSymmetry, another_focal_length)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Setting s = settingOf(MODES[GetParam()], KNOWN[0]), longer = s, uncertain = s;
+    const double ratio = 1.04;
+    longer.camera.cameraMatrix(0, 0) *= ratio;
+    longer.camera.cameraMatrix(1, 1) *= ratio;
+    uncertain.camera.focalSigma = (ratio - 1) * s.camera.cameraMatrix(0, 0);
+    Mat labels;
+    const AckermannMotion one = estimate(s, labels), other = estimate(longer, labels),
+                          both = estimate(uncertain, labels);
+    const bool isOneSided = s.metric.leftDistance == 0 || s.metric.rightDistance == 0;
+    if (isOneSided || s.metric.speed == 0)
+        return;                                                                                // there are other minima
+    const Vec3d change = Vec3d(other.alpha, other.wallSlope, other.wallOffset) * (1 / ratio) - // per second
+                         Vec3d(one.alpha, one.wallSlope, one.wallOffset);
+    for (int i = 0; i < 3; i++)
+        EXPECT_NEAR(std::abs(change[i]), std::sqrt(both.covariance(i, i) - one.covariance(i, i)),
+                    0.3 * std::sqrt(one.covariance(i, i)))
+            << i;
+}
+
 INSTANTIATE_TEST_CASE_P(/*nothing*/, EstimatorSymmetry, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));
 
 }} // namespace opencv_test::

@@ -229,6 +229,41 @@ TEST(RSAckermann_Gyro, samples_and_gaps)
     samples.add(Mat(), Mat());
 }
 
+// Backward in time the same turns come in another order, gaps as well.
+TEST(RSAckermann_Gyro, samples_in_reversed_time)
+{
+    RNG rng(4);
+    const int count = 60;
+    Mat times(count, 1, CV_64F), rates(count, 3, CV_64F), backTimes, backRates;
+    rng.fill(rates, RNG::UNIFORM, -1, 1);
+    double seconds = 0;
+    for (int i = 0; i < count; i++)
+        times.at<double>(i) = seconds += i % 13 == 7 ? 0.3 : rng.uniform(0.002, 0.03);
+    flip(-times, backTimes, 0);
+    flip(rates, backRates, 0);
+    GyroSamples samples, back;
+    for (int i = 0; i < count; i += 10)
+    {
+        samples.add(times.rowRange(i, i + 10), rates.rowRange(i, i + 10));
+        back.add(backTimes.rowRange(i, i + 10), backRates.rowRange(i, i + 10));
+    }
+    int compared = 0;
+    for (int i = 0; i < 2000; i++)
+    {
+        const double begin = rng.uniform(0., seconds), end = begin + rng.uniform(0.001, 0.1);
+        Vec3d turn, backTurn, rate, backRate;
+        ASSERT_EQ(samples.covers(begin, end), back.covers(-end, -begin));
+        if (!samples.turn(begin, end, turn))
+            continue;
+        compared++;
+        ASSERT_TRUE(back.turn(-end, -begin, backTurn));
+        EXPECT_LT(cv::norm(turn - backTurn), 1e-9);
+        ASSERT_EQ(samples.rowRate(begin, -0.01, 0.02, rate), back.rowRate(-begin, -0.02, 0.01, backRate));
+        EXPECT_LT(cv::norm(rate - backRate), 1e-9);
+    }
+    EXPECT_GT(compared, 400);
+}
+
 // What shakes up to five times slower than samples follow isn't lost between them, nor where they come in two parts.
 TEST(RSAckermann_Gyro, samples_of_fast_shaking)
 {

@@ -23,7 +23,8 @@ struct Setting
     RollingShutterCamera camera;
     MetricMotion metric;
     RollingShutterCorrector::Params params;
-    double shaking = 0; // radians, of the camera's roll and pitch
+    double shaking = 0;   // radians, of the camera's roll and pitch
+    double yawChange = 0; // rad/s^2
 
     //! Of roll, pitch and yaw, seconds after the first frame.
     Vec3d shakenAt(double seconds) const { return shaking * Vec3d(std::sin(13 * seconds), -std::sin(17 * seconds), 0); }
@@ -56,6 +57,7 @@ const Mode MODES[] = {{"forward", [](Setting&) {}},
                        }},
                       {"from below", [](Setting& s) { s.camera.scanDirection = SCAN_BOTTOM_TO_TOP; }},
                       {"shakes", [](Setting& s) { s.shaking = 0.004; }},
+                      {"weaves", [](Setting& s) { s.yawChange = -1.5; }},
                       {"large images",
                        [](Setting& s) {
                            s.camera.imageSize = Size(1152, 720);
@@ -97,6 +99,7 @@ public:
           setting(s), interval(INTERVAL / s.camera.secondsPerUnitTime()), direction(s.metric.wallDirection)
     {
         const double unit = s.camera.secondsPerUnitTime();
+        simulator.drive.yawChange = s.yawChange * unit * unit;
         simulator.drive.shaking = [=](double t) { return setting.shakenAt(t * unit); };
         RNG rng(2);
         Mat fine(1024, 1024, CV_32F), coarse(128, 128, CV_32F), grown;
@@ -133,6 +136,7 @@ public:
         const Vec3d place = simulator.drive.position(t), right(std::cos(direction), 0, -std::sin(direction));
         MetricMotion m = s.metric;
         m.wallDirection -= yaw;
+        m.yawRate += s.yawChange * i * INTERVAL;
         const double moved = place.dot(right);
         m.leftDistance = m.leftDistance > 0 ? m.leftDistance + moved : 0;
         m.rightDistance = m.rightDistance > 0 ? m.rightDistance - moved : 0;
@@ -188,7 +192,8 @@ Ptr<RollingShutterCorrector> createCorrector(const Setting& s, const Twin& twin,
     {
         const Vec3d shaken = s.shakingAt(t);
         times.push_back(t);
-        const Vec3d rate = s.camera.uprightRotation.t() * Vec3d(-shaken[1], s.metric.yawRate, shaken[0]);
+        const Vec3d rate =
+            s.camera.uprightRotation.t() * Vec3d(-shaken[1], s.metric.yawRate + s.yawChange * t, shaken[0]);
         // A turn seen in a mirror.
         rates.push_back(Mat((twin.mirrored ? Vec3d(rate[0], -rate[1], -rate[2]) : rate).t()));
     }
@@ -260,6 +265,8 @@ TEST_P(SequenceModes, truth_and_mirror)
     for (int source = 0; source < SOURCES; source++)
         for (const bool isMirrored : {false, true})
         {
+            if (setting.yawChange != 0 && source != GYRO)
+                continue; // others see a mean
             const Twin twin = {isMirrored, false};
             const RollingShutterCamera camera = twin.of(setting.camera);
             const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, twin, source);
@@ -297,7 +304,10 @@ TEST_P(SequenceModes, state_of_sources)
     EXPECT_EQ(0, dark.pitchRate);
     EXPECT_EQ(0, dark.rollRate);
     EXPECT_TRUE(dark.rotationCurve.empty());
-    EXPECT_NEAR(street.truth(setting, FRAMES).alpha, dark.alpha, 0.2 * std::abs(dark.alpha));
+    if (setting.yawChange == 0)
+    {
+        EXPECT_NEAR(street.truth(setting, FRAMES).alpha, dark.alpha, 0.2 * std::abs(dark.alpha));
+    }
 }
 
 // Another street before, of which nothing is told, is forgotten.
@@ -330,6 +340,35 @@ TEST_P(SequenceModes, another_street_before)
             EXPECT_NEAR(expected.seenSpeed, motion.seenSpeed, 1e-3) << i;
         }
     }
+}
+
+// Without a gravity it is the gyro and what is given that know the yaw rate of a single image, each by its weight.
+TEST(RSAckermann_SequenceModes, two_sources_of_a_yaw_rate)
+{
+    Setting s = settingOf(MODES[0]);
+    s.params.sequence = false;
+    s.params.estimator.gravitySigma = 0.1;
+    RNG rng(3);
+    const Mat segments = simulation::randomSegments(Simulator::fromMetric(s.camera, 0.3, 9, 4, 5, 0.08),
+                                                    simulation::SegmentOptions(), rng)
+                             .ends;
+    double variance[4] = {0};
+    for (int i = 1; i < 4; i++)
+    {
+        const bool hasGyro = (i & 1) != 0, isGiven = (i & 2) != 0;
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(s, Twin(), hasGyro ? GYRO : NOTHING);
+        MotionPrior prior;
+        prior.yawRate = 0.3;
+        prior.yawRateSigma = isGiven ? 0.02 : 0;
+        corrector->setPrior(prior);
+        corrector->setTimestamp(0.1);
+        Mat corrected;
+        const AckermannMotion m =
+            corrector->correctWithSegments(Mat(s.camera.imageSize, CV_8U, Scalar(0)), segments, corrected);
+        ASSERT_EQ(MOTION_OK, m.status);
+        variance[i] = m.metricCovariance(s.camera)(0, 0);
+    }
+    EXPECT_NEAR(1, (1 / variance[1] + 1 / variance[2]) * variance[3], 0.1);
 }
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, SequenceModes, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));

@@ -130,6 +130,28 @@ TEST_P(WarpLens, no_motion_equals_OpenCV)
     }
 }
 
+// Each coefficient alone, as what is skipped where others are 0 may be needed for it.
+TEST_P(WarpLens, every_coefficient_alone_equals_OpenCV)
+{
+    const RollingShutterCamera whole = lensCamera(GetParam());
+    for (size_t i = 0; i < whole.distCoeffs.size(); i++)
+    {
+        RollingShutterCamera camera = whole;
+        camera.distCoeffs.assign(whole.distCoeffs.size(), 0.);
+        camera.distCoeffs[i] = whole.distCoeffs[i];
+        Mat map1, map2, expected1, expected2;
+        WarpMapGenerator::create(camera)->initRectifyMap(AckermannMotion(), map1, map2);
+        if (GetParam() == FISHEYE_LENS)
+            cv::fisheye::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix,
+                                                 camera.imageSize, CV_32FC1, expected1, expected2);
+        else
+            cv::initUndistortRectifyMap(camera.cameraMatrix, camera.distCoeffs, noArray(), camera.cameraMatrix,
+                                        camera.imageSize, CV_32FC1, expected1, expected2);
+        EXPECT_LE(maxDifference(map1, expected1), 1e-3) << i;
+        EXPECT_LE(maxDifference(map2, expected2), 1e-3) << i;
+    }
+}
+
 TEST_P(WarpLens, motion_without_status_OK_is_ignored)
 {
     const RollingShutterCamera camera = lensCamera(GetParam());

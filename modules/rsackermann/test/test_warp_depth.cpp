@@ -241,6 +241,37 @@ TEST_P(WarpDepthMaps, nothing_known)
     }
 }
 
+// Nearer than twice the way to the farther end of the image, wherever the reference row is and whatever way it goes.
+TEST_P(WarpDepthMaps, what_is_too_near_is_unknown)
+{
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    Boxes boxes;
+    boxes.camera.imageSize = Size(160, 96);
+    boxes.camera.cameraMatrix = Matx33d(204, 0, 79, 0, 204, 47, 0, 0, 1);
+    boxes.camera.lineDelay *= 4;
+    for (const double speed : {16., -16.})
+        for (int scan = SCAN_TOP_TO_BOTTOM; scan <= SCAN_RIGHT_TO_LEFT; scan++)
+            for (const double share : {0., 0.3, 1.})
+            {
+                RollingShutterCamera camera = boxes.camera;
+                camera.scanDirection = scan;
+                const double last = (camera.isRowShutter() ? camera.imageSize.height : camera.imageSize.width) - 1;
+                camera.referenceRow = share * last;
+                const AckermannMotion motion = motionFromMetric(camera, 0.5, speed, 2.5, 3, 0.02);
+                const double nearest = 2 * 16 * std::max(share, 1 - share) * last * camera.lineDelay;
+                Mat1f values(camera.imageSize, 0.f);
+                const Result unknown(camera, distort, motion, DepthMap(values.clone(), ofCamera));
+                for (const double factor : {0.98, 1.02})
+                {
+                    values = float(factor * nearest);
+                    const Result result(camera, distort, motion, DepthMap(values, ofCamera));
+                    EXPECT_EQ(factor < 1, result.difference(unknown) < 0.01)
+                        << speed << ", " << scan << ", " << share << ", " << factor;
+                }
+            }
+}
+
 // The step between known and unknown depths is spread over the hole.
 TEST_P(WarpDepthMaps, holes_have_no_seams)
 {
