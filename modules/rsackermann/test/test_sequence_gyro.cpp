@@ -85,6 +85,31 @@ TurnOfPoints turnOfPoints(const Turning& turning, int frame, double noise, RNG& 
 
 const RowSpan IMAGE(-0.016, 0.016);
 
+// The mean rates to the frame before and to the one after.
+TEST(RSAckermann_Gyro, turns_to_both_neighbours)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.setRollPitch(0.1, -0.2);
+    const double yawRate = 0.3, change = 2, pitchRate = 0.05, rollRate = -0.04;
+    for (const double neighbour : {-0.05, 0.04})
+    {
+        const bool isEarlier = neighbour < 0;
+        double values[FLOW_VALUES] = {0};
+        values[SEQUENCE_YAW_RATE] = yawRate;
+        values[FLOW_YAW_CHANGE] = change;
+        // Of the present frame against the other one.
+        values[isEarlier ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER] = -neighbour * pitchRate;
+        values[isEarlier ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER] = -neighbour * rollRate;
+        TrackedBearing bearing = TrackedBearing();
+        bearing.pitch = isEarlier ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER;
+        const TurnOfPoints turn(camera, std::vector<TrackedBearing>(1, bearing), values, 7, neighbour);
+        EXPECT_EQ(7 + std::min(neighbour, 0.), turn.begin);
+        EXPECT_EQ(7 + std::max(neighbour, 0.), turn.end);
+        const Vec3d expected(-pitchRate, yawRate + change * neighbour / 2, rollRate);
+        EXPECT_LT(cv::norm(camera.uprightRotation * turn.rate - expected), 1e-12) << neighbour;
+    }
+}
+
 // Over many seeds all eight values are found, and their sigmas are true; so are those of the rates.
 TEST(RSAckermann_Gyro, alignment_is_found)
 {

@@ -161,23 +161,40 @@ TEST(RSAckermann_Verticals, noise_is_no_edge)
     }
 }
 
-// A lens bends an edge: it stays one segment, whose ends are on it.
+//! In which images and how edges are seen.
+enum EdgeForm { AS_IT_IS, TRANSPOSED, IN_A_LARGE_IMAGE, ROWS_MISSED, EDGE_FORMS };
+
+// A lens bends an edge: it stays one segment, whose ends are on it, straight or bent.
 TEST(RSAckermann_Verticals, bent_edges_stay_whole)
 {
-    RNG rng(4);
-    for (int k = 0; k < 100; k++)
-    {
-        const Size size(120, 160);
-        Edge e = randomEdge(size, rng);
-        e.slope /= 2;
-        e.curvature = rng.uniform(-0.015, 0.015) * 4 / size.height;
-        std::vector<Vec4f> segments;
-        detectSegments(withNoise(render(size, e), 2, rng), segments, DETECTOR_VERTICALS, 30);
-        const Vec4f s = longest(segments);
-        ASSERT_GE(std::abs(s[3] - s[1]), 0.9 * size.height) << k;
-        for (int end = 0; end < 4; end += 2)
-            EXPECT_NEAR(columnOf(e, s[end + 1] - (size.height - 1) / 2.), s[end], 0.4) << k;
-    }
+    for (int form = 0; form < EDGE_FORMS; form++)
+        for (const bool isBent : {false, true})
+        {
+            RNG rng(4);
+            const bool isLarge = form == IN_A_LARGE_IMAGE; // which is halved
+            const Size size = isLarge ? Size(850, 1000) : Size(120, 160);
+            for (int k = 0; k < (isLarge ? 5 : 50); k++)
+            {
+                SCOPED_TRACE(testing::Message() << form << isBent << k);
+                Edge e = randomEdge(size, rng);
+                e.slope /= 2;
+                e.curvature = isBent ? rng.uniform(-0.015, 0.015) * 4 / size.height : 0;
+                Mat image = withNoise(render(size, e), 2, rng);
+                // One row after the other, in one half.
+                for (int y = 20; form == ROWS_MISSED && y < 70; y += 3)
+                    image.row(y).setTo(100);
+                if (form == TRANSPOSED)
+                    cv::transpose(image.clone(), image);
+                std::vector<Vec4f> segments;
+                detectSegments(image, segments, DETECTOR_VERTICALS, 30);
+                Vec4f s = longest(segments);
+                if (form == TRANSPOSED)
+                    s = Vec4f(s[1], s[0], s[3], s[2]);
+                ASSERT_GE(std::abs(s[3] - s[1]), (isLarge ? 0.7 : 0.9) * size.height);
+                for (int end = 0; end < 4; end += 2)
+                    EXPECT_NEAR(columnOf(e, s[end + 1] - (size.height - 1) / 2.), s[end], 0.4);
+            }
+        }
 }
 
 // Both sides of a bar are where they are, though each draws the other one a little.

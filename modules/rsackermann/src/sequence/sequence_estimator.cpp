@@ -313,9 +313,9 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     if (!setGivenScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
     {
         motion.scale = SCALE_ROAD;
-        const bool hasLeft = fit.state.value[SEQUENCE_LEFT] > 0;
+        const double way = std::abs(fit.state.value[SEQUENCE_SPEED]) * camera.secondsPerUnitTime();
         motion.wallDistance =
-            1 / std::max(fit.state.value[hasLeft ? SEQUENCE_LEFT : SEQUENCE_RIGHT], double(FLT_EPSILON));
+            way / std::max(std::hypot(motion.wallSlope, motion.wallOffset), way * FLT_EPSILON + DBL_MIN);
     }
 }
 
