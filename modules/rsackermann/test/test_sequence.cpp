@@ -266,6 +266,8 @@ TEST_P(Scans, motion_is_found)
         EXPECT_TRUE(fit.moves) << i;
         EXPECT_LT(fit.residual, 0.5) << i;
         EXPECT_GT(fit.agreeing, 0.7) << i;
+        for (int k = SEQUENCE_LEFT; k <= SEQUENCE_ROAD; k++)
+            EXPECT_GE(fit.values[k], 0) << i;
         yaw.push_back(std::abs(fit.state.value[SEQUENCE_YAW_RATE] - truth.yawRate) / DEGREE);
         speed.push_back(std::abs(fit.state.value[SEQUENCE_SPEED] / truth.speed - 1));
         if (truth.left > 0)
