@@ -104,7 +104,7 @@ TEST(RSAckermann_CalibrationModes, gyro_of_two_drives)
     for (int drive = 0; drive < 2; drive++)
     {
         Mat times, rates;
-        const double begin = 20 * drive, end = begin + count * INTERVAL;
+        const double begin = 3 * drive, end = begin + count * INTERVAL;
         for (double t = begin - 0.5; t < end + 0.5; t += 1 / 200.)
         {
             times.push_back(t + delays[drive]);
