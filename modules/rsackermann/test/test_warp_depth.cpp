@@ -272,6 +272,68 @@ TEST_P(WarpDepthMaps, what_is_too_near_is_unknown)
             }
 }
 
+// Of many boxes in front of one another the nearest one is seen: each pixel of the depth is moved to where the other
+// camera sees it, and there the map leads back to the nearest of those that meet.
+TEST_P(WarpDepthMaps, nearest_of_many_boxes)
+{
+    const bool ofRaw = std::get<0>(GetParam()) == DEPTH_RAW, distort = std::get<1>(GetParam());
+    if (ofRaw == distort)
+        return; // the depth is that of the map's own pixels: there is nothing to search for
+    RNG rng(8);
+    for (const double speed : {16., -16.})
+        for (const int scan : {SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP, SCAN_LEFT_TO_RIGHT})
+        {
+            SCOPED_TRACE(testing::Message() << speed << ", " << scan);
+            RollingShutterCamera camera(Size(160, 96), Matx33d(150, 0, 70, 0, 155, 50, 0, 0, 1));
+            camera.lineDelay = 3e-4;
+            camera.height = 1.2;
+            camera.referenceRow = 30;
+            camera.scanDirection = scan;
+            camera.setRollPitch(0.03, -0.05);
+            const AckermannMotion motion = motionFromMetric(camera, 0.8, speed, 2.5, 3, 0.02);
+            const Simulator simulator = Simulator::fromMetric(camera, 0.8, speed, 0, 0, 0);
+            Mat1f values(camera.imageSize, 9.f);
+            for (int i = 0; i < 40; i++)
+            {
+                const Rect box(rng.uniform(0, 150), rng.uniform(0, 90), rng.uniform(6, 40), rng.uniform(6, 40));
+                values(box & Rect(Point(), values.size())) = rng.uniform(2.5f, 8.f);
+            }
+            Mat1f nearest(values.size(), 0.f); // inverse depths
+            Mat_<Point> from(values.size(), Point());
+            for (int y = 0; y < values.rows; y++)
+                for (int x = 0; x < values.cols; x++)
+                {
+                    const Point2d pixel(x, y);
+                    const double t = ofRaw ? simulator.time(pixel) : 0;
+                    const Vec3d P = simulator.drive.position(t) +
+                                    simulator.drive.turn(simulator.bearing(pixel) * double(values(y, x)), t);
+                    Point2d place;
+                    if (!(ofRaw ? simulator.pixelOf(P, place) && simulator.inside(place) : simulator.project(P, place)))
+                        continue;
+                    const Point at(cvRound(place.x), cvRound(place.y));
+                    if (1 / values(y, x) <= nearest(at))
+                        continue;
+                    nearest(at) = 1 / values(y, x);
+                    from(at) = Point(x, y);
+                }
+            const Result result(camera, distort, motion, DepthMap(values, std::get<0>(GetParam())));
+            int compared = 0, wrong = 0;
+            for (int y = 1; y + 1 < values.rows; y++)
+                for (int x = 1; x + 1 < values.cols; x++)
+                {
+                    // Inside of a surface
+                    const Mat around = nearest(Rect(x - 1, y - 1, 3, 3));
+                    if (nearest(y, x) == 0 || countNonZero(around == nearest(y, x)) < 9)
+                        continue;
+                    compared++;
+                    const Point2d found(result.map1.at<float>(y, x), result.map2.at<float>(y, x));
+                    wrong += cv::norm(found - Point2d(from(y, x))) > 1.5 || result.mask.at<uchar>(y, x) != MASK_SEEN;
+                }
+            EXPECT_GT(compared, 3000);
+            EXPECT_LE(wrong, 0.01 * compared); // where many pixels of the depth share one
+        }
+}
+
 // The step between known and unknown depths is spread over the hole.
 TEST_P(WarpDepthMaps, holes_have_no_seams)
 {
