@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "motion_samples.hpp"
-#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 namespace cv { namespace rsackermann {
 
@@ -48,37 +48,56 @@ void MotionSamples::addSample(const Model& model, double G, double weight)
     raw.push_back(meanDistance(values, none, PADDED));
 }
 
+// Covariance of the azimuth of the walls and of the logarithms of how fast the left (or only) and the right one pass:
+// priors are log-normal, and a wall is as sure as it is seen, whatever the other one is.
+static Matx33d covarianceOfLogs(const Model& model, const Matx<double, PARAMETERS, PARAMETERS>& covariance)
+{
+    const double B = model[P_B], D = model[P_D], square = B * B + D * D, lambda = model[P_LAMBDA];
+    Matx33d byLogs(-D / square, B / square, 0, B / square, D / square, 0, 0, 0, 0);
+    if (lambda > 0)
+    {
+        byLogs(2, 0) = B / square;
+        byLogs(2, 1) = D / square;
+        byLogs(2, 2) = 1 / lambda;
+    }
+    Matx33d ofLogs = byLogs * covariance.get_minor<3, 3>(P_B, P_B) * byLogs.t();
+    for (int i = 1; i < 3; i++)
+    {
+        const double relative = ofLogs(i, i), shorter = relative > 0 ? std::sqrt(std::log1p(relative) / relative) : 1;
+        for (int k = 0; k < 3; k++)
+        {
+            ofLogs(i, k) *= shorter;
+            ofLogs(k, i) *= shorter;
+        }
+    }
+    return ofLogs;
+}
+
 void MotionSamples::add(const Model& model, const Matx<double, PARAMETERS, PARAMETERS>& covariance, double weight)
 {
     double G, variance;
     prior.road(model, contact, G, variance);
-    const Parameter walls[3] = {P_B, P_D, P_LAMBDA};
-    const int unknowns = model.direction == 0 ? 0 : model[P_LAMBDA] > 0 ? 3 : 2;
+    const double size = std::hypot(model[P_B], model[P_D]), azimuth = std::atan2(model[P_D], model[P_B]);
+    const int unknowns = size == 0 ? 0 : model[P_LAMBDA] > 0 ? 3 : 2;
     if (unknowns == 0)
     {
         addSample(model, G, weight);
         return;
     }
-    // Cholesky's factor; an unknown that the others determine has no spread of its own.
-    Matx33d L = Matx33d::zeros();
-    for (int j = 0; j < unknowns; j++)
-        for (int i = j; i < unknowns; i++)
-        {
-            double sum = covariance(walls[i], walls[j]);
-            for (int k = 0; k < j; k++)
-                sum -= L(i, k) * L(j, k);
-            L(i, j) = i == j ? std::sqrt(std::max(sum, 0.)) : L(j, j) > 0 ? sum / L(j, j) : 0;
-        }
+    const Matx33d ofLogs = covarianceOfLogs(model, covariance);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(Eigen::Map<const Eigen::Matrix3d>(ofLogs.val));
     const int count = unknowns + 1; // and the road
     const double spread = std::sqrt(double(count)), part = weight / (2 * count);
     for (int sign = -1; sign <= 1; sign += 2)
     {
-        for (int j = 0; j < unknowns; j++)
+        for (int j = 3 - unknowns; j < 3; j++)
         {
+            const Eigen::Vector3d step =
+                sign * spread * std::sqrt(std::max(axes.eigenvalues()[j], 0.)) * axes.eigenvectors().col(j);
             Model moved = model;
-            for (int i = j; i < unknowns; i++)
-                moved[walls[i]] += sign * spread * L(i, j);
-            moved[P_LAMBDA] = std::max(moved[P_LAMBDA], 0.);
+            moved[P_B] = size * std::exp(step[1]) * std::cos(azimuth + step[0]);
+            moved[P_D] = size * std::exp(step[1]) * std::sin(azimuth + step[0]);
+            moved[P_LAMBDA] *= std::exp(step[2] - step[1]);
             double movedG, movedVariance;
             prior.road(moved, contact, movedG, movedVariance);
             addSample(moved, movedG, part);
@@ -88,27 +107,41 @@ void MotionSamples::add(const Model& model, const Matx<double, PARAMETERS, PARAM
     }
 }
 
-// Displacements are linear in these parameters: so is their mean, but for where planes meet.
+// Displacements are linear in the planes: so is their mean, but for where planes meet. A wall on the right alone is one
+// of the right walls.
 Correction MotionSamples::mean(const std::vector<double>& share) const
 {
     Correction result;
     Model& m = result.model;
-    double sum = 0, right = 0, forward = 0;
+    double sum = 0, forward = 0;
+    Vec2d left(0, 0), right(0, 0); // (B, D), of the right wall as if it were on the left
     for (size_t i = 0; i < motions.size(); i++)
     {
         const Model& other = motions[i].model;
-        const double w = share[i], speed = std::hypot(other[P_B], other[P_D]);
+        const double w = share[i];
+        const Vec2d wall(other[P_B], other[P_D]);
         sum += w;
         for (int p = 0; p < PARAMETERS; p++)
             m.value[p] += w * other.value[p];
-        right += w * other[P_LAMBDA] * speed;
+        if (field.hasRightWallOnly(other))
+            right -= w * wall;
+        else
+        {
+            left += w * wall;
+            right += w * other[P_LAMBDA] * wall;
+        }
         result.G += w * motions[i].G;
-        forward += w * other.direction * speed;
+        forward += w * other.direction * norm(wall);
     }
     for (int p = 0; p < PARAMETERS; p++)
         m.value[p] /= sum;
-    const double left = std::hypot(m[P_B], m[P_D]);
-    m[P_LAMBDA] = left > 0 ? right / sum / left : 0;
+    // Both are parallel.
+    const Vec2d both = left + right, street = both / std::max(norm(both), DBL_MIN);
+    const double l = left.dot(street), r = right.dot(street);
+    const Vec2d wall = street * ((l > 0 ? l : -r) / sum);
+    m[P_B] = wall[0];
+    m[P_D] = wall[1];
+    m[P_LAMBDA] = l > 0 ? std::max(r, 0.) / l : 0;
     m.direction = forward < 0 ? -1 : 1;
     result.G /= sum;
     return result;
