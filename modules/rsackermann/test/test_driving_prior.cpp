@@ -348,7 +348,7 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_stand_on_it)
     for (int k = 0; k < 4; k++)
     {
         RoadContact contact;
-        contact.ratio = (k % 2 ? 1 : 6) * open / B; // far away, or nearer than expected
+        contact.left = (k % 2 ? 1 : 6) * open / B; // far away, or nearer than expected
         contact.logSigma = k < 2 ? 0.06 : 0.4;
         RNG rng(7);
         double sum = 0, squares = 0;
@@ -360,7 +360,7 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_stand_on_it)
             drawSpeedAndWall(rng, WALL_SIGMA / std::sqrt(2.), speed, left);
             left *= std::sqrt(lambda);
             if (std::abs(std::log(speed * unit / left / B)) > width ||
-                left / camera.height > contact.ratio * std::exp(rng.gaussian(contact.logSigma)))
+                left / camera.height > contact.left * std::exp(rng.gaussian(contact.logSigma)))
                 continue;
             const double logG = std::log(speed * unit / camera.height);
             sum += logG;
@@ -384,7 +384,7 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_stand_on_it)
     }
     // Beyond all bounds it is finite.
     RoadContact contact;
-    for (contact.ratio = 1e-300; contact.ratio < 1e300; contact.ratio *= 1e30)
+    for (contact.left = 1e-300; contact.left < 1e300; contact.left *= 1e30)
     {
         double G, variance;
         makeDrive(camera).road(model, contact, G, variance);

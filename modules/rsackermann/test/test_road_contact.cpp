@@ -102,13 +102,13 @@ TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
         const double sigma = 0.2;
         covariance(P_LAMBDA, P_LAMBDA) = std::pow(sigma * model[P_LAMBDA], 2);
         const RoadContact contact = findRoadContact(problem, model, covariance, 2);
-        EXPECT_NEAR(left / camera.height, contact.ratio, 0.06 * left / camera.height) << k;
+        EXPECT_NEAR(left / camera.height, contact.ratio(model, problem.heading), 0.06 * left / camera.height) << k;
         if (k == 0)
             EXPECT_LT(contact.logSigma, 0.1);
         else
             EXPECT_NEAR(std::hypot(sigma / 2, std::log(1.06)), contact.logSigma, 1e-12);
         model = Model();
-        EXPECT_EQ(0, findRoadContact(problem, model, covariance, 2).ratio);
+        EXPECT_EQ(0, findRoadContact(problem, model, covariance, 2).ratio(model, problem.heading));
     }
     // With a wrong ratio both walls still tell their mean.
     const RefinementProblem problem = makeProblem(camera, AckermannEstimator::Params(), both);
@@ -116,7 +116,7 @@ TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
     const double wrong = 1.2;
     model[P_LAMBDA] *= wrong;
     const Matx<double, PARAMETERS, PARAMETERS> exact = Matx<double, PARAMETERS, PARAMETERS>::zeros();
-    const double ratio = findRoadContact(problem, model, exact, 5).ratio;
+    const double ratio = findRoadContact(problem, model, exact, 5).ratio(model, problem.heading);
     EXPECT_NEAR(left / camera.height * std::sqrt(wrong), ratio, 0.06 * ratio);
 }
 

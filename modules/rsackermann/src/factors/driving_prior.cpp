@@ -39,8 +39,8 @@ GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& c
 
 DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera,
                            const AckermannEstimator::Params& params, const MotionLimits& limits)
-    : given_(prior, camera, params.wallDistance), logRatioSigma(params.priorWallRatioLogSigma), heading(camera.heading),
-      headingSigma(params.wallDeviationSigma), height(camera.height),
+    : given_(prior, camera, params.wallDistance), logRatioSigma(params.priorWallRatioLogSigma),
+      heading_(camera.heading), headingSigma(params.wallDeviationSigma), height(camera.height),
       speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation), standing(params.standingProbability),
       reversePenalty(-2 * std::log(params.reverseProbability))
 {
@@ -65,7 +65,7 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     ratio = roadRatioIsGiven ? params.roadRatio : wallDistance / (height > 0 ? height : params.priorHeight);
     logHeightSigma = height > 0 || roadRatioIsGiven ? 0 : params.priorHeightLogSigma;
     // A camera of unknown height that looks to the side may not see the road at all.
-    roadIsSeen = height > 0 || Heading(camera.heading).looksAlong();
+    roadIsSeen = height > 0 || heading_.looksAlong();
 }
 
 Jet DrivingPrior::yawResidual(double alpha) const
@@ -137,7 +137,7 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
         if (given_.streetSigma > 0)
             residuals[n++] = (1 / given_.streetSigma) * sineTo(given_.street);
         if (headingSigma > 0)
-            residuals[n++] = (1 / headingSigma) * sineTo(heading);
+            residuals[n++] = (1 / headingSigma) * sineTo(heading_.angle);
         if (hypothesis.walls == 2)
         {
             const Jet r = Jet::variable(model[P_LAMBDA], P_LAMBDA);
@@ -147,7 +147,7 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
     else
     {
         const Jet street = Jet::variable(model[P_STREET], P_STREET);
-        const double angle = model[P_STREET] - heading;
+        const double angle = model[P_STREET] - heading_.angle;
         if (scaledSpeedIsGiven())
             residuals[n++] = Jet(-given_.scaledSpeed / given_.scaledSpeedSigma);
         if (given_.streetSigma > 0)
@@ -223,8 +223,9 @@ void DrivingPrior::road(const Model& model, const RoadContact& contact, double& 
         logG -= (1 - log.speedShare) * std::log(mean / expectedScaledSpeed());
         variance = logHeightSigma * logHeightSigma + log.speedVariance;
     }
-    if (contact.ratio > 0 && !roadRatioIsGiven)
-        truncate(std::log(speed * contact.ratio), contact.logSigma, logG, variance);
+    const double limit = speed * contact.ratio(model, heading_);
+    if (limit > 0 && !roadRatioIsGiven)
+        truncate(std::log(limit), contact.logSigma, logG, variance);
     G = (model.direction < 0 ? -1 : 1) * std::exp(logG);
     variance *= G * G;
     const double speedSigma = given_.speedSigma / height;

@@ -6,6 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_FACTORS_DRIVING_PRIOR_HPP
 
 #include "../features/upright_segment.hpp"
+#include "../motion/compensation.hpp"
 #include "../motion/sequence_values.hpp"
 #include "jet.hpp"
 
@@ -17,10 +18,19 @@ const double HEIGHT_SIGMA = 0.06;  //!< relative, of a given height: a car bounc
 //! What segments that stand on the road say about its distance.
 struct RoadContact
 {
-    double ratio;    //!< distance of the left (or only) wall over the height of the camera, at most; 0: not known
-    double logSigma; //!< standard deviation of its logarithm
+    double left, right; //!< distances of the walls over the height of the camera, at most; 0: not known
+    double logSigma;    //!< standard deviation of the logarithm of ratio()
 
-    RoadContact() : ratio(0), logSigma(0) {}
+    RoadContact() : left(0), right(0), logSigma(0) {}
+
+    //! The same of a motion's left (or only) wall; of two walls whose contacts are known the mean.
+    double ratio(const Model& m, const Heading& heading) const
+    {
+        if (hasRightWallOnly(m, heading))
+            return right;
+        const double byRight = m[P_LAMBDA] * right;
+        return left > 0 && byRight > 0 ? std::sqrt(left * byRight) : left + byRight;
+    }
 };
 
 //! The values of a MotionPrior in the units of the estimation; a sigma of 0: not given.
@@ -70,6 +80,7 @@ public:
     void anyRoad(double& logG, double& sigma) const;
 
     const GivenValues& given() const { return given_; }
+    const Heading& heading() const { return heading_; }
     double alphaScale() const { return yawRateIsGiven() ? given_.alphaSigma : yawScale; }
     bool yawRateIsGiven() const { return given_.alphaSigma > 0; }
     bool speedIsGiven() const { return given_.speedSigma > 0; }
@@ -101,7 +112,8 @@ private:
     double logSpeed, logSpeedSigma; // of the scaled speed, without the uncertainty of the wall
     double logWallSigma;            // of the logarithm of a wall's distance; 0: given
     double logRatioSigma;           // of both walls' distances
-    double heading, headingSigma;   // the walls are along the vehicle's forward direction, more or less
+    Heading heading_;
+    double headingSigma; // the walls are along the vehicle's forward direction, more or less
     double height, ratio, logHeightSigma;
     double speedWallCorrelation; // of the logarithms: drivers slow down where walls are near
     double standing;             // probability

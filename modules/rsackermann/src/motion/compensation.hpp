@@ -6,6 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_MOTION_COMPENSATION_HPP
 
 #include "opencv2/rsackermann/solvers.hpp"
+#include "model.hpp"
 #include <cmath>
 
 namespace cv { namespace rsackermann {
@@ -53,6 +54,12 @@ struct Heading
     //! Whether the camera looks along the vehicle's course, forward or backward, rather than across it.
     bool looksAlong() const { return std::abs(c) > 0.5; }
 };
+
+//! Whether a motion has one wall, to the right of the direction of travel.
+inline bool hasRightWallOnly(const Model& m, const Heading& heading)
+{
+    return m[P_LAMBDA] == 0 && m.direction * (m[P_B] * heading.c + m[P_D] * heading.s) < 0;
+}
 
 /** The exact motion at one row time (doc/theory.md, "Motion"). T is double or a vector of them.
 

@@ -43,12 +43,6 @@ public:
     void variance(const Model& model, double G, double varianceG,
                   const Matx<double, PARAMETERS, PARAMETERS>& covariance, Variances& values) const;
 
-    //! Whether a motion has one wall, to the right of the direction of travel.
-    bool hasRightWallOnly(const Model& m) const
-    {
-        return m[P_LAMBDA] == 0 && m.direction * (m[P_B] * headingCosine + m[P_D] * headingSine) < 0;
-    }
-
     //! The MotionModel of a motion without the parts that contribute next to nothing to the displacement.
     int mainMotion(const Model& model, double G) const;
 

@@ -123,7 +123,7 @@ Correction MotionSamples::mean(const std::vector<double>& share) const
         sum += w;
         for (int p = 0; p < PARAMETERS; p++)
             m.value[p] += w * other.value[p];
-        if (field.hasRightWallOnly(other))
+        if (hasRightWallOnly(other, prior.heading()))
             right -= w * wall;
         else
         {

@@ -50,11 +50,12 @@ RoadContact findRoadContact(const RefinementProblem& problem, const Model& model
         if (low.y > 0 && w > 0)
             ratios[isLeft ? 0 : 1].push_back(w / (size * low.y));
     }
-    const double left = smallestAgreed(ratios[0]), right = lambda * smallestAgreed(ratios[1]);
-    contact.ratio = left > 0 && right > 0 ? std::sqrt(left * right) : left + right;
+    const bool isRight = hasRightWallOnly(model, problem.heading);
+    contact.left = isRight ? 0 : smallestAgreed(ratios[0]);
+    contact.right = smallestAgreed(ratios[isRight ? 0 : 1]);
     contact.logSigma = std::log(1 + HEIGHT_SIGMA);
     // The speed rests on the geometric mean of both distances.
-    if (lambda > 0 && (left == 0 || right == 0))
+    if (lambda > 0 && (contact.left == 0 || contact.right == 0))
         contact.logSigma =
             std::hypot(contact.logSigma, 0.5 * std::min(std::sqrt(covariance(P_LAMBDA, P_LAMBDA)) / lambda,
                                                         problem.prior ? problem.prior->wallRatioLogSigma() : DBL_MAX));
