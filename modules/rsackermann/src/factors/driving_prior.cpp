@@ -225,7 +225,7 @@ void DrivingPrior::road(const Model& model, const RoadContact& contact, double& 
     }
     const double limit = speed * contact.ratio(model, heading_);
     if (limit > 0 && !roadRatioIsGiven)
-        truncate(std::log(limit), contact.logSigma, logG, variance);
+        truncate(std::log(limit), std::log(1 + HEIGHT_SIGMA), logG, variance);
     G = (model.direction < 0 ? -1 : 1) * std::exp(logG);
     variance *= G * G;
     const double speedSigma = given_.speedSigma / height;

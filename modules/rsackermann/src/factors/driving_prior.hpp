@@ -19,9 +19,8 @@ const double HEIGHT_SIGMA = 0.06;  //!< relative, of a given height: a car bounc
 struct RoadContact
 {
     double left, right; //!< distances of the walls over the height of the camera, at most; 0: not known
-    double logSigma;    //!< standard deviation of the logarithm of ratio()
 
-    RoadContact() : left(0), right(0), logSigma(0) {}
+    RoadContact() : left(0), right(0) {}
 
     //! The same of a motion's left (or only) wall; of two walls whose contacts are known the mean.
     double ratio(const Model& m, const Heading& heading) const

@@ -180,7 +180,7 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
         return;
     if (params.scaleFromRoad && camera.height > 0)
     {
-        const double ratio = findRoadContact(problem, m, found.covariance, params.threshold).ratio(m, problem.heading);
+        const double ratio = findRoadContact(problem, m, params.threshold).ratio(m, problem.heading);
         if (ratio > 0)
         {
             motion.scale = SCALE_ROAD;

@@ -320,8 +320,7 @@ private:
             if (moving[i].hypothesis.translates() && !moving[i].minima.empty() &&
                 cheapest(moving[i].minima).cost < best.cost)
                 best = cheapest(moving[i].minima);
-        return best.cost < DBL_MAX ? findRoadContact(problem, best.model, best.covariance, params.threshold)
-                                   : RoadContact();
+        return best.cost < DBL_MAX ? findRoadContact(problem, best.model, params.threshold) : RoadContact();
     }
 
     // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.

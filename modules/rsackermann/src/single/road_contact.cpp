@@ -26,11 +26,10 @@ static double smallestAgreed(std::vector<double>& ratios)
     return 0;
 }
 
-RoadContact findRoadContact(const RefinementProblem& problem, const Model& model,
-                            const Matx<double, PARAMETERS, PARAMETERS>& covariance, double threshold)
+RoadContact findRoadContact(const RefinementProblem& problem, const Model& model, double threshold)
 {
     RoadContact contact;
-    const double size = std::hypot(model[P_B], model[P_D]), lambda = model[P_LAMBDA];
+    const double size = std::hypot(model[P_B], model[P_D]);
     if (!(size > 0))
         return contact;
     const PreparedModel prepared(model, problem.heading);
@@ -53,12 +52,6 @@ RoadContact findRoadContact(const RefinementProblem& problem, const Model& model
     const bool isRight = hasRightWallOnly(model, problem.heading);
     contact.left = isRight ? 0 : smallestAgreed(ratios[0]);
     contact.right = smallestAgreed(ratios[isRight ? 0 : 1]);
-    contact.logSigma = std::log(1 + HEIGHT_SIGMA);
-    // The speed rests on the geometric mean of both distances.
-    if (lambda > 0 && (contact.left == 0 || contact.right == 0))
-        contact.logSigma =
-            std::hypot(contact.logSigma, 0.5 * std::min(std::sqrt(covariance(P_LAMBDA, P_LAMBDA)) / lambda,
-                                                        problem.prior ? problem.prior->wallRatioLogSigma() : DBL_MAX));
     return contact;
 }
 

@@ -14,11 +14,9 @@ namespace cv { namespace rsackermann {
 
 At the lower end of such a segment wall and road are equally near: w = G y. Other segments end above the road
 and give larger ratios, each its own, so that the smallest ratio on which several segments of a wall agree is taken.
-@param covariance of the model: a wall without such segments is as far away as its ratio to the other one says.
 @param threshold pixels below which the residual of a segment makes it an inlier.
 */
-RoadContact findRoadContact(const RefinementProblem& problem, const Model& model,
-                            const Matx<double, PARAMETERS, PARAMETERS>& covariance, double threshold);
+RoadContact findRoadContact(const RefinementProblem& problem, const Model& model, double threshold);
 
 }} // namespace cv::rsackermann
 
