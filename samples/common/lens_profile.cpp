@@ -16,8 +16,8 @@ namespace {
 
 typedef nlohmann::json Json;
 
-const double LARGEST = 65535;        // pixels, of most formats of images
-const double LEAST_STRETCH = 0.01;   // Gyroflow takes less for a stretch that isn't given
+const double LARGEST = 65535;      // pixels, of most formats of images
+const double LEAST_STRETCH = 0.01; // Gyroflow takes less for a stretch that isn't given
 const char* const DIRECTIONS[] = {"TopToBottom", "BottomToTop", "LeftToRight", "RightToLeft"}; // as SCAN_WORDS
 
 void require(bool condition, const std::string& message)
