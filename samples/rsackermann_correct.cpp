@@ -8,6 +8,9 @@
 #include "estimator_options.hpp"
 #include "output/interrupt.hpp"
 #include "prior_options.hpp"
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace {
 
@@ -19,8 +22,18 @@ const char* const ABOUT =
     "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line.\n"
     "Exit code: 0 all is done, 1 some inputs failed, 2 the command line isn't understood, 130 or 143 interrupted.\n";
 
+// Images come and go. To have their memory from the system anew each time takes as long as to decode them.
+void keepMemory()
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 1 << 25);
+    mallopt(M_TRIM_THRESHOLD, 1 << 28);
+#endif
+}
+
 int run(const Options& options)
 {
+    keepMemory();
     listenForInterrupts();
     const Job job = readJob(options);
     return Batch(job).run();

@@ -41,24 +41,12 @@ std::string errorOf(const Use& use)
     }
 }
 
-std::launch launchPolicy()
-{
-    return cv::getNumThreads() > 1 ? std::launch::async : std::launch::deferred;
-}
-
-// How many images are read ahead, and how many are written behind, of a size. Correction takes all processors for a
-// part of the time only; a few images suffice to keep them busy.
-size_t overlapOf(const cv::Size& size)
-{
-    const int most = 3, pixels = 1 << 23;
-    return cv::getNumThreads() > 1 ? size_t(std::min(std::max(pixels / std::max(size.area(), 1), 1), most)) : 0;
-}
-
 } // namespace
 
 Batch::Batch(const Job& job)
-    : job_(job), inputs_(job.inputs.inputs), report_(job.report.empty() ? nullptr : new ReportFile(job)),
-      corrector_(job), lastTask_(0), done_(0), failures_(0), hasWarned_(false), hasClock_(false)
+    : job_(job), inputs_(job.inputs.inputs), threads_(cv::getNumThreads()),
+      report_(job.report.empty() ? nullptr : new ReportFile(job)), corrector_(job), next_(0), largest_(0),
+      warnings_(job, progress_), lastTask_(0), done_(0), failures_(0), hasClock_(false)
 {
     for (size_t i = 0; i < inputs_.size(); i++)
         if (inputs_[i].isFile() && !isVideo(inputs_[i].name) && !taskOf(inputs_[i].name).isDone())
@@ -118,6 +106,19 @@ bool Batch::isLeftOut(size_t index, const Task& task) const
 FrameFacts Batch::factsOf(size_t index) const
 {
     return job_.log.of(inputs_[index].name, inputs_[index].number, std::numeric_limits<double>::quiet_NaN());
+}
+
+std::launch Batch::launchPolicy() const
+{
+    return threads_ > 1 ? std::launch::async : std::launch::deferred;
+}
+
+// How many images of a sequence are read ahead, and how many are written behind, of a size. Correction takes all
+// processors for a part of the time only; a few images suffice to keep them busy.
+size_t Batch::overlapOf(const cv::Size& size) const
+{
+    const int most = 3, pixels = 1 << 23;
+    return threads_ > 1 ? size_t(std::min(std::max(pixels / std::max(size.area(), 1), 1), most)) : 0;
 }
 
 Batch::FutureImage Batch::imageOf(size_t index)
@@ -182,33 +183,81 @@ void Batch::correctFile(size_t index, const Targets& targets, Outcome& outcome)
 {
     const std::string& input = inputs_[index].name;
     if (isVideo(input))
-        corrector_.reset();
+        correctVideoFile(index, targets, outcome);
+    else if (job_.params.sequence)
+        correctOfSequence(index, targets, outcome);
     else
-    {
-        if (needsGyroClock(job_) && !hasClock_)
-            corrector_.setGyroDelay(gyroDelayFrom(index));
-        corrector_.beginFrame(factsOf(index));
-    }
-    hasClock_ = !isVideo(input);
+        correctAlone(index, targets, outcome);
+}
+
+void Batch::correctVideoFile(size_t index, const Targets& targets, Outcome& outcome)
+{
+    alone_.clear();
+    cv::setNumThreads(threads_);
+    corrector_.reset();
+    hasClock_ = false;
     targets.check(job_);
 #ifdef RSACKERMANN_WITH_VIDEOIO
-    if (isVideo(input))
-    {
-        const double total = done_ + double(inputs_.size() - index);
-        correctVideo(input, targets, job_, corrector_, outcome.frames,
-                     [&](double share) { progress_.update(done_ + share, total, input); });
-        return;
-    }
+    const std::string& input = inputs_[index].name;
+    const double total = done_ + double(inputs_.size() - index);
+    correctVideo(input, targets, job_, corrector_, outcome.frames,
+                 [&](double share) { progress_.update(done_ + share, total, input); });
 #endif
+}
+
+void Batch::correctOfSequence(size_t index, const Targets& targets, Outcome& outcome)
+{
+    const std::string& input = inputs_[index].name;
+    if (needsGyroClock(job_) && !hasClock_)
+        corrector_.setGyroDelay(gyroDelayFrom(index));
+    corrector_.beginFrame(factsOf(index));
+    hasClock_ = true;
+    targets.check(job_);
     const StoredImage stored = imageOf(index).get();
     const size_t overlap = overlapOf(stored.pixels.size());
     readAhead(index + 1, overlap);
     CorrectedFrame frame = corrector_.correct(stored.pixels, nextOf(index), job_.depth.fileOf(inputs_[index]));
     frame.report.input = input;
     finish(overlap);
-    outcome.frames.push_back(frame.report);
-    outcome.written =
-        std::async(launchPolicy(), [&input, stored, frame, targets]() { writeResults(input, stored, frame, targets); });
+    outcome.written = std::async(launchPolicy(), [&input, stored, frame, targets]() {
+        writeResults(input, stored, frame, targets);
+        return frame.report;
+    });
+}
+
+void Batch::correctAlone(size_t index, const Targets& targets, Outcome& outcome)
+{
+    targets.check(job_);
+    if (!alone_.empty())
+        finish(alone_.size() - 1);
+    shareThreads();
+    const Input& input = inputs_[index];
+    const FrameFacts facts = factsOf(index);
+    FrameCorrector& corrector = *alone_[next_++ % alone_.size()];
+    outcome.written = std::async(launchPolicy(), [this, &input, &corrector, facts, targets]() {
+        const StoredImage stored = readStored(input.name);
+        corrector.beginFrame(facts);
+        CorrectedFrame frame = corrector.correct(stored.pixels, NextFrame(), job_.depth.fileOf(input));
+        frame.report.input = input.name;
+        writeResults(input.name, stored, frame, targets);
+        return frame.report;
+    });
+}
+
+// Images are corrected at the same time, each with its share of the threads: one more than there are threads, so that
+// processors needn't wait for files, as far as images like the largest one up to now fit into memory.
+void Batch::shareThreads()
+{
+    const int pixels = 1 << 26;
+    const int images = threads_ > 1 && largest_ > 0 ? std::min(std::max(pixels / largest_, 1), threads_ + 1) : 1;
+    if (alone_.size() == size_t(images))
+        return;
+    finish(0);
+    alone_.resize(size_t(images));
+    for (std::unique_ptr<FrameCorrector>& corrector : alone_)
+        if (!corrector)
+            corrector.reset(new FrameCorrector(job_));
+    cv::setNumThreads(std::max(threads_ / images, 1));
 }
 
 // Waits for the results of inputs until so many are left.
@@ -222,13 +271,14 @@ void Batch::finish(Outcome& outcome)
 {
     const std::string& input = inputs_[outcome.index].name;
     if (outcome.written.valid())
-        outcome.error = errorOf([&]() { outcome.written.get(); });
-    if (!outcome.error.empty() && !isVideo(input)) // of a video there are frames
-        outcome.frames.clear();
+        outcome.error = errorOf([&]() { outcome.frames.push_back(outcome.written.get()); });
     std::vector<std::string> lines;
     for (const FrameReport& frame : outcome.frames)
+    {
         lines.push_back(reportLine(frame));
-    warnOfContradictions(input, outcome.frames);
+        largest_ = std::max(largest_, frame.camera.imageSize.area());
+    }
+    warnings_.add(input, outcome.frames);
     if (!outcome.isReported)
         report(lines);
     done_++;
@@ -237,23 +287,6 @@ void Batch::finish(Outcome& outcome)
         progress_.update(done_, done_ + double(inputs_.size() - outcome.index - 1), input);
     else
         fail(input, outcome.error);
-}
-
-// Once for each input or sequence: a sensor that is wrong is so in many frames.
-void Batch::warnOfContradictions(const std::string& input, const std::vector<FrameReport>& frames)
-{
-    const FrameReport* first = nullptr;
-    size_t count = 0;
-    for (const FrameReport& frame : frames)
-        if (frame.motion.contradictsPrior && count++ == 0)
-            first = &frame;
-    if (!first || (job_.params.sequence && !isVideo(input) && hasWarned_))
-        return;
-    hasWarned_ = true;
-    progress_.clear();
-    std::cerr << "rsackermann_correct: " << input << ": "
-              << (first->frame >= 0 ? cv::format("frame %d of %zu such: ", first->frame, count) : "")
-              << contradiction(*first) << std::endl;
 }
 
 void Batch::fail(const std::string& input, const std::string& message)

@@ -8,6 +8,7 @@
 #include "image_task.hpp"
 #include "progress.hpp"
 #include "report_file.hpp"
+#include "warnings.hpp"
 #include <deque>
 #include <future>
 #include <map>
@@ -16,8 +17,9 @@ namespace rsackermann_samples {
 
 /** Corrects all inputs of a job.
 
-With more than one thread the next images are read and the results of the last ones written while one is corrected;
-what is said of them comes in the order of the inputs.
+With more than one thread images that don't depend on each other are corrected at the same time. Of those of a sequence
+the next ones are read and the results of the last ones written while one is corrected. What is said of them comes in
+the order of the inputs.
 
 Complete results stay when it is interrupted or killed; another run with --skip_existing goes on from there.
 */
@@ -41,14 +43,14 @@ private:
         bool isDone() const { return targets.empty() && isReported; }
     };
 
-    // An input whose results are still being written.
+    // An input that is still being corrected, or whose results are still being written.
     struct Outcome
     {
         size_t index;
         bool isReported; // already
         std::vector<FrameReport> frames;
         std::string error;
-        std::future<void> written; // if there is something to be written
+        std::future<FrameReport> written; // of an image
 
         explicit Outcome(size_t index_, const std::string& error_ = "")
             : index(index_), isReported(false), error(error_)
@@ -61,30 +63,39 @@ private:
     Task taskOf(const std::string& input) const;
     bool isLeftOut(size_t index, const Task& task) const;
     FrameFacts factsOf(size_t index) const;
+    std::launch launchPolicy() const;
+    size_t overlapOf(const cv::Size& size) const;
     FutureImage imageOf(size_t index);
     NextFrame nextOf(size_t index);
     double gyroDelayFrom(size_t index) const;
     void readAhead(size_t index, size_t count);
     void correct(size_t index, const Task& task);
     void correctFile(size_t index, const Targets& targets, Outcome& outcome);
+    void correctVideoFile(size_t index, const Targets& targets, Outcome& outcome);
+    void correctOfSequence(size_t index, const Targets& targets, Outcome& outcome);
+    void correctAlone(size_t index, const Targets& targets, Outcome& outcome);
+    void shareThreads();
     void finish(size_t left);
     void finish(Outcome& outcome);
-    void warnOfContradictions(const std::string& input, const std::vector<FrameReport>& frames);
     void fail(const std::string& input, const std::string& message);
     void report(const std::vector<std::string>& lines);
 
     const Job& job_;
     const std::vector<Input>& inputs_;
+    const int threads_;
     std::unique_ptr<ReportFile> report_;
-    FrameCorrector corrector_;
+    FrameCorrector corrector_;                           // of sequences and videos
+    std::vector<std::unique_ptr<FrameCorrector>> alone_; // one for each image that is corrected at the same time
+    size_t next_;                                        // of them
+    int largest_;                                        // pixels, of the images up to now; 0: there was none
     Progress progress_;
+    Warnings warnings_;
     std::map<size_t, FutureImage> images_; // by their places among the inputs
     std::deque<Outcome> outcomes_;
     size_t lastTask_; // the last input that has something left to be done
     double done_;
     int failures_;
-    bool hasWarned_; // of a contradiction
-    bool hasClock_;  // the gyro, of the sequence that the last input belongs to
+    bool hasClock_; // the gyro, of the sequence that the last input belongs to
 };
 
 } // namespace rsackermann_samples

@@ -10,7 +10,6 @@
 #include "units.hpp"
 
 #include <cmath>
-#include <iostream>
 
 namespace rsackermann_samples {
 
@@ -91,40 +90,11 @@ double FrameCorrector::gyroDelay() const
     return corrector_ && corrector_->getGyroAlignment(delay, axes, bias) ? delay : 0;
 }
 
-void FrameCorrector::warnOfGyro()
+bool FrameCorrector::contradictsGyro() const
 {
-    if (hasWarned_ || job_.gyro.times.empty())
-        return;
-    if (!job_.params.sequence && std::isnan(facts_.time))
-    {
-        hasWarned_ = true;
-        std::cerr << "rsackermann_correct: --gyro has no effect on images without a time: give --log with the column "
-                     "time_s"
-                  << std::endl;
-        return;
-    }
     double delay;
     cv::Vec3d axes, bias;
-    if (corrector_->getGyroAlignment(delay, axes, bias))
-        return;
-    hasWarned_ = true;
-    std::cerr << "rsackermann_correct: the images contradict the gyro, which isn't used where they do: its unit, axes "
-                 "or clock may be others"
-              << std::endl;
-}
-
-void FrameCorrector::warnOfDepth(const AckermannMotion& motion)
-{
-    if (hasWarnedOfDepth_ || corrector_->isDepthUsed() || motion.status != MOTION_OK)
-        return;
-    hasWarnedOfDepth_ = true;
-    const bool isRelative = job_.depth.meaning().kind == DepthMeaning::RELATIVE;
-    std::cerr << "rsackermann_correct: "
-              << (isRelative ? "images that contradict --depth, or don't show that it is theirs, are corrected without "
-                               "it: depth_used in the report"
-                             : "--depth has no effect on images whose speed in metres is unknown: give --speed, --wall "
-                               "or --scale_from_road")
-              << std::endl;
+    return !corrector_->getGyroAlignment(delay, axes, bias);
 }
 
 void FrameCorrector::warp(const cv::Mat& image, const DepthMap& depth, CorrectedFrame& frame)
@@ -167,11 +137,9 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     // Without a motion the maps undo the lens only.
     report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;
     report.timings = corrector_->getTimings();
-    warnOfGyro();
+    report.isGyroWrong = contradictsGyro();
     report.isDepthGiven = !depth.empty();
     report.isDepthUsed = corrector_->isDepthUsed();
-    if (report.isDepthGiven)
-        warnOfDepth(report.motion);
     if (depth.kind == DEPTH_RELATIVE)
         depth = corrector_->getUsedDepth();
     warp(image, report.isDepthUsed ? depth : DepthMap(), frame);

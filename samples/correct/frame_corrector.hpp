@@ -33,12 +33,7 @@ struct NextFrame
 class FrameCorrector
 {
 public:
-    //! @param isSilent whether it doesn't warn.
-    explicit FrameCorrector(const Job& job, bool isSilent = false)
-        : job_(job), isFirst_(true), hasWarned_(isSilent), hasWarnedOfDepth_(isSilent), gyroDelay_(0), time_(0),
-          roll_(0), pitch_(0)
-    {
-    }
+    explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true), gyroDelay_(0), time_(0), roll_(0), pitch_(0) {}
 
     /** Goes on to the next image of a sequence, whether it can be corrected or not: its time passes.
     @param facts from the log, or only its time. */
@@ -66,14 +61,11 @@ public:
 private:
     void prepare(const cv::Size& size);
     void useFacts();
-    void warnOfGyro();
-    void warnOfDepth(const cv::rsackermann::AckermannMotion& motion);
+    bool contradictsGyro() const;
     void warp(const cv::Mat& image, const cv::rsackermann::DepthMap& depth, CorrectedFrame& frame);
 
     const Job& job_;
-    bool isFirst_;   // of a sequence
-    bool hasWarned_; // of a gyro without effect
-    bool hasWarnedOfDepth_;
+    bool isFirst_; // of a sequence
     double gyroDelay_;
     FrameFacts facts_;                                            // of the present image
     double time_;                                                 // of it, known or assumed

@@ -18,7 +18,7 @@ double gyroDelay(const Job& job, const FrameSource& read)
     Job trial = job;
     trial.output = trial.overlay = trial.maps = "";
     trial.smooth = false;
-    FrameCorrector corrector(trial, true);
+    FrameCorrector corrector(trial);
     cv::Mat image;
     FrameFacts facts;
     for (int i = 0; i < frames && !interruptSignal() && read(image, facts); i++)

@@ -25,9 +25,8 @@ StripWarp::StripWarp(const RollingShutterCamera& camera) : generator_(WarpMapGen
 template <class Use>
 void StripWarp::forEachStrip(const AckermannMotion& motion, const DepthMap& depth, const Use& use)
 {
-    const int pixels = 1 << 18; // enough for all threads
     const RollingShutterCamera camera = generator_->getCamera();
-    const int rows = depth.empty() ? std::max(pixels / camera.imageSize.width, 16) : camera.imageSize.height;
+    const int rows = depth.empty() ? 128 : camera.imageSize.height; // 128: maps are made in tiles of so many
     for (cv::Mat* map : {&map1_, &map2_})
         map->create(std::min(rows, camera.imageSize.height), camera.imageSize.width, CV_32FC1);
     for (int y = 0; y < camera.imageSize.height; y += rows)

@@ -154,13 +154,18 @@ TEST(Correct, report_on_standard_output)
 }
 
 // A report without what differs from run to run.
-Json resultOf(const Outcome& outcome)
+Json resultOf(const std::string& line)
 {
-    EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
-    Json report = Json::parse(outcome.output);
+    Json report = Json::parse(line);
     for (const char* key : {"ms_detect", "ms_estimate", "ms_map", "ms_remap"})
         report.erase(key);
     return report;
+}
+
+Json resultOf(const Outcome& outcome)
+{
+    EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+    return resultOf(outcome.output);
 }
 
 // To the last bit: the report, the maps and the image of processes of their own.
@@ -179,6 +184,47 @@ TEST(Correct, same_result_whatever_the_number_of_threads)
             first = results;
         for (size_t i = 0; i < results.size(); i++)
             EXPECT_TRUE(first[i] == results[i]) << threads << " threads, result " << i;
+    }
+}
+
+// Images that are corrected at the same time, of several sizes and with a log, one of them damaged: the same lines in
+// the same order, and the same images.
+TEST(Correct, same_results_of_a_folder_whatever_the_number_of_threads)
+{
+    const TemporaryFolder folder;
+    const int images = 8;
+    std::string log = "frame,speed_kmh,speed_sigma_kmh\n";
+    cv::utils::fs::createDirectory(folder / "in");
+    for (int i = 0; i < images; i++)
+    {
+        const double scale = i % 3 == 1 ? 0.5 : 1;
+        cv::Mat image;
+        cv::resize(streetImage(), image, cv::Size(), scale, scale, cv::INTER_AREA);
+        cv::imwrite(folder / cv::format("in/%d.png", i), image);
+        log += cv::format("%d,%d,5\n", i, 50 + 5 * i);
+    }
+    writeContent(folder / "in/4.png", "no image");
+    writeContent(folder / "log.csv", log);
+
+    std::vector<std::string> first;
+    for (const char* threads : {"1", "2", "8"})
+    {
+        const std::string out = folder / ("out" + std::string(threads)), report = out + ".jsonl";
+        const Outcome outcome = correct({folder / "in", "--readout=0.02", "--log=" + (folder / "log.csv"),
+                                         std::string("--threads=") + threads, "--report=" + report, "--output=" + out});
+        EXPECT_EQ(1, outcome.exitCode) << outcome.messages;
+        std::vector<std::string> results;
+        for (const std::string& line : linesOf(report))
+            results.push_back(resultOf(line).dump());
+        ASSERT_EQ(size_t(images), results.size());
+        for (int i = 0; i < images; i++)
+            if (i != 4)
+                results.push_back(contentOf(out + cv::format("/%d.png", i)));
+        if (first.empty())
+            first = results;
+        for (size_t i = 0; i < results.size(); i++)
+            EXPECT_TRUE(first[i] == results[i])
+                << threads << " threads, result " << i << ": " << results[i].substr(0, 200);
     }
 }
 

@@ -1,0 +1,70 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace rsackermann_samples {
+
+void Warnings::add(const std::string& input, const std::vector<FrameReport>& frames)
+{
+    addContradiction(input, frames);
+    for (const FrameReport& frame : frames)
+    {
+        addGyro(frame);
+        addDepth(frame);
+    }
+}
+
+// Once for each input or sequence: a sensor that is wrong is so in many frames.
+void Warnings::addContradiction(const std::string& input, const std::vector<FrameReport>& frames)
+{
+    const auto contradicts = [](const FrameReport& frame) { return frame.motion.contradictsPrior; };
+    const auto first = std::find_if(frames.begin(), frames.end(), contradicts);
+    if (first == frames.end() || (job_.params.sequence && first->frame < 0 && hasContradiction_))
+        return;
+    hasContradiction_ = true;
+    const int count = int(std::count_if(first, frames.end(), contradicts));
+    warn(input + ": " + (first->frame >= 0 ? cv::format("frame %d of %d such: ", first->frame, count) : "") +
+         contradiction(*first));
+}
+
+void Warnings::addGyro(const FrameReport& frame)
+{
+    if (job_.gyro.times.empty())
+        return;
+    if (!job_.params.sequence && std::isnan(frame.time))
+        warnOnce("--gyro has no effect on images without a time: give --log with the column time_s");
+    else if (frame.isGyroWrong)
+        warnOnce("the images contradict the gyro, which isn't used where they do: its unit, axes or clock may be "
+                 "others");
+}
+
+void Warnings::addDepth(const FrameReport& frame)
+{
+    if (!frame.isDepthGiven || frame.isDepthUsed || frame.motion.status != cv::rsackermann::MOTION_OK)
+        return;
+    warnOnce(job_.depth.meaning().kind == DepthMeaning::RELATIVE
+                 ? "images that contradict --depth, or don't show that it is theirs, are corrected without it: "
+                   "depth_used in the report"
+                 : "--depth has no effect on images whose speed in metres is unknown: give --speed, --wall or "
+                   "--scale_from_road");
+}
+
+void Warnings::warn(const std::string& message)
+{
+    progress_.clear();
+    std::cerr << "rsackermann_correct: " << message << std::endl;
+}
+
+void Warnings::warnOnce(const std::string& message)
+{
+    if (given_.insert(message).second)
+        warn(message);
+}
+
+} // namespace rsackermann_samples

@@ -1,0 +1,39 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef RSACKERMANN_SAMPLES_WARNINGS_HPP
+#define RSACKERMANN_SAMPLES_WARNINGS_HPP
+
+#include "job.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include <set>
+
+namespace rsackermann_samples {
+
+//! Says on standard error which given values have no effect, or are contradicted by the images.
+class Warnings
+{
+public:
+    Warnings(const Job& job, Progress& progress) : job_(job), progress_(progress) {}
+
+    //! @param frames of the input, in their order.
+    void add(const std::string& input, const std::vector<FrameReport>& frames);
+
+private:
+    void addContradiction(const std::string& input, const std::vector<FrameReport>& frames);
+    void addGyro(const FrameReport& frame);
+    void addDepth(const FrameReport& frame);
+    void warn(const std::string& message);
+    void warnOnce(const std::string& message);
+
+    const Job& job_;
+    Progress& progress_;
+    bool hasContradiction_ = false;
+    std::set<std::string> given_; // warnings that hold for all inputs
+};
+
+} // namespace rsackermann_samples
+
+#endif // RSACKERMANN_SAMPLES_WARNINGS_HPP
