@@ -75,24 +75,19 @@ public:
         Fit rest = Fit(MotionHypothesis(MODEL_NONE, 0));
         rest.model[P_STREET] = problem.heading.angle;
         std::vector<WeighedHypothesis> moving = hypotheses();
-        for (WeighedHypothesis& h : moving)
-            h.minima = allowedStarts(h.hypothesis);
+        forEach(moving.size(), [&](size_t i) { moving[i].minima = allowedStarts(moving[i].hypothesis); });
         refineAll(rest, moving);
         if (!(leastOf(rest, moving).cost < DBL_MAX))
             return false;
         measureNoise(rest, moving);
         mixture.setRoadContact(roadContact(moving));
-        addFit(rest, prior.logRest());
+        mixture.add(rest, rest.hypothesis, logWeight(rest, prior.logRest()));
         if (problem.distortionSigma > 0)
             addRestThroughOtherLenses(rest);
         // Who gives a speed and the distance of a wall knows of a street.
         if (!prior.scaledSpeedIsGiven())
             addSceneWithoutVerticals(rest);
-        for (size_t i = 0; i < moving.size(); i++)
-            if (!moving[i].minima.empty() && moving[i].hypothesis.turns())
-                sweep(cheapest(moving[i].minima), moving[i].logPrior);
-            else if (!moving[i].minima.empty())
-                addFit(cheapest(moving[i].minima), moving[i].logPrior);
+        addMoving(moving);
         result = mixture.best();
         return true;
     }
@@ -197,17 +192,15 @@ private:
     {
         const int ways = 2;
         const std::vector<Model> models = starts(hypothesis);
-        std::vector<Fit> fits(ways * models.size(), Fit(hypothesis));
-        AutoBuffer<bool> isUsed(fits.size());
-        forEach(fits.size(), [&](size_t i) {
-            fits[i].model = models[i / ways];
-            isUsed[i] = (i % ways == 0 || startFromStreetDirection(problem, hypothesis, fits[i].model)) &&
-                        isAllowed(hypothesis, fits[i].model);
-        });
         std::vector<Fit> allowed;
-        for (size_t i = 0; i < fits.size(); i++)
-            if (isUsed[i])
-                allowed.push_back(fits[i]);
+        for (size_t i = 0; i < ways * models.size(); i++)
+        {
+            Fit fit(hypothesis);
+            fit.model = models[i / ways];
+            if ((i % ways == 0 || startFromStreetDirection(problem, hypothesis, fit.model)) &&
+                isAllowed(hypothesis, fit.model))
+                allowed.push_back(fit);
+        }
         return allowed;
     }
 
@@ -329,20 +322,23 @@ private:
     // A lens that isn't known bends verticals as a motion can: those of a camera at rest may be seen through any lens.
     void addRestThroughOtherLenses(const Fit& rest)
     {
-        for (size_t i = 0; i < sizeof(OTHER_LENSES) / sizeof(*OTHER_LENSES); i++)
-        {
+        const size_t count = sizeof(OTHER_LENSES) / sizeof(*OTHER_LENSES);
+        double logWeights[count];
+        forEach(count, [&](size_t i) {
+            logWeights[i] = -DBL_MAX;
             RefinementProblem other = problem;
             double logJacobian;
             if (!seeThroughOtherLens(OTHER_LENSES[i] * problem.distortionSigma, other, logJacobian))
-                continue;
+                return;
             other.weigh();
             Fit fit = rest;
             fit.refine(other);
             const double likelihood = ownNoiseOf(Slants(other, fit.model, false)) + logJacobian;
-            mixture.add(rest, rest.hypothesis,
-                        logEvidence(fit, fit.hypothesis) + (likelihood - ownNoise) / dependence + prior.logRest() -
-                            OTHER_LENSES[i] * OTHER_LENSES[i] / 2);
-        }
+            logWeights[i] = logEvidence(fit, fit.hypothesis) + (likelihood - ownNoise) / dependence + prior.logRest() -
+                            OTHER_LENSES[i] * OTHER_LENSES[i] / 2;
+        });
+        for (double logWeight : logWeights)
+            mixture.add(rest, rest.hypothesis, logWeight);
     }
 
     // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known
@@ -360,10 +356,9 @@ private:
                         (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
     }
 
-    // Without a yaw rate there is nothing to sweep over.
-    void addFit(const Fit& fit, double logPrior)
+    double logWeight(const Fit& fit, double logPrior) const
     {
-        mixture.add(fit, fit.hypothesis, logEvidence(fit, fit.hypothesis) + logNoise(fit) + logPrior);
+        return logEvidence(fit, fit.hypothesis) + logNoise(fit) + logPrior;
     }
 
     // Motions at several yaw rates, with the logarithms of their densities and of the part of the yaw rates that each
@@ -374,31 +369,50 @@ private:
         std::vector<double> logDensity, logWidth;
     };
 
-    // Adds motions with the yaw rates to both sides of a fit. If one of them fits better there may be another minimum.
-    void sweep(Fit fit, double logPrior)
+    // Each is swept over the yaw rate, if it has one and isn't improbable against the others.
+    void addMoving(const std::vector<WeighedHypothesis>& moving)
     {
-        if (logPrior + logNoise(fit) + logEvidence(fit, fit.hypothesis) < mixture.largest() + std::log(NEGLIGIBLE))
-            return;
-        Swept swept = sweepFrom(fit);
-        const Fit& best = cheapest(swept.fits);
-        if (best.cost < fit.cost - NEGLIGIBLE)
-        {
-            Fit other = fit;
-            other.model = best.model;
-            other.refine(problem);
-            if (other.cost < fit.cost - NEGLIGIBLE)
+        std::vector<double> logWeights(moving.size(), -DBL_MAX);
+        double largest = mixture.largest();
+        for (size_t i = 0; i < moving.size(); i++)
+            if (!moving[i].minima.empty())
             {
-                fit = other;
-                swept = sweepFrom(fit);
+                logWeights[i] = logWeight(cheapest(moving[i].minima), moving[i].logPrior);
+                largest = std::max(largest, logWeights[i]);
             }
+        std::vector<Swept> swept(moving.size());
+        forEach(moving.size(), [&](size_t i) {
+            if (moving[i].hypothesis.turns() && logWeights[i] > largest + std::log(NEGLIGIBLE))
+                swept[i] = sweep(cheapest(moving[i].minima));
+        });
+        for (size_t i = 0; i < moving.size(); i++)
+        {
+            const MotionHypothesis& hypothesis = moving[i].hypothesis;
+            if (!hypothesis.turns() && !moving[i].minima.empty())
+                mixture.add(cheapest(moving[i].minima), hypothesis, logWeights[i]);
+            if (swept[i].fits.empty())
+                continue;
+            const double logShared = moving[i].logPrior + logNoise(cheapest(swept[i].fits));
+            for (size_t k = 0; k < swept[i].fits.size(); k++)
+                mixture.add(swept[i].fits[k], hypothesis, swept[i].logDensity[k] + swept[i].logWidth[k] + logShared);
         }
-        const double logWeight = logPrior + logNoise(cheapest(swept.fits));
-        for (size_t i = 0; i < swept.fits.size(); i++)
-            mixture.add(swept.fits[i], fit.hypothesis, swept.logDensity[i] + swept.logWidth[i] + logWeight);
+    }
+
+    // To both sides of a fit. If one of the motions fits better there may be another minimum.
+    Swept sweep(const Fit& fit) const
+    {
+        const Swept swept = sweepFrom(fit);
+        const Fit& best = cheapest(swept.fits);
+        if (!(best.cost < fit.cost - NEGLIGIBLE))
+            return swept;
+        Fit other = fit;
+        other.model = best.model;
+        other.refine(problem);
+        return other.cost < fit.cost - NEGLIGIBLE ? sweepFrom(other) : swept;
     }
 
     // Until motions are improbable.
-    Swept sweepFrom(const Fit& fit)
+    Swept sweepFrom(const Fit& fit) const
     {
         const MotionHypothesis pinned(fit.hypothesis.translates() ? MODEL_3LA : MODEL_NONE, fit.hypothesis.walls);
         const double variance = fit.covariance(P_ALPHA, P_ALPHA),
