@@ -116,6 +116,62 @@ TEST(RSAckermann_RowRates, nothing_is_known_at_first)
     EXPECT_EQ(0, process.now().value);
 }
 
+double yawSigmaOf(const RowRates& rates)
+{
+    const double unit = 0.03;
+    AckermannMotion motion;
+    motion.covariance = Matx44d::zeros();
+    rates.toMotion(unit, motion);
+    return 2 * std::sqrt(motion.covariance(0, 0)) / unit;
+}
+
+SequenceFit turnsToNextFrame(double pitch, double roll)
+{
+    SequenceFit fit{SequenceState(simulation::paperCamera(), AckermannEstimator::Params())};
+    fit.values[FLOW_PITCH_AFTER] = pitch;
+    fit.values[FLOW_ROLL_AFTER] = roll;
+    return fit;
+}
+
+// The yaw rate of the first frame is that of the whole interval to the next one: by how much the instant's may differ
+// is told by the other axes. With a variance of two squares, 82 % are within two sigmas (Student's t).
+TEST(RSAckermann_RowRates, of_a_first_frame)
+{
+    RNG rng(3);
+    int within = 0;
+    const int count = 400;
+    for (int k = 0; k < count; k++)
+    {
+        const simulation::Oscillation pitch(0.002, 0.15, 0.25, rng), roll(0.002, 0.15, 0.25, rng),
+            yaw(0.002, 0.15, 0.25, rng);
+        const Swing swing = {[&](double seconds) { return yaw.at(seconds); }};
+        RowRates rates;
+        rates.begin(turnsToNextFrame(pitch.at(INTERVAL) - pitch.at(0), roll.at(INTERVAL) - roll.at(0)), INTERVAL);
+        within += std::abs(swing.mean(1) - swing.at(0)) < 2 * yawSigmaOf(rates);
+    }
+    EXPECT_GE(within, 0.82 * count);
+}
+
+TEST(RSAckermann_RowRates, first_changes_are_as_large_as_other_rates)
+{
+    for (double interval : {0.1, -0.1})
+    {
+        RowRates rates;
+        rates.begin(turnsToNextFrame(0.03, -0.04), interval);
+        EXPECT_NEAR(0.5 / std::sqrt(2.), yawSigmaOf(rates), 1e-12);
+        // The next frame knows no change yet; then those that are seen count as well.
+        SequenceFit fit = turnsToNextFrame(0, 0);
+        rates.update(fit, interval, 0);
+        EXPECT_NEAR(0.5 / std::sqrt(2.), yawSigmaOf(rates), 1e-12);
+        for (int i = 0; i < 9; i++)
+            rates.update(fit, interval, 0);
+        EXPECT_NEAR(0.5 / std::sqrt(20.), yawSigmaOf(rates), 0.01);
+        // Those that are known aren't forgotten where the camera begins anew.
+        rates.begin(turnsToNextFrame(3, 4), interval);
+        EXPECT_NEAR(0.5 / std::sqrt(20.), yawSigmaOf(rates), 0.01);
+    }
+}
+
 // A recording that is played backward has the same rates.
 TEST(RSAckermann_RowRates, forward_and_backward)
 {

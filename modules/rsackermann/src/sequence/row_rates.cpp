@@ -43,6 +43,14 @@ void RateProcess::add(double rate, double interval)
     known = std::min(known + 1, 2);
 }
 
+void RateProcess::expectChange(double square)
+{
+    if (pairs > 0)
+        return;
+    changes = square;
+    pairs = 1;
+}
+
 // Of a rate that wanders, the mean of the means on both sides misses the instant by half of their difference.
 InstantRate RateProcess::now() const
 {
@@ -96,6 +104,16 @@ void RowRates::interrupt()
     curve.release();
     yawSigma = 0;
     isMeasured = false;
+}
+
+// Means that don't depend on each other differ by twice their variance, and shaking is taken to be alike about all
+// axes.
+void RowRates::begin(const SequenceFit& fit, double after)
+{
+    interrupt();
+    const double ofPitch = fit.values[FLOW_PITCH_AFTER] / after, ofRoll = fit.values[FLOW_ROLL_AFTER] / after;
+    yaw.expectChange(ofPitch * ofPitch + ofRoll * ofRoll);
+    yawSigma = yaw.wandering();
 }
 
 void RowRates::set(const MeasuredTurns& measured)

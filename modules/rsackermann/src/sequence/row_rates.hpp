@@ -27,6 +27,9 @@ public:
     //! Adds the mean rate over the interval that ends at the present frame. @param interval seconds, of any sign.
     void add(double rate, double interval);
 
+    //! The square of a change that is expected while none is known.
+    void expectChange(double square);
+
     //! The next mean doesn't follow the last one.
     void interrupt() { known = 0; }
 
@@ -70,6 +73,10 @@ public:
 
     //! A frame without turns.
     void interrupt();
+
+    /** A frame with turns to the next one only: how fast a camera pitches and rolls lets expect how it shakes.
+    @param after seconds to the next frame. */
+    void begin(const SequenceFit& fit, double after);
 
     //! Of the present frame, by a gyro.
     void set(const MeasuredTurns& measured);

@@ -224,6 +224,8 @@ void SequenceEstimator::updateRates(double before, double after)
         isSeen[features.bearings[i].pitch == FLOW_PITCH_BEFORE ? 0 : 1] = true;
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
         rates.update(last, before, isSeen[before > 0 ? 1 : 0] ? after : 0);
+    else if (after != 0 && isSeen[after > 0 ? 1 : 0])
+        rates.begin(last, after);
     else
         rates.interrupt();
     if (gyro.samples.empty())
