@@ -15,6 +15,8 @@
 // And what they are if there are no vectors.
 #undef CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 #define CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN namespace tested_without_vectors {
+#undef CV_SIMD_64F
+#define CV_SIMD_64F 0
 #undef CV_SIMD
 #define CV_SIMD 0
 #include "../src/features/edge_kernels.simd.hpp"

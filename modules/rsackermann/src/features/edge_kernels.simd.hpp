@@ -2,8 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "../opencv_versions.hpp"
 #include "edge_kernels.hpp"
+#ifdef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+#include "../opencv_versions.hpp"
+#else
+#include "../simd_pack.hpp"
+#endif
 
 namespace cv { namespace rsackermann {
 
@@ -20,34 +24,18 @@ namespace {
 
 enum { STEP_GAIN = 8 }; // of the gradient: weights of the rows, two pixels
 
-#if CV_SIMD
+typedef PackOf<float> Pack;
 
-enum { LANES = VTraits<v_float32>::max_nlanes };
-
-typedef v_float32 Floats;
-
-inline Floats allOf(double x)
-{
-    return vx_setall_f32(float(x));
-}
-inline Floats loadFloats(const float* p)
-{
-    return vx_load(p);
-}
-inline float sumOf(const Floats& x)
-{
-    return v_reduce_sum(x);
-}
-
-// A pixel of the windows of several rows.
+// The pixels of the windows of several rows.
+#if CV_SIMD_64F
 template <int i>
-inline Floats pixelOf(const v_uint32 (&halves)[2])
+Pack pixelOf(const v_uint32 (&halves)[2])
 {
     const v_uint32 shifted = v_shr<i % 4 * 8>(halves[i / 4]);
     return v_cvt_f32(v_reinterpret_as_s32(v_and(shifted, vx_setall_u32(0xFF))));
 }
 
-inline void loadPixels(const uchar* p, Floats (&pixels)[WINDOW_PIXELS])
+void loadPixels(const uchar* p, Pack (&pixels)[WINDOW_PIXELS])
 {
     v_uint32 halves[2];
     v_load_deinterleave(reinterpret_cast<const unsigned*>(p), halves[0], halves[1]);
@@ -59,63 +47,11 @@ inline void loadPixels(const uchar* p, Floats (&pixels)[WINDOW_PIXELS])
     pixels[5] = pixelOf<5>(halves);
     pixels[6] = pixelOf<6>(halves);
 }
-
-inline Floats ifPositive(const Floats& x, const Floats& value)
-{
-    return v_select(v_gt(x, allOf(0)), value, allOf(0));
-}
-
 #else
-
-// One number, if the processor has no vectors of them.
-enum { LANES = 1 };
-
-typedef float Floats;
-
-inline float allOf(double x)
+void loadPixels(const uchar* p, Pack (&pixels)[WINDOW_PIXELS])
 {
-    return float(x);
+    std::copy(p, p + WINDOW_PIXELS, pixels);
 }
-inline float loadFloats(const float* p)
-{
-    return *p;
-}
-inline void v_store(float* p, float x)
-{
-    *p = x;
-}
-inline float sumOf(float x)
-{
-    return x;
-}
-inline float v_add(float a, float b)
-{
-    return a + b;
-}
-inline float v_sub(float a, float b)
-{
-    return a - b;
-}
-inline float v_mul(float a, float b)
-{
-    return a * b;
-}
-inline float v_div(float a, float b)
-{
-    return a / b;
-}
-
-inline void loadPixels(const uchar* p, float (&pixels)[WINDOW_PIXELS])
-{
-    for (int k = 0; k < WINDOW_PIXELS; k++)
-        pixels[k] = p[k];
-}
-
-inline float ifPositive(float x, float value)
-{
-    return x > 0 ? value : 0;
-}
-
 #endif
 
 // The sum of three rows, the middle one twice, and its differences of two places to the left of a place between two
@@ -195,71 +131,69 @@ int findExtremes(const uchar* const (&rows)[3], int width, double leastStep, sho
 
 EdgeMoments sumWindows(EdgeWindows& windows, float sign)
 {
-    const Floats one = allOf(1), scale = allOf(1. / (WINDOW_REACH * WINDOW_REACH)), signs = allOf(sign);
-    Floats sums[3] = {allOf(0), allOf(0), allOf(0)};
-    for (int i = 0; i < windows.count; i += LANES)
+    const Pack zero(0.), one(1), scale(1. / (WINDOW_REACH * WINDOW_REACH)), signs(sign);
+    Pack sums[3] = {zero, zero, zero};
+    for (int i = 0; i < windows.count; i += Pack::COUNT)
     {
-        Floats pixels[WINDOW_PIXELS], u = loadFloats(&windows.first[i]), m0 = allOf(0), m1 = m0, m2 = m0;
+        Pack pixels[WINDOW_PIXELS], u = Pack::load(&windows.first[i]), m0 = zero, m1 = zero, m2 = zero;
         loadPixels(&windows.pixels[size_t(i) * WINDOW_STRIDE], pixels);
         for (int k = 0; k + 1 < WINDOW_PIXELS; k++)
         {
-            const Floats inside = v_sub(one, v_mul(v_mul(u, u), scale));
-            const Floats g = v_mul(v_mul(v_mul(inside, inside), v_sub(pixels[k + 1], pixels[k])), signs),
-                         gu = v_mul(g, u);
-            m0 = v_add(m0, g);
-            m1 = v_add(m1, gu);
-            m2 = v_add(m2, v_mul(gu, u));
-            u = v_add(u, one);
+            const Pack inside = one - u * u * scale;
+            const Pack g = inside * inside * (pixels[k + 1] - pixels[k]) * signs, gu = g * u;
+            m0 = m0 + g;
+            m1 = m1 + gu;
+            m2 = m2 + gu * u;
+            u = u + one;
         }
-        v_store(&windows.step[i], ifPositive(m0, m0));
-        v_store(&windows.centre[i], ifPositive(m0, v_div(m1, m0)));
-        sums[0] = v_add(sums[0], ifPositive(m0, m0));
-        sums[1] = v_add(sums[1], ifPositive(m0, m1));
-        sums[2] = v_add(sums[2], ifPositive(m0, m2));
+        const auto isEdge = m0 > zero;
+        choose(isEdge, m0, zero).store(&windows.step[i]);
+        choose(isEdge, m1 / m0, zero).store(&windows.centre[i]);
+        sums[0] = sums[0] + choose(isEdge, m0, zero);
+        sums[1] = sums[1] + choose(isEdge, m1, zero);
+        sums[2] = sums[2] + choose(isEdge, m2, zero);
     }
-    const EdgeMoments moments = {sumOf(sums[0]), sumOf(sums[1]), sumOf(sums[2])};
+    const EdgeMoments moments = {sums[0].sum(), sums[1].sum(), sums[2].sum()};
     return moments;
 }
 
 ParabolaSums sumCentres(const EdgeWindows& windows, double gain, double usualSquare, double start, double spacing,
                         const ParabolaFit* line)
 {
-    const Floats zero = allOf(0), one = allOf(1), gains = allOf(gain), usual = allOf(usualSquare),
-                 middle = allOf(line ? line->middle : 0), slope = allOf(line ? line->slope : 0),
-                 curvature = allOf(line ? line->curvature : 0), robust = allOf(line ? 1 : 0);
-    float times[LANES] = {0};
-    for (int k = 0; k < LANES; k++)
+    const Pack zero(0.), one(1), gains(gain), usual(usualSquare), middle(line ? line->middle : 0),
+        slope(line ? line->slope : 0), curvature(line ? line->curvature : 0), robust(line ? 1 : 0);
+    float times[Pack::COUNT];
+    for (int k = 0; k < Pack::COUNT; k++)
         times[k] = float(start + k * spacing);
-    Floats t = loadFloats(times), n = zero, st = zero, stt = zero, sttt = zero, stttt = zero, sx = zero, sxt = zero,
-           sxtt = zero, sxx = zero;
-    const Floats advance = allOf(LANES * spacing);
-    for (int i = 0; i < windows.count; i += LANES, t = v_add(t, advance))
+    Pack t = Pack::load(times), n = zero, st = zero, stt = zero, sttt = zero, stttt = zero, sx = zero, sxt = zero,
+         sxtt = zero, sxx = zero;
+    const Pack advance(Pack::COUNT * spacing);
+    for (int i = 0; i < windows.count; i += Pack::COUNT, t = t + advance)
     {
-        const Floats x = v_mul(gains, loadFloats(&windows.centre[i])), step = loadFloats(&windows.step[i]),
-                     r = v_mul(robust, v_sub(v_sub(x, middle), v_mul(t, v_add(slope, v_mul(t, curvature))))),
-                     q = v_add(one, v_mul(r, r)), square = v_mul(step, step),
-                     w = v_div(square, v_mul(v_add(square, usual), v_mul(q, q))), wt = v_mul(w, t), wtt = v_mul(wt, t),
-                     wx = v_mul(w, x), wttt = v_mul(wtt, t), wxt = v_mul(wx, t);
-        n = v_add(n, w);
-        st = v_add(st, wt);
-        stt = v_add(stt, wtt);
-        sttt = v_add(sttt, wttt);
-        stttt = v_add(stttt, v_mul(wttt, t));
-        sx = v_add(sx, wx);
-        sxt = v_add(sxt, wxt);
-        sxtt = v_add(sxtt, v_mul(wxt, t));
-        sxx = v_add(sxx, v_mul(wx, x));
+        const Pack x = gains * Pack::load(&windows.centre[i]), step = Pack::load(&windows.step[i]),
+                   r = robust * (x - middle - t * (slope + t * curvature)), q = one + r * r, square = step * step,
+                   w = square / ((square + usual) * (q * q)), wt = w * t, wtt = wt * t, wx = w * x, wttt = wtt * t,
+                   wxt = wx * t;
+        n = n + w;
+        st = st + wt;
+        stt = stt + wtt;
+        sttt = sttt + wttt;
+        stttt = stttt + wttt * t;
+        sx = sx + wx;
+        sxt = sxt + wxt;
+        sxtt = sxtt + wxt * t;
+        sxx = sxx + wx * x;
     }
     ParabolaSums s;
-    s.n = sumOf(n);
-    s.t = sumOf(st);
-    s.tt = sumOf(stt);
-    s.ttt = sumOf(sttt);
-    s.tttt = sumOf(stttt);
-    s.x = sumOf(sx);
-    s.xt = sumOf(sxt);
-    s.xtt = sumOf(sxtt);
-    s.xx = sumOf(sxx);
+    s.n = n.sum();
+    s.t = st.sum();
+    s.tt = stt.sum();
+    s.ttt = sttt.sum();
+    s.tttt = stttt.sum();
+    s.x = sx.sum();
+    s.xt = sxt.sum();
+    s.xtt = sxtt.sum();
+    s.xx = sxx.sum();
     return s;
 }
 
