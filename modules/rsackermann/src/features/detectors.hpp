@@ -29,6 +29,10 @@ the image itself.
 void detectVerticals(const Mat& gray, const Mat& smaller, int scale, double minLength, bool isForMany,
                      std::vector<Vec4f>& segments);
 
+//! Standard deviation of the noise of an image, from its second differences in both directions, grey levels: at least
+//! that of rounding.
+double imageNoise(const Mat& gray);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_FEATURES_DETECTORS_HPP

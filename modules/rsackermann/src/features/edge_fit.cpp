@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "edge_fit.hpp"
+#include "edges.hpp"
 
 #include <cstring>
 

@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../optim/sigma_of_median.hpp"
-#include "image_noise.hpp"
+#include "detectors.hpp"
 
 namespace cv { namespace rsackermann {
 

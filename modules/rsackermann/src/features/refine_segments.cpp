@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../parallel_loop.hpp"
 #include "refine_segments.hpp"
 
 namespace cv { namespace rsackermann {
@@ -163,40 +164,20 @@ void refine(const Mat& gray, int maxPlaces, bool usesEnds, Vec4f& segment)
     segment = Vec4f(newFirst.x, newFirst.y, newLast.x, newLast.y);
 }
 
-class RefineBody : public ParallelLoopBody
-{
-public:
-    RefineBody(const Mat& gray_, int steps_, bool usesEnds_, std::vector<Vec4f>& segments_)
-        : gray(gray_), steps(steps_), usesEnds(usesEnds_), segments(segments_)
-    {
-    }
-
-    void operator()(const Range& range) const CV_OVERRIDE
-    {
-        for (int i = range.start; i < range.end; i++)
-        {
-            // Few places bring a segment near the edge.
-            const int fewPlaces = 24;
-            for (int step = 1; step < steps; step++)
-                refine(gray, fewPlaces, usesEnds, segments[i]);
-            refine(gray, EdgePlaces::CAPACITY, usesEnds, segments[i]);
-        }
-    }
-
-private:
-    const Mat& gray;
-    int steps;
-    bool usesEnds;
-    std::vector<Vec4f>& segments;
-};
-
 } // namespace
 
 void refineSegments(const Mat& gray, int steps, bool usesEnds, std::vector<Vec4f>& segments)
 {
+    const int fewPlaces = 24; // bring a segment near the edge
     const double segmentsPerStripe = 32;
-    parallel_for_(Range(0, int(segments.size())), RefineBody(gray, steps, usesEnds, segments),
-                  segments.size() / segmentsPerStripe);
+    forEachInParallel(
+        int(segments.size()),
+        [&](int i) {
+            for (int step = 1; step < steps; step++)
+                refine(gray, fewPlaces, usesEnds, segments[i]);
+            refine(gray, EdgePlaces::CAPACITY, usesEnds, segments[i]);
+        },
+        segments.size() / segmentsPerStripe);
 }
 
 }} // namespace cv::rsackermann

@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "opencv2/imgproc.hpp"
 #include "../checks.hpp"
+#include "../parallel_loop.hpp"
 #include "segments.hpp"
 #include "detectors.hpp"
 #include "refine_segments.hpp"
@@ -123,40 +124,6 @@ void SegmentFinder::release()
     small.release();
 }
 
-namespace {
-
-class FindInStrips : public ParallelLoopBody
-{
-public:
-    FindInStrips(const std::vector<Mat>& strips_, int detector_, double minLength_, double scale_,
-                 std::vector<std::vector<Vec4f>>& found_)
-        : strips(strips_), detector(detector_), minLength(minLength_), scale(scale_), found(found_)
-    {
-    }
-
-    void operator()(const Range& range) const CV_OVERRIDE
-    {
-        for (int i = range.start; i < range.end; i++)
-        {
-            found[i].clear();
-            if (detector == DETECTOR_LSD)
-                detectLSD(strips[i], scale, found[i]);
-            else if (detector == DETECTOR_FLD)
-                detectFLD(strips[i], minLength, found[i]);
-            else
-                detectEDLines(strips[i], minLength, found[i]);
-        }
-    }
-
-private:
-    const std::vector<Mat>& strips;
-    int detector;
-    double minLength, scale;
-    std::vector<std::vector<Vec4f>>& found;
-};
-
-} // namespace
-
 void SegmentFinder::findInStrips(const Mat& image, int count, int detector, double minLength, double detectorScale)
 {
     strips.resize(count);
@@ -169,7 +136,15 @@ void SegmentFinder::findInStrips(const Mat& image, int count, int detector, doub
         // A copy: not all of the detectors leave their input alone or take parts of larger images.
         image.colRange(seen[i]).copyTo(strips[i]);
     }
-    parallel_for_(Range(0, count), FindInStrips(strips, detector, minLength, detectorScale, foundInStrips));
+    forEachInParallel(count, [&](int i) {
+        foundInStrips[i].clear();
+        if (detector == DETECTOR_LSD)
+            detectLSD(strips[i], detectorScale, foundInStrips[i]);
+        else if (detector == DETECTOR_FLD)
+            detectFLD(strips[i], minLength, foundInStrips[i]);
+        else
+            detectEDLines(strips[i], minLength, foundInStrips[i]);
+    });
     found.clear();
     for (int i = 0; i < count; i++)
         for (size_t k = 0; k < foundInStrips[i].size(); k++)
@@ -223,6 +198,12 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
     }
     keepLong(minLength);
     returnSegments(found.empty() ? Mat(0, 4, CV_32F) : Mat(found).reshape(1, (int)found.size()), segments_);
+}
+
+void detectSegments(InputArray image, OutputArray segments, int detector, double minLength)
+{
+    CV_INSTRUMENT_REGION();
+    SegmentFinder().find(image, detector, minLength, segments);
 }
 
 }} // namespace cv::rsackermann

@@ -3,10 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../parallel_loop.hpp"
 #include "detectors.hpp"
-#include "edge_chains.hpp"
-#include "edge_fit.hpp"
-#include "image_noise.hpp"
+#include "edges.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -22,68 +21,43 @@ struct Strip
     Range own, seen; // columns
 };
 
-class FindEdges : public ParallelLoopBody
-{
-public:
-    FindEdges(const Mat& searched_, const Mat& gray_, const std::vector<Strip>& strips_, double noise_, double scale_,
-              double minLength_, bool isForMany_, std::vector<std::vector<Vec4f>>& found_)
-        : searched(searched_), gray(gray_), strips(strips_), noise(noise_), scale(scale_), minLength(minLength_),
-          isForMany(isForMany_), found(found_)
-    {
-    }
-
-    void operator()(const Range& range) const CV_OVERRIDE
-    {
-        for (int i = range.start; i < range.end; i++)
-            find(strips[i], found[i]);
-    }
-
-private:
-    void find(const Strip& strip, std::vector<Vec4f>& segments) const
-    {
-        // Rows at the ends of a piece that needn't tell the edge; for many images as in refineSegments().
-        const double end = 1.5, endForMany = 4.5;
-        segments.clear();
-        Mat image;
-        if (strip.isTransposed)
-            transpose(searched.rowRange(strip.seen), image);
-        else
-            image = searched.colRange(strip.seen);
-        EdgeFit fit(EdgeImage(gray, strip.isTransposed));
-        std::vector<EdgePiece> pieces;
-        // Diagonals cross fewer rows than they are long.
-        EdgeChains(image, noise, cvFloor(0.7 * minLength / scale)).find(pieces);
-        for (size_t i = 0; i < pieces.size(); i++)
-        {
-            EdgePiece& p = pieces[i];
-            p.middle += strip.seen.start;
-            // In the overlap an edge is found twice and taken from the strip that has its middle.
-            if ((strip.own.start > 0 && p.middle < strip.own.start) ||
-                (strip.own.end < strip.width && p.middle >= strip.own.end))
-                continue;
-            if ((p.last - p.first + 1) * std::sqrt(1 + p.slope * p.slope) * scale < 0.95 * minLength)
-                continue;
-            // Up to the borders of the pixels, in the image itself.
-            const double shift = (scale - 1) / 2;
-            p.first = (p.first - 0.5) * scale + shift;
-            p.last = (p.last + 0.5) * scale + shift;
-            p.middle = p.middle * scale + shift;
-            p.curvature /= scale;
-            fit.move(scale * (isForMany ? endForMany : end), p);
-            const Vec4f s(float(p.column(p.first)), float(p.first), float(p.column(p.last)), float(p.last));
-            segments.push_back(strip.isTransposed ? Vec4f(s[1], s[0], s[3], s[2]) : s);
-        }
-    }
-
-    const Mat& searched;
-    const Mat& gray;
-    const std::vector<Strip>& strips;
-    double noise, scale, minLength;
-    bool isForMany;
-    std::vector<std::vector<Vec4f>>& found;
-};
-
 } // namespace
+
+// The segments of a strip of the smaller image, in the image itself.
+static std::vector<Vec4f> findInStrip(const Strip& strip, const Mat& gray, const Mat& smaller, double scale,
+                                      double noise, double minLength, bool isForMany)
+{
+    // Rows at the ends of a piece that needn't tell the edge; for many images as in refineSegments().
+    const double end = 1.5, endForMany = 4.5;
+    std::vector<Vec4f> segments;
+    Mat image;
+    if (strip.isTransposed)
+        transpose(smaller.rowRange(strip.seen), image);
+    else
+        image = smaller.colRange(strip.seen);
+    EdgeFit fit(EdgeImage(gray, strip.isTransposed));
+    // Diagonals cross fewer rows than they are long.
+    for (EdgePiece& p : findEdges(image, noise, cvFloor(0.7 * minLength / scale)))
+    {
+        p.middle += strip.seen.start;
+        // In the overlap an edge is found twice and taken from the strip that has its middle.
+        if ((strip.own.start > 0 && p.middle < strip.own.start) ||
+            (strip.own.end < strip.width && p.middle >= strip.own.end))
+            continue;
+        if ((p.last - p.first + 1) * std::sqrt(1 + p.slope * p.slope) * scale < 0.95 * minLength)
+            continue;
+        // Up to the borders of the pixels, in the image itself.
+        const double shift = (scale - 1) / 2;
+        p.first = (p.first - 0.5) * scale + shift;
+        p.last = (p.last + 0.5) * scale + shift;
+        p.middle = p.middle * scale + shift;
+        p.curvature /= scale;
+        fit.move(scale * (isForMany ? endForMany : end), p);
+        const Vec4f s(float(p.column(p.first)), float(p.first), float(p.column(p.last)), float(p.last));
+        segments.push_back(strip.isTransposed ? Vec4f(s[1], s[0], s[3], s[2]) : s);
+    }
+    return segments;
+}
 
 void detectVerticals(const Mat& gray, const Mat& smaller, int scale, double minLength, bool isForMany,
                      std::vector<Vec4f>& segments)
@@ -103,8 +77,10 @@ void detectVerticals(const Mat& gray, const Mat& smaller, int scale, double minL
         }
     }
     std::vector<std::vector<Vec4f>> found(strips.size());
-    parallel_for_(Range(0, int(strips.size())),
-                  FindEdges(smaller, gray, strips, imageNoise(smaller), scale, minLength, isForMany, found));
+    const double noise = imageNoise(smaller);
+    forEachInParallel(int(strips.size()), [&](int i) {
+        found[i] = findInStrip(strips[i], gray, smaller, scale, noise, minLength, isForMany);
+    });
     segments.clear();
     for (size_t i = 0; i < found.size(); i++)
         segments.insert(segments.end(), found[i].begin(), found[i].end());

@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../factors/robust_losses.hpp"
+#include "../parallel_loop.hpp"
 #include "consensus.hpp"
 #include "lo_ransac.hpp"
 #include "motion_mixture.hpp"
@@ -75,7 +76,7 @@ public:
         Fit rest = Fit(MotionHypothesis(MODEL_NONE, 0));
         rest.model[P_STREET] = problem.heading.angle;
         std::vector<WeighedHypothesis> moving = hypotheses();
-        forEach(moving.size(), [&](size_t i) { moving[i].minima = allowedStarts(moving[i].hypothesis); });
+        forEachInParallel(int(moving.size()), [&](int i) { moving[i].minima = allowedStarts(moving[i].hypothesis); });
         refineAll(rest, moving);
         if (!(leastOf(rest, moving).cost < DBL_MAX))
             return false;
@@ -204,16 +205,6 @@ private:
         return allowed;
     }
 
-    // In parallel.
-    template <class Body>
-    static void forEach(size_t count, const Body& body)
-    {
-        parallel_for_(Range(0, int(count)), [&](const Range& range) {
-            for (int i = range.start; i < range.end; i++)
-                body(size_t(i));
-        });
-    }
-
     static const Fit& leastOf(const Fit& rest, const std::vector<WeighedHypothesis>& moving)
     {
         const Fit* least = &rest;
@@ -260,8 +251,9 @@ private:
                     firsts.push_back(&h.minima[i]);
                 else
                     others.push_back(std::make_pair(&h.minima[i], &h.minima[0]));
-        forEach(firsts.size(), [&](size_t i) { firsts[i]->refine(problem); });
-        forEach(others.size(), [&](size_t i) { others[i].first->refine(problem, others[i].second->cost + tooFar); });
+        forEachInParallel(int(firsts.size()), [&](int i) { firsts[i]->refine(problem); });
+        forEachInParallel(int(others.size()),
+                          [&](int i) { others[i].first->refine(problem, others[i].second->cost + tooFar); });
         for (WeighedHypothesis& h : moving)
             h.keepDistinct(tooFar);
     }
@@ -322,9 +314,9 @@ private:
     // A lens that isn't known bends verticals as a motion can: those of a camera at rest may be seen through any lens.
     void addRestThroughOtherLenses(const Fit& rest)
     {
-        const size_t count = sizeof(OTHER_LENSES) / sizeof(*OTHER_LENSES);
+        const int count = int(sizeof(OTHER_LENSES) / sizeof(*OTHER_LENSES));
         double logWeights[count];
-        forEach(count, [&](size_t i) {
+        forEachInParallel(count, [&](int i) {
             logWeights[i] = -DBL_MAX;
             RefinementProblem other = problem;
             double logJacobian;
@@ -381,7 +373,7 @@ private:
                 largest = std::max(largest, logWeights[i]);
             }
         std::vector<Swept> swept(moving.size());
-        forEach(moving.size(), [&](size_t i) {
+        forEachInParallel(int(moving.size()), [&](int i) {
             if (moving[i].hypothesis.turns() && logWeights[i] > largest + std::log(NEGLIGIBLE))
                 swept[i] = sweep(cheapest(moving[i].minima));
         });

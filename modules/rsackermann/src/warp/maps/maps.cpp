@@ -15,15 +15,9 @@ GlobalCamera::GlobalCamera(const RollingShutterCamera& camera, const WarpMapGene
 {
 }
 
-namespace {
-
-class FillTiles : public ParallelLoopBody
+void fillTiles(const TileFiller& filler, MapWriter& writer)
 {
-public:
-    FillTiles(const TileFiller& filler_, MapWriter& writer_) : filler(filler_), writer(writer_) {}
-
-    void operator()(const Range& range) const CV_OVERRIDE
-    {
+    parallel_for_(Range(0, writer.tiles()), [&](const Range& range) {
         std::vector<float> buffer;
         for (int i = range.start; i < range.end; i++)
         {
@@ -31,18 +25,7 @@ public:
             filler.fill(tile);
             tile.write();
         }
-    }
-
-private:
-    const TileFiller& filler;
-    MapWriter& writer;
-};
-
-} // namespace
-
-void fillTiles(const TileFiller& filler, MapWriter& writer)
-{
-    parallel_for_(Range(0, writer.tiles()), FillTiles(filler, writer));
+    });
 }
 
 void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,

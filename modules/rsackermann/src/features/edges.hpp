@@ -2,12 +2,33 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_FIT_HPP
-#define OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_FIT_HPP
+#ifndef OPENCV_RSACKERMANN_SRC_FEATURES_EDGES_HPP
+#define OPENCV_RSACKERMANN_SRC_FEATURES_EDGES_HPP
 
-#include "edge_chains.hpp"
+#include "edge_kernels.hpp"
 
 namespace cv { namespace rsackermann {
+
+//! An edge that crosses rows: column = middle + slope t + curvature t^2, with t from the middle of its rows.
+struct EdgePiece
+{
+    double first, last; // rows
+    double middle, slope, curvature;
+    bool rises; // from left to right
+
+    double middleRow() const { return (first + last) / 2; }
+    double column(double row) const
+    {
+        const double t = row - middleRow();
+        return middle + t * (slope + t * curvature);
+    }
+};
+
+/** Finds straight or, if a lens has bent them, evenly curved edges.
+@param gray CV_8UC1.
+@param noise standard deviation of the noise, grey levels.
+@param leastRows of a piece. */
+std::vector<EdgePiece> findEdges(const Mat& gray, double noise, int leastRows);
 
 //! An image whose rows and columns may change places without being copied.
 struct EdgeImage
@@ -46,4 +67,4 @@ private:
 
 }} // namespace cv::rsackermann
 
-#endif // OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_FIT_HPP
+#endif // OPENCV_RSACKERMANN_SRC_FEATURES_EDGES_HPP
