@@ -60,6 +60,7 @@ private:
                                            gray.ptr(std::min(row + 1, gray.rows - 1))};
         foundCount = findExtremes(neighbours, gray.cols, least, buffer.data(), found.data());
     }
+
     // Each chain's nearest edge; of several chains the one that has more points gets it.
     void choose()
     {
@@ -92,6 +93,7 @@ private:
                 c.found = NONE;
         }
     }
+
     // A filter whose memory grows with the chain up to some rows. Chains that have ended have no points.
     void follow(int row)
     {
@@ -123,6 +125,7 @@ private:
             c.column += c.slope;
         }
     }
+
     // Written to its place number by number: a copy of what has just been written so would wait for it.
     int addPoint(const EdgePoint& edge, int row, int previous)
     {
@@ -141,6 +144,7 @@ private:
         p.previous = previous;
         return place;
     }
+
     // Edges that no chain has begin one; chains are kept from left to right.
     void begin(int row)
     {
@@ -173,6 +177,7 @@ private:
         next.insert(next.end(), chains.begin() + i, chains.end());
         next.swap(chains);
     }
+
     void end(const Chain& ended)
     {
         if (ended.count < leastRows)
@@ -191,12 +196,14 @@ private:
         sums[chain.size()] = sum;
         cut(0, int(chain.size()), 0);
     }
+
     // About the centre of the rows.
     ParabolaFit fit(int begin, int end, bool isCurved) const
     {
         const double centre = (chain[begin].row + chain[end - 1].row) / 2. - chain[0].row;
         return sums[end].since(sums[begin], centre).fit(isCurved);
     }
+
     void cut(int begin, int end, int depth)
     {
         const int deepest = 12, candidates = 32;
@@ -233,6 +240,7 @@ private:
         cut(begin, best, depth + 1);
         cut(best, end, depth + 1);
     }
+
     void add(int begin, int end, bool isCurved)
     {
         const ParabolaFit f = fit(begin, end, isCurved);

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "../../parallel_loop.hpp"
 #include "../../prefetch.hpp"
 #include "depth_kernels.hpp"
 #include "fill_unknown.hpp"
@@ -87,16 +88,13 @@ InverseDepthImage::InverseDepthImage(const DepthMap& depth, const ShutterGeometr
 {
     const GivenDepths given(depth, nearest);
     std::vector<uchar> isComplete(image.rows);
-    parallel_for_(Range(0, image.rows), [&](const Range& rows) {
-        for (int y = rows.start; y < rows.end; y++)
-        {
-            float low, high;
-            given.read(Point(0, y), image.cols, image[y]);
-            isComplete[y] = findRange(image.row(y), low, high);
-        }
+    forEachInParallel(image.rows, [&](int y) {
+        float low, high;
+        given.read(Point(0, y), image.cols, image[y]);
+        isComplete[y] = findRange(image.row(y), low, high);
     });
     if (std::find(isComplete.begin(), isComplete.end(), 0) != isComplete.end())
-        fillUnknown(SceneDepth(shutter, image.size(), depth.camera == DEPTH_RAW, matrix), 1 / way, image);
+        fillUnknown(shutter, depth.camera == DEPTH_RAW, matrix, 1 / way, image);
     findRanges();
 }
 

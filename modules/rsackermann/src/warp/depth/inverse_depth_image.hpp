@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_WARP_DEPTH_INVERSE_DEPTH_IMAGE_HPP
 
 #include "opencv2/rsackermann/depth_map.hpp"
-#include "scene_depth.hpp"
+#include "../shutter_geometry.hpp"
 #include <atomic>
 
 namespace cv { namespace rsackermann {

@@ -4,9 +4,7 @@
 
 #include "../../precomp.hpp"
 #include "../../motion/metric_way.hpp"
-#include "maps.hpp"
-#include "tile_other_depth.hpp"
-#include "tile_own_depth.hpp"
+#include "depth_tiles.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -50,16 +48,16 @@ void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const
     if (isOwn && !writer.hasMask())
     {
         const GivenDepths given(depth, nearest);
-        fillTiles(TileOwnDepth(places, given, nullptr), writer);
+        fillByOwnDepth(places, given, nullptr, writer);
         if (given.areComplete())
             return;
     }
     const InverseDepthImage depths(depth, shutter, global.matrix, way, nearest);
     const Visibility visibility(back, depths, isRectify ? camera.imageSize : global.size);
     if (isOwn)
-        fillTiles(TileOwnDepth(places, depths, writer.hasMask() ? &visibility : nullptr), writer);
+        fillByOwnDepth(places, depths, writer.hasMask() ? &visibility : nullptr, writer);
     else
-        fillTiles(TileOtherDepth(places, depths), writer);
+        fillByOtherDepth(places, depths, writer);
 }
 
 }} // namespace cv::rsackermann

@@ -66,17 +66,11 @@ MapWriter::Tile::Tile(MapWriter& writer_, int index, std::vector<float>& buffer)
     step = TILE;
 }
 
-void MapWriter::Tile::set(const Point& pixel, const Point2d& place)
+void MapWriter::Tile::set(const Point& pixel, bool exists, const Point2d& place)
 {
-    if (!isAddressable(place))
-        return setNone(pixel);
-    *x(pixel) = float(place.x);
-    *y(pixel) = float(place.y);
-}
-
-void MapWriter::Tile::setNone(const Point& pixel)
-{
-    *x(pixel) = *y(pixel) = FAR_OUTSIDE;
+    const bool isPlace = exists && isAddressable(place);
+    *x(pixel) = isPlace ? float(place.x) : FAR_OUTSIDE;
+    *y(pixel) = isPlace ? float(place.y) : FAR_OUTSIDE;
 }
 
 void MapWriter::Tile::hide(const Point& pixel) const

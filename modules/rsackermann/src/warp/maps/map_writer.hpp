@@ -54,8 +54,8 @@ public:
         //! Coordinates of a pixel, with step floats from row to row.
         float* x(const Point& pixel) const { return firstX + offset(pixel); }
         float* y(const Point& pixel) const { return firstY + offset(pixel); }
-        void set(const Point& pixel, const Point2d& place);
-        void setNone(const Point& pixel);
+        //! @param exists whether there is a place.
+        void set(const Point& pixel, bool exists, const Point2d& place = Point2d());
         //! The mask of some pixels of the tile, in which they are seen unless a filler marks them; or empty.
         Mat1b mask(const Rect& block) const { return writer.mask.empty() ? Mat1b() : Mat1b(writer.mask(block)); }
         void hide(const Point& pixel) const;

@@ -4,8 +4,7 @@
 
 #include "../../precomp.hpp"
 #include "maps.hpp"
-#include "tile_distorter.hpp"
-#include "tile_rectifier.hpp"
+#include "../shutter_geometry.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -34,9 +33,9 @@ void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const Warp
     const ShutterGeometry shutter(camera, motion);
     const Matx33d matrix = GlobalCamera(camera, params).matrix;
     if (warp == WARP_RECTIFY)
-        fillTiles(TileRectifier(shutter, matrix, params.maxIterations, params.tolerance), writer);
+        fillRectifyMap(shutter, matrix, params, writer);
     else
-        fillTiles(TileDistorter(shutter, matrix), writer);
+        fillDistortMap(shutter, matrix, writer);
 }
 
 }} // namespace cv::rsackermann

@@ -10,6 +10,8 @@
 
 namespace cv { namespace rsackermann {
 
+class ShutterGeometry;
+
 //! Which image a map belongs to.
 enum WarpDirection {
     WARP_RECTIFY, //!< the global-shutter image; its places are in the raw image
@@ -35,6 +37,12 @@ void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const
 //! The same with a given depth, which is checked and isn't empty.
 void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
                    const AckermannMotion& motion, const DepthMap& depth, MapWriter& writer);
+
+/** The two maps of writeMap().
+@param matrix camera matrix of the global-shutter camera. */
+void fillRectifyMap(const ShutterGeometry& shutter, const Matx33d& matrix, const WarpMapGenerator::Params& params,
+                    MapWriter& writer);
+void fillDistortMap(const ShutterGeometry& shutter, const Matx33d& matrix, MapWriter& writer);
 
 //! Fills all tiles in parallel.
 void fillTiles(const TileFiller& filler, MapWriter& writer);

@@ -4,42 +4,67 @@
 
 #include "../../precomp.hpp"
 #include "map_kernels.hpp"
-#include "tile_own_depth.hpp"
+#include "depth_tiles.hpp"
 
 namespace cv { namespace rsackermann {
 
-// If some depths aren't known the tile isn't of use.
-bool TileOwnDepth::fillByPatches(const Rect& square, MapWriter::Tile& tile) const
-{
-    const Rect seen = square & tile.area();
-    float low, high;
-    const Mat1f values = depths.part(seen, low, high);
-    if (values.empty())
-        return true;
-    DepthPatch patch;
-    if (!patch.fit(square, low, high, places))
-        return false;
-    evaluateDepthPatch(patch, values[0], values.step1(), seen.size(), tile.x(seen.tl()), tile.y(seen.tl()), tile.step);
-    if (visibility)
-        visibility->find(patch, square.tl(), seen, tile);
-    return true;
-}
+namespace {
 
-void TileOwnDepth::fillByPixels(const Rect& area, MapWriter::Tile& tile) const
+// Fills tiles of a map of which each pixel's own depth is known.
+class TileOwnDepth CV_FINAL : public TileFiller
 {
-    float low, high;
-    const Mat1f values = depths.part(area, low, high);
-    for (int y = area.y; y < area.br().y; y++)
-        for (int x = area.x; x < area.br().x; x++)
-        {
-            Point2d place;
-            if (places.find(Point2d(x, y), values(Point(x, y) - area.tl()), place))
-                tile.set(Point(x, y), place);
-            else
-                tile.setNone(Point(x, y));
-        }
-    if (visibility)
-        visibility->findByPixels(area, tile);
+public:
+    TileOwnDepth(const DepthPlaces& places_, const InverseDepths& depths_, const Visibility* visibility_)
+        : places(places_), depths(depths_), visibility(visibility_)
+    {
+    }
+
+protected:
+    // If some depths aren't known the tile isn't of use.
+    bool fillByPatches(const Rect& square, MapWriter::Tile& tile) const CV_OVERRIDE
+    {
+        const Rect seen = square & tile.area();
+        float low, high;
+        const Mat1f values = depths.part(seen, low, high);
+        if (values.empty())
+            return true;
+        DepthPatch patch;
+        if (!patch.fit(square, low, high, places))
+            return false;
+        evaluateDepthPatch(patch, values[0], values.step1(), seen.size(), tile.x(seen.tl()), tile.y(seen.tl()),
+                           tile.step);
+        if (visibility)
+            visibility->find(patch, square.tl(), seen, tile);
+        return true;
+    }
+
+    void fillByPixels(const Rect& area, MapWriter::Tile& tile) const CV_OVERRIDE
+    {
+        float low, high;
+        const Mat1f values = depths.part(area, low, high);
+        for (int y = area.y; y < area.br().y; y++)
+            for (int x = area.x; x < area.br().x; x++)
+            {
+                Point2d place;
+                const bool exists = places.find(Point2d(x, y), values(Point(x, y) - area.tl()), place);
+                tile.set(Point(x, y), exists, place);
+            }
+        if (visibility)
+            visibility->findByPixels(area, tile);
+    }
+
+private:
+    const DepthPlaces& places;
+    const InverseDepths& depths;
+    const Visibility* visibility;
+};
+
+} // namespace
+
+void fillByOwnDepth(const DepthPlaces& places, const InverseDepths& depths, const Visibility* visibility,
+                    MapWriter& writer)
+{
+    fillTiles(TileOwnDepth(places, depths, visibility), writer);
 }
 
 }} // namespace cv::rsackermann
