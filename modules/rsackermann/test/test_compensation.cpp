@@ -8,7 +8,7 @@
 // Internals of the library that it doesn't export.
 #include "../src/motion/compensation.hpp"
 #include "../src/factors/rotated_end.hpp"
-#include "../src/factors/vertical_residual.hpp"
+#include "../src/factors/segment_residuals.hpp"
 
 namespace opencv_test { namespace {
 

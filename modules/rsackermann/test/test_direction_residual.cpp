@@ -6,7 +6,7 @@
 #include "test_simulator.hpp"
 
 // Internals of the library that it doesn't export.
-#include "../src/factors/direction_residual.hpp"
+#include "../src/factors/segment_residuals.hpp"
 
 namespace opencv_test { namespace {
 

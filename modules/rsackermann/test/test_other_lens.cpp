@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/single/other_lens.hpp"
+#include "../src/single/refinement.hpp"
 
 // doc/theory.md, "Posterior": a lens that isn't known.
 

@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_private_problem.hpp"
-#include "../src/single/fit.hpp"
-#include "../src/factors/vertical_residual.hpp"
+#include "../src/single/refinement.hpp"
+#include "../src/factors/segment_residuals.hpp"
 
 namespace opencv_test { namespace {
 

@@ -19,9 +19,8 @@
 #define CV_SIMD_64F 0
 #include "../src/factors/residual_kernels.simd.hpp"
 
-#include "../src/factors/direction_residual.hpp"
+#include "../src/factors/segment_residuals.hpp"
 #include "../src/factors/segment_arrays.hpp"
-#include "../src/factors/vertical_residual.hpp"
 
 namespace opencv_test { namespace {
 

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "test_private_problem.hpp"
-#include "../src/single/road_contact.hpp"
+#include "../src/single/refinement.hpp"
 
 namespace opencv_test { namespace {
 

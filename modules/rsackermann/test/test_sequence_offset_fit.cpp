@@ -5,8 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_inverse_depth_offset.hpp"
 #include "test_simulator.hpp"
-#include "../src/sequence/depth_fit.hpp"
-#include "../src/sequence/offset_fit.hpp"
+#include "../src/sequence/scene_fit.hpp"
 
 // Scenes that deviate from their planes: how tracked points show them, and the scale of a given depth.
 

@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_private_problem.hpp"
-#include "../src/single/street_direction.hpp"
+#include "../src/single/refinement.hpp"
 
 namespace opencv_test { namespace {
 

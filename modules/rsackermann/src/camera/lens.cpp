@@ -139,4 +139,12 @@ bool unproject(const Lens<double>& lens, const Point2d& raw, Point2d& ray)
                                               : unprojectBrown(lens, raw, distorted, ray);
 }
 
+void undistortedRays(const RollingShutterCamera& camera, const std::vector<Point2d>& raw, std::vector<Point2d>& rays)
+{
+    const Lens<double> lens(camera);
+    rays.resize(raw.size());
+    for (size_t i = 0; i < raw.size(); i++)
+        unproject(lens, raw[i], rays[i]);
+}
+
 }} // namespace cv::rsackermann

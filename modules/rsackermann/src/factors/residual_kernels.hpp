@@ -41,11 +41,11 @@ struct ResidualSums
     }
 };
 
-//! Adds the residuals of candidates for verticals (vertical_residual.hpp).
+//! Adds the residuals of candidates for verticals (segment_residuals.hpp).
 void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                   const FreeParameters& unknowns, ResidualSums& sums);
 
-//! Adds the residuals of the other segments (direction_residual.hpp).
+//! Adds the residuals of the other segments (segment_residuals.hpp).
 void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                    const FreeParameters& unknowns, ResidualSums& sums);
 
@@ -62,7 +62,7 @@ double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model,
 void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points);
 
 /** Robust cost of a street in the direction (streetX, streetZ): the sum of r^2 / (1 + r^2) of the residuals of
-compensated segments (direction_residual.hpp) times scale.
+compensated segments (segment_residuals.hpp) times scale.
 @param points of compensateSegments().
 @param padded size of their arrays.
 */

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../camera/rays.hpp"
+#include "../camera/lens.hpp"
 #include "frame_features.hpp"
 
 namespace cv { namespace rsackermann {

@@ -24,10 +24,10 @@ enum Parameter {
 //! A motion while it is being estimated: AckermannMotion without the values that verticals don't determine.
 struct Model
 {
-    double value[PARAMETERS];
+    Vec<double, PARAMETERS> value;
     int direction; // sign of the scaled inverse depths; 0 if there is no translation
 
-    Model() : direction(0) { std::fill(value, value + PARAMETERS, 0.); }
+    Model() : direction(0) {}
 
     double operator[](Parameter p) const { return value[p]; }
     double& operator[](Parameter p) { return value[p]; }

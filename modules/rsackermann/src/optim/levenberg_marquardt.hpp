@@ -12,21 +12,16 @@
 
 namespace cv { namespace rsackermann {
 
-//! When the steps end, and how they are damped.
+//! When the steps end.
 struct MinimizerOptions
 {
     int maxSteps;             // those that are tried
     double absoluteTolerance; // gain of a step that is too small for another one
     double relativeTolerance; // the same as a part of the cost; both count
-    double damping;           // of the first step
-    double increase;          // of the damping after a step that gains nothing
-    double decrease;          // after one that gains
-    double largestDamping;    // with which no step is tried
     double farthest;          // cost above which there are no more steps if those that are left don't promise less
 
     MinimizerOptions(int maxSteps_, double absolute, double relative = 0)
-        : maxSteps(maxSteps_), absoluteTolerance(absolute), relativeTolerance(relative), damping(1e-3), increase(8),
-          decrease(0.2), largestDamping(1e8), farthest(DBL_MAX)
+        : maxSteps(maxSteps_), absoluteTolerance(absolute), relativeTolerance(relative), farthest(DBL_MAX)
     {
     }
 
@@ -61,12 +56,13 @@ MinimizerStats minimize(const Problem& problem, const MinimizerOptions& options,
     typename Problem::Equations next;
     typename Problem::Step step;
     problem.evaluate(state, equations);
-    double damping = options.damping;
-    while (!stats.converged && stats.steps < options.maxSteps && damping < options.largestDamping)
+    const double firstDamping = 1e-3, largestDamping = 1e8; // with the largest one no step is tried
+    double damping = firstDamping;
+    while (!stats.converged && stats.steps < options.maxSteps && damping < largestDamping)
     {
         const double expected = equations.solve(damping, step);
         // Far from where the cost is quadratic the damping is larger.
-        stats.converged = damping <= options.damping && expected < options.enough(equations.cost);
+        stats.converged = damping <= firstDamping && expected < options.enough(equations.cost);
         if (stats.converged)
             break;
         stats.steps++;
@@ -76,11 +72,11 @@ MinimizerStats minimize(const Problem& problem, const MinimizerOptions& options,
             problem.evaluate(there, next);
         if (!isAllowed || !(next.cost < equations.cost))
         {
-            damping *= options.increase;
+            damping *= 8;
             continue;
         }
         stats.converged = equations.cost - next.cost < options.enough(next.cost);
-        damping = std::max(damping * options.decrease, 1e-9);
+        damping = std::max(damping * 0.2, 1e-9);
         state = std::move(there);
         equations = std::move(next);
         // Even if each step that is left gained as much as was expected of this one.

@@ -4,11 +4,10 @@
 
 #include "../precomp.hpp"
 #include "../camera/lens.hpp"
-#include "../camera/rays.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../scene/planes.hpp"
-#include "depth_fit.hpp"
 #include "frame_terms.hpp"
+#include "scene_fit.hpp"
 #include <Eigen/Dense>
 
 namespace cv { namespace rsackermann {

@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_TERMS_HPP
 
 #include "../factors/robust_losses.hpp"
-#include "../factors/vertical_residual.hpp"
+#include "../factors/segment_residuals.hpp"
 #include "../motion/contradiction.hpp"
 #include "frame_fit.hpp"
 #include <Eigen/Core>

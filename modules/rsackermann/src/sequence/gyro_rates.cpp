@@ -5,7 +5,6 @@
 #include "../precomp.hpp"
 #include "../motion/contradiction.hpp"
 #include "gyro_rates.hpp"
-#include "row_rates.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -7,7 +7,7 @@
 
 #include "../features/frame_features.hpp"
 #include "gyro_samples.hpp"
-#include "instant_rate.hpp"
+#include "row_rates.hpp"
 #include "opencv2/rsackermann/camera.hpp"
 #include <deque>
 

@@ -3,11 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../camera/rays.hpp"
+#include "../camera/lens.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../scene/planes.hpp"
 #include "frame_terms.hpp"
-#include "offset_fit.hpp"
+#include "scene_fit.hpp"
 #include <Eigen/SparseCholesky>
 
 namespace cv { namespace rsackermann {

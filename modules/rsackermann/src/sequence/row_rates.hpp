@@ -6,9 +6,19 @@
 #define OPENCV_RSACKERMANN_SRC_SEQUENCE_ROW_RATES_HPP
 
 #include "frame_fit.hpp"
-#include "instant_rate.hpp"
 
 namespace cv { namespace rsackermann {
+
+//! Seconds in which a camera shakes alike, and the bias and the delay of a gyro stay.
+const double RATE_MEMORY = 10;
+
+//! A rate at one instant with its standard deviation, per second; 0: not known.
+struct InstantRate
+{
+    double value, sigma;
+
+    InstantRate() : value(0), sigma(0) {}
+};
 
 //! For which what is assumed of a whole drive counts beside what its frames show.
 const double ASSUMED_FRAMES = 4;

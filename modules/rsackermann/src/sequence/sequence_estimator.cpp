@@ -7,9 +7,8 @@
 #include "../single/depth_alignment.hpp"
 #include "../single/inliers_and_scale.hpp"
 #include "../single/displacement_field.hpp"
+#include "scene_fit.hpp"
 #include "sequence_estimator.hpp"
-#include "depth_fit.hpp"
-#include "offset_fit.hpp"
 
 namespace cv { namespace rsackermann {
 

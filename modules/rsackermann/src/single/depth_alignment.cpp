@@ -4,10 +4,10 @@
 
 #include "../precomp.hpp"
 #include "../camera/axis_rotations.hpp"
-#include "../camera/rays.hpp"
+#include "../camera/lens.hpp"
 #include "../factors/driving_prior.hpp"
 #include "../factors/robust_losses.hpp"
-#include "../factors/vertical_residual.hpp"
+#include "../factors/segment_residuals.hpp"
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
 #include "depth_alignment.hpp"

@@ -8,9 +8,7 @@
 #include "../storage.hpp"
 #include "../motion/contradiction.hpp"
 #include "inliers_and_scale.hpp"
-#include "focal_uncertainty.hpp"
 #include "posterior.hpp"
-#include "road_contact.hpp"
 
 namespace cv { namespace rsackermann {
 

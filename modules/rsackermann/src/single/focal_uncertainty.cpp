@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "focal_uncertainty.hpp"
+#include "posterior.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -53,9 +53,7 @@ void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterC
     otherModel[P_ALPHA] /= longer;
     otherModel[P_B] /= longer;
     otherModel[P_D] /= longer;
-    Vec<double, PARAMETERS> difference;
-    for (int i = 0; i < PARAMETERS; i++)
-        difference[i] = otherModel.value[i] - model.value[i];
+    const Vec<double, PARAMETERS> difference = otherModel.value - model.value;
     found.covariance += difference * difference.t();
 }
 

@@ -6,7 +6,7 @@
 #include "../scene/planes.hpp"
 #include "inliers_and_scale.hpp"
 #include "../factors/robust_losses.hpp"
-#include "../factors/vertical_residual.hpp"
+#include "../factors/segment_residuals.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "other_lens.hpp"
+#include "refinement.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -8,10 +8,7 @@
 #include "consensus.hpp"
 #include "lo_ransac.hpp"
 #include "motion_mixture.hpp"
-#include "other_lens.hpp"
-#include "road_contact.hpp"
 #include "slant_noise.hpp"
-#include "street_direction.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_SINGLE_POSTERIOR_HPP
 
 #include "displacement_field.hpp"
-#include "fit.hpp"
+#include "refinement.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -34,6 +34,15 @@ refined at each.
 */
 bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params,
                       const DisplacementField& field, Posterior& result);
+
+/** Adds what isn't known of the focal length to the covariance and to the displacement that is expected to be left
+(doc/theory.md, "Focal length and line delay").
+@param problem of which the posterior is the result.
+@param segments N x 4, CV_64F.
+*/
+void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterCamera& camera,
+                         const AckermannEstimator::Params& params, const MotionPrior& prior, const Mat& segments,
+                         Posterior& found);
 
 }} // namespace cv::rsackermann
 

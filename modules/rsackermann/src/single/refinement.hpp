@@ -76,6 +76,49 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
               int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance = 0,
               double farthest = DBL_MAX);
 
+//! The best model of a hypothesis.
+struct Fit
+{
+    MotionHypothesis hypothesis;
+    Model model;
+    double cost; // robust, in units of sigma^2
+    Matx<double, PARAMETERS, PARAMETERS> covariance;
+
+    explicit Fit(const MotionHypothesis& h) : hypothesis(h), cost(DBL_MAX) {}
+
+    //! Refines the model with all segments. @param farthest cost above which it may end early.
+    void refine(const RefinementProblem& problem, double farthest = DBL_MAX);
+};
+
+//! Logarithm of the square root of the determinant of the covariance of the unknowns that are free.
+double logVolume(const Fit& fit);
+
+/** The same image as if another lens had taken it (doc/theory.md, "Posterior").
+
+A ray at the tangent r from the optical axis of the assumed lens is at r (1 + distortion r^2): to first order the lens
+has the radial coefficient -distortion.
+@param problem receives the bearings of the other lens; weigh() is left to the caller.
+@param logJacobian receives the logarithm of the product, over the verticals, of d(slant through the other lens) /
+d(slant).
+@return false if there is no such lens: rays would cross, or be behind the camera.
+*/
+bool seeThroughOtherLens(double distortion, RefinementProblem& problem, double& logJacobian);
+
+/** Searches the direction of the street with which most of the other segments agree, and turns the walls of the model
+there.
+@return whether that is another model: false if there are too few segments, or if it was there already.
+*/
+bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model);
+
+/** How far away walls are in heights of the camera, from wall segments that stand on the road (doc/theory.md,
+"Estimation").
+
+At the lower end of such a segment wall and road are equally near: w = G y. Other segments end above the road
+and give larger ratios, each its own, so that the smallest ratio on which several segments of a wall agree is taken.
+@param threshold pixels below which the residual of a segment makes it an inlier.
+*/
+RoadContact findRoadContact(const RefinementProblem& problem, const Model& model, double threshold);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_SINGLE_REFINEMENT_HPP

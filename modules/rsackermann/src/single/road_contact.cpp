@@ -4,9 +4,8 @@
 
 #include "../precomp.hpp"
 #include "../scene/planes.hpp"
-#include "../factors/direction_residual.hpp"
-#include "road_contact.hpp"
-#include "../factors/vertical_residual.hpp"
+#include "../factors/segment_residuals.hpp"
+#include "refinement.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -5,7 +5,7 @@
 #include "../precomp.hpp"
 #include "slant_kernels.hpp"
 #include "../factors/robust_losses.hpp"
-#include "../factors/vertical_residual.hpp"
+#include "../factors/segment_residuals.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../factors/residual_kernels.hpp"
-#include "street_direction.hpp"
+#include "refinement.hpp"
 
 namespace cv { namespace rsackermann {
 

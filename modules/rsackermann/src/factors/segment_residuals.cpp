@@ -3,10 +3,22 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "direction_residual.hpp"
+#include "../scene/planes.hpp"
 #include "direction_terms.hpp"
+#include "segment_residuals.hpp"
+#include "vertical_terms.hpp"
 
 namespace cv { namespace rsackermann {
+
+double verticalResidual(const UprightSegment& c, const PreparedModel& model, int& wall, double* jacobian)
+{
+    const RotatedEnd<double> u(c.u[0], c.u[1], c.timeU, model), v(c.v[0], c.v[1], c.timeV, model);
+    const VerticalTerms<double> residual(u, v, model);
+    wall = residual.scale > 0 ? Scene::LEFT_WALL : model.lambda > 0 ? Scene::RIGHT_WALL : Scene::INFINITE;
+    if (jacobian)
+        residual.derivatives(u, v, model, true, jacobian);
+    return residual.value;
+}
 
 double directionResidual(const UprightSegment& c, const PreparedModel& model, double* jacobian)
 {

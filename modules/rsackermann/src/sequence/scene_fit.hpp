@@ -2,13 +2,21 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_DEPTH_FIT_HPP
-#define OPENCV_RSACKERMANN_SRC_SEQUENCE_DEPTH_FIT_HPP
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_SCENE_FIT_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_SCENE_FIT_HPP
 
-#include "opencv2/rsackermann/depth_map.hpp"
 #include "frame_fit.hpp"
+#include "opencv2/rsackermann/depth_map.hpp"
 
 namespace cv { namespace rsackermann {
+
+/** Finds by how much the scene deviates from the planes of a motion: the residuals of the points (doc/theory.md,
+"Inverse-depth offset").
+@param bearings points, those of the fit or others.
+@param values of the fit, FLOW_VALUES of them.
+@param motion that of the fit; receives the offset. It stays without one if there are too few points. */
+void fitOffset(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
+               AckermannMotion& motion);
 
 /** Finds scale and shift of a #DEPTH_RELATIVE of the raw camera by the displacements of points (doc/theory.md,
 "Relative depth").
@@ -20,4 +28,4 @@ bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBeari
 
 }} // namespace cv::rsackermann
 
-#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_DEPTH_FIT_HPP
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_SCENE_FIT_HPP
