@@ -12,9 +12,8 @@
 #include "../storage.hpp"
 #include "../sequence/frame_terms.hpp"
 #include "../sequence/sequence_filter.hpp"
-#include "gyro_of_drive.hpp"
+#include "drive_turns.hpp"
 #include "mount_solver.hpp"
-#include "neighbour_turns.hpp"
 
 namespace cv { namespace rsackermann {
 

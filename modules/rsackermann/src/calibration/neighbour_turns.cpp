@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "neighbour_turns.hpp"
+#include "drive_turns.hpp"
 
 namespace cv { namespace rsackermann {
 

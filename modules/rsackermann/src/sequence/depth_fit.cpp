@@ -6,6 +6,7 @@
 #include "../camera/lens.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../scene/planes.hpp"
+#include "../single/relative_depth.hpp"
 #include "frame_terms.hpp"
 #include "scene_fit.hpp"
 #include <Eigen/Dense>
@@ -23,15 +24,6 @@ struct DeepPoint
     double axial; // depth along the optical axis over that of the upright frame
 };
 
-// NaN outside of the map.
-double valueAt(const Mat& values, const Point2d& pixel)
-{
-    const Point at(cvRound(pixel.x), cvRound(pixel.y));
-    if (!Rect(Point(), values.size()).contains(at))
-        return std::numeric_limits<double>::quiet_NaN();
-    return values.depth() == CV_16U ? values.at<ushort>(at) : values.at<float>(at);
-}
-
 std::vector<DeepPoint> deepPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
                                   const double* values, const AckermannMotion& motion, const Mat& depths)
 {
@@ -47,7 +39,7 @@ std::vector<DeepPoint> deepPoints(const RollingShutterCamera& camera, const std:
         Point2d pixel;
         if (!(ray[2] > IN_FRONT) || !lens.project(ray[0] / ray[2], ray[1] / ray[2], pixel.x, pixel.y))
             continue;
-        DeepPoint p = {b, flow.predict(b, values), valueAt(depths, pixel), ray[2]};
+        DeepPoint p = {b, flow.predict(b, values), RelativeDepth::valueAt(depths, pixel), ray[2]};
         const Vec3d seen = turn * (p.view.ray + p.view.inverseDepth * p.view.place);
         p.view.inverseDepth = scene.inverseDepth(seen) + offset.at(seen);
         if (std::isfinite(p.value) && !FlowResidual::isBehind(flow.residualOf(b, values, p.view)))

@@ -29,6 +29,7 @@ namespace {
 typedef NormalEquations<FLOW_VALUES> FlowEquations;
 typedef FlowEquations::Vector Unknowns;
 typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
+typedef Eigen::Matrix<double, SEQUENCE_VALUES, SEQUENCE_VALUES> StateMatrix;
 
 struct Minimum
 {
@@ -49,17 +50,12 @@ public:
           pointWeights(bearings_.size(), Matx22d::eye() * (1 / POINT_SIGMA)), slantWeights(verticals_.size(), 1.),
           heading(camera.heading), unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0)), scale(1)
     {
-        Matx<double, FLOW_VALUES, FLOW_VALUES> covariance =
-            Matx<double, FLOW_VALUES, FLOW_VALUES>::eye() * (TURN_SIGMA * TURN_SIGMA);
+        FlowEquations::Matrix covariance = FlowEquations::Matrix::Identity() * (TURN_SIGMA * TURN_SIGMA);
         covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
-        expected.setZero();
-        for (int i = 0; i < SEQUENCE_VALUES; i++)
-        {
-            expected[i] = prediction.value[i];
-            for (int j = 0; j < SEQUENCE_VALUES; j++)
-                covariance(i, j) = prediction.covariance(i, j);
-        }
-        prior = scaledInverse<FlowEquations::Matrix>(Eigen::Map<FlowEquations::Matrix>(covariance.val));
+        covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>() =
+            Eigen::Map<const StateMatrix>(prediction.covariance.val);
+        prior = scaledInverse(covariance);
+        std::copy(prediction.value.val, prediction.value.val + SEQUENCE_VALUES, expected.data());
     }
 
     double pointCost(const Unknowns& u) const
@@ -105,6 +101,7 @@ public:
 
     const std::vector<TrackedBearing>& bearings;
     const FlowResidual residual;
+    Unknowns expected = Unknowns::Zero();
 
 private:
     void addPoints(const Unknowns& u, FlowEquations& equations) const
@@ -139,7 +136,6 @@ private:
     std::vector<double> slantWeights;
     Heading heading;
     double unit, focal, scale; // scale: of the points' loss, in sigmas
-    Unknowns expected;
     FlowEquations::Matrix prior;
 };
 
@@ -181,9 +177,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
     const double enough = 0.5; // of the points agree
     FrameFitProblem problem(camera, bearings, verticals, prediction);
     SequenceFit fit(prediction);
-    Unknowns u = Unknowns::Zero();
-    for (int i = 0; i < SEQUENCE_VALUES; i++)
-        u[i] = prediction.value[i];
+    const Unknowns& u = problem.expected;
     Minimum best = problem.refine(u, true);
     if (!isUninitialised)
     {
@@ -209,12 +203,9 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
     }
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     const FlowEquations::Matrix covariance = scaledInverse(best.equations.symmetric());
-    for (int i = 0; i < SEQUENCE_VALUES; i++)
-    {
-        fit.state.value[i] = best.at[i];
-        for (int j = 0; j < SEQUENCE_VALUES; j++)
-            fit.state.covariance(i, j) = covariance(i, j);
-    }
+    std::copy(best.at.data(), best.at.data() + SEQUENCE_VALUES, fit.state.value.val);
+    Eigen::Map<StateMatrix>(fit.state.covariance.val) =
+        covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>().transpose();
     return fit;
 }
 

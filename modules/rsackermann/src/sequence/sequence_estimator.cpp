@@ -102,6 +102,21 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
     return motion;
 }
 
+// The mean displacement, and what is left of it after the correction as far as the motion isn't known.
+static void expectDisplacement(const DisplacementField& field, const RollingShutterCamera& camera, const Model& model,
+                               double G, double varianceG, const Matx<double, PARAMETERS, PARAMETERS>& covariance,
+                               AckermannMotion& motion)
+{
+    DisplacementField::Values displacement;
+    DisplacementField::Variances variances;
+    field.displacement(model, G, displacement);
+    field.addTilt(RowTilt(camera, motion), displacement);
+    field.variance(model, G, varianceG, covariance, variances);
+    field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
+    motion.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
+    motion.expectedResidual = DisplacementField::meanDistance(displacement, displacement, variances);
+}
+
 // Where the image shows nothing a gyro still knows how the camera turns. Changed only if that is expected to help.
 void SequenceEstimator::turnAlone(double seconds, AckermannMotion& motion) const
 {
@@ -120,15 +135,7 @@ void SequenceEstimator::turnAlone(double seconds, AckermannMotion& motion) const
     turned.covariance = Matx44d::zeros();
     Matx<double, PARAMETERS, PARAMETERS> covariance = Matx<double, PARAMETERS, PARAMETERS>::zeros();
     turned.covariance(0, 0) = covariance(P_ALPHA, P_ALPHA) = std::pow(yaw.sigma * unit / 2, 2);
-    const DisplacementField field(camera);
-    DisplacementField::Values displacement;
-    DisplacementField::Variances variances;
-    field.displacement(model, 0, displacement);
-    field.addTilt(RowTilt(camera, turned), displacement);
-    field.variance(model, 0, 0, covariance, variances);
-    field.addTiltVariance(turned.pitchRateSigma, turned.rollRateSigma, variances);
-    turned.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
-    turned.expectedResidual = DisplacementField::meanDistance(displacement, displacement, variances);
+    expectDisplacement(DisplacementField(camera), camera, model, 0, 0, covariance, turned);
     if (!(turned.expectedResidual < turned.expectedRaw))
         return;
     motion = turned;
@@ -198,17 +205,10 @@ bool SequenceEstimator::update(const MotionPrior& prior, AckermannMotion& motion
     }
     if (!isSeen)
         return true;
-    double mean, sigma;
-    if (prior.yawRateSigma > 0 && alone.state.seen(SEQUENCE_YAW_RATE, mean, sigma))
-    {
-        motion.seenYawRate = mean;
-        motion.seenYawRateSigma = sigma;
-    }
-    if (prior.speedSigma > 0 && alone.state.seen(SEQUENCE_SPEED, mean, sigma))
-    {
-        motion.seenSpeed = mean;
-        motion.seenSpeedSigma = sigma;
-    }
+    if (prior.yawRateSigma > 0)
+        alone.state.seen(SEQUENCE_YAW_RATE, motion.seenYawRate, motion.seenYawRateSigma);
+    if (prior.speedSigma > 0)
+        alone.state.seen(SEQUENCE_SPEED, motion.seenSpeed, motion.seenSpeedSigma);
     AckermannMotion seenMotion;
     alone.state.toMotion(camera.secondsPerUnitTime(), seenMotion);
     compareWithGiven(prior, alone.moves && showsOtherDirection(seenMotion, prior), motion);
@@ -274,17 +274,10 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     std::vector<Point2d> places;
     for (size_t i = 0; i < features.bearings.size(); i++)
         places.push_back(features.bearings[i].now);
-    const DisplacementField field(camera, places);
-    DisplacementField::Values displacement;
-    DisplacementField::Variances variances;
-    field.displacement(model, G, displacement);
-    field.addTilt(RowTilt(camera, motion), displacement);
-    field.variance(model, G, (roadByValues * fit.state.covariance * roadByValues.t())(0),
-                   byValues * fit.state.covariance * byValues.t(), variances);
-    field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
-    motion.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
-    const double unknown = DisplacementField::meanDistance(displacement, displacement, variances);
-    motion.expectedResidual = std::hypot(unknown, motion.expectedRaw * fit.residual);
+    expectDisplacement(DisplacementField(camera, places), camera, model, G,
+                       (roadByValues * fit.state.covariance * roadByValues.t())(0),
+                       byValues * fit.state.covariance * byValues.t(), motion);
+    motion.expectedResidual = std::hypot(motion.expectedResidual, motion.expectedRaw * fit.residual);
     return model;
 }
 

@@ -58,32 +58,21 @@ void SequenceState::change(const RollingShutterCamera& camera, const AckermannEs
     }
 }
 
-bool SequenceState::seen(SequenceValue which, double& mean, double& sigma) const
+void SequenceState::seen(SequenceValue which, double& mean, double& sigma) const
 {
     const double information = 1 / covariance(which, which),
                  usual = 1 / (stationarySigma[which] * stationarySigma[which]), own = information - usual;
     if (!(own > 0))
-        return false;
+        return;
     mean = (value[which] * information - stationary[which] * usual) / own;
     sigma = 1 / std::sqrt(own);
-    return true;
 }
 
 void SequenceState::toMotion(double unit, AckermannMotion& motion) const
 {
     Matx<double, PARAMETERS, SEQUENCE_VALUES> J;
     const Model m = toModel(value, unit, &J);
-    motion.alpha = m[P_ALPHA];
-    motion.wallSlope = m[P_B];
-    motion.wallOffset = m[P_D];
-    motion.wallRatio = m[P_LAMBDA];
-    motion.roadSlope = value[SEQUENCE_SPEED] * unit * value[SEQUENCE_ROAD];
-    motion.direction = m.direction;
-    motion.rollCorrection = m[P_ROLL];
-    motion.pitchCorrection = m[P_PITCH];
-    const Matx<double, PARAMETERS, PARAMETERS> C = J * covariance * J.t();
-    motion.covariance = C.get_minor<4, 4>(P_ALPHA, P_ALPHA);
-    motion.rollYawAmbiguous = isRollYawAmbiguous(C);
+    setModel(m, value[SEQUENCE_SPEED] * unit * value[SEQUENCE_ROAD], J * covariance * J.t(), motion);
 }
 
 }} // namespace cv::rsackermann

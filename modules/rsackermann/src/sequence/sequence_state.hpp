@@ -38,8 +38,8 @@ struct SequenceState
     void change(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, int kept);
 
     /** A value as the frames show it, without what is expected of all cars.
-    @return false if they don't. */
-    bool seen(SequenceValue which, double& mean, double& sigma) const;
+    Stays as it is if they don't. */
+    void seen(SequenceValue which, double& mean, double& sigma) const;
 
     //! As a motion during one image, with its covariance; the status and the counts of segments are left as they are.
     void toMotion(double unit, AckermannMotion& motion) const;

@@ -31,8 +31,7 @@ struct DeepVertical
 
 // The unknowns: the motion, and the road's G, which scales the depth.
 enum { A_ALPHA, A_LOG_ROAD, A_ROLL, A_PITCH, UNKNOWNS };
-typedef Vec<double, UNKNOWNS> Aligned;
-typedef Matx<double, UNKNOWNS, UNKNOWNS> AlignedCovariance;
+typedef NormalEquations<UNKNOWNS>::Vector Aligned;
 
 // The verticals and what is known without them, as minimize() takes it.
 class AlignmentProblem
@@ -40,7 +39,7 @@ class AlignmentProblem
 public:
     typedef Aligned State;
     typedef NormalEquations<UNKNOWNS> Equations;
-    typedef Equations::Vector Step;
+    typedef Aligned Step;
 
     AlignmentProblem(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                      const DrivingPrior& prior_, int direction_)
@@ -87,12 +86,7 @@ public:
         addPriors(state, equations);
     }
 
-    static Aligned moved(Aligned state, const Step& step)
-    {
-        for (int i = 0; i < UNKNOWNS; i++)
-            state[i] += step[i];
-        return state;
-    }
+    static Aligned moved(const Aligned& state, const Aligned& step) { return state + step; }
 
     bool allows(const Aligned& state) const { return std::abs(state[A_ALPHA]) < maxAlpha; }
 

@@ -159,18 +159,7 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
 {
     const Model& m = found.model;
     motion.model = found.hypothesis.motion;
-    motion.alpha = m[P_ALPHA];
-    motion.wallSlope = m[P_B];
-    motion.wallOffset = m[P_D];
-    motion.wallRatio = m[P_LAMBDA];
-    motion.roadSlope = found.G;
-    motion.direction = m.direction < 0 ? -1 : 1;
-    motion.rollCorrection = m[P_ROLL];
-    motion.pitchCorrection = m[P_PITCH];
-    for (int i = P_ALPHA; i <= P_LAMBDA; i++)
-        for (int j = P_ALPHA; j <= P_LAMBDA; j++)
-            motion.covariance(i, j) = found.covariance(i, j);
-    motion.rollYawAmbiguous = isRollYawAmbiguous(found.covariance);
+    setModel(m, found.G, found.covariance, motion);
 
     // Measurements give a length; a prior doesn't.
     const double speed = std::hypot(motion.wallSlope, motion.wallOffset);

@@ -35,10 +35,24 @@ void labelInliers(const std::vector<UprightSegment>& verticals, const Model& mod
     motion.rms = motion.inliers > 0 ? std::sqrt(sum / motion.inliers) : 0;
 }
 
-bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance)
+static bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance)
 {
     const double variances = covariance(P_ALPHA, P_ALPHA) * covariance(P_ROLL, P_ROLL);
     return variances > 0 && std::abs(covariance(P_ALPHA, P_ROLL)) > AMBIGUOUS * std::sqrt(variances);
+}
+
+void setModel(const Model& m, double G, const Matx<double, PARAMETERS, PARAMETERS>& covariance, AckermannMotion& motion)
+{
+    motion.alpha = m[P_ALPHA];
+    motion.wallSlope = m[P_B];
+    motion.wallOffset = m[P_D];
+    motion.wallRatio = m[P_LAMBDA];
+    motion.roadSlope = G;
+    motion.direction = m.direction < 0 ? -1 : 1;
+    motion.rollCorrection = m[P_ROLL];
+    motion.pitchCorrection = m[P_PITCH];
+    motion.covariance = covariance.get_minor<4, 4>(P_ALPHA, P_ALPHA);
+    motion.rollYawAmbiguous = isRollYawAmbiguous(covariance);
 }
 
 bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,

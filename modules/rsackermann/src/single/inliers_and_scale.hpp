@@ -23,8 +23,10 @@ struct Agreement
 void labelInliers(const std::vector<UprightSegment>& verticals, const Model& model, const Heading& heading,
                   const Agreement& agreement, AckermannMotion& motion, Mat& labels);
 
-//! Whether roll and yaw rate can't be distinguished.
-bool isRollYawAmbiguous(const Matx<double, PARAMETERS, PARAMETERS>& covariance);
+/** Sets the motion of an image, its covariance and whether roll and yaw rate can be distinguished.
+@param G slope of the road's scaled inverse depth. */
+void setModel(const Model& model, double G, const Matx<double, PARAMETERS, PARAMETERS>& covariance,
+              AckermannMotion& motion);
 
 /** Gives a motion the length that a given wall or speed determines.
 @return false if neither is given. */

@@ -27,12 +27,17 @@ bool RelativeDepth::hasRoad() const
     return share >= LEAST_ROAD;
 }
 
-double RelativeDepth::at(const Point2d& pixel) const
+double RelativeDepth::valueAt(const Mat& values, const Point2d& pixel)
 {
     const Point p(cvRound(pixel.x), cvRound(pixel.y));
-    if (!Rect(Point(), depth.values.size()).contains(p))
+    if (!Rect(Point(), values.size()).contains(p))
         return std::numeric_limits<double>::quiet_NaN();
-    const double value = depth.values.depth() == CV_16U ? depth.values.at<ushort>(p) : depth.values.at<float>(p);
+    return values.depth() == CV_16U ? values.at<ushort>(p) : values.at<float>(p);
+}
+
+double RelativeDepth::at(const Point2d& pixel) const
+{
+    const double value = valueAt(depth.values, pixel);
     return std::isfinite(value) ? (value - zero) / slope_ : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -29,6 +29,8 @@ public:
     //! By how much a value is larger for one more height of the camera over the depth.
     double slope() const { return slope_; }
 
+    //! The value of a depth map nearest to a pixel; NaN outside of it.
+    static double valueAt(const Mat& values, const Point2d& pixel);
     //! The height of the camera over the depth at a pixel along the optical axis; NaN if it isn't known.
     double at(const Point2d& pixel) const;
 

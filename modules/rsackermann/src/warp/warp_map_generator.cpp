@@ -6,7 +6,6 @@
 #include "../checks.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../storage.hpp"
-#include "maps/map_ocl.hpp"
 #include "maps/maps.hpp"
 #include "maps/remap_limits.hpp"
 #include "points.hpp"
@@ -32,19 +31,12 @@ void WarpMapGenerator::Params::read(const FileNode& fn)
     cv::read(fn["tolerance"], tolerance, tolerance);
 }
 
-static bool isFinite(double value)
-{
-    return !cvIsNaN(value) && !cvIsInf(value);
-}
-
 static void checkNewCameraMatrix(const Matx33d& K)
 {
     if (K == Matx33d::zeros())
         return;
-    bool finite = true;
-    for (int i = 0; i < 9; i++)
-        finite = finite && isFinite(K.val[i]);
-    if (!finite || !(K(0, 0) > 0) || !(K(1, 1) > 0) || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1)
+    if (!cv::checkRange(K) || !(K(0, 0) > 0) || !(K(1, 1) > 0) || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 ||
+        K(2, 2) != 1)
         CV_Error(
             Error::StsBadArg,
             format("newCameraMatrix is (%g %g %g; %g %g %g; %g %g %g); (fx s cx; 0 fy cy; 0 0 1) with positive focal "
@@ -76,7 +68,7 @@ void WarpMapGenerator::Params::check() const
     checkSize(newSize);
     if (maxIterations <= 0)
         CV_Error(Error::StsBadArg, format("maxIterations is %d; a positive number is expected", maxIterations));
-    if (!(tolerance > 0) || !isFinite(tolerance))
+    if (!(tolerance > 0) || !std::isfinite(tolerance))
         CV_Error(Error::StsBadArg, format("tolerance is %g; a positive number of pixels is expected", tolerance));
 }
 

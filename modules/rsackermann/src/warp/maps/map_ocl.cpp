@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
-#include "map_ocl.hpp"
 #include "../shutter_geometry.hpp"
+#include "maps.hpp"
 
 #ifdef HAVE_OPENCL
 

@@ -6,6 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAPS_HPP
 
 #include "opencv2/rsackermann/warp.hpp"
+#include "opencv2/core/opencl/ocl_defs.hpp"
 #include "tile_filler.hpp"
 
 namespace cv { namespace rsackermann {
@@ -46,6 +47,14 @@ void fillDistortMap(const ShutterGeometry& shutter, const Matx33d& matrix, MapWr
 
 //! Fills all tiles in parallel.
 void fillTiles(const TileFiller& filler, MapWriter& writer);
+
+#ifdef HAVE_OPENCL
+/** Makes a map on an OpenCL device, in single precision; see WarpMapGenerator::initRectifyMap and initDistortMap.
+@return false if the device can't; then nothing is promised about the outputs.
+*/
+bool oclWarpMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+                const AckermannMotion& motion, int m1type, OutputArray map1, OutputArray map2, OutputArray mask);
+#endif
 
 }} // namespace cv::rsackermann
 
