@@ -88,8 +88,6 @@ public:
     double expectedScaledSpeed() const;
     //! The direction of a given speed: 1 or -1; 0: none is given.
     int givenDirection() const { return speedIsGiven() ? (given_.speed < 0 ? -1 : 1) : 0; }
-    //! Standard deviation of the logarithm of the ratio of both walls' distances.
-    double wallRatioLogSigma() const { return logRatioSigma; }
     //! Distance of the left (or only) wall over the height of the camera.
     double roadRatio() const { return ratio; }
 

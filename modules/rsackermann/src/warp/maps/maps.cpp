@@ -4,6 +4,7 @@
 
 #include "../../precomp.hpp"
 #include "maps.hpp"
+#include "quarters.hpp"
 #include "../shutter_geometry.hpp"
 
 namespace cv { namespace rsackermann {
@@ -12,6 +13,24 @@ GlobalCamera::GlobalCamera(const RollingShutterCamera& camera, const WarpMapGene
     : matrix(params.newCameraMatrix == Matx33d::zeros() ? camera.cameraMatrix : params.newCameraMatrix),
       size(params.newSize == Size() ? camera.imageSize : params.newSize)
 {
+}
+
+// Smaller squares are solved pixel by pixel.
+static const int MIN_PATCH = 16;
+
+void TileFiller::fill(MapWriter::Tile& tile) const
+{
+    fillSquare(Rect(tile.area().tl(), Size(MapWriter::TILE, MapWriter::TILE)), tile);
+}
+
+void TileFiller::fillSquare(const Rect& square, MapWriter::Tile& tile) const
+{
+    const Rect seen = square & tile.area();
+    if (seen.empty() || fillByPatches(square, tile))
+        return;
+    if (square.width <= MIN_PATCH)
+        return fillByPixels(seen, tile);
+    forEachQuarter(square, [&](const Rect& quarter) { fillSquare(quarter, tile); });
 }
 
 void fillTiles(const TileFiller& filler, MapWriter& writer)

@@ -7,7 +7,7 @@
 
 #include "opencv2/rsackermann/warp.hpp"
 #include "opencv2/core/opencl/ocl_defs.hpp"
-#include "tile_filler.hpp"
+#include "map_writer.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -44,6 +44,30 @@ void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const
 void fillRectifyMap(const ShutterGeometry& shutter, const Matx33d& matrix, const WarpMapGenerator::Params& params,
                     MapWriter& writer);
 void fillDistortMap(const ShutterGeometry& shutter, const Matx33d& matrix, MapWriter& writer);
+
+/** Fills tiles of a map (doc/theory.md, "Warp").
+
+On each plane of the scene a map is smooth. A square of it is interpolated between 4 x 4 places for each plane that can
+be seen in it, and every pixel takes the nearest plane. Further places in between show the error; a square in which it
+is too large, or in which one of the places doesn't exist, is divided into quarters, and small ones are solved pixel by
+pixel. The values of a square depend on its place alone: not on the size of the map, other tiles or the number of
+threads.
+*/
+class TileFiller
+{
+public:
+    virtual ~TileFiller() {}
+
+    void fill(MapWriter::Tile& tile) const;
+
+protected:
+    //! Fills what the tile has of a square; false if it can't be interpolated; it is undefined then.
+    virtual bool fillByPatches(const Rect& square, MapWriter::Tile& tile) const = 0;
+    virtual void fillByPixels(const Rect& area, MapWriter::Tile& tile) const = 0;
+
+private:
+    void fillSquare(const Rect& square, MapWriter::Tile& tile) const;
+};
 
 //! Fills all tiles in parallel.
 void fillTiles(const TileFiller& filler, MapWriter& writer);
