@@ -3,43 +3,58 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-
-#include "../src/features/refine_segments.hpp"
+#include "opencv2/opencv_modules.hpp"
+#include "../src/features/segment_finder.hpp"
 
 namespace opencv_test { namespace {
 
 //! Mean lean of the sides of upright windows on a wall that is seen from the side: upper and lower edges rise.
-double refinedLean(bool usesEnds)
+double foundLean(int detector, bool isForMany, int scale)
 {
-    const Size size(640, 400);
-    const int finer = 4, width = 30, height = 44;
+    const Size size(640 * scale, 400 * scale);
+    const int finer = 4, width = 30 * scale, height = 44 * scale;
     const double rise = 0.6;
-    Mat fine(size * finer, CV_8U, Scalar(60)), image;
-    std::vector<Vec4f> segments;
-    for (int y = 40; y + height < size.height - 30; y += 71)
-        for (int x = 20; x + width < size.width - 20; x += 61)
+    Mat fine(size * finer, CV_8U, Scalar(60)), image, segments;
+    for (int y = 40 * scale; y + height < size.height - 30 * scale; y += 71 * scale)
+        for (int x = 20 * scale; x + width < size.width - 20 * scale; x += 61 * scale)
         {
             const int left = finer * x + (x + y) % finer, right = left + finer * width, top = finer * y,
                       bottom = top + finer * height, up = int(rise * (right - left));
             const Point corners[] = {Point(left, top), Point(right, top - up), Point(right, bottom - up),
                                      Point(left, bottom)};
             fillConvexPoly(fine, corners, 4, Scalar(150));
-            const float u = float(left) / finer, v = float(right) / finer, raised = float(up) / finer;
-            segments.push_back(Vec4f(u + 0.3f, float(y), u - 0.2f, float(y + height)));
-            segments.push_back(Vec4f(v - 0.2f, float(y) - raised, v + 0.3f, float(y + height) - raised));
         }
     resize(fine, image, size, 0, 0, INTER_AREA);
-    cv::rsackermann::refineSegments(image, 3, usesEnds, segments);
+    cv::rsackermann::SegmentFinder(isForMany).find(image, detector, 0.8 * height, segments);
     double sum = 0;
-    for (size_t i = 0; i < segments.size(); i++)
-        sum += (segments[i][2] - segments[i][0]) / (segments[i][3] - segments[i][1]);
-    return sum / double(segments.size());
+    int count = 0;
+    for (int i = 0; i < segments.rows; i++)
+    {
+        const float* s = segments.ptr<float>(i);
+        const double lean = (s[2] - s[0]) / (s[3] - s[1]);
+        if (std::abs(lean) > 0.2)
+            continue;
+        sum += lean;
+        count++;
+    }
+    EXPECT_GE(count, 50);
+    return sum / count;
 }
 
+// For one image all of a side counts.
 TEST(RSAckermann_PrivateDetect, edges_at_the_ends_do_not_make_sides_lean)
 {
-    EXPECT_NEAR(0, refinedLean(false), 1e-5);
-    EXPECT_GT(std::abs(refinedLean(true)), 1e-4);
+    std::vector<int> detectors = {DETECTOR_LSD, DETECTOR_VERTICALS};
+#ifdef HAVE_OPENCV_XIMGPROC
+    detectors.insert(detectors.end(), {DETECTOR_FLD, DETECTOR_EDLINES});
+#endif
+    for (const int detector : detectors)
+    {
+        SCOPED_TRACE(detector);
+        for (const int scale : {1, 3})
+            EXPECT_NEAR(0, foundLean(detector, true, scale), 1e-5);
+        EXPECT_GT(std::abs(foundLean(detector, false, 1)), 1e-4);
+    }
 }
 
 }} // namespace opencv_test::
