@@ -66,7 +66,7 @@ TEST_P(CalibrationModes, truth_and_mirror)
         roll += frames[i].roll / count;
         pitch += frames[i].pitch / count;
     }
-    const Twin same = {false, false}, mirror = {true, false};
+    const Twin same = Twin(), mirror = {true, false, 0};
     const MountCalibration c = calibrate(mode, frames, same), m = calibrate(mode, frames, mirror);
     EXPECT_NEAR(roll / degree, c.roll / degree, 0.1);
     EXPECT_NEAR(pitch / degree, c.pitch / degree, 0.1);

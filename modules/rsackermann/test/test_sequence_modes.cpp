@@ -267,7 +267,7 @@ TEST_P(SequenceModes, truth_and_mirror)
         {
             if (setting.yawChange != 0 && source != GYRO)
                 continue; // others see a mean
-            const Twin twin = {isMirrored, false};
+            const Twin twin = {isMirrored, false, 0};
             const RollingShutterCamera camera = twin.of(setting.camera);
             const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, twin, source);
             for (int i = 0; i < FRAMES; i++)
@@ -284,7 +284,7 @@ TEST_P(SequenceModes, truth_and_mirror)
 TEST_P(SequenceModes, state_of_sources)
 {
     SCOPED_TRACE(MODES[GetParam()].name);
-    const Twin same = {false, false};
+    const Twin same = Twin();
     const Ptr<RollingShutterCorrector> plain = createCorrector(setting, same, NOTHING),
                                        withGyro = createCorrector(setting, same, GYRO);
     for (int i = 0; i < FRAMES; i++)
@@ -314,7 +314,7 @@ TEST_P(SequenceModes, state_of_sources)
 TEST_P(SequenceModes, another_street_before)
 {
     SCOPED_TRACE(MODES[GetParam()].name);
-    const Twin same = {false, false};
+    const Twin same = Twin();
     for (const int source : {NOTHING, GIVEN})
     {
         SCOPED_TRACE(NAMES[source]);

@@ -9,19 +9,29 @@
 
 namespace opencv_test {
 
-/** What is seen in a mirror, and what a car that drives backward along the same way shows if its camera reads its lines
-in the other order: the same image. Neither uses a formula of the library. */
+/** What is seen in a mirror, what a car that drives backward along the same way shows if its camera reads its lines in
+the other order (the same image), and what a camera shows that is mounted on its side or on its head. None uses a
+formula of the library. */
 struct Twin
 {
     bool mirrored, reversed;
+    int turned; // by quarters of a circle, as the image is, clockwise
 
     RollingShutterCamera of(RollingShutterCamera c) const
     {
         if (reversed)
             c.scanDirection ^= 1;
-        if (!mirrored)
-            return c;
-        c.cameraMatrix = of(c.cameraMatrix, c.imageSize);
+        if (mirrored)
+            c = mirror(c);
+        for (int i = 0; i < turned; i++)
+            c = turn(c);
+        return c;
+    }
+
+private:
+    RollingShutterCamera mirror(RollingShutterCamera c) const
+    {
+        c.cameraMatrix(0, 2) = c.imageSize.width - 1 - c.cameraMatrix(0, 2);
         if (!c.isRowShutter())
         {
             c.scanDirection ^= 1;
@@ -31,11 +41,48 @@ struct Twin
             for (const size_t odd : {3, 8, 9, 13}) // p2, s1, s2 and the tilt about the y axis
                 if (odd < c.distCoeffs.size())
                     c.distCoeffs[odd] *= -1;
-        c.uprightRotation = of(c.uprightRotation);
+        c.uprightRotation = mirror(c.uprightRotation);
         c.heading = -c.heading;
         return c;
     }
 
+    static Matx33d mirror(const Matx33d& R)
+    {
+        const Matx33d sides = Matx33d::diag(Vec3d(-1, 1, 1));
+        return sides * R * sides;
+    }
+
+    //! Of places.
+    static Matx33d quarterTurn() { return Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 1); }
+
+    static RollingShutterCamera turn(RollingShutterCamera c)
+    {
+        const int scans[] = {SCAN_RIGHT_TO_LEFT, SCAN_LEFT_TO_RIGHT, SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP};
+        if (c.isRowShutter())
+            c.referenceRow = c.imageSize.height - 1 - c.referenceRow;
+        c.scanDirection = scans[c.scanDirection];
+        c.cameraMatrix = turn(c.cameraMatrix, c.imageSize);
+        std::swap(c.imageSize.width, c.imageSize.height);
+        c.uprightRotation = c.uprightRotation * quarterTurn().t();
+        std::vector<double>& k = c.distCoeffs;
+        // The x and y of the vectors p, s and of the axis of the tilt, which has one of both
+        const int pairs[][2] = {{3, 2}, {8, 10}, {9, 11}, {12, 13}};
+        for (const auto& pair : pairs)
+            if (c.lensModel == LENS_PINHOLE && std::max(pair[0], pair[1]) < int(k.size()))
+            {
+                std::swap(k[pair[0]], k[pair[1]]);
+                k[pair[0]] *= -1;
+            }
+        CV_Assert(k.size() < 14 || k[12] == 0 || k[13] == 0);
+        return c;
+    }
+
+    static Matx33d turn(const Matx33d& K, const Size& size)
+    {
+        return K(0, 0) > 0 ? Matx33d(K(1, 1), 0, size.height - 1 - K(1, 2), 0, K(0, 0), K(0, 2), 0, 0, 1) : K;
+    }
+
+public:
     AckermannMotion of(AckermannMotion m, const RollingShutterCamera& camera) const
     {
         m.inverseDepthOffset = m.inverseDepthOffset.clone();
@@ -49,8 +96,14 @@ struct Twin
             m.inverseDepthOffset *= -1;
             changeCovariance(m, Matx44d::diag(Vec4d(-1, -1, -1, 1)));
         }
-        if (!mirrored)
-            return m;
+        if (mirrored)
+            m = mirror(m, camera);
+        return turned ? turn(m, camera) : m;
+    }
+
+private:
+    static AckermannMotion mirror(AckermannMotion m, const RollingShutterCamera& camera)
+    {
         if (m.wallRatio > 0)
         {
             const double ratio = m.wallRatio, B = m.wallSlope, D = m.wallOffset;
@@ -78,6 +131,27 @@ struct Twin
         return m;
     }
 
+    // Upright frames are the same; the new unit of time over the old one, as either focal length makes it.
+    double unitOf(const RollingShutterCamera& camera) const
+    {
+        return turned % 2 ? camera.cameraMatrix(0, 0) / camera.cameraMatrix(1, 1) : 1;
+    }
+
+    AckermannMotion turn(AckermannMotion m, const RollingShutterCamera& camera) const
+    {
+        const double unit = unitOf(camera);
+        for (double* value : {&m.alpha, &m.wallSlope, &m.wallOffset, &m.roadSlope, &m.pitchRate, &m.rollRate})
+            *value *= unit;
+        m.inverseDepthOffset *= unit;
+        changeCovariance(m, Matx44d::diag(Vec4d(unit, unit, unit, 1)));
+        const bool isTopLast = (turned % 4 == 1 && camera.isRowShutter()) || turned % 4 == 2 ||
+                               (turned % 4 == 3 && !camera.isRowShutter());
+        if (isTopLast && !m.rotationCurve.empty())
+            flip(m.rotationCurve, m.rotationCurve, 0);
+        return m;
+    }
+
+public:
     MotionPrior of(MotionPrior p) const
     {
         if (reversed)
@@ -93,53 +167,98 @@ struct Twin
         return p;
     }
 
+    Size of(const Size& size) const { return turned % 2 ? Size(size.height, size.width) : size; }
+
     //! An image, or a map of one.
     Mat ofImage(const Mat& image) const
     {
         Mat result = image.clone();
-        if (mirrored && !image.empty())
-            flip(image, result, 1);
+        if (image.empty())
+            return result;
+        if (mirrored)
+            flip(result, result, 1);
+        for (int i = 0; i < turned; i++)
+            cv::rotate(result.clone(), result, ROTATE_90_CLOCKWISE);
         return result;
     }
 
-    //! Columns of places in an image of a width.
-    Mat ofColumns(const Mat& columns, int width) const { return mirrored ? Mat(width - 1 - columns) : columns.clone(); }
+    DepthMap of(DepthMap depth, const RollingShutterCamera& camera) const
+    {
+        depth.values = ofImage(depth.values);
+        if (depth.kind == DEPTH_RELATIVE)
+        {
+            depth.scale *= unitOf(camera);
+            depth.shift *= unitOf(camera);
+        }
+        return depth;
+    }
+
+    //! Maps to an image of a size, in which some pixels may have no place.
+    void ofMaps(Mat& x, Mat& y, const Size& size) const
+    {
+        const Mat none = ofImage(x == -16384);
+        std::vector<Mat> places = {x.reshape(1, int(x.total())), y.reshape(1, int(y.total()))};
+        hconcat(places, places[0]);
+        places[0] = ofPlaces(places[0], size);
+        x = ofImage(places[0].col(0).clone().reshape(1, x.rows));
+        y = ofImage(places[0].col(1).clone().reshape(1, y.rows));
+        x.setTo(-16384, none);
+        y.setTo(-16384, none);
+    }
 
     //! Rows of x, y, ...
     Mat ofPlaces(const Mat& places, const Size& size) const
     {
         Mat result = places.clone();
-        for (int i = 0; mirrored && i < result.cols; i += 2)
-            result.col(i) = size.width - 1 - result.col(i);
+        for (int i = 0; i < result.cols; i += 2)
+        {
+            Mat x = result.col(i), y = result.col(i + 1);
+            if (mirrored)
+                x = size.width - 1 - x;
+            for (int k = 0; k < turned; k++)
+            {
+                const Mat before = x.clone();
+                x = (k % 2 ? size.width : size.height) - 1 - y;
+                before.copyTo(y);
+            }
+        }
         return result;
     }
 
     //! Of intrinsic parameters.
-    Matx33d of(Matx33d K, const Size& size) const
+    Matx33d of(Matx33d K, Size size) const
     {
         if (mirrored && K(0, 0) > 0)
             K(0, 2) = size.width - 1 - K(0, 2);
+        for (int i = 0; i < turned; i++, std::swap(size.width, size.height))
+            K = turn(K, size);
         return K;
     }
 
-    //! A rotation.
-    Matx33d of(const Matx33d& R) const
+    //! A pose of the camera, whose unit of length is the way in a unit of time.
+    void ofPose(const RollingShutterCamera& camera, Matx33d& R, Vec3d& T) const
     {
-        const Matx33d mirror = Matx33d::diag(Vec3d(mirrored ? -1 : 1, 1, 1));
-        return mirror * R * mirror;
+        R = mirrored ? mirror(R) : R;
+        T[0] *= mirrored ? -1 : 1;
+        for (int i = 0; i < turned; i++)
+        {
+            const Matx33d quarter = quarterTurn();
+            R = quarter * R * quarter.t();
+            T = quarter * T;
+        }
+        T *= 1 / unitOf(camera);
     }
-
-    Vec3d of(const Vec3d& v) const { return Vec3d(mirrored ? -v[0] : v[0], v[1], v[2]); }
 
 private:
     static void changeCovariance(AckermannMotion& m, const Matx44d& J) { m.covariance = J * m.covariance * J.t(); }
 };
 
-const Twin TWINS[] = {{true, false}, {false, true}};
+const Twin MIRRORED = {true, false, 0}, REVERSED = {false, true, 0}, ON_ITS_SIDE = {false, false, 1},
+           ON_ITS_HEAD = {false, false, 2};
 
 inline std::ostream& operator<<(std::ostream& out, const Twin& twin)
 {
-    return out << (twin.mirrored ? "mirrored " : "") << (twin.reversed ? "reversed" : "");
+    return out << (twin.mirrored ? "mirrored " : "") << (twin.reversed ? "reversed " : "") << "turned " << twin.turned;
 }
 
 } // namespace opencv_test

@@ -7,7 +7,8 @@
 #include "test_warp_cameras.hpp"
 #include <functional>
 
-// Whatever a motion is applied to, in each mode: the mirror image and the reversed drive have the same result.
+// Whatever a motion is applied to, in each mode: the mirror image, the reversed drive and a camera that is mounted
+// otherwise have the same result.
 
 namespace opencv_test { namespace {
 
@@ -27,60 +28,70 @@ struct Mode
 
 void keep(Setting&) {}
 
-const Mode MODES[] = {
-    {"forward", keep, keep},
-    {"reverse", [](Setting& s) { s.metric.speed = -9; }, keep},
-    {"left turn", [](Setting& s) { s.metric.yawRate = -0.9; }, keep},
-    {"left wall", [](Setting& s) { s.metric.rightDistance = 0; }, keep},
-    {"right wall", [](Setting& s) { s.metric.leftDistance = 0; }, keep},
-    {"road alone", [](Setting& s) { s.metric.leftDistance = s.metric.rightDistance = 0; },
-     [](Setting& s) { s.motion.scale = SCALE_ROAD; }},
-    {"turn alone", [](Setting& s) { s.metric.speed = 0; }, keep},
-    {"looks left",
-     [](Setting& s) {
-         s.camera.heading = CV_PI / 2 - 0.1;
-         s.metric.wallDirection = s.camera.heading + 0.05;
-     },
-     keep},
-    {"looks back", [](Setting& s) { s.metric.wallDirection = s.camera.heading = CV_PI - 0.1; }, keep},
-    {"columns",
-     [](Setting& s) {
-         s.camera.scanDirection = SCAN_LEFT_TO_RIGHT;
-         s.camera.referenceRow = 24;
-     },
-     keep},
-    {"last row", [](Setting& s) { s.camera.referenceRow = s.camera.imageSize.height - 1; }, keep},
-    {"fisheye",
-     [](Setting& s) {
-         s.camera.lensModel = LENS_FISHEYE;
-         s.camera.distCoeffs = {-0.03, 0.012, -0.006, 0.001};
-     },
-     keep},
-    {"tilted sensor", [](Setting& s) { s.camera.distCoeffs = lensCamera(BROWN_14).distCoeffs; }, keep},
-    {"new camera",
-     [](Setting& s) {
-         s.params.newCameraMatrix = Matx33d(156, 0, 110, 0, 150, 66, 0, 0, 1);
-         s.params.newSize = Size(225, 161);
-     },
-     keep},
-    {"rolls and pitches", keep,
-     [](Setting& s) {
-         s.motion.pitchRate = 0.05;
-         s.motion.rollRate = -0.07;
-         s.motion.rollCorrection = 0.02;
-         s.motion.pitchCorrection = -0.03;
-     }},
-    {"curve", keep,
-     [](Setting& s) {
-         RNG rng(3);
-         addRotationCurve(s.motion, 5, rng);
-     }},
-    {"offset", keep, [](Setting& s) {
-         s.motion.inverseDepthOffset =
-             (Mat_<double>(4, 5) << 1, 2, 0, -1, 3, 0, 2, 3, -2, 1, 1, 0, 2, 0, -1, 2, 1, 1, 3, 0);
-         s.motion.inverseDepthOffset *= 0.01;
-         s.motion.offsetArea = Rect2d(-0.3, -0.2, 0.7, 0.5);
-     }}};
+const Mode MODES[] = {{"forward", keep, keep},
+                      {"reverse", [](Setting& s) { s.metric.speed = -9; }, keep},
+                      {"left turn", [](Setting& s) { s.metric.yawRate = -0.9; }, keep},
+                      {"left wall", [](Setting& s) { s.metric.rightDistance = 0; }, keep},
+                      {"right wall", [](Setting& s) { s.metric.leftDistance = 0; }, keep},
+                      {"road alone", [](Setting& s) { s.metric.leftDistance = s.metric.rightDistance = 0; },
+                       [](Setting& s) { s.motion.scale = SCALE_ROAD; }},
+                      {"turn alone", [](Setting& s) { s.metric.speed = 0; }, keep},
+                      {"looks left",
+                       [](Setting& s) {
+                           s.camera.heading = CV_PI / 2 - 0.1;
+                           s.metric.wallDirection = s.camera.heading + 0.05;
+                       },
+                       keep},
+                      {"looks back", [](Setting& s) { s.metric.wallDirection = s.camera.heading = CV_PI - 0.1; }, keep},
+                      {"columns",
+                       [](Setting& s) {
+                           s.camera.scanDirection = SCAN_LEFT_TO_RIGHT;
+                           s.camera.referenceRow = 24;
+                       },
+                       keep},
+                      {"last row", [](Setting& s) { s.camera.referenceRow = s.camera.imageSize.height - 1; }, keep},
+                      {"fisheye",
+                       [](Setting& s) {
+                           s.camera.lensModel = LENS_FISHEYE;
+                           s.camera.distCoeffs = {-0.03, 0.012, -0.006, 0.001};
+                       },
+                       keep},
+                      {"sensor tilted about x",
+                       [](Setting& s) {
+                           s.camera.distCoeffs = lensCamera(BROWN_14).distCoeffs;
+                           s.camera.distCoeffs[13] = 0;
+                       },
+                       keep},
+                      {"sensor tilted about y",
+                       [](Setting& s) {
+                           s.camera.distCoeffs = lensCamera(BROWN_14).distCoeffs;
+                           s.camera.distCoeffs[12] = 0;
+                       },
+                       keep},
+                      {"new camera",
+                       [](Setting& s) {
+                           s.params.newCameraMatrix = Matx33d(172, 0, 110, 0, 166, 66, 0, 0, 1);
+                           s.params.newSize = Size(225, 161);
+                       },
+                       keep},
+                      {"rolls and pitches", keep,
+                       [](Setting& s) {
+                           s.motion.pitchRate = 0.05;
+                           s.motion.rollRate = -0.07;
+                           s.motion.rollCorrection = 0.02;
+                           s.motion.pitchCorrection = -0.03;
+                       }},
+                      {"curve", keep,
+                       [](Setting& s) {
+                           RNG rng(3);
+                           addRotationCurve(s.motion, 5, rng);
+                       }},
+                      {"offset", keep, [](Setting& s) {
+                           s.motion.inverseDepthOffset =
+                               (Mat_<double>(4, 5) << 1, 2, 0, -1, 3, 0, 2, 3, -2, 1, 1, 0, 2, 0, -1, 2, 1, 1, 3, 0);
+                           s.motion.inverseDepthOffset *= 0.01;
+                           s.motion.offsetArea = Rect2d(-0.3, -0.2, 0.7, 0.5);
+                       }}};
 
 Setting settingOf(const Mode& mode)
 {
@@ -113,6 +124,7 @@ Setting twinOf(const Setting& s, const Twin& twin)
     t.camera = twin.of(s.camera);
     t.motion = twin.of(s.motion, s.camera);
     t.params.newCameraMatrix = twin.of(s.params.newCameraMatrix, s.params.newSize);
+    t.params.newSize = twin.of(s.params.newSize);
     return t;
 }
 
@@ -158,7 +170,7 @@ TEST_P(WarpSymmetry, of_maps)
 {
     const Setting s = settingOf(MODES[GetParam()]);
     SCOPED_TRACE(MODES[GetParam()].name);
-    for (const Twin& twin : TWINS)
+    for (const Twin& twin : {MIRRORED, REVERSED, ON_ITS_SIDE})
     {
         const Setting t = twinOf(s, twin);
         const Ptr<WarpMapGenerator> one = WarpMapGenerator::create(s.camera, s.params),
@@ -168,12 +180,11 @@ TEST_P(WarpSymmetry, of_maps)
             {
                 SCOPED_TRACE(testing::Message() << twin << " distort " << distort << " depth " << kind);
                 const int ofCamera = kind % 2 ? DEPTH_CORRECTED : DEPTH_RAW;
-                DepthMap depth, twinDepth;
+                DepthMap depth;
                 if (kind >= 0)
                     depth = boxes(ofCamera == DEPTH_RAW ? s.camera.imageSize : newSizeOf(s), ofCamera,
-                                  kind < 2 ? DEPTH_METRIC : DEPTH_RELATIVE, !twin.mirrored);
-                twinDepth = depth;
-                twinDepth.values = twin.ofImage(depth.values);
+                                  kind < 2 ? DEPTH_METRIC : DEPTH_RELATIVE, twin.reversed);
+                const DepthMap twinDepth = twin.of(depth, s.camera);
                 Mat x, y, mask, twinX, twinY, twinMask;
                 if (distort)
                 {
@@ -185,15 +196,13 @@ TEST_P(WarpSymmetry, of_maps)
                     one->initRectifyMap(s.motion, x, y, CV_32FC1, mask, depth);
                     other->initRectifyMap(t.motion, twinX, twinY, CV_32FC1, twinMask, twinDepth);
                 }
-                const int width = distort ? newSizeOf(s).width : s.camera.imageSize.width;
-                Mat columns = twin.ofColumns(twin.ofImage(x), width);
-                columns.setTo(-16384, twin.ofImage(x) == -16384);
-                expectSamePlaces(columns, twinX);
-                expectSamePlaces(twin.ofImage(y), twinY);
+                twin.ofMaps(x, y, distort ? newSizeOf(s) : s.camera.imageSize);
+                expectSamePlaces(x, twinX);
+                expectSamePlaces(y, twinY);
                 EXPECT_LE(countNonZero(twin.ofImage(mask) != twinMask), 2e-3 * mask.total());
                 EXPECT_GT(countNonZero(mask == MASK_SEEN), 0);
             }
-        EXPECT_EQ(one->validRoi(s.motion).size(), other->validRoi(t.motion).size());
+        EXPECT_EQ(twin.of(one->validRoi(s.motion).size()), other->validRoi(t.motion).size());
         const Matx33d matrix = twin.of(one->optimalNewCameraMatrix(s.motion, 0.5), newSizeOf(s));
         EXPECT_LT(cv::norm(matrix, other->optimalNewCameraMatrix(t.motion, 0.5)), 0.1);
     }
@@ -207,7 +216,7 @@ TEST_P(WarpSymmetry, of_points_and_poses)
     Mat places(400, 2, CV_64F), depths(400, 1, CV_64F);
     rng.fill(places, RNG::UNIFORM, 0, 128);
     rng.fill(depths, RNG::UNIFORM, -2, 20); // some aren't known
-    for (const Twin& twin : TWINS)
+    for (const Twin& twin : {MIRRORED, REVERSED, ON_ITS_SIDE})
     {
         SCOPED_TRACE(testing::Message() << twin);
         const Setting t = twinOf(s, twin);
@@ -237,8 +246,9 @@ TEST_P(WarpSymmetry, of_points_and_poses)
             s.motion.pose(s.camera, s.camera.rowTime(Point2d(place.at<double>(0), place.at<double>(1))), R, T);
             t.motion.pose(t.camera, t.camera.rowTime(Point2d(twinPlace.at<double>(0), twinPlace.at<double>(1))), twinR,
                           twinT);
-            EXPECT_LT(cv::norm(twin.of(R), twinR), 1e-12);
-            EXPECT_LT(cv::norm(twin.of(T), twinT), 1e-12);
+            twin.ofPose(s.camera, R, T);
+            EXPECT_LT(cv::norm(R, twinR), 1e-12);
+            EXPECT_LT(cv::norm(T, twinT), 1e-12);
         }
     }
 }
@@ -248,7 +258,7 @@ TEST_P(WarpSymmetry, of_metric_values)
 {
     const Setting s = settingOf(MODES[GetParam()]);
     SCOPED_TRACE(MODES[GetParam()].name);
-    for (const Twin& twin : TWINS)
+    for (const Twin& twin : {MIRRORED, REVERSED, ON_ITS_SIDE})
     {
         SCOPED_TRACE(testing::Message() << twin);
         const Setting t = twinOf(s, twin);
@@ -276,7 +286,7 @@ TEST_P(WarpSymmetry, of_drawings)
     const Mat segments = (Mat_<float>(2, 4) << 24, 18, 27, 72, 150, 12, 147, 84);
     const std::vector<uchar> labels = {SEGMENT_LEFT_WALL, SEGMENT_RIGHT_WALL};
     std::vector<uchar> twinLabels = labels;
-    for (const Twin& twin : TWINS)
+    for (const Twin& twin : {MIRRORED, REVERSED, ON_ITS_SIDE})
     {
         SCOPED_TRACE(testing::Message() << twin);
         const Setting t = twinOf(s, twin);
@@ -284,7 +294,7 @@ TEST_P(WarpSymmetry, of_drawings)
         const bool isOther = twin.mirrored && s.motion.wallRatio > 0;
         for (int i = 0; i < 2; i++)
             twinLabels[i] = labels[isOther ? 1 - i : i];
-        Mat image(s.camera.imageSize, CV_8UC3, Scalar::all(0)), other = image.clone();
+        Mat image(s.camera.imageSize, CV_8UC3, Scalar::all(0)), other(t.camera.imageSize, CV_8UC3, Scalar::all(0));
         drawMotion(image, segments, labels, s.camera, s.motion, 3);
         drawMotion(other, twin.ofPlaces(segments, s.camera.imageSize), twinLabels, t.camera, t.motion, 3);
         // Lines aren't drawn symmetrically, but where they are, some of them is.
