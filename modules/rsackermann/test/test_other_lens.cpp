@@ -148,4 +148,30 @@ TEST(RSAckermann_OtherLens, motion_is_corrected_as_with_a_known_lens)
     }
 }
 
+// No lens bends a vertical about the horizon: each explains a camera at rest as well as the given one does, by the
+// probability of the lens, however much it stretches the others. So few may as well be a slow turn.
+TEST(RSAckermann_OtherLens, verticals_about_the_horizon_tell_none)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    RNG rng(5);
+    Mat segments;
+    for (int i = 0; i < 60; i++)
+    {
+        const double x = rng.uniform(100., 540.), half = rng.uniform(40., 100.),
+                     lean = 0.05 * camera.secondsPerUnitTime() * half + rng.gaussian(0.25);
+        segments.push_back(Mat(Matx14d(x - lean, 189.5 - half, x + lean, 189.5 + half)));
+    }
+    AckermannEstimator::Params params;
+    params.gravitySigma = 0;
+    const auto expectedOf = [&](double distortionSigma, double oddsOfRest) {
+        camera.distortionSigma = distortionSigma;
+        params.standingProbability = oddsOfRest / (1 + oddsOfRest);
+        return AckermannEstimator::create(camera, params)->estimate(segments).expectedRaw;
+    };
+    const double known = expectedOf(0, 1), all = expectedOf(0, 1 + 2 * std::exp(-0.5) + std::exp(-2.) + std::exp(-4.5));
+    EXPECT_GT(known, 1.3 * all);
+    for (const double sigma : {1e-6, 0.1, 0.3})
+        EXPECT_NEAR(all, expectedOf(sigma, 1), 0.01 * all) << sigma;
+}
+
 }} // namespace

@@ -65,6 +65,22 @@ TEST(RSAckermann_SlantNoise, finds_the_error_of_the_detector)
         EXPECT_EQ(pixels[i], fitSlantNoise(drawSlants(2000, 0.03 * degree, pixels[i], 0.1, rng), FOCAL).pixels);
 }
 
+// From where it was found it is found again, whichever of its maxima is the larger one.
+TEST(RSAckermann_SlantNoise, from_what_was_found_before)
+{
+    RNG rng(5);
+    for (const double lean : {0.01, 0.3})
+        for (const double pixels : {0.005, 0.05, 0.4})
+            for (const double share : {0.1, 0.6})
+            {
+                const Slants slants = drawSlants(100, lean * degree, pixels, share, rng);
+                const SlantNoise found = fitSlantNoise(slants, FOCAL), again = fitSlantNoise(slants, FOCAL, &found);
+                EXPECT_EQ(found.pixels, again.pixels);
+                EXPECT_NEAR(found.lean, again.lean, 1e-6 * found.lean);
+                EXPECT_NEAR(found.logLikelihood, again.logLikelihood, 1e-6);
+            }
+}
+
 TEST(RSAckermann_SlantNoise, few_segments_are_as_usual)
 {
     Slants one = noSlants();

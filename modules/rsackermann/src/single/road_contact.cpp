@@ -29,8 +29,6 @@ RoadContact findRoadContact(const RefinementProblem& problem, const Model& model
 {
     RoadContact contact;
     const double size = std::hypot(model[P_B], model[P_D]);
-    if (!(size > 0))
-        return contact;
     const PreparedModel prepared(model, problem.heading);
     std::vector<double> ratios[2]; // of the left and the right wall, each in its own distance
     for (size_t i = 0; i < problem.verticals.size(); i++)
