@@ -123,6 +123,22 @@ TEST(RSAckermann_Sequence, state_with_another_gravity)
         }
 }
 
+// Of roll and yaw rate, of either sign.
+TEST(RSAckermann_Sequence, state_that_is_ambiguous)
+{
+    const RollingShutterCamera camera = driveCamera(SCAN_TOP_TO_BOTTOM);
+    for (const double correlation : {-0.95, -0.8, 0., 0.8, 0.95})
+    {
+        SequenceState state = stateOf(camera, {0.1, 10, 4, 5, 0});
+        state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_ROLL) = state.covariance(SEQUENCE_ROLL, SEQUENCE_YAW_RATE) =
+            correlation * std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE) *
+                                    state.covariance(SEQUENCE_ROLL, SEQUENCE_ROLL));
+        AckermannMotion motion;
+        state.toMotion(camera.secondsPerUnitTime(), motion);
+        EXPECT_EQ(std::abs(correlation) > 0.9, motion.rollYawAmbiguous) << correlation;
+    }
+}
+
 typedef testing::TestWithParam<int> Scans;
 
 TEST_P(Scans, points_move_as_the_simulated_motion_moves_them)

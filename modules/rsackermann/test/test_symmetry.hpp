@@ -249,12 +249,22 @@ public:
         T *= 1 / unitOf(camera);
     }
 
+    //! What a gyro measures about the axes of the camera.
+    Vec3d ofRates(Vec3d rates) const
+    {
+        if (mirrored)
+            rates = Vec3d(rates[0], -rates[1], -rates[2]);
+        for (int i = 0; i < turned; i++)
+            rates = quarterTurn() * rates;
+        return rates;
+    }
+
 private:
     static void changeCovariance(AckermannMotion& m, const Matx44d& J) { m.covariance = J * m.covariance * J.t(); }
 };
 
 const Twin MIRRORED = {true, false, 0}, REVERSED = {false, true, 0}, ON_ITS_SIDE = {false, false, 1},
-           ON_ITS_HEAD = {false, false, 2};
+           ON_ITS_HEAD = {false, false, 2}, MIRRORED_ON_ITS_HEAD = {true, false, 2};
 
 inline std::ostream& operator<<(std::ostream& out, const Twin& twin)
 {
