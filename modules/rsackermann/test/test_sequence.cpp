@@ -6,6 +6,7 @@
 #include "test_common.hpp"
 #include "test_simulator.hpp"
 #include "../src/sequence/frame_fit.hpp"
+#include "../src/sequence/sequence_filter.hpp"
 
 namespace opencv_test { namespace {
 
@@ -137,6 +138,29 @@ TEST(RSAckermann_Sequence, state_that_is_ambiguous)
         state.toMotion(camera.secondsPerUnitTime(), motion);
         EXPECT_EQ(std::abs(correlation) > 0.9, motion.rollYawAmbiguous) << correlation;
     }
+}
+
+// Points that agree on nothing are another scene, of which nothing is known.
+TEST(RSAckermann_Sequence, filter_of_another_scene)
+{
+    RNG rng(4);
+    const RollingShutterCamera camera = driveCamera(SCAN_TOP_TO_BOTTOM);
+    const AckermannEstimator::Params params;
+    SequenceFilter filter(camera, params);
+    filter.advance(0, camera, params);
+    filter.state = stateOf(camera, {0.1, 10, 4, 5, 0});
+    filter.isUninitialised = false;
+    std::vector<PointPair> pairs;
+    for (int i = 0; i < 200; i++)
+        pairs.push_back({uniformPoint(rng, Point2d(0, 0), Point2d(camera.imageSize)),
+                         uniformPoint(rng, Point2d(0, 0), Point2d(camera.imageSize))});
+    FrameFeatures features;
+    features.setPoints(camera, pairs, 0.05);
+    SequenceFit fit(filter.state);
+    EXPECT_FALSE(filter.update(features, camera, params, fit));
+    EXPECT_TRUE(filter.isUninitialised);
+    EXPECT_EQ(SequenceState(camera, params).value, filter.state.value);
+    EXPECT_EQ(SequenceState(camera, params).covariance, filter.state.covariance);
 }
 
 typedef testing::TestWithParam<int> Scans;

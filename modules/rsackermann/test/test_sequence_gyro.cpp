@@ -203,10 +203,12 @@ TEST(RSAckermann_Gyro, contradictions_are_noticed)
         }
 }
 
+// It is used from then on, and what else is between it and the camera is found anew.
 TEST(RSAckermann_Gyro, another_clock_is_found)
 {
     for (double delay : {-1.7, -0.3, 1.0})
     {
+        SCOPED_TRACE(delay);
         RNG rng(300);
         const Turning turning(rng, 0.3 * DEGREE);
         const TrueGyro truth = {delay, 0.2 * DEGREE, Vec3d(0.5, -0.5, 0.3) * DEGREE, Vec3d(), 1};
@@ -214,13 +216,44 @@ TEST(RSAckermann_Gyro, another_clock_is_found)
         measure(turning, truth, 3, rng, times, values);
         GyroRates gyro;
         gyro.samples.add(times, values);
+        int found = 0;
         for (int k = 1; k <= 60; k++)
+        {
             gyro.add(turnOfPoints(turning, k, 0.3 * DEGREE, rng));
-        EXPECT_FALSE(gyro.contradicts()) << delay;
+            found += std::abs(gyro.alignment().delay - delay) < 0.01;
+            EXPECT_FALSE(found > 0 && gyro.contradicts()) << k;
+        }
+        EXPECT_GT(found, 30);
         EXPECT_NEAR(delay, gyro.alignment().delay, 0.002);
+        EXPECT_LT(cv::norm(gyro.alignment().bias - truth.bias), 0.5 * DEGREE);
         gyro.reset();
         EXPECT_EQ(0, gyro.alignment().delay);
     }
+}
+
+// Neither if only one axis turns, which some delay fits by chance, nor if the gyro would have a bias as none has.
+TEST(RSAckermann_Gyro, another_clock_is_not_made_up)
+{
+    for (int seed = 0; seed < 3; seed++)
+        for (const bool isBiased : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << seed << isBiased);
+            RNG rng(310 + seed);
+            const Turning turning(rng, 0.3 * DEGREE), other(rng, 0.3 * DEGREE);
+            const TrueGyro truth = {isBiased ? 0.3 : 0., 0, isBiased ? Vec3d(0, 0, 12 * DEGREE) : Vec3d(), Vec3d(), 1};
+            Mat times, values;
+            measure(isBiased ? turning : other, truth, 3, rng, times, values);
+            GyroRates gyro;
+            gyro.samples.add(times, values);
+            for (int k = 1; k <= 60; k++)
+            {
+                TurnOfPoints turn = turnOfPoints(turning, k, 0.1 * DEGREE, rng);
+                if (!isBiased)
+                    turn.rate = Vec3d(0, turn.rate[1], 0);
+                gyro.add(turn);
+                EXPECT_LT(std::abs(gyro.alignment().delay), 0.1) << k;
+            }
+        }
 }
 
 // The integral of straight pieces is exact, and what isn't there isn't made up.

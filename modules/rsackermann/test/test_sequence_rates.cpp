@@ -198,6 +198,59 @@ TEST(RSAckermann_RowRates, forward_and_backward)
     EXPECT_EQ(0, a.rollRateSigma);
 }
 
+// What a gyro has measured in one frame is nothing to the next one, whether that shows turns or not.
+TEST(RSAckermann_RowRates, of_a_gyro_are_those_of_its_frame)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const SequenceState state(camera, AckermannEstimator::Params());
+    SequenceFit fit(state);
+    MeasuredTurns measured;
+    measured.pitch.value = measured.roll.value = measured.yaw.value = 0.3;
+    measured.pitch.sigma = measured.roll.sigma = measured.yaw.sigma = 0.01;
+    measured.curve = Mat(4, 3, CV_64F, Scalar(0.01));
+    for (const bool isSeen : {false, true})
+    {
+        RowRates used, unused;
+        used.set(measured);
+        for (RowRates* const rates : {&used, &unused})
+            if (isSeen)
+                rates->update(fit, 0.1, 0.1);
+            else
+                rates->interrupt();
+        AckermannMotion a, b;
+        SequenceState c = state, d = state;
+        used.toMotion(0.03, a);
+        unused.toMotion(0.03, b);
+        expectSame(a, b);
+        used.toState(c);
+        unused.toState(d);
+        EXPECT_EQ(d.value, c.value);
+        EXPECT_EQ(d.covariance, c.covariance);
+    }
+}
+
+// The variance of a yaw rate is that of its means between frames, half of it between two neighbours.
+TEST(RSAckermann_RowRates, of_a_yaw_rate_that_changes)
+{
+    SequenceFit fit{SequenceState(simulation::paperCamera(), AckermannEstimator::Params())};
+    for (const double before : {0.1, -0.1})
+        for (const double after : {0., before})
+        {
+            RowRates rates;
+            fit.values[SEQUENCE_YAW_RATE] = 0.1;
+            fit.values[FLOW_YAW_CHANGE] = 0;
+            rates.update(fit, before, after);
+            fit.values[SEQUENCE_YAW_RATE] = 0.2;
+            fit.values[FLOW_YAW_CHANGE] = before > 0 ? 0.8 : -0.8;
+            rates.update(fit, before, after);
+            AckermannMotion motion;
+            motion.covariance = Matx44d::zeros();
+            rates.toMotion(0.04, motion);
+            const double change = 0.16 - 0.1; // of the means
+            EXPECT_NEAR(change * change / (after != 0 ? 4 : 2) * 0.02 * 0.02, motion.covariance(0, 0), 1e-12);
+        }
+}
+
 // Predicted or between both neighbours: what the camera does is found and applied, and its sigma is true.
 TEST(RSAckermann_RowRates, of_a_camera_that_shakes)
 {
