@@ -75,24 +75,52 @@ TEST(RSAckermann_PrivateCalibration, far_points_above_the_horizon_count)
     EXPECT_FALSE(counts(street, vanishing + Point2d(10, -2)));
 }
 
-//! Weight of a vertical at a side, -1 or 1, of the image where there is the only wall.
-double weightAt(int side, double depths)
+//! A vertical that leans, at a side, -1 or 1, of the image.
+UprightSegment verticalAt(int side)
 {
-    const RollingShutterCamera camera = straightCamera();
-    CalibrationFrame frame = frameBetween(camera, side < 0 ? 0.125 : 0, side > 0 ? 0.125 : 0);
     const double x = 0.4 * side, y[] = {-0.3, 0.1};
-    const UprightSegment vertical = {Vec3d(x, y[0], 1), Vec3d(x, y[1], 1), y[0], y[1], 0.4 * 700, 0, 1, 0};
-    frame.verticals.push_back(vertical);
-    const ResidualSigmas sigmas = {1, 1, depths};
-    FrameProblem(camera, MountVector::Zero(), 1, sigmas).weigh(frame);
-    return frame.slantWeights[0];
+    const UprightSegment vertical = {
+        Vec3d(x - 0.05, y[0], 1), Vec3d(x + 0.05, y[1], 1), y[0], y[1], 0.4 * 700, 0, 1, 0};
+    return vertical;
 }
 
-TEST(RSAckermann_PrivateCalibration, depth_makes_verticals_of_either_wall_alone_uncertain)
+DepthResidual residualOf(const CalibrationFrame& frame)
 {
-    EXPECT_EQ(1, weightAt(1, 0));
-    EXPECT_LT(weightAt(-1, 1), 0.9);
-    EXPECT_NEAR(weightAt(-1, 1), weightAt(1, 1), 1e-9);
+    std::vector<DepthResidual> slants;
+    FrameProblem(straightCamera(), MountVector::Zero(), 1, USUAL).addSlantResiduals(frame, slants);
+    return slants[0];
+}
+
+// By as much as it would lean otherwise if its wall were nearer there by 0.03/m, whichever wall it is, alone or not,
+// and wherever the street leads.
+TEST(RSAckermann_PrivateCalibration, depth_makes_verticals_uncertain)
+{
+    for (const int side : {-1, 1})
+        for (const bool isAlone : {false, true})
+            for (const double direction : {-0.25, 0., 0.25})
+            {
+                SCOPED_TRACE(testing::Message() << side << ", alone " << isAlone << ", " << direction);
+                const double other = isAlone ? 0 : 0.1, h = 1e-4;
+                CalibrationFrame frame = frameBetween(straightCamera(), other, other), farther = frame;
+                frame.verticals.assign(1, verticalAt(side));
+                frame.value[SEQUENCE_DIRECTION] = direction;
+                const SequenceValue wall = side < 0 ? SEQUENCE_LEFT : SEQUENCE_RIGHT;
+                frame.value[wall] = 0.125;
+                const DepthResidual residual = residualOf(frame);
+                farther = frame;
+                frame.value[wall] += h;
+                farther.value[wall] -= h;
+                const double byWall = (residualOf(frame).value - residualOf(farther).value) / (2 * h),
+                             depth = side / (std::cos(direction) * 0.4 * side - std::sin(direction)); // at a metre
+                EXPECT_NEAR(std::abs(byWall * 0.03 * depth), std::abs(residual.byDepth), 1e-3);
+                EXPECT_GT(std::abs(residual.byDepth), 0.1);
+                for (const double depths : {0., 1.})
+                {
+                    const ResidualSigmas sigmas = {1, 1, depths};
+                    FrameProblem(straightCamera(), MountVector::Zero(), 1, sigmas).weigh(farther);
+                    EXPECT_NEAR(1 / std::hypot(1, depths * residual.byDepth), farther.slantWeights[0], 1e-3);
+                }
+            }
 }
 
 }} // namespace opencv_test::

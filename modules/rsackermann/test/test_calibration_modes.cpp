@@ -85,11 +85,13 @@ TEST_P(CalibrationModes, truth_and_mirror)
 INSTANTIATE_TEST_CASE_P(RSAckermann, CalibrationModes, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));
 
 // Each drive has its own clock of the gyro: what is found is that of the last one, and the frames of both count.
+// Whatever line delay is given, it is the same.
 TEST(RSAckermann_CalibrationModes, gyro_of_two_drives)
 {
     const Mode& mode = MODES[0];
-    RollingShutterCamera truth = cameraOf(mode);
+    RollingShutterCamera truth = cameraOf(mode), shorter = truth;
     truth.heading = mode.heading * degree;
+    shorter.lineDelay *= 0.75;
     StreetDrive::Options options;
     options.yawRate = 1 * degree;
     options.tilt = 0.4 * degree;
@@ -98,7 +100,8 @@ TEST(RSAckermann_CalibrationModes, gyro_of_two_drives)
         const simulation::Oscillation oscillation(deviation, 0.2, 0.6, rng);
         return [oscillation](double seconds) { return oscillation.at(seconds); };
     };
-    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(cameraOf(mode));
+    const Ptr<MountCalibrator> calibrators[] = {MountCalibrator::create(cameraOf(mode)),
+                                                MountCalibrator::create(shorter)};
     StreetDrive street(truth, mode.roll * degree, mode.pitch * degree, options, 8);
     const double delays[] = {0.015, -0.015};
     const int count = 40;
@@ -111,17 +114,23 @@ TEST(RSAckermann_CalibrationModes, gyro_of_two_drives)
             times.push_back(t + delays[drive]);
             rates.push_back(Mat(street.rateAt(t).t()));
         }
-        calibrator->addGyro(times, rates);
+        for (const Ptr<MountCalibrator>& calibrator : calibrators)
+            calibrator->addGyro(times, rates);
         for (int i = 0; i < count; i++)
         {
             const StreetDrive::Frame f = street.frame(begin + i * INTERVAL, INTERVAL);
-            calibrator->addPoints(f.points, f.segments, f.seconds);
+            for (const Ptr<MountCalibrator>& calibrator : calibrators)
+                calibrator->addPoints(f.points, f.segments, f.seconds);
         }
     }
-    const MountCalibration c = calibrator->calibrate();
+    const MountCalibration c = calibrators[0]->calibrate(), other = calibrators[1]->calibrate();
     EXPECT_GT(c.gyroFrames, 2 * (count - 8));
     EXPECT_NEAR(delays[1], c.gyroDelay, 3 * c.gyroDelaySigma);
     EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.05);
+    EXPECT_EQ(c.gyroFrames, other.gyroFrames);
+    EXPECT_NEAR(c.gyroDelay, other.gyroDelay, 0.05 * c.gyroDelaySigma);
+    EXPECT_NEAR(c.lineDelay, other.lineDelay, 0.001 * c.lineDelay);
+    EXPECT_NEAR(c.lineDelaySigma, other.lineDelaySigma, 0.01 * c.lineDelaySigma);
 }
 
 }} // namespace opencv_test::
