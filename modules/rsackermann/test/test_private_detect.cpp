@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "opencv2/opencv_modules.hpp"
+#include "../src/features/refine_segments.hpp"
 #include "../src/features/segment_finder.hpp"
 
 namespace opencv_test { namespace {
@@ -55,6 +56,30 @@ TEST(RSAckermann_PrivateDetect, edges_at_the_ends_do_not_make_sides_lean)
             EXPECT_NEAR(0, foundLean(detector, true, scale), 1e-5);
         EXPECT_GT(std::abs(foundLean(detector, false, 1)), 1e-4);
     }
+}
+
+// To an edge in the middle of the image a segment moves from the left as it does from the right, wherever it begins.
+TEST(RSAckermann_PrivateDetect, segments_move_to_their_edge_from_either_side)
+{
+    Mat image(200, 201, CV_8U, Scalar(60));
+    image.colRange(0, 100).setTo(160);
+    image.col(100).setTo(110);
+    GaussianBlur(image, image, Size(), 1);
+    for (const float slope : {0.f, 0.01f})
+        for (float beside = 0.2f; beside < 2.4f; beside += 0.25f)
+            for (const int steps : {1, 3})
+            {
+                std::vector<Vec4f> segments;
+                for (const float side : {-1.f, 1.f})
+                    segments.push_back(
+                        Vec4f(100 + side * (beside - 60 * slope), 40, 100 + side * (beside + 60 * slope), 160));
+                cv::rsackermann::refineSegments(image, steps, true, segments);
+                for (int end = 0; end < 4; end += 2)
+                {
+                    EXPECT_NEAR(100 - segments[0][end], segments[1][end] - 100, 0.01) << beside;
+                    EXPECT_NEAR(100, segments[1][end], steps > 1 ? 0.2 : 0.8) << beside;
+                }
+            }
 }
 
 }} // namespace opencv_test::

@@ -140,6 +140,27 @@ TEST(RSAckermann_Sequence, state_that_is_ambiguous)
     }
 }
 
+// What was measured, without what is known of any drive.
+TEST(RSAckermann_Sequence, state_shows_what_it_was_told)
+{
+    const RollingShutterCamera camera = driveCamera(SCAN_TOP_TO_BOTTOM);
+    SequenceState state(camera, AckermannEstimator::Params());
+    double mean, sigma;
+    EXPECT_FALSE(state.seen(SEQUENCE_SPEED, mean, sigma));
+    MotionPrior prior;
+    prior.yawRate = -0.2;
+    prior.yawRateSigma = 0.15;
+    prior.speed = 7;
+    prior.speedSigma = 9;
+    state.measure(prior);
+    ASSERT_TRUE(state.seen(SEQUENCE_YAW_RATE, mean, sigma));
+    EXPECT_NEAR(prior.yawRate, mean, 1e-9);
+    EXPECT_NEAR(prior.yawRateSigma, sigma, 1e-9);
+    ASSERT_TRUE(state.seen(SEQUENCE_SPEED, mean, sigma));
+    EXPECT_NEAR(prior.speed, mean, 1e-9);
+    EXPECT_NEAR(prior.speedSigma, sigma, 1e-9);
+}
+
 // Points that agree on nothing are another scene, of which nothing is known.
 TEST(RSAckermann_Sequence, filter_of_another_scene)
 {

@@ -540,6 +540,16 @@ TEST(RSAckermann_Gyro, in_the_dark)
         EXPECT_NEAR(truth[1] * unit, 2 * motion.alpha, 0.1 * std::abs(truth[1]) * unit);
         EXPECT_NEAR(truth[2] * unit, motion.rollRate, 0.1 * std::abs(truth[2]) * unit);
         EXPECT_LT(motion.expectedResidual, motion.expectedRaw);
+        Mat x, y, distance;
+        corrector->getMaps(x, y);
+        for (int row = 0; row < x.rows; row++)
+            for (int column = 0; column < x.cols; column++)
+            {
+                x.at<float>(row, column) -= float(column);
+                y.at<float>(row, column) -= float(row);
+            }
+        magnitude(x, y, distance);
+        EXPECT_NEAR(mean(distance)[0], motion.expectedRaw, 0.1 * motion.expectedRaw);
         EXPECT_GT(motion.pitchRateSigma, 0);
         // An image beyond the samples
         corrector->setTimestamp(10);

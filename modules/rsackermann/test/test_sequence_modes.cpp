@@ -315,6 +315,49 @@ TEST_P(SequenceModes, state_of_sources)
     }
 }
 
+// What is seen doesn't depend on since when something is given beside it.
+TEST_P(SequenceModes, seen_beside_what_is_given)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const Ptr<RollingShutterCorrector> always = createCorrector(setting, Twin(), GIVEN),
+                                       atLast = createCorrector(setting, Twin(), NOTHING);
+    for (int i = 0; i < FRAMES; i++)
+    {
+        if (i + 1 == FRAMES)
+            atLast->setPrior(always->getPrior());
+        const AckermannMotion a = correctFrame(*always, frames, i, GIVEN), b = correctFrame(*atLast, frames, i, GIVEN);
+        if (i + 1 < FRAMES)
+            continue;
+        EXPECT_GT(b.seenYawRateSigma, 0);
+        EXPECT_NEAR(b.seenYawRate, a.seenYawRate, 1e-3 * b.seenYawRateSigma);
+        EXPECT_NEAR(b.seenYawRateSigma, a.seenYawRateSigma, 1e-3 * b.seenYawRateSigma);
+        EXPECT_NEAR(b.seenSpeed, a.seenSpeed, 1e-3 * b.seenSpeedSigma);
+        EXPECT_NEAR(b.seenSpeedSigma, a.seenSpeedSigma, 1e-3 * b.seenSpeedSigma);
+    }
+}
+
+// A longer lens sees less of a turn.
+TEST_P(SequenceModes, uncertain_focal_length)
+{
+    if (GetParam() > 2)
+        return; // one is as good as another
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Setting uncertain = setting;
+    const double relative = 0.1;
+    uncertain.camera.focalSigma = relative * setting.camera.cameraMatrix(0, 0);
+    const Ptr<RollingShutterCorrector> exact = createCorrector(setting, Twin(), NOTHING),
+                                       other = createCorrector(uncertain, Twin(), NOTHING);
+    for (int i = 0; i < FRAMES; i++)
+    {
+        AckermannMotion a = correctFrame(*exact, frames, i, NOTHING), b = correctFrame(*other, frames, i, NOTHING);
+        if (i == 0)
+            continue;
+        EXPECT_EQ(a.alpha, b.alpha);
+        EXPECT_NEAR(std::pow(relative * a.alpha, 2), b.covariance(0, 0) - a.covariance(0, 0),
+                    1e-6 * b.covariance(0, 0));
+    }
+}
+
 // Another street before, of which nothing is told, is forgotten.
 TEST_P(SequenceModes, another_street_before)
 {

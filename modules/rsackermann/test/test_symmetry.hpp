@@ -28,61 +28,6 @@ struct Twin
         return c;
     }
 
-private:
-    RollingShutterCamera mirror(RollingShutterCamera c) const
-    {
-        c.cameraMatrix(0, 2) = c.imageSize.width - 1 - c.cameraMatrix(0, 2);
-        if (!c.isRowShutter())
-        {
-            c.scanDirection ^= 1;
-            c.referenceRow = c.imageSize.width - 1 - c.referenceRow;
-        }
-        if (c.lensModel == LENS_PINHOLE)
-            for (const size_t odd : {3, 8, 9, 13}) // p2, s1, s2 and the tilt about the y axis
-                if (odd < c.distCoeffs.size())
-                    c.distCoeffs[odd] *= -1;
-        c.uprightRotation = mirror(c.uprightRotation);
-        c.heading = -c.heading;
-        return c;
-    }
-
-    static Matx33d mirror(const Matx33d& R)
-    {
-        const Matx33d sides = Matx33d::diag(Vec3d(-1, 1, 1));
-        return sides * R * sides;
-    }
-
-    //! Of places.
-    static Matx33d quarterTurn() { return Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 1); }
-
-    static RollingShutterCamera turn(RollingShutterCamera c)
-    {
-        const int scans[] = {SCAN_RIGHT_TO_LEFT, SCAN_LEFT_TO_RIGHT, SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP};
-        if (c.isRowShutter())
-            c.referenceRow = c.imageSize.height - 1 - c.referenceRow;
-        c.scanDirection = scans[c.scanDirection];
-        c.cameraMatrix = turn(c.cameraMatrix, c.imageSize);
-        std::swap(c.imageSize.width, c.imageSize.height);
-        c.uprightRotation = c.uprightRotation * quarterTurn().t();
-        std::vector<double>& k = c.distCoeffs;
-        // The x and y of the vectors p, s and of the axis of the tilt, which has one of both
-        const int pairs[][2] = {{3, 2}, {8, 10}, {9, 11}, {12, 13}};
-        for (const auto& pair : pairs)
-            if (c.lensModel == LENS_PINHOLE && std::max(pair[0], pair[1]) < int(k.size()))
-            {
-                std::swap(k[pair[0]], k[pair[1]]);
-                k[pair[0]] *= -1;
-            }
-        CV_Assert(k.size() < 14 || k[12] == 0 || k[13] == 0);
-        return c;
-    }
-
-    static Matx33d turn(const Matx33d& K, const Size& size)
-    {
-        return K(0, 0) > 0 ? Matx33d(K(1, 1), 0, size.height - 1 - K(1, 2), 0, K(0, 0), K(0, 2), 0, 0, 1) : K;
-    }
-
-public:
     AckermannMotion of(AckermannMotion m, const RollingShutterCamera& camera) const
     {
         m.inverseDepthOffset = m.inverseDepthOffset.clone();
@@ -101,57 +46,6 @@ public:
         return turned ? turn(m, camera) : m;
     }
 
-private:
-    static AckermannMotion mirror(AckermannMotion m, const RollingShutterCamera& camera)
-    {
-        if (m.wallRatio > 0)
-        {
-            const double ratio = m.wallRatio, B = m.wallSlope, D = m.wallOffset;
-            changeCovariance(m, Matx44d(-1, 0, 0, 0, 0, ratio, 0, B, 0, 0, -ratio, -D, 0, 0, 0, -1 / (ratio * ratio)));
-            m.wallSlope = ratio * B;
-            m.wallOffset = -ratio * D;
-            m.wallRatio = 1 / ratio;
-            m.wallDistance /= ratio;
-        }
-        else
-        {
-            changeCovariance(m, Matx44d::diag(Vec4d(-1, -1, 1, 1)));
-            m.wallSlope *= -1;
-        }
-        for (double* value : {&m.alpha, &m.rollRate, &m.rollCorrection, &m.seenYawRate})
-            *value *= -1;
-        if (!m.inverseDepthOffset.empty())
-            flip(m.inverseDepthOffset, m.inverseDepthOffset, 1);
-        m.offsetArea.x = -m.offsetArea.br().x;
-        if (m.rotationCurve.empty())
-            return m;
-        m.rotationCurve.colRange(1, 3) *= -1;
-        if (!camera.isRowShutter())
-            flip(m.rotationCurve, m.rotationCurve, 0);
-        return m;
-    }
-
-    // Upright frames are the same; the new unit of time over the old one, as either focal length makes it.
-    double unitOf(const RollingShutterCamera& camera) const
-    {
-        return turned % 2 ? camera.cameraMatrix(0, 0) / camera.cameraMatrix(1, 1) : 1;
-    }
-
-    AckermannMotion turn(AckermannMotion m, const RollingShutterCamera& camera) const
-    {
-        const double unit = unitOf(camera);
-        for (double* value : {&m.alpha, &m.wallSlope, &m.wallOffset, &m.roadSlope, &m.pitchRate, &m.rollRate})
-            *value *= unit;
-        m.inverseDepthOffset *= unit;
-        changeCovariance(m, Matx44d::diag(Vec4d(unit, unit, unit, 1)));
-        const bool isTopLast = (turned % 4 == 1 && camera.isRowShutter()) || turned % 4 == 2 ||
-                               (turned % 4 == 3 && !camera.isRowShutter());
-        if (isTopLast && !m.rotationCurve.empty())
-            flip(m.rotationCurve, m.rotationCurve, 0);
-        return m;
-    }
-
-public:
     MotionPrior of(MotionPrior p) const
     {
         if (reversed)
@@ -260,6 +154,108 @@ public:
     }
 
 private:
+    RollingShutterCamera mirror(RollingShutterCamera c) const
+    {
+        c.cameraMatrix(0, 2) = c.imageSize.width - 1 - c.cameraMatrix(0, 2);
+        if (!c.isRowShutter())
+        {
+            c.scanDirection ^= 1;
+            c.referenceRow = c.imageSize.width - 1 - c.referenceRow;
+        }
+        if (c.lensModel == LENS_PINHOLE)
+            for (const size_t odd : {3, 8, 9, 13}) // p2, s1, s2 and the tilt about the y axis
+                if (odd < c.distCoeffs.size())
+                    c.distCoeffs[odd] *= -1;
+        c.uprightRotation = mirror(c.uprightRotation);
+        c.heading = -c.heading;
+        return c;
+    }
+
+    static Matx33d mirror(const Matx33d& R)
+    {
+        const Matx33d sides = Matx33d::diag(Vec3d(-1, 1, 1));
+        return sides * R * sides;
+    }
+
+    //! Of places.
+    static Matx33d quarterTurn() { return Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 1); }
+
+    static RollingShutterCamera turn(RollingShutterCamera c)
+    {
+        const int scans[] = {SCAN_RIGHT_TO_LEFT, SCAN_LEFT_TO_RIGHT, SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP};
+        if (c.isRowShutter())
+            c.referenceRow = c.imageSize.height - 1 - c.referenceRow;
+        c.scanDirection = scans[c.scanDirection];
+        c.cameraMatrix = turn(c.cameraMatrix, c.imageSize);
+        std::swap(c.imageSize.width, c.imageSize.height);
+        c.uprightRotation = c.uprightRotation * quarterTurn().t();
+        std::vector<double>& k = c.distCoeffs;
+        // The x and y of the vectors p, s and of the axis of the tilt, which has one of both
+        const int pairs[][2] = {{3, 2}, {8, 10}, {9, 11}, {12, 13}};
+        for (const auto& pair : pairs)
+            if (c.lensModel == LENS_PINHOLE && std::max(pair[0], pair[1]) < int(k.size()))
+            {
+                std::swap(k[pair[0]], k[pair[1]]);
+                k[pair[0]] *= -1;
+            }
+        CV_Assert(k.size() < 14 || k[12] == 0 || k[13] == 0);
+        return c;
+    }
+
+    static Matx33d turn(const Matx33d& K, const Size& size)
+    {
+        return K(0, 0) > 0 ? Matx33d(K(1, 1), 0, size.height - 1 - K(1, 2), 0, K(0, 0), K(0, 2), 0, 0, 1) : K;
+    }
+
+    static AckermannMotion mirror(AckermannMotion m, const RollingShutterCamera& camera)
+    {
+        if (m.wallRatio > 0)
+        {
+            const double ratio = m.wallRatio, B = m.wallSlope, D = m.wallOffset;
+            changeCovariance(m, Matx44d(-1, 0, 0, 0, 0, ratio, 0, B, 0, 0, -ratio, -D, 0, 0, 0, -1 / (ratio * ratio)));
+            m.wallSlope = ratio * B;
+            m.wallOffset = -ratio * D;
+            m.wallRatio = 1 / ratio;
+            m.wallDistance /= ratio;
+        }
+        else
+        {
+            changeCovariance(m, Matx44d::diag(Vec4d(-1, -1, 1, 1)));
+            m.wallSlope *= -1;
+        }
+        for (double* value : {&m.alpha, &m.rollRate, &m.rollCorrection, &m.seenYawRate})
+            *value *= -1;
+        if (!m.inverseDepthOffset.empty())
+            flip(m.inverseDepthOffset, m.inverseDepthOffset, 1);
+        m.offsetArea.x = -m.offsetArea.br().x;
+        if (m.rotationCurve.empty())
+            return m;
+        m.rotationCurve.colRange(1, 3) *= -1;
+        if (!camera.isRowShutter())
+            flip(m.rotationCurve, m.rotationCurve, 0);
+        return m;
+    }
+
+    // Upright frames are the same; the new unit of time over the old one, as either focal length makes it.
+    double unitOf(const RollingShutterCamera& camera) const
+    {
+        return turned % 2 ? camera.cameraMatrix(0, 0) / camera.cameraMatrix(1, 1) : 1;
+    }
+
+    AckermannMotion turn(AckermannMotion m, const RollingShutterCamera& camera) const
+    {
+        const double unit = unitOf(camera);
+        for (double* value : {&m.alpha, &m.wallSlope, &m.wallOffset, &m.roadSlope, &m.pitchRate, &m.rollRate})
+            *value *= unit;
+        m.inverseDepthOffset *= unit;
+        changeCovariance(m, Matx44d::diag(Vec4d(unit, unit, unit, 1)));
+        const bool isTopLast = (turned % 4 == 1 && camera.isRowShutter()) || turned % 4 == 2 ||
+                               (turned % 4 == 3 && !camera.isRowShutter());
+        if (isTopLast && !m.rotationCurve.empty())
+            flip(m.rotationCurve, m.rotationCurve, 0);
+        return m;
+    }
+
     static void changeCovariance(AckermannMotion& m, const Matx44d& J) { m.covariance = J * m.covariance * J.t(); }
 };
 

@@ -226,18 +226,31 @@ TEST_P(WarpDepthMaps, nothing_known)
 {
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
-    const Boxes boxes;
+    Boxes boxes;
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-    const Result without(boxes.camera, distort, boxes.motion, DepthMap());
-    const Mat seen = without.mask == MASK_SEEN;
-    for (const float unknown : {0.f, -5.f, nan, inf, 1e-3f})
+    for (const bool hasOffset : {false, true})
     {
-        const Result result(boxes.camera, distort, boxes.motion,
-                            DepthMap(Mat(boxes.camera.imageSize, CV_32F, Scalar(unknown)), ofCamera));
-        // Where two planes meet the depth between pixels is a straight line; elsewhere the places are those of planes.
-        EXPECT_LE(result.difference(without, seen), 5e-3) << unknown;
-        EXPECT_LE(cvtest::norm(result.map1, without.map1, NORM_L1, seen) / countNonZero(seen), 1e-4) << unknown;
-        EXPECT_LE(countNonZero((result.mask != without.mask) & seen), 2) << unknown; // at the border
+        SCOPED_TRACE(hasOffset);
+        if (hasOffset)
+        {
+            boxes.motion.inverseDepthOffset =
+                0.02 * (Mat_<double>(4, 4) << 1, 2, 0, -1, 2, 3, 1, 0, 0, 2, -1, 1, 1, 0, 1, 2);
+            boxes.motion.offsetArea = Rect2d(-0.6, -0.4, 1.2, 0.8);
+        }
+        const Result without(boxes.camera, distort, boxes.motion, DepthMap());
+        const Mat seen = without.mask == MASK_SEEN;
+        for (const float unknown : {0.f, -5.f, nan, inf, 1e-3f})
+        {
+            const Result result(boxes.camera, distort, boxes.motion,
+                                DepthMap(Mat(boxes.camera.imageSize, CV_32F, Scalar(unknown)), ofCamera));
+            // Where two planes meet the depth between pixels is a straight line; elsewhere the places are those of
+            // planes, and nearly so of the offset.
+            EXPECT_LE(result.difference(without, seen), hasOffset ? 0.01 : 5e-3) << unknown;
+            EXPECT_LE(cvtest::norm(result.map1, without.map1, NORM_L1, seen) / countNonZero(seen),
+                      hasOffset ? 1e-3 : 1e-4)
+                << unknown;
+            EXPECT_LE(countNonZero((result.mask != without.mask) & seen), 2) << unknown; // at the border
+        }
     }
 }
 
