@@ -52,13 +52,19 @@ bool counts(CalibrationFrame frame, const Point2d& pixel)
 
 TEST(RSAckermann_PrivateCalibration, points_at_the_foot_of_a_wall_do_not_count)
 {
-    const CalibrationFrame frame = frameBetween(straightCamera(), 0.125, 0);
-    // The foot of a wall at 8 m is as far below the horizon as 1.4 m are of 8.
-    const double x = 80, foot = 269.5 + 1.4 / 8 * (479.5 - x);
-    EXPECT_FALSE(counts(frame, Point2d(x, foot - 4)));
-    EXPECT_FALSE(counts(frame, Point2d(x, foot + 4)));
-    EXPECT_TRUE(counts(frame, Point2d(x, foot - 40)));
-    EXPECT_TRUE(counts(frame, Point2d(x, foot + 40)));
+    for (const double speed : {10., -10.})
+        for (const int side : {-1, 1})
+        {
+            SCOPED_TRACE(testing::Message() << speed << ", " << side);
+            CalibrationFrame frame = frameBetween(straightCamera(), side < 0 ? 0.125 : 0, side > 0 ? 0.125 : 0);
+            frame.value[SEQUENCE_SPEED] = speed;
+            // The foot of a wall at 8 m is as far below the horizon as 1.4 m are of 8.
+            const double x = 479.5 + 400 * side, foot = 269.5 + 1.4 / 8 * 400;
+            EXPECT_FALSE(counts(frame, Point2d(x, foot - 4)));
+            EXPECT_FALSE(counts(frame, Point2d(x, foot + 4)));
+            EXPECT_TRUE(counts(frame, Point2d(x, foot - 40)));
+            EXPECT_TRUE(counts(frame, Point2d(x, foot + 40)));
+        }
 }
 
 TEST(RSAckermann_PrivateCalibration, far_points_above_the_horizon_count)
