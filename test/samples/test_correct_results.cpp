@@ -117,6 +117,16 @@ TEST_F(CorrectResults, full_disk_and_the_report)
     EXPECT_EQ(8u, reportLines().size());
 }
 
+TEST_F(CorrectResults, report_through_a_named_pipe)
+{
+    putImages(3);
+    const std::string pipe = out_ / "pipe", read = out_ / "report.jsonl";
+    const Outcome outcome = runCommand("mkfifo '" + pipe + "'; timeout 60 cat '" + pipe + "' >'" + read + "' & '" +
+                                       CORRECT_PROGRAM + "' '" + in_.path() + "' '--report=" + pipe + "'; wait");
+    EXPECT_EQ("", outcome.messages);
+    EXPECT_EQ(3u, reportLines().size());
+}
+
 TEST_F(CorrectResults, motion_can_be_made_from_a_line)
 {
     using namespace cv::rsackermann;

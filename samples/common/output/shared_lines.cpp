@@ -17,11 +17,17 @@ namespace rsackermann_samples {
 
 namespace {
 
-// The length of an open file; -1 for a device or a pipe.
+// Whether a path is that of a pipe or a device.
+bool isStream(const std::string& path)
+{
+    struct stat status;
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
 off_t lengthOf(int file)
 {
     struct stat status;
-    return fstat(file, &status) == 0 && S_ISREG(status.st_mode) ? status.st_size : -1;
+    return fstat(file, &status) == 0 ? status.st_size : 0;
 }
 
 // The length without a last line that has no end.
@@ -57,7 +63,7 @@ bool writeAll(int file, const std::string& text)
 
 std::string contentOf(int file, off_t length)
 {
-    std::string content(size_t(std::max(length, off_t(0))), '\0');
+    std::string content(size_t(length), '\0');
     const ssize_t n = content.empty() ? 0 : pread(file, &content[0], content.size(), 0);
     content.resize(n > 0 ? size_t(n) : 0);
     return content;
@@ -69,6 +75,12 @@ std::string contentOf(int file, off_t length)
 SharedLines::SharedLines(const std::string& path)
     : path_(cv::utils::fs::exists(path) ? cv::utils::fs::canonical(path) : path)
 {
+    if (!isStream(path_))
+        return;
+    // For writing alone: otherwise a pipe waits for no reader, and the lines of one that nobody reads yet are lost.
+    stream_ = FileDescriptor(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (stream_.get() < 0)
+        throw InputError(path_ + " can't be written: " + systemError());
 }
 
 FileDescriptor SharedLines::openLocked() const
@@ -79,13 +91,8 @@ FileDescriptor SharedLines::openLocked() const
     while (true)
     {
         FileDescriptor file(open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-        // A pipe or a device may be for writing only
-        if (file.get() < 0 && (errno == EACCES || errno == EINVAL || errno == ESPIPE))
-            file = FileDescriptor(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
         if (file.get() < 0)
             throw InputError(path_ + " can't be written: " + systemError());
-        if (lengthOf(file.get()) < 0)
-            return file;
         while (flock(file.get(), LOCK_EX) != 0 && errno == EINTR)
             ;
         // While this process waited for the lock another one may have put a new file there.
@@ -98,6 +105,8 @@ FileDescriptor SharedLines::openLocked() const
 
 void SharedLines::filter(const std::function<bool(const std::string& line)>& keep)
 {
+    if (stream_.get() >= 0)
+        return;
     const FileDescriptor file = openLocked();
     const std::string content = contentOf(file.get(), lengthOfWholeLines(file.get()));
     std::string kept;
@@ -105,7 +114,7 @@ void SharedLines::filter(const std::function<bool(const std::string& line)>& kee
          begin = end + 1)
         if (keep(content.substr(begin, end - begin)))
             kept.append(content, begin, end + 1 - begin);
-    if (lengthOf(file.get()) >= 0 && off_t(kept.size()) != lengthOf(file.get()))
+    if (off_t(kept.size()) != lengthOf(file.get()))
         writeFile(path_, kept);
 }
 
@@ -114,14 +123,20 @@ void SharedLines::append(const std::vector<std::string>& lines)
     std::string text;
     for (const std::string& line : lines)
         text += line + '\n';
+    if (stream_.get() >= 0)
+    {
+        if (!writeAll(stream_.get(), text))
+            throw InputError(path_ + " can't be written: " + systemError());
+        return;
+    }
     const FileDescriptor file = openLocked();
     const off_t length = lengthOfWholeLines(file.get());
-    if (length >= 0 && length != lengthOf(file.get()) && ftruncate(file.get(), length) != 0)
+    if (length != lengthOf(file.get()) && ftruncate(file.get(), length) != 0)
         throw InputError(path_ + " can't be written: " + systemError());
     if (writeAll(file.get(), text))
         return;
     const std::string reason = systemError();
-    if (length >= 0 && ftruncate(file.get(), length) != 0)
+    if (ftruncate(file.get(), length) != 0)
         throw InputError(path_ + " can't be written, and a part of a line can't be removed: " + systemError());
     throw InputError(path_ + " can't be written: " + reason);
 }

@@ -13,7 +13,8 @@ namespace rsackermann_samples {
 /** A text file to which several processes append lines.
 
 Lines that are appended together stay together, and they are there for others, and after the process is killed, when
-append() returns. A last line without its end was left by a process that was killed while it wrote; it is removed.
+append() returns. A last line without its end was left by a process that was killed while it wrote; it is removed. A
+pipe or a device just gets the lines.
 */
 class SharedLines
 {
@@ -31,6 +32,7 @@ private:
     FileDescriptor openLocked() const;
 
     std::string path_;
+    FileDescriptor stream_; // a pipe or a device, open from the beginning: to a reader closing it is the end
 };
 
 } // namespace rsackermann_samples
