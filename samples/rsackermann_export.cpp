@@ -82,11 +82,13 @@ void checkResults(const Options& options)
     throw UsageError("nothing to do: give --row_poses, --colmap, --stmap, --tracks, --points, --gcsv or --mesh");
 }
 
-// No result may replace an input or another result.
+// No result may replace an input, an image or video of the report or another result.
 void checkTargets(const Options& options, const std::vector<MotionFrame>& frames)
 {
     OutputPlan plan;
     plan.addInputs(options.inputFiles());
+    for (const MotionFrame& frame : frames)
+        plan.addInput(frame.input);
     for (const char* name : {"tracks", "points"})
         if (options.given(name))
             plan.addInput(options.inputFile(name));

@@ -979,16 +979,18 @@ TEST_F(Export, usage)
 TEST_F(Export, no_result_replaces_an_input_or_another_result)
 {
     const std::string camera = "--camera=" + streetFolder() + "/camera.yml", tracks = folder / "t.csv",
-                      report = folder / "r.jsonl";
+                      report = folder / "r.jsonl", raw = folder / "1.png";
     writeContent(tracks, "file,x,y\n");
+    writeContent(raw, "raw");
     std::string lines;
-    for (const char* input : {"a/1.jpg", "b/1.jpg"})
-        lines += std::string("{\"input\": \"") + input + "\", \"status\": \"not_significant\"}\n";
+    for (const std::string& input : {std::string("a/1.jpg"), std::string("b/1.jpg"), raw})
+        lines += "{\"input\": \"" + input + "\", \"status\": \"not_significant\"}\n";
     writeContent(report, lines);
     const Arguments conflicts[] = {{"--mesh=" + report},
                                    {"--tracks=" + tracks, "--tracks_output=" + folder.path() + "/./t.csv"},
                                    {"--mesh=" + (folder / "a.json"), "--row_poses=" + (folder / "a.json")},
                                    {"--gcsv=" + report},
+                                   {"--row_poses=" + raw},
                                    {"--colmap=" + (folder / "colmap")},
                                    {"--stmap=" + (folder / "stmap")}};
     for (const Arguments& conflict : conflicts)
@@ -999,6 +1001,7 @@ TEST_F(Export, no_result_replaces_an_input_or_another_result)
         EXPECT_EQ(2, outcome.exitCode) << conflict[0] << outcome.messages;
         EXPECT_EQ(lines, contentOf(report));
         EXPECT_EQ("file,x,y\n", contentOf(tracks));
+        EXPECT_EQ("raw", contentOf(raw));
     }
     // The same frame twice is no conflict.
     writeContent(report, lines.substr(0, lines.find('\n') + 1) + lines.substr(0, lines.find('\n') + 1));
