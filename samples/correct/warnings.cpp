@@ -35,13 +35,20 @@ void Warnings::addContradiction(const std::string& input, const std::vector<Fram
 
 void Warnings::addGyro(const FrameReport& frame)
 {
-    if (job_.gyro.times.empty())
+    const cv::Mat& times = job_.gyro.times;
+    if (times.empty())
         return;
     if (!job_.params.sequence && std::isnan(frame.time))
         warnOnce("--gyro has no effect on images without a time: give --log with the column time_s");
     else if (frame.isGyroWrong)
         warnOnce("the images contradict the gyro, which isn't used where they do: its unit, axes or clock may be "
                  "others");
+    else if (frame.motion.rotationCurve.empty() &&
+             (frame.time < *times.ptr<double>(0) || frame.time > *times.ptr<double>(times.rows - 1)))
+        warnOnce(
+            cv::format("--gyro has no effect on images outside of its times, %.12g to %.12g s: give --gyro_delay if "
+                       "its clock is another",
+                       *times.ptr<double>(0), *times.ptr<double>(times.rows - 1)));
 }
 
 void Warnings::addDepth(const FrameReport& frame)

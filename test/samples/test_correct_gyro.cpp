@@ -132,4 +132,18 @@ TEST_F(CorrectGyro, warnings)
     EXPECT_NE(std::string::npos, outcome.messages.find("--gyro has no effect without")) << outcome.messages;
 }
 
+// Of a clock with another origin nothing belongs to the image.
+TEST_F(CorrectGyro, times_that_are_not_those_of_the_image)
+{
+    const std::string samples = std::string(HEADER) + "5000,1,2,3\n5000.09,1,2,3\n";
+    for (const Arguments& options : {Arguments(), Arguments{"--carry"}, Arguments{"--gyro_delay=4000"}})
+    {
+        const Outcome outcome = run("a.csv", samples, options);
+        EXPECT_EQ(0, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find("--gyro has no effect on images outside of its times"))
+            << outcome.messages;
+    }
+    EXPECT_EQ("", run("a.csv", samples, {"--gyro_delay=4999.05"}).messages);
+}
+
 }} // namespace
