@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "opencv2/opencv_modules.hpp"
-#include "../src/features/edge_chains.hpp"
+#include "../src/features/edges.hpp"
 #include <functional>
 
 // The segments of an image in each detector: what a mirror, a camera on its head or on its side, a negative and a
@@ -191,8 +191,7 @@ TEST(RSAckermann_DetectSymmetry, edges_with_gaps)
             flip(image, image, 0);
         if (isNegative)
             image = 255 - image;
-        std::vector<cv::rsackermann::EdgePiece> pieces;
-        cv::rsackermann::EdgeChains(image, 1, 40).find(pieces);
+        const std::vector<cv::rsackermann::EdgePiece> pieces = cv::rsackermann::findEdges(image, 1, 40);
         ASSERT_EQ(2u, pieces.size());
         for (int i = 0; i < 2; i++)
         {
