@@ -55,11 +55,12 @@ void Warnings::addDepth(const FrameReport& frame)
 {
     if (!frame.isDepthGiven || frame.isDepthUsed || frame.motion.status != cv::rsackermann::MOTION_OK)
         return;
-    warnOnce(job_.depth.meaning().kind == DepthMeaning::RELATIVE
-                 ? "images that contradict --depth, or don't show that it is theirs, are corrected without it: "
-                   "depth_used in the report"
-                 : "--depth has no effect on images whose speed in metres is unknown: give --speed, --wall or "
-                   "--scale_from_road");
+    warnOnce(
+        job_.depth.meaning().kind == DepthMeaning::RELATIVE
+            ? "images that contradict --depth, or don't show that it is theirs, are corrected without it: "
+              "depth_used in the report"
+            : "--depth has no effect where no depth is known, and on images whose speed in metres is unknown: give "
+              "--speed, --wall or --scale_from_road");
 }
 
 void Warnings::warn(const std::string& message)

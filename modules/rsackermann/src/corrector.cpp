@@ -116,6 +116,20 @@ static bool isSameButForGravity(const RollingShutterCamera& a, const RollingShut
            a.referenceRow == b.referenceRow && a.heading == b.heading && a.height == b.height;
 }
 
+// Of a depth in metres; 0, NaN and infinity are unknown.
+static bool isKnownSomewhere(const Mat& depth)
+{
+    if (depth.type() == CV_16UC1)
+        return countNonZero(depth) > 0;
+    bool isKnown = depth.type() != CV_32FC1; // another type is refused by the maps
+    for (int y = 0; y < depth.rows && !isKnown; y++)
+    {
+        const float* row = depth.ptr<float>(y);
+        isKnown = std::any_of(row, row + depth.cols, [](float value) { return value > 0 && value <= FLT_MAX; });
+    }
+    return isKnown;
+}
+
 namespace {
 
 // Milliseconds between calls.
@@ -371,7 +385,8 @@ private:
     {
         Stopwatch watch;
         isDepthUsed_ = !given.empty() && motion.status == MOTION_OK &&
-                       (given.kind == DEPTH_RELATIVE || isMetric(generator->getCamera(), motion));
+                       (given.kind == DEPTH_RELATIVE ||
+                        (isMetric(generator->getCamera(), motion) && isKnownSomewhere(given.values)));
         usedDepth = isDepthUsed_ ? given : DepthMap();
         const DepthMap& depth = usedDepth;
         const bool copied = motion.status != MOTION_OK && isIdentity(generator->getCamera(), params.warp);

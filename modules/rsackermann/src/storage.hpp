@@ -74,7 +74,7 @@ struct AlgorithmStorage
             CV_Error(Error::StsBadArg,
                      format("filename is \"%s\"; a file that save() has written is expected", filename.c_str()));
         const FileNode fn = objname.empty() ? fs.getFirstTopLevelNode() : fs[objname];
-        if (fn["camera"].empty())
+        if (!fn.isMap() || !fn["camera"].isMap())
             CV_Error(
                 Error::StsBadArg,
                 format("objname is \"%s\"; the name that save() has given an object in \"%s\", or an empty one for the "

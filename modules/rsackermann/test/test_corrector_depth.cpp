@@ -67,6 +67,28 @@ TEST_F(CorrectorDepth, needs_metres)
     EXPECT_EQ(0, cvtest::norm(corrected, image, NORM_INF));
 }
 
+TEST_F(CorrectorDepth, needs_a_value_that_is_known)
+{
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    Mat corrected, expected;
+    corrector->correctWithMotion(image, motion, expected);
+    for (const float value : {0.f, -1.f, nan, infinity})
+    {
+        SCOPED_TRACE(value);
+        Mat values(camera.imageSize, CV_32F, Scalar(value));
+        corrector->correctWithMotion(image, motion, corrected, noArray(), DepthMap(values));
+        EXPECT_FALSE(corrector->isDepthUsed());
+        EXPECT_EQ(0, cvtest::norm(corrected, expected, NORM_INF));
+        values.at<float>(values.rows - 1, values.cols - 1) = 3;
+        corrector->correctWithMotion(image, motion, corrected, noArray(), DepthMap(values));
+        EXPECT_TRUE(corrector->isDepthUsed());
+    }
+    Mat values(camera.imageSize, CV_16U, Scalar(0));
+    corrector->correctWithMotion(image, motion, corrected, noArray(), DepthMap(values, DEPTH_RAW, 0.01));
+    EXPECT_FALSE(corrector->isDepthUsed());
+}
+
 TEST_F(CorrectorDepth, relative_needs_no_metres)
 {
     const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);

@@ -70,6 +70,26 @@ TEST(RSAckermann_Storage, save_and_load)
     checkSaveAndLoad<WarpMapGenerator>(exampleWarpParams(), "rsackermann_WarpMapGenerator");
 }
 
+// Another file, with a list or a number at its top, is named.
+TEST(RSAckermann_Storage, load_of_another_file)
+{
+    const std::string name = cv::tempfile(".yml");
+    for (const char* content : {"a: 3", "a: [ 1, 2 ]", "a:\n   camera: 1"})
+    {
+        std::ofstream(name) << "%YAML:1.0\n---\n" << content << "\n";
+        try
+        {
+            WarpMapGenerator::load(name);
+            ADD_FAILURE() << content;
+        }
+        catch (const cv::Exception& e)
+        {
+            EXPECT_NE(std::string::npos, e.err.find(name)) << content << ": " << e.what();
+        }
+    }
+    std::remove(name.c_str());
+}
+
 //! Reads a matrix of another size, none of which memory is taken for.
 template <class Struct>
 void checkSizeOfMatrix(const char* key)

@@ -218,7 +218,8 @@ public:
 
     A depth in metres needs a motion in metres: AckermannMotion::wallDistance, or AckermannMotion::roadSlope and
     RollingShutterCamera::height. A given speed (MotionPrior::speed) or AckermannEstimator::Params::wallDistance
-    suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK.
+    suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK and
+    where no depth at all is known.
 
     A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
     verticals that it explains as well as the planes do: one of another image, mirrored or constant isn't used. In a
