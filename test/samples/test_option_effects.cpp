@@ -154,7 +154,7 @@ TEST_P(EachOptionEffects, of_rsackermann_correct)
         {"log", (folder / "values.csv"), focal, WARNED, WARNED},
         {"gyro", (drive + "gyro.csv"), delay, WARNED, CHANGES}, // a single image needs its time
         {"gyro", (drive + "gyro.csv"), focal, WARNED, WARNED},
-        {"gyro_delay", "0.3", gyro + Arguments{"--log=" + drive + "log.csv"}, CHANGES, CHANGES},
+        {"gyro_delay", "0.02", gyro + Arguments{"--log=" + drive + "log.csv"}, CHANGES, CHANGES},
         {"gyro_delay", "0.3", delay, REFUSED, REFUSED},
         {"depth", (drive + "depth/"), delay + Arguments{"--speed=40"}, CHANGES, CHANGES},
         {"depth", (drive + "depth/"), delay, WARNED, WARNED},
