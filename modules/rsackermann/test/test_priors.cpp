@@ -45,7 +45,7 @@ Errors errors(const MotionPrior& prior)
 {
     const Simulator truth = street();
     Errors result;
-    for (int seed = 0; seed < 41; seed++)
+    for (int seed = 0; seed < 101; seed++)
     {
         const AckermannMotion m = estimate(truth, seed, prior);
         EXPECT_EQ(MOTION_OK, m.status) << "seed " << seed;

@@ -62,10 +62,34 @@ TEST(RSAckermann_SlantNoise, finds_the_error_of_the_detector)
     RNG rng(4);
     const double pixels[] = {0.05, 0.15, 0.4};
     for (int i = 0; i < 3; i++)
-        EXPECT_EQ(pixels[i], fitSlantNoise(drawSlants(2000, 0.03 * degree, pixels[i], 0.1, rng), FOCAL).pixels);
+        EXPECT_NEAR(pixels[i], fitSlantNoise(drawSlants(2000, 0.03 * degree, pixels[i], 0.1, rng), FOCAL).pixels,
+                    0.02 * pixels[i]);
 }
 
-// From where it was found it is found again, whichever of its maxima is the larger one.
+// One slant in forty that is another one changes the detector's error a little: it doesn't jump.
+TEST(RSAckermann_SlantNoise, nearly_alike)
+{
+    RNG rng(8);
+    std::vector<double> changes;
+    for (int i = 0; i < 200; i++)
+    {
+        const Slants slants = drawSlants(80, 0.3 * degree, 0.15, 0.3, rng),
+                     others = drawSlants(2, 0.3 * degree, 0.15, 0.3, rng);
+        Slants alike = slants;
+        for (int k = 0; k < 2; k++)
+        {
+            alike.slant[k] = others.slant[k];
+            alike.length[k] = others.length[k];
+        }
+        changes.push_back(std::abs(std::log(fitSlantNoise(slants, FOCAL).pixels / fitSlantNoise(alike, FOCAL).pixels)));
+    }
+    std::sort(changes.begin(), changes.end());
+    RecordProperty("change_p95", format("%.3f", changes[190]));
+    EXPECT_LT(changes[190], 0.7); // most numbers that are tried are three or ten times as large as the next one
+}
+
+// From where it was found it is found again, whichever of its maxima is the larger one, as far as a few steps of
+// expectation and maximisation go.
 TEST(RSAckermann_SlantNoise, from_what_was_found_before)
 {
     RNG rng(5);
@@ -75,7 +99,7 @@ TEST(RSAckermann_SlantNoise, from_what_was_found_before)
             {
                 const Slants slants = drawSlants(100, lean * degree, pixels, share, rng);
                 const SlantNoise found = fitSlantNoise(slants, FOCAL), again = fitSlantNoise(slants, FOCAL, &found);
-                EXPECT_EQ(found.pixels, again.pixels);
+                EXPECT_NEAR(found.pixels, again.pixels, 1e-12);
                 EXPECT_NEAR(found.lean, again.lean, 1e-6 * found.lean);
                 EXPECT_NEAR(found.logLikelihood, again.logLikelihood, 1e-6);
             }

@@ -74,13 +74,12 @@ double SlantNoise::lossScale(const Slants& slants, double focal) const
     return std::sqrt(2 * std::log1p((1 - share) / share * otherLean / scale));
 }
 
-static void keepBetter(const SlantArrays& slants, double focal, int steps, SlantNoise noise, SlantNoise& best)
+static SlantNoise improved(const SlantArrays& slants, double focal, int steps, SlantNoise noise)
 {
     for (int i = 0; i < steps; i++)
         improve(slants, noise.pixels / focal, noise);
     noise.logLikelihood = logLikelihood(slants, noise.pixels / focal, noise);
-    if (noise.logLikelihood > best.logLikelihood)
-        best = noise;
+    return noise;
 }
 
 SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* start)
@@ -89,16 +88,27 @@ SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* s
     const double leans[] = {PRIOR_LEAN, PRIOR_LEAN / 8}, shares[] = {0.3, 0.5};
     const int few = 6, more = 6;
     const SlantArrays arrays(slants);
-    SlantNoise best = SlantNoise();
-    best.logLikelihood = -DBL_MAX;
+    std::vector<SlantNoise> noises;
     for (int k = 0; k < 2; k++)
         for (int j = 0; j < (start ? 1 : 4); j++)
         {
             const SlantNoise noise = {start ? start->pixels : DETECTOR_ERRORS[j], leans[k], shares[k], OTHER_LEAN, 0};
-            keepBetter(arrays, focal, few, noise, best);
+            noises.push_back(improved(arrays, focal, few, noise));
         }
-    keepBetter(arrays, focal, more, best, best);
-    return best;
+    SlantNoise best = *std::max_element(noises.begin(), noises.end(), [](const SlantNoise& a, const SlantNoise& b) {
+        return a.logLikelihood < b.logLikelihood;
+    });
+    // The likelihood hardly depends on the detector's error: the most likely one of those that are tried would jump
+    // from an image to one that is nearly the same, their mean square doesn't.
+    double sum = 0, squares = 0;
+    for (const SlantNoise& noise : noises)
+    {
+        const double weight = std::exp(noise.logLikelihood - best.logLikelihood);
+        sum += weight;
+        squares += weight * noise.pixels * noise.pixels;
+    }
+    best.pixels = std::sqrt(squares / sum);
+    return improved(arrays, focal, more, best);
 }
 
 static SlantDensity<double> densityOf(double slant, double scale)
