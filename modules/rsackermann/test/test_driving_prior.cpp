@@ -282,13 +282,13 @@ TEST(RSAckermann_DrivingPrior, road_of_walls_that_pass)
             const double mean = sum / count, sigma = std::sqrt(squares / count - mean * mean),
                          error = 4 * sigma / std::sqrt(double(count));
             double G, variance;
-            makeDrive(camera).road(model, RoadContact(), G, variance);
+            makeDrive(camera).road(model, RoadLimit(), G, variance);
             EXPECT_NEAR(mean, std::log(G), error);
             EXPECT_NEAR(sigma, std::sqrt(variance) / G, error);
             model[P_B] = -B;
             model.direction = 1;
             double other;
-            makeDrive(camera).road(model, RoadContact(), other, variance);
+            makeDrive(camera).road(model, RoadLimit(), other, variance);
             EXPECT_EQ(G, other) << "a right wall";
         }
 }
@@ -298,100 +298,144 @@ TEST(RSAckermann_DrivingPrior, road)
     RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime(), height = camera.height;
     double G, variance;
-    makeDrive(camera).road(Model(), RoadContact(), G, variance);
+    makeDrive(camera).road(Model(), RoadLimit(), G, variance);
     EXPECT_EQ(0, G);
     EXPECT_EQ(0, variance);
     // Speed and height are the road's slope; the walls add next to nothing.
-    makeDrive(camera, givenSpeed(15, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
+    makeDrive(camera, givenSpeed(15, 0.5)).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
     EXPECT_NEAR(15 * unit / height, G, 0.1 * 0.5 * unit / height);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 0.01 * 0.5 * unit / height);
     // Of a motion the other way it says nothing.
     Model back = movingModel(-0.05, 0.2);
-    makeDrive(camera, givenSpeed(0.5, 0.5)).road(back, RoadContact(), G, variance);
+    makeDrive(camera, givenSpeed(0.5, 0.5)).road(back, RoadLimit(), G, variance);
     EXPECT_LT(G, 0);
     // At rest, too.
-    makeDrive(camera, givenSpeed(0, 0.5)).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
+    makeDrive(camera, givenSpeed(0, 0.5)).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
     EXPECT_EQ(0, G);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 1e-12);
     // With wall and height nothing is left open.
     Params params;
     params.wallDistance = 2.5;
-    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
+    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
     EXPECT_NEAR(0.05 * 2.5 / height, G, 1e-12);
     EXPECT_EQ(0, variance);
     params.roadRatio = 3;
-    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
+    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
     EXPECT_NEAR(0.05 * 3, G, 1e-12);
     EXPECT_EQ(0, variance);
     // A camera of unknown height is where cameras are; one that looks to the side may not see the road.
     camera.height = 0;
     double known;
-    makeDrive(simulation::paperCamera()).road(movingModel(0.05, 0.2), RoadContact(), known, variance);
+    makeDrive(simulation::paperCamera()).road(movingModel(0.05, 0.2), RoadLimit(), known, variance);
     const double share = variance / (known * known);
-    makeDrive(camera).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
+    makeDrive(camera).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
     EXPECT_NEAR(known * height / 1.3, G, 1e-12);
     EXPECT_NEAR(share + 0.35 * 0.35, variance / (G * G), 1e-12);
     camera.heading = CV_PI / 2;
-    makeDrive(camera).road(movingModel(0.05, 0.2), RoadContact(), G, variance);
+    makeDrive(camera).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
     EXPECT_EQ(0, G);
 }
 
-// Against drives at random: those whose walls stand where segments on the road allow it.
-TEST(RSAckermann_DrivingPrior, road_of_walls_that_stand_on_it)
+// Against drives at random, each as probable as the ends of segments are above its road.
+TEST(RSAckermann_DrivingPrior, road_below_segments)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime(), width = 0.03, B = 0.15, lambda = 0.4;
     Model model = movingModel(B, 0);
     model[P_LAMBDA] = lambda;
     double open, openVariance;
-    makeDrive(camera).road(model, RoadContact(), open, openVariance);
-    for (int k = 0; k < 2; k++)
+    makeDrive(camera).road(model, RoadLimit(), open, openVariance);
+    // The first ratio and the number of ends on a wall: far away, nearer than expected, an outlier.
+    const double factors[] = {6, 1, 1};
+    const int counts[] = {20, 20, 1};
+    for (int k = 0; k < 3; k++)
     {
-        RoadContact contact;
-        contact.left = (k ? 1 : 6) * open / B; // far away, or nearer than expected
+        std::vector<std::pair<bool, double>> ends; // on which wall, ratio
+        RoadLimit limit;
+        for (int i = 0; i < counts[k]; i++)
+        {
+            const bool isRight = i % 3 == 2;
+            const double ratio = factors[k] * open / B * (1 + 0.1 * i) / (isRight ? lambda : 1);
+            ends.push_back(std::make_pair(isRight, ratio));
+            limit.add(isRight, ratio, 0.7);
+        }
         RNG rng(7);
-        double sum = 0, squares = 0;
-        int count = 0;
+        double sum = 0, squares = 0, total = 0, squareTotal = 0;
         for (int i = 0; i < 4000000; i++)
         {
             // A right wall 2.5 times as far away.
             double speed, left;
             drawSpeedAndWall(rng, WALL_SIGMA / std::sqrt(2.), speed, left);
             left *= std::sqrt(lambda);
-            if (std::abs(std::log(speed * unit / left / B)) > width ||
-                left / camera.height > contact.left * std::exp(rng.gaussian(0.06)))
+            if (std::abs(std::log(speed * unit / left / B)) > width)
                 continue;
+            double probability = 1;
+            for (const auto& end : ends)
+            {
+                const double wall = (end.first ? left / lambda : left) / camera.height,
+                             z = std::log(end.second / wall) / 0.06;
+                probability *= std::pow(0.1 + 0.9 * 0.5 * std::erfc(-z / std::sqrt(2.)), 0.7 / 5);
+            }
             const double logG = std::log(speed * unit / camera.height);
-            sum += logG;
-            squares += logG * logG;
-            count++;
+            total += probability;
+            squareTotal += probability * probability;
+            sum += probability * logG;
+            squares += probability * logG * logG;
         }
-        ASSERT_GT(count, 1000);
-        const double mean = sum / count, sigma = std::sqrt(squares / count - mean * mean),
-                     error = 4 * sigma / std::sqrt(double(count));
+        const double mean = sum / total, sigma = std::sqrt(squares / total - mean * mean),
+                     error = 4 * sigma * std::sqrt(squareTotal) / total;
         double G, variance;
-        makeDrive(camera).road(model, contact, G, variance);
+        makeDrive(camera).road(model, limit, G, variance);
         EXPECT_NEAR(mean, std::log(G), error) << k;
         EXPECT_NEAR(sigma, std::sqrt(variance) / G, error) << k;
-        EXPECT_LT(G, (k == 1 ? 0.8 : 1) * open);
-        EXPECT_GT(G, (k == 0 ? 0.98 : 0) * open);
+        EXPECT_LT(G, (k == 1 ? 0.8 : 1.001) * open) << k;
+        EXPECT_GT(G, (k == 0 ? 0.98 : k == 2 ? 0.8 : 0) * open) << k;
         // What is given is not to be corrected by what is seen.
         Params params;
         params.roadRatio = 5;
-        makeDrive(camera, MotionPrior(), params).road(model, contact, G, variance);
+        makeDrive(camera, MotionPrior(), params).road(model, limit, G, variance);
         EXPECT_NEAR(5 * B, G, 1e-12);
     }
     // Beyond all bounds it is finite.
-    RoadContact contact;
-    for (contact.left = 1e-300; contact.left < 1e300; contact.left *= 1e30)
+    for (double ratio = 1e-300; ratio < 1e300; ratio *= 1e30)
     {
+        RoadLimit limit;
+        for (int i = 0; i < 5000; i++)
+            limit.add(i % 2 > 0, ratio, 1);
         double G, variance;
-        makeDrive(camera).road(model, contact, G, variance);
+        makeDrive(camera).road(model, limit, G, variance);
         EXPECT_GT(G, 0);
         EXPECT_LT(G, 1.001 * open);
         EXPECT_GE(variance, 0);
         EXPECT_LE(variance, 1.001 * openVariance);
     }
+    RoadLimit none;
+    none.add(false, 0, 1);
+    none.add(true, std::numeric_limits<double>::infinity(), 1);
+    none.add(true, std::numeric_limits<double>::quiet_NaN(), 1);
+    EXPECT_TRUE(none.empty());
+}
+
+// One end more or less changes the road a little, wherever it is: no number of ends decides.
+TEST(RSAckermann_DrivingPrior, road_below_one_segment_more)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    Model model = movingModel(0.15, 0);
+    model[P_LAMBDA] = 0.4;
+    double open, variance;
+    makeDrive(camera).road(model, RoadLimit(), open, variance);
+    RoadLimit limit;
+    double last = open;
+    for (int i = 0; i < 30; i++)
+    {
+        limit.add(false, 0.5 * open / 0.15, 1);
+        double G;
+        makeDrive(camera).road(model, limit, G, variance);
+        EXPECT_LT(G, last) << i;
+        EXPECT_GT(G, 0.85 * last) << i;
+        last = G;
+    }
+    EXPECT_LT(last, 0.6 * open);
 }
 
 }} // namespace

@@ -98,19 +98,26 @@ TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
                 segments.push_back(both.row(i));
         const RefinementProblem problem = makeProblem(camera, AckermannEstimator::Params(), segments);
         Model model = modelOf(simulator);
-        const RoadContact contact = findRoadContact(problem, model, 2);
-        EXPECT_NEAR(left / camera.height, contact.ratio(model, problem.heading), 0.06 * left / camera.height) << k;
-        EXPECT_EQ(k != 2, contact.left > 0);
-        EXPECT_EQ(k != 1, contact.right > 0);
-        model = Model();
-        EXPECT_EQ(0, findRoadContact(problem, model, 2).ratio(model, problem.heading));
+        EXPECT_NEAR(left / camera.height, findRoadRatio(problem, model, 2), 0.06 * left / camera.height) << k;
+        // What is said of the road is said by the walls that have segments.
+        const RoadLimit limit = findRoadLimit(problem, model, 2);
+        const double far = std::log(1.5 * left / camera.height);
+        Model none = model;
+        none[P_LAMBDA] = 0; // the left wall alone
+        EXPECT_EQ(k != 2, limit.likelihood(none, problem.heading, far) < 0.5) << k;
+        none[P_B] *= -1; // the right one
+        none[P_D] *= -1;
+        EXPECT_EQ(k != 1, limit.likelihood(none, problem.heading, far) < 0.5) << k;
+        EXPECT_NEAR(1, limit.likelihood(model, problem.heading, std::log(0.5 * left / camera.height)), 1e-6) << k;
+        EXPECT_EQ(0, findRoadRatio(problem, Model(), 2));
+        EXPECT_TRUE(findRoadLimit(problem, Model(), 2).empty());
     }
     // With a wrong ratio both walls still tell their mean.
     const RefinementProblem problem = makeProblem(camera, AckermannEstimator::Params(), both);
     Model model = modelOf(simulator);
     const double wrong = 1.2;
     model[P_LAMBDA] *= wrong;
-    const double ratio = findRoadContact(problem, model, 5).ratio(model, problem.heading);
+    const double ratio = findRoadRatio(problem, model, 5);
     EXPECT_NEAR(left / camera.height * std::sqrt(wrong), ratio, 0.06 * ratio);
 }
 

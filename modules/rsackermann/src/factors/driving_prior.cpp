@@ -6,6 +6,7 @@
 #include "../camera/line_delay_sigma.hpp"
 #include "../motion/compensation.hpp"
 #include "driving_prior.hpp"
+#include "robust_losses.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -193,21 +194,39 @@ double DrivingPrior::logRest() const
     return std::log(probability / (1 - probability)) - 0.5 * z * z;
 }
 
-// Mean and variance of a normal distribution below a limit that is known up to a standard deviation.
-static void truncate(double limit, double limitSigma, double& mean, double& variance)
+// Of the table of likelihoods, in steps of HEIGHT_SIGMA around a distance of one height: 0.01 to 100 heights.
+enum { BINS = 160 };
+
+static double binOf(double logRatio)
 {
-    const double farthest = 6; // sigmas
-    const double total = std::sqrt(variance + limitSigma * limitSigma);
-    if (!(total > 0))
-        return;
-    const double z = std::max((limit - mean) / total, -farthest),
-                 ratio = std::exp(-z * z / 2) / (std::sqrt(CV_PI / 2) * std::erfc(-z / std::sqrt(2.)));
-    const double share = variance / total;
-    mean -= share * ratio;
-    variance -= share * share * ratio * (z + ratio);
+    return BINS / 2 + logRatio / HEIGHT_SIGMA;
 }
 
-void DrivingPrior::road(const Model& model, const RoadContact& contact, double& G, double& variance) const
+void RoadLimit::add(bool onRightWall, double ratio, double weight)
+{
+    const double logRatio = std::log(ratio), part = weight / DEPENDENCE;
+    if (!(std::abs(logRatio) < DBL_MAX))
+        return;
+    std::vector<double>& values = walls[onRightWall].values;
+    values.resize(BINS, 1);
+    for (int i = 0; i < BINS; i++)
+    {
+        const double z = binOf(logRatio) - i, certain = 4; // sigmas
+        if (z < certain)
+            values[i] *= std::pow(UNUSUAL + (1 - UNUSUAL) * 0.5 * std::erfc(-z / std::sqrt(2.)), part);
+    }
+}
+
+double RoadLimit::Table::at(double logRatio) const
+{
+    if (values.empty())
+        return 1;
+    const double place = std::min(std::max(binOf(logRatio), 0.), BINS - 1.001);
+    const int i = int(place);
+    return values[i] + (place - i) * (values[i + 1] - values[i]);
+}
+
+void DrivingPrior::road(const Model& model, const RoadLimit& limit, double& G, double& variance) const
 {
     G = variance = 0;
     const double speed = std::hypot(model[P_B], model[P_D]);
@@ -223,9 +242,8 @@ void DrivingPrior::road(const Model& model, const RoadContact& contact, double& 
         logG -= (1 - log.speedShare) * std::log(mean / expectedScaledSpeed());
         variance = logHeightSigma * logHeightSigma + log.speedVariance;
     }
-    const double limit = speed * contact.ratio(model, heading_);
-    if (limit > 0 && !roadRatioIsGiven)
-        truncate(std::log(limit), std::log(1 + HEIGHT_SIGMA), logG, variance);
+    if (!roadRatioIsGiven)
+        limitRoad(limit, model, logG, variance);
     G = (model.direction < 0 ? -1 : 1) * std::exp(logG);
     variance *= G * G;
     const double speedSigma = given_.speedSigma / height;
@@ -235,6 +253,28 @@ void DrivingPrior::road(const Model& model, const RoadContact& contact, double& 
         G = given_.speed / height;
         variance = speedSigma * speedSigma;
     }
+}
+
+void DrivingPrior::limitRoad(const RoadLimit& limit, const Model& model, double& logG, double& variance) const
+{
+    if (limit.empty() || !(variance > 0))
+        return;
+    const int steps = 48;
+    const double farthest = 4, sigma = std::sqrt(variance), logWall = std::log(std::hypot(model[P_B], model[P_D]));
+    double sum = 0, first = 0, second = 0;
+    for (int i = 0; i <= steps; i++)
+    {
+        const double z = farthest * (2. * i / steps - 1);
+        const double weight = std::exp(-z * z / 2) * limit.likelihood(model, heading_, logG + z * sigma - logWall);
+        sum += weight;
+        first += weight * z;
+        second += weight * z * z;
+    }
+    if (!(sum > 0))
+        return;
+    const double mean = first / sum;
+    logG += mean * sigma;
+    variance *= std::max(second / sum - mean * mean, 0.);
 }
 
 void DrivingPrior::anyRoad(double& logG, double& sigma) const

@@ -14,22 +14,40 @@ namespace cv { namespace rsackermann {
 
 const double EXACT_GRAVITY = 1e-4; //!< radians: a gravity that is given as exact is as good as that
 const double HEIGHT_SIGMA = 0.06;  //!< relative, of a given height: a car bounces on its suspension
+const double UNUSUAL = 0.1;        //!< probability of what is seldom in a street
 
-//! What segments that stand on the road say about its distance.
-struct RoadContact
+/** How far away walls may be, in heights of the camera, for the ends of their segments to be above the road
+(doc/theory.md, "Prior").
+
+An end at the ratio r of distance and height is above the road if the wall's distance is at most r heights of the
+camera. It counts as a part of a contact, since ends of one facade err together.
+*/
+class RoadLimit
 {
-    double left, right; //!< distances of the walls over the height of the camera, at most; 0: not known
+public:
+    bool empty() const { return walls[0].values.empty() && walls[1].values.empty(); }
 
-    RoadContact() : left(0), right(0) {}
+    //! An end of a segment of a wall. @param weight up to 1, of a segment that is one of the wall.
+    void add(bool onRightWall, double ratio, double weight);
 
-    //! The same of a motion's left (or only) wall; of two walls whose contacts are known the mean.
-    double ratio(const Model& m, const Heading& heading) const
+    //! Likelihood of a distance of a motion's left (or only) wall. @param logRatio logarithm of it over the height.
+    double likelihood(const Model& m, const Heading& heading, double logRatio) const
     {
         if (hasRightWallOnly(m, heading))
-            return right;
-        const double byRight = m[P_LAMBDA] * right;
-        return left > 0 && byRight > 0 ? std::sqrt(left * byRight) : left + byRight;
+            return walls[1].at(logRatio);
+        return walls[0].at(logRatio) * (m[P_LAMBDA] > 0 ? walls[1].at(logRatio - std::log(m[P_LAMBDA])) : 1);
     }
+
+private:
+    // By the logarithm of the ratio.
+    struct Table
+    {
+        std::vector<double> values; // empty: 1 everywhere
+
+        double at(double logRatio) const;
+    };
+
+    Table walls[2]; // left and right
 };
 
 //! The values of a MotionPrior in the units of the estimation; a sigma of 0: not given.
@@ -73,7 +91,7 @@ public:
     double logRest() const;
 
     //! Slope G of the road's scaled inverse depth for a motion, and its variance.
-    void road(const Model& model, const RoadContact& contact, double& G, double& variance) const;
+    void road(const Model& model, const RoadLimit& limit, double& G, double& variance) const;
 
     //! The same of any forward motion, whatever the walls show: logarithm and its standard deviation.
     void anyRoad(double& logG, double& sigma) const;
@@ -101,6 +119,8 @@ private:
 
     ScaledSpeedLog scaledSpeedLog(int walls) const;
     double directionPenalty(int direction, const MotionHypothesis& hypothesis) const;
+    //! Mean and variance of the logarithm of G for a road that is below the ends of segments.
+    void limitRoad(const RoadLimit& limit, const Model& model, double& logG, double& variance) const;
     Jet yawResidual(double alpha) const;
     Jet speedResidual(const Model& model, const MotionHypothesis& hypothesis) const;
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../camera/lens.hpp"
 #include "../checks.hpp"
 #include "../features/segments.hpp"
 #include "../storage.hpp"
@@ -54,6 +55,15 @@ private:
                 AckermannMotion& motion) const;
 };
 
+// The azimuth's tangent of a pixel, in the upright frame.
+static double uprightColumn(const RollingShutterCamera& camera, const Point2d& pixel)
+{
+    std::vector<Point2d> rays;
+    undistortedRays(camera, std::vector<Point2d>(1, pixel), rays);
+    const Vec3d bearing = camera.uprightRotation * Vec3d(rays[0].x, rays[0].y, 1);
+    return bearing[0] / bearing[2];
+}
+
 RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits) const
 {
     RefinementProblem problem(limits);
@@ -67,6 +77,9 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits
     problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
     problem.vehiclePitchSigma = isExact ? EXACT_GRAVITY : params.vehiclePitchSigma;
     problem.streetDeviation = params.wallDeviationSigma;
+    const double middle = (camera.imageSize.height - 1) / 2.;
+    problem.leftmost = uprightColumn(camera, Point2d(0, middle));
+    problem.rightmost = uprightColumn(camera, Point2d(camera.imageSize.width - 1, middle));
     return problem;
 }
 
@@ -167,7 +180,7 @@ void AckermannEstimatorImpl::report(const RefinementProblem& problem, const Moti
         return;
     if (params.scaleFromRoad && camera.height > 0)
     {
-        const double ratio = findRoadContact(problem, m, params.threshold).ratio(m, problem.heading);
+        const double ratio = findRoadRatio(problem, m, params.threshold);
         if (ratio > 0)
         {
             motion.scale = SCALE_ROAD;

@@ -69,8 +69,8 @@ Matx33d covarianceOfLogs(const Model& model, const Matx<double, PARAMETERS, PARA
 class MotionSamples
 {
 public:
-    MotionSamples(const DisplacementField& field_, const DrivingPrior& prior_, const RoadContact& contact_)
-        : field(field_), prior(prior_), contact(contact_)
+    MotionSamples(const DisplacementField& field_, const DrivingPrior& prior_, const RoadLimit& limit_)
+        : field(field_), prior(prior_), limit(limit_)
     {
     }
 
@@ -79,7 +79,7 @@ public:
     void add(const Model& model, const Matx<double, PARAMETERS, PARAMETERS>& covariance, double weight)
     {
         double G, variance;
-        prior.road(model, contact, G, variance);
+        prior.road(model, limit, G, variance);
         const double size = std::hypot(model[P_B], model[P_D]), azimuth = std::atan2(model[P_D], model[P_B]);
         const int unknowns = size == 0 ? 0 : model[P_LAMBDA] > 0 ? 3 : 2;
         if (unknowns == 0)
@@ -103,7 +103,7 @@ public:
                 moved[P_D] = size * std::exp(step[1]) * std::sin(azimuth + step[0]);
                 moved[P_LAMBDA] *= std::exp(step[2] - step[1]);
                 double movedG, movedVariance;
-                prior.road(moved, contact, movedG, movedVariance);
+                prior.road(moved, limit, movedG, movedVariance);
                 addSample(moved, movedG, part);
             }
             // Log-normal.
@@ -237,7 +237,7 @@ private:
 
     const DisplacementField& field;
     const DrivingPrior& prior;
-    const RoadContact contact;
+    const RoadLimit& limit;
     std::vector<Correction> motions;
     std::vector<double> weights; // their sum is 1
     std::vector<float> fields;
@@ -304,7 +304,7 @@ static double bestFraction(const MotionSamples& samples, const Correction& corre
 Posterior MotionMixture::best() const
 {
     const std::vector<double> probability = probabilities();
-    MotionSamples samples(field, prior, contact);
+    MotionSamples samples(field, prior, limit);
     for (size_t i = 0; i < components.size(); i++)
         if (probability[i] > NEGLIGIBLE)
             samples.add(components[i].model, components[i].covariance, probability[i]);

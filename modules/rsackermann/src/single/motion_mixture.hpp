@@ -23,7 +23,7 @@ public:
     }
 
     //! Of the motions that are added from now on.
-    void setRoadContact(const RoadContact& found) { contact = found; }
+    void setRoadLimit(const RoadLimit& found) { limit = found; }
 
     //! @param hypothesis whose unknowns the model has; the others are 0.
     void add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight);
@@ -52,7 +52,7 @@ private:
     const DrivingPrior& prior;
     const double harmAversion;
     double largest_;
-    RoadContact contact;
+    RoadLimit limit;
     std::vector<Component> components;
 };
 

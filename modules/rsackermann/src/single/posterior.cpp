@@ -13,10 +13,7 @@
 namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
-static const double DEPENDENCE_OF_OTHERS = 3; // over that of the verticals
-// Probability of a motion along one wall instead of between two; half of it, of a turn alone; squared, of a scene
-// without verticals over that of one with them.
-static const double UNUSUAL = 0.1;
+static const double DEPENDENCE_OF_OTHERS = 3;       // over that of the verticals
 static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion that isn't known
 static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
 static const double STEP_GROWTH = 1.25;
@@ -78,7 +75,7 @@ public:
         if (!(leastOf(rest, moving).cost < DBL_MAX))
             return false;
         measureNoise(rest, moving);
-        mixture.setRoadContact(roadContact(moving));
+        mixture.setRoadLimit(roadLimit(moving));
         mixture.add(rest, rest.hypothesis, logWeight(rest, prior.logRest()));
         if (problem.distortionSigma > 0)
             addRestThroughOtherLenses(rest);
@@ -295,14 +292,14 @@ private:
     }
 
     // As the best of the motions along walls shows it.
-    RoadContact roadContact(const std::vector<WeighedHypothesis>& moving) const
+    RoadLimit roadLimit(const std::vector<WeighedHypothesis>& moving) const
     {
         Fit best = Fit(MotionHypothesis(MODEL_NONE, 0));
         for (size_t i = 0; i < moving.size(); i++)
             if (moving[i].hypothesis.translates() && !moving[i].minima.empty() &&
                 cheapest(moving[i].minima).cost < best.cost)
                 best = cheapest(moving[i].minima);
-        return best.cost < DBL_MAX ? findRoadContact(problem, best.model, params.threshold) : RoadContact();
+        return best.cost < DBL_MAX ? findRoadLimit(problem, best.model, params.threshold) : RoadLimit();
     }
 
     // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.

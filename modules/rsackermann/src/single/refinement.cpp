@@ -96,11 +96,11 @@ static void addPriors(const RefinementProblem& problem, const MotionHypothesis& 
 
 bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& m)
 {
-    if (hypothesis.walls != 2)
-        return true;
-    const double left = m[P_D] - m[P_B] * problem.verticals.front().u[0],
-                 right = m[P_D] - m[P_B] * problem.verticals.back().u[0];
-    return left * right < 0;
+    const auto hasBothSides = [&](double leftmost, double rightmost) {
+        return (m[P_D] - m[P_B] * leftmost) * (m[P_D] - m[P_B] * rightmost) < 0;
+    };
+    return hypothesis.walls != 2 || !hasBothSides(problem.leftmost, problem.rightmost) ||
+           hasBothSides(problem.verticals.front().u[0], problem.verticals.back().u[0]);
 }
 
 // Covariance of an M-estimator over the inverse of its weighted normal equations (doc/theory.md, "Estimation"): what

@@ -23,23 +23,24 @@ struct RefinementProblem
     Matx33d uprightRotation; // of the camera
     double distortionSigma;  // of its lens; 0: exact
     Heading heading;
-    double focal;              // pixels
-    double sigma;              // pixels, of the residual of a vertical
-    double lean;               // radians, by which verticals of the scene lean, whatever their length
-    double directionSigma;     // pixels, of the residual of another segment
-    double lossScale;          // of the robust loss, in sigmas
-    double verticalWeight;     // of the evidence of a vertical: below 1 if they err together
-    double otherWeight;        // the same for another segment
-    double roadRatio;          // distance of the left (or only) wall over the height of the camera
-    double gravitySigma;       // radians, of the vehicle's roll; 0: gravity is exact
-    double vehiclePitchSigma;  // radians, of its pitch
-    double streetDeviation;    // radians from the heading, standard deviation; 0: unknown
-    const DrivingPrior* prior; // 0: none
+    double focal;               // pixels
+    double sigma;               // pixels, of the residual of a vertical
+    double lean;                // radians, by which verticals of the scene lean, whatever their length
+    double directionSigma;      // pixels, of the residual of another segment
+    double lossScale;           // of the robust loss, in sigmas
+    double verticalWeight;      // of the evidence of a vertical: below 1 if they err together
+    double otherWeight;         // the same for another segment
+    double roadRatio;           // distance of the left (or only) wall over the height of the camera
+    double gravitySigma;        // radians, of the vehicle's roll; 0: gravity is exact
+    double vehiclePitchSigma;   // radians, of its pitch
+    double streetDeviation;     // radians from the heading, standard deviation; 0: unknown
+    const DrivingPrior* prior;  // 0: none
+    double leftmost, rightmost; // upright bearings of the middle of the image's borders
 
     explicit RefinementProblem(const MotionLimits& l)
         : limits(l), uprightRotation(Matx33d::eye()), distortionSigma(0), heading(0), focal(1), sigma(1), lean(0),
           directionSigma(1), lossScale(1), verticalWeight(1), otherWeight(1), roadRatio(1), gravitySigma(0),
-          vehiclePitchSigma(0), streetDeviation(0), prior(0)
+          vehiclePitchSigma(0), streetDeviation(0), prior(0), leftmost(0), rightmost(0)
     {
     }
 
@@ -58,8 +59,8 @@ struct RefinementProblem
     std::vector<Point2d> ends() const;
 };
 
-//! Whether a model has its walls where verticals are: two walls are seen together if the vanishing point lies between
-//! them.
+//! Whether no wall of a model is missing: one that would be in the image has verticals. Of a wall beside the image
+//! nothing is known.
 bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 
 //! Which residuals count.
@@ -110,14 +111,21 @@ there.
 */
 bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model);
 
-/** How far away walls are in heights of the camera, from wall segments that stand on the road (doc/theory.md,
-"Estimation").
+/** How far away walls may be for their segments to end above the road.
+@param threshold pixels, residual of a segment that counts half as one of a wall.
+*/
+RoadLimit findRoadLimit(const RefinementProblem& problem, const Model& model, double threshold);
+
+/** How far away the left (or only) wall is in heights of the camera, from wall segments that stand on the road
+(doc/theory.md, "Estimation").
 
 At the lower end of such a segment wall and road are equally near: w = G y. Other segments end above the road
-and give larger ratios, each its own, so that the smallest ratio on which several segments of a wall agree is taken.
+and give larger ratios, each its own, so that the smallest ratio on which several segments of a wall agree is taken; of
+two walls the mean.
 @param threshold pixels below which the residual of a segment makes it an inlier.
+@return 0 if it isn't shown.
 */
-RoadContact findRoadContact(const RefinementProblem& problem, const Model& model, double threshold);
+double findRoadRatio(const RefinementProblem& problem, const Model& model, double threshold);
 
 }} // namespace cv::rsackermann
 

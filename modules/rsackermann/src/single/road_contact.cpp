@@ -25,31 +25,64 @@ static double smallestAgreed(std::vector<double>& ratios)
     return 0;
 }
 
-RoadContact findRoadContact(const RefinementProblem& problem, const Model& model, double threshold)
+namespace {
+
+// The lower end of a vertical as that of a segment of a wall.
+struct WallEnd
 {
-    RoadContact contact;
+    bool isRight;
+    double ratio;    // distance of a wall that stands on the road there, over the height of the camera
+    double residual; // pixels
+};
+
+// Those below the horizon, with the model's walls.
+std::vector<WallEnd> wallEnds(const RefinementProblem& problem, const Model& model)
+{
+    std::vector<WallEnd> ends;
     const double size = std::hypot(model[P_B], model[P_D]);
     const PreparedModel prepared(model, problem.heading);
-    std::vector<double> ratios[2]; // of the left and the right wall, each in its own distance
+    const bool isRightOnly = hasRightWallOnly(model, problem.heading);
     for (size_t i = 0; i < problem.verticals.size(); i++)
     {
         int wall;
         const UprightSegment& c = problem.verticals[i];
-        const double r = problem.focal * verticalResidual(c, prepared, wall, 0);
-        if (!(std::abs(r) < threshold) || (wall != Scene::LEFT_WALL && wall != Scene::RIGHT_WALL))
+        const double residual = problem.focal * verticalResidual(c, prepared, wall, 0);
+        if (wall != Scene::LEFT_WALL && wall != Scene::RIGHT_WALL)
             continue;
         Point2d u, v;
         compensateEnds(c, prepared, u, v);
         const Point2d& low = u.y > v.y ? u : v;
+        // Of a motion along one wall that is the left one, wherever it is.
         const bool isLeft = wall == Scene::LEFT_WALL;
         const double w = model.direction * (isLeft ? 1 : -1) * (model[P_D] - model[P_B] * low.x);
+        const WallEnd end = {isRightOnly || !isLeft, w / (size * low.y), residual};
         if (low.y > 0 && w > 0)
-            ratios[isLeft ? 0 : 1].push_back(w / (size * low.y));
+            ends.push_back(end);
     }
-    const bool isRight = hasRightWallOnly(model, problem.heading);
-    contact.left = isRight ? 0 : smallestAgreed(ratios[0]);
-    contact.right = smallestAgreed(ratios[isRight ? 0 : 1]);
-    return contact;
+    return ends;
+}
+
+} // namespace
+
+RoadLimit findRoadLimit(const RefinementProblem& problem, const Model& model, double threshold)
+{
+    RoadLimit limit;
+    for (const WallEnd& end : wallEnds(problem, model))
+        limit.add(end.isRight, end.ratio, 1 / (1 + end.residual * end.residual / (threshold * threshold)));
+    return limit;
+}
+
+double findRoadRatio(const RefinementProblem& problem, const Model& model, double threshold)
+{
+    std::vector<double> ratios[2];
+    for (const WallEnd& end : wallEnds(problem, model))
+        if (std::abs(end.residual) < threshold)
+            ratios[end.isRight].push_back(end.ratio);
+    const double right = smallestAgreed(ratios[1]);
+    if (hasRightWallOnly(model, problem.heading))
+        return right;
+    const double left = smallestAgreed(ratios[0]), byRight = model[P_LAMBDA] * right;
+    return left > 0 && byRight > 0 ? std::sqrt(left * byRight) : left + byRight;
 }
 
 }} // namespace cv::rsackermann
