@@ -46,17 +46,18 @@ struct AlgorithmStorage
 {
     static void write(const Algorithm& algorithm, FileStorage& fs)
     {
-        fs << "algorithm" << algorithm.getDefaultName();
         fs.startWriteStruct("camera", FileNode::MAP);
         algorithm.getCamera().write(fs);
         fs.endWriteStruct();
         algorithm.getParams().write(fs);
+        fs << "algorithm" << algorithm.getDefaultName(); // last: a word that is cut short is another one
     }
 
-    //! Sets both or, if one of them is bad, neither. Missing fields keep their values.
+    //! Sets both or, if one of them is bad, neither. Missing fields of a state that is written by hand keep their
+    //! values.
     static void read(const FileNode& fn, Algorithm& algorithm)
     {
-        checkName(fn, algorithm);
+        checkState(fn, algorithm);
         RollingShutterCamera camera = algorithm.getCamera();
         camera.read(fn["camera"]);
         camera.check();
@@ -74,6 +75,8 @@ struct AlgorithmStorage
             CV_Error(Error::StsBadArg,
                      format("filename is \"%s\"; a file that save() has written is expected", filename.c_str()));
         const FileNode fn = objname.empty() ? fs.getFirstTopLevelNode() : fs[objname];
+        const Ptr<Algorithm> algorithm = Algorithm::create(RollingShutterCamera::fromFocal(Size(1, 1)));
+        checkState(fn, *algorithm);
         if (!fn.isMap() || !fn["camera"].isMap())
             CV_Error(
                 Error::StsBadArg,
@@ -82,8 +85,7 @@ struct AlgorithmStorage
                        objname.c_str(), filename.c_str()));
         RollingShutterCamera camera;
         camera.read(fn["camera"]);
-        const Ptr<Algorithm> algorithm = Algorithm::create(camera);
-        checkName(fn, *algorithm);
+        algorithm->setCamera(camera);
         typename Algorithm::Params params;
         params.read(fn);
         algorithm->setParams(params);
@@ -91,15 +93,36 @@ struct AlgorithmStorage
     }
 
 private:
-    // Missing fields keep their values: what another algorithm has stored would be one with the default parameters.
-    static void checkName(const FileNode& fn, const Algorithm& algorithm)
+    // What another algorithm has stored, or a part of a state, would be one with default parameters.
+    static void checkState(const FileNode& fn, const Algorithm& algorithm)
     {
+        if (!fn.isMap())
+            return;
         const FileNode stated = fn["algorithm"];
         const String expected = algorithm.getDefaultName(), stored = stated.isString() ? String(stated) : fn.name();
-        const bool isOfModule = stored.compare(0, 12, "rsackermann_") == 0; // others are names of the user's choice
+        // Other names of a node are of the user's choice.
+        const bool isOfModule = stated.isString() || stored.compare(0, 12, "rsackermann_") == 0;
         if (isOfModule && stored != expected)
             CV_Error(Error::StsBadArg,
                      format("the file holds a %s; a %s is expected", stored.c_str(), expected.c_str()));
+        if (fn["format"].empty()) // the first key of what write() has written
+            return;
+        FileStorage whole(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+        write(algorithm, whole);
+        checkKeys(fn, FileStorage(whole.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY).root(), "");
+    }
+
+    static void checkKeys(const FileNode& stored, const FileNode& whole, const String& path)
+    {
+        for (const String& key : whole.keys())
+        {
+            const FileNode node = stored[key];
+            if (node.empty() || node.isNone())
+                CV_Error(Error::StsBadArg, format("the file lacks %s%s; all that save() has written is expected",
+                                                  path.c_str(), key.c_str()));
+            if (whole[key].isMap() && node.isMap())
+                checkKeys(node, whole[key], path + key + ".");
+        }
     }
 };
 

@@ -30,6 +30,12 @@ TEST(RSAckermann_Storage, save_and_load_corrector)
     checkSaveAndLoad<RollingShutterCorrector>(exampleCorrectorParams(), "rsackermann_RollingShutterCorrector");
 }
 
+TEST(RSAckermann_Storage, load_of_a_part_of_the_file_of_a_corrector)
+{
+    checkCutFiles<RollingShutterCorrector>(exampleCorrectorParams());
+    checkCutFiles<MountCalibrator>(MountCalibrator::Params());
+}
+
 TEST(RSAckermann_Storage, reading_corrector_is_all_or_nothing)
 {
     checkAllOrNothing<RollingShutterCorrector>(exampleCorrectorParams(),

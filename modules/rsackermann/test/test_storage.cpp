@@ -70,6 +70,28 @@ TEST(RSAckermann_Storage, save_and_load)
     checkSaveAndLoad<WarpMapGenerator>(exampleWarpParams(), "rsackermann_WarpMapGenerator");
 }
 
+TEST(RSAckermann_Storage, load_of_a_part_of_a_file)
+{
+    checkCutFiles<AckermannEstimator>(exampleEstimatorParams());
+    checkCutFiles<WarpMapGenerator>(exampleWarpParams());
+}
+
+// What isn't written by hand has its default.
+TEST(RSAckermann_Storage, load_of_a_file_by_hand)
+{
+    const std::string file = cv::tempfile(".yml");
+    std::ofstream(file) << "%YAML:1.0\n---\nmine:\n   camera:\n      image_width: 64\n      image_height: 48\n"
+                        << "   tolerance: 0.25\n";
+    const Ptr<WarpMapGenerator> loaded = WarpMapGenerator::load(file);
+    remove(file.c_str());
+    RollingShutterCamera camera;
+    camera.imageSize = Size(64, 48);
+    WarpMapGenerator::Params params;
+    params.tolerance = 0.25;
+    expectSame(camera, loaded->getCamera());
+    expectSame(params, loaded->getParams());
+}
+
 // Another file, with a list or a number at its top, is named.
 TEST(RSAckermann_Storage, load_of_another_file)
 {

@@ -68,7 +68,9 @@ public:
     /** @brief Loads the camera and the parameters that Algorithm::save() has written.
     @param filename the file.
     @param objname name of the object in the file; empty: the first one.
-    @return an object in the same state as one that was just created; throws cv::Exception if the file has none.
+    @return an object in the same state as one that was just created; throws cv::Exception if the file has none, or
+    not all of what save() has written. A file written by hand, without the key "format", needs the camera; other
+    parameters have their defaults.
      */
     CV_WRAP static Ptr<WarpMapGenerator> load(const String& filename, const String& objname = String());
 
