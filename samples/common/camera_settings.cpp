@@ -62,9 +62,6 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     camera.scanDirection = scan;
     const int lines = camera.isRowShutter() ? imageSize.height : imageSize.width;
     camera.lineDelay = readOut > 0 ? readOut / lines : lineDelay;
-    if (camera.lineDelay * lines > LONGEST_READ_OUT)
-        throw InputError(cv::format("%d lines of %g s each are read in %g s: line_delay is in seconds", lines,
-                                    camera.lineDelay, camera.lineDelay * lines));
     const bool upwards = scan == SCAN_BOTTOM_TO_TOP || scan == SCAN_RIGHT_TO_LEFT;
     if (reference == "middle")
         camera.referenceRow = (lines - 1) / 2.;

@@ -10,8 +10,6 @@
 
 namespace rsackermann_samples {
 
-const double LONGEST_READ_OUT = 1; // seconds, for all lines: more is another unit
-
 //! A camera as files and options describe it; values that depend on the image's size are left open until an image is
 //! there.
 struct CameraSettings

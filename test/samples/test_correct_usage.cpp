@@ -88,6 +88,7 @@ const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--out
                                                        {"--threads=0", "--threads"},
                                                        {"--shard=3", "--shard"},
                                                        {"--shard=5/4", "--shard"},
+                                                       {"--shard=0/4", "'0' is not a whole number from 1 to 4"},
                                                        {"--shard=1/0", "--shard"},
                                                        {"--skip_existing=perhaps", "--skip_existing"},
                                                        {"--log=/no/such/file.csv", "/no/such/file.csv"},
@@ -113,7 +114,8 @@ TEST(CorrectUsage, line_delay_in_milliseconds)
 {
     const Outcome outcome = correct({streetFolder() + "/rolling.png", "--report=-", "--line_delay=0.035"});
     EXPECT_EQ(1, outcome.exitCode);
-    EXPECT_NE(std::string::npos, outcome.messages.find("line_delay is in seconds")) << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.messages.find("camera.lineDelay is 0.035 s, 13.3 s for 380 lines; up to 1 s"))
+        << outcome.messages;
 }
 
 TEST(CorrectUsage, names_of_results_that_can_not_be)

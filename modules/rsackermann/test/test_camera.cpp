@@ -216,6 +216,13 @@ const BadField badFields[] = {
     BadField("lineDelay", [](RollingShutterCamera& c) { c.lineDelay = NaN; }),
     BadField("lineDelay", [](RollingShutterCamera& c) { c.lineDelay = 4.9e-324; }),
     BadField("lineDelay", [](RollingShutterCamera& c) { c.lineDelay = infinity; }),
+    BadField("lineDelay is 0.0027 s, 1.0341 s for 383 lines; up to 1 s",
+             [](RollingShutterCamera& c) { c.lineDelay = 2.7e-3; }),
+    BadField("for 641 lines",
+             [](RollingShutterCamera& c) {
+                 c.lineDelay = 1.6e-3;
+                 c.scanDirection = SCAN_LEFT_TO_RIGHT;
+             }),
     BadField("referenceRow", [](RollingShutterCamera& c) { c.referenceRow = NaN; }),
     BadField("referenceRow", [](RollingShutterCamera& c) { c.referenceRow = -infinity; }),
     BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation = Matx33d::zeros(); }),

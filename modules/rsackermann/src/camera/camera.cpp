@@ -159,6 +159,11 @@ void RollingShutterCamera::check() const
             Error::StsBadArg,
             format("camera.scanDirection is %d; one of the ScanDirection values 0 to 3 is expected", scanDirection));
     checkNotNegative(lineDelay, "camera.lineDelay", "unknown");
+    const int lines = isRowShutter() ? imageSize.height : imageSize.width;
+    if (lineDelay > LONGEST_READ_OUT / lines)
+        CV_Error(Error::StsBadArg,
+                 format("camera.lineDelay is %g s, %g s for %d lines; up to %g s for all of them is expected",
+                        lineDelay, lineDelay * lines, lines, LONGEST_READ_OUT));
     checkFinite(referenceRow, "camera.referenceRow");
     checkRotation(uprightRotation);
     checkFinite(heading, "camera.heading");

@@ -26,6 +26,9 @@ enum LensModel {
     LENS_FISHEYE = 1  //!< the model of cv::fisheye with 4 coefficients
 };
 
+//! Seconds that a camera may take to read all of its lines; what takes longer is in another unit.
+const double LONGEST_READ_OUT = 1;
+
 /** @brief A rolling-shutter camera in a car: lens, shutter timing and mounting.
 
 All fields may be set directly; check() verifies them together and is called by every algorithm that takes a camera.
@@ -114,7 +117,8 @@ public:
     CV_PROP_RW std::vector<double> distCoeffs; //!< lens coefficients; empty: none
     CV_PROP_RW int lensModel;                  //!< one of #LensModel
     CV_PROP_RW int scanDirection;              //!< one of #ScanDirection
-    //! Seconds between two lines; 0: unknown, and metric values are unknown, too
+    //! Seconds between two lines, up to #LONGEST_READ_OUT for all of them; 0: unknown, and metric values are unknown,
+    //! too
     CV_PROP_RW double lineDelay;
     //! Raw row (column-wise shutter: column) at whose instant the corrected image is taken
     CV_PROP_RW double referenceRow;
