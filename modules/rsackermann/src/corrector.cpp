@@ -9,6 +9,7 @@
 #include "checks.hpp"
 #include "features/segment_finder.hpp"
 #include "motion/metric_way.hpp"
+#include "motion/motion_check.hpp"
 #include "sequence/sequence_estimator.hpp"
 #include "features/segments.hpp"
 #include "storage.hpp"
@@ -272,6 +273,7 @@ public:
     {
         CV_INSTRUMENT_REGION();
         checkRemapped(src, "src", generator->getCamera().imageSize);
+        checkMotion(motion);
         checkDepth(depth, generator->getCamera(), params.warp);
         segments.release();
         labels.release();

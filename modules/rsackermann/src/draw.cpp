@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "camera/lens.hpp"
 #include "motion/compensation.hpp"
+#include "motion/motion_check.hpp"
 #include "opencv2/imgproc.hpp"
 #include "scene/planes.hpp"
 #include "features/segments.hpp"
@@ -111,6 +112,7 @@ void drawMotion(InputOutputArray image_, InputArray segments_, InputArray labels
 {
     CV_INSTRUMENT_REGION();
     camera.check();
+    checkMotion(motion);
     Mat image = image_.getMat();
     if (image.type() != CV_8UC3 || image.size() != camera.imageSize)
         CV_Error(Error::StsBadArg,

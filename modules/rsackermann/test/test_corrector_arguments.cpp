@@ -51,8 +51,9 @@ bool isAccepted(const std::function<void()>& call)
         call();
         return true;
     }
-    catch (const cv::Exception&)
+    catch (const cv::Exception& e)
     {
+        EXPECT_FALSE(std::regex_search(e.err, std::regex("of type [0-9]"))) << e.err; // types have names
         return false;
     }
     catch (const std::exception& e)
@@ -267,6 +268,62 @@ TEST(RSAckermann_CorrectorArguments, every_value_of_every_field)
     });
     forEachBadField<AckermannMotion>(exampleMotion(),
                                      [&](const AckermannMotion& motion) { useMotion(motion, smallCamera()); });
+}
+
+struct BadMotion
+{
+    const char* complaint;
+    int AckermannMotion::*field;
+    int value;
+};
+
+// Words of a motion that are none, whatever the motion is used for.
+TEST(RSAckermann_CorrectorArguments, words_of_a_motion)
+{
+    typedef AckermannMotion T;
+    const BadMotion cases[] = {
+        {"motion.status is 5; one of the MotionStatus values 0 to 4 is expected", &T::status, 5},
+        {"motion.status is -1; one of", &T::status, -1},
+        {"motion.model is 2; one of the MotionModel values 0, 1, 3 and 4 is expected", &T::model, 2},
+        {"motion.model is -1; one of", &T::model, MODEL_AUTO},
+        {"motion.direction is 0; 1 (forward) or -1 (reverse) is expected", &T::direction, 0},
+        {"motion.direction is 2; 1", &T::direction, 2},
+        {"motion.scale is 4; one of the MotionScale values 0 to 3 is expected", &T::scale, 4},
+        {"motion.scale is -1; one of", &T::scale, -1}};
+    const RollingShutterCamera camera = smallCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    const Mat points(2, 1, CV_64FC2, Scalar(5, 6));
+    Mat a, b, image(SIZE, CV_8UC3, Scalar());
+    const std::function<void(const AckermannMotion&)> uses[] = {
+        [&](const AckermannMotion& m) { corrector->correctWithMotion(noise(), m, a); },
+        [&](const AckermannMotion& m) { generator->initRectifyMap(m, a, b); },
+        [&](const AckermannMotion& m) { generator->initDistortMap(m, a, b); },
+        [&](const AckermannMotion& m) { generator->correctPoints(m, points, a); },
+        [&](const AckermannMotion& m) { generator->distortPoints(m, points, a); },
+        [&](const AckermannMotion& m) { generator->validRoi(m); },
+        [&](const AckermannMotion& m) { generator->optimalNewCameraMatrix(m, 0.5); },
+        [&](const AckermannMotion& m) { drawMotion(image, noArray(), noArray(), camera, m); }};
+    for (const auto& use : uses)
+    {
+        SCOPED_TRACE(&use - uses);
+        EXPECT_NO_THROW(use(exampleMotion()));
+        for (const BadMotion& bad : cases)
+            for (const AckermannMotion& good : {exampleMotion(), AckermannMotion()})
+            {
+                AckermannMotion motion = good;
+                motion.*bad.field = bad.value;
+                try
+                {
+                    use(motion);
+                    ADD_FAILURE() << bad.complaint;
+                }
+                catch (const cv::Exception& e)
+                {
+                    EXPECT_NE(std::string::npos, e.err.find(bad.complaint)) << e.err;
+                }
+            }
+    }
 }
 
 TEST(RSAckermann_CorrectorArguments, every_number_at_every_entry)

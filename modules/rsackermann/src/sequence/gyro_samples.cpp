@@ -13,12 +13,13 @@ static const double GYRO_GAP = 0.1; // seconds without a sample: slower gyros do
 static void check(const Mat& times, const Mat& rates)
 {
     if (!times.empty() && (times.type() != CV_64F || std::min(times.rows, times.cols) != 1))
-        CV_Error(Error::StsBadArg, format("times is %d x %d of type %d; N x 1 of type CV_64F is expected", times.rows,
-                                          times.cols, times.type()));
+        CV_Error(Error::StsBadArg, format("times is %d x %d of type %s; N x 1 of type CV_64FC1 is expected", times.rows,
+                                          times.cols, typeToString(times.type()).c_str()));
     if (!(times.empty() && rates.empty()) &&
         (rates.type() != CV_64F || rates.cols != 3 || size_t(rates.rows) != times.total()))
-        CV_Error(Error::StsBadArg, format("rates is %d x %d of type %d; %d x 3 of type CV_64F is expected", rates.rows,
-                                          rates.cols, rates.type(), int(times.total())));
+        CV_Error(Error::StsBadArg,
+                 format("rates is %d x %d of type %s; %d x 3 of type CV_64FC1 is expected", rates.rows, rates.cols,
+                        typeToString(rates.type()).c_str(), int(times.total())));
 }
 
 void GyroSamples::add(const Mat& times_, const Mat& rates)

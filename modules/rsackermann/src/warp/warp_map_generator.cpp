@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../checks.hpp"
-#include "../scene/inverse_depth_offset.hpp"
+#include "../motion/motion_check.hpp"
 #include "../storage.hpp"
 #include "maps/maps.hpp"
 #include "maps/remap_limits.hpp"
@@ -70,41 +70,6 @@ void WarpMapGenerator::Params::check() const
         CV_Error(Error::StsBadArg, format("maxIterations is %d; a positive number is expected", maxIterations));
     if (!(tolerance > 0) || !std::isfinite(tolerance))
         CV_Error(Error::StsBadArg, format("tolerance is %g; a positive number of pixels is expected", tolerance));
-}
-
-static void checkOffset(const AckermannMotion& motion)
-{
-    const Mat& offset = motion.inverseDepthOffset;
-    const Rect2d& area = motion.offsetArea;
-    if (offset.empty())
-        return;
-    if (offset.dims != 2 || offset.type() != CV_64FC1 || !InverseDepthOffset::isPossible(offset.size()))
-        CV_Error(Error::StsBadArg,
-                 format("motion.inverseDepthOffset is a %d x %d matrix of type %s; %s of type CV_64FC1 are expected",
-                        offset.rows, offset.cols, typeToString(offset.type()).c_str(),
-                        InverseDepthOffset::possibleSizes().c_str()));
-    if (!cv::checkRange(offset, true, 0, -LARGEST_VALUE, LARGEST_VALUE))
-        CV_Error(Error::StsBadArg,
-                 format("motion.inverseDepthOffset has values that aren't finite or beyond +-%g", LARGEST_VALUE));
-    checkFinite(area.x, "motion.offsetArea.x");
-    checkFinite(area.y, "motion.offsetArea.y");
-    checkPositive(area.width, "motion.offsetArea.width");
-    checkPositive(area.height, "motion.offsetArea.height");
-}
-
-static void checkMotion(const AckermannMotion& motion)
-{
-    checkOffset(motion);
-    const double values[] = {motion.alpha,           motion.wallSlope,   motion.wallOffset, motion.wallRatio,
-                             motion.roadSlope,       motion.pitchRate,   motion.rollRate,   motion.rollCorrection,
-                             motion.pitchCorrection, motion.wallDistance};
-    const char* const names[] = {"alpha",     "wallSlope", "wallOffset",     "wallRatio",       "roadSlope",
-                                 "pitchRate", "rollRate",  "rollCorrection", "pitchCorrection", "wallDistance"};
-    const double largest = 1e150; // the walls' inverse depths, products of two of them, are finite
-    for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
-        if (!(std::abs(values[i]) <= largest))
-            CV_Error(Error::StsBadArg, format("motion.%s is %g; a number from %g to %g is expected", names[i],
-                                              values[i], -largest, largest));
 }
 
 static int countPoints(const Mat& points)
