@@ -4,10 +4,13 @@
 
 // Compares results of rsackermann_correct with the truth of rsackermann_simulate.
 
+#include "export/frames.hpp"
 #include "json_text.hpp"
 #include "map_distance.hpp"
 #include "options.hpp"
 #include "truth_file.hpp"
+
+#include "opencv2/rsackermann/warp.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -58,6 +61,31 @@ void readMaps(const std::string& path, const cv::Size& size, cv::Mat& map1, cv::
     fs["map2"] >> map2;
 }
 
+// The maps that rsackermann_correct has made of the report's motion are these.
+void checkMaps(const Options& options, const nlohmann::json& line, const cv::Mat& map1, const cv::Mat& map2)
+{
+    const std::string report = options.text("report");
+    if (line.value("status", "") == "failed")
+        throw InputError("the last input of " + report + " has failed");
+    if (!line.contains("camera")) // as in reports of before 0.2
+        return;
+    const MotionFrame frame = frameOfLine(line, report);
+    if (frame.isDepthUsed)
+        return;
+    cv::Mat own1, own2, distance;
+    cv::rsackermann::WarpMapGenerator::create(frame.cameraOf(frame.camera))->initRectifyMap(frame.motion, own1, own2);
+    double largest = 0;
+    if (own1.size() == map1.size())
+    {
+        cv::magnitude(own1 - map1, own2 - map2, distance);
+        cv::minMaxLoc(distance, 0, &largest, 0, 0, placesOf(own1, own2) & placesOf(map1, map2));
+    }
+    if (own1.size() != map1.size() || largest > 0.01)
+        throw InputError(cv::format("%s isn't of %s, the last input of %s: the maps of its motion differ by up to %.3g "
+                                    "px",
+                                    options.text("maps").c_str(), frame.name().c_str(), report.c_str(), largest));
+}
+
 void printRow(const char* what, double truth, const nlohmann::json& estimated)
 {
     std::printf("%-26s %10.3f ", what, truth);
@@ -78,6 +106,7 @@ int run(const Options& options)
     const nlohmann::json report = lastLine(options.text("report"));
     cv::Mat estimated[2], identity[2], exact[2], mask;
     readMaps(options.text("maps"), truth.camera.size, estimated[0], estimated[1]);
+    checkMaps(options, report, estimated[0], estimated[1]);
     identityMaps(truth.camera.size, identity[0], identity[1]);
     street::StreetRenderer(truth.camera, truth.scene).rectifyMap(exact[0], exact[1], mask);
 

@@ -130,25 +130,29 @@ AckermannMotion motionOf(const Json& line, const std::string& source)
 
 } // namespace
 
+MotionFrame frameOfLine(const nlohmann::json& line, const std::string& source)
+{
+    MotionFrame frame;
+    frame.input = line.at("input").get<std::string>();
+    frame.frame = line.value("frame", -1);
+    frame.time = line.value("time_s", frame.time);
+    frame.size = cv::Size(line.value("width", 0), line.value("height", 0));
+    frame.roll = line.value("roll_deg", frame.roll);
+    frame.pitch = line.value("pitch_deg", frame.pitch);
+    frame.hasCamera = line.contains("camera"); // reports of before 0.2 don't
+    if (frame.hasCamera)
+        frame.camera = cameraOfReport(line.at("camera"), frame.size, source);
+    frame.isDepthUsed = line.contains("depth_used") && line.at("depth_used") == true;
+    frame.motion = motionOf(line, source);
+    return frame;
+}
+
 std::vector<MotionFrame> readReport(const std::string& path)
 {
     std::vector<MotionFrame> frames;
     readReportLines(path, [&](const Json& line, const std::string& source) {
-        if (line.at("status") == "failed")
-            return;
-        MotionFrame frame;
-        frame.input = line.at("input").get<std::string>();
-        frame.frame = line.value("frame", -1);
-        frame.time = line.value("time_s", frame.time);
-        frame.size = cv::Size(line.value("width", 0), line.value("height", 0));
-        frame.roll = line.value("roll_deg", frame.roll);
-        frame.pitch = line.value("pitch_deg", frame.pitch);
-        frame.hasCamera = line.contains("camera"); // reports of before 0.2 don't
-        if (frame.hasCamera)
-            frame.camera = cameraOfReport(line.at("camera"), frame.size, source);
-        frame.isDepthUsed = line.contains("depth_used") && line.at("depth_used") == true;
-        frame.motion = motionOf(line, source);
-        frames.push_back(frame);
+        if (line.at("status") != "failed")
+            frames.push_back(frameOfLine(line, source));
     });
     return frames;
 }
@@ -168,8 +172,9 @@ try
     if (!fs.isOpened())
         throw InputError(path + " can't be read");
     const cv::FileNode node = fs["motion"].isMap() ? fs["motion"] : fs.root();
-    if (node["status"].empty())
-        throw InputError(path + " holds no motion");
+    for (const char* key : {"status", "rms"}) // the first and the last one that are written
+        if (node[key].empty())
+            throw InputError(path + " holds no motion, or a part of one: it lacks " + key);
     MotionFrame frame;
     frame.input = fs["input"].isString() ? std::string(fs["input"]) : std::string("frame.png");
     frame.motion.read(node);

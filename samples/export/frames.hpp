@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_EXPORT_FRAMES_HPP
 
 #include "opencv2/rsackermann/motion.hpp"
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct MotionFrame
 
 //! What tables call the frames: their names, and of different inputs that share a name the paths.
 std::vector<std::string> namesInTables(const std::vector<MotionFrame>& frames);
+
+/** The frame of a line of a report that isn't that of a failure.
+@param source for messages. Throws InputError, UsageError or an exception of nlohmann::json. */
+MotionFrame frameOfLine(const nlohmann::json& line, const std::string& source);
 
 //! The frames of a report of rsackermann_correct, failed ones left out; throws InputError.
 std::vector<MotionFrame> readReport(const std::string& path);
