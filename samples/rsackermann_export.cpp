@@ -14,6 +14,7 @@
 #include "export/warp_mesh.hpp"
 #include "output/atomic_file.hpp"
 #include "output/output_plan.hpp"
+#include "output/result_names.hpp"
 
 #include <set>
 
@@ -23,7 +24,7 @@ using namespace rsackermann_samples;
 
 const char* const ABOUT =
     "Writes the motion that rsackermann_correct has found in the forms that other tools read (doc/exports.md).\n"
-    "The camera is that of the report. Existing results are replaced.\n"
+    "The camera is that of the report.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
 const char* const KEYS =
@@ -42,7 +43,8 @@ const char* const KEYS =
     "{points_output |       | CSV file: the same table with u and v, the places in the raw images}"
     "{gcsv          |       | gyro log of Gyroflow: the rates of a drive's frames at their times}"
     "{mesh          |       | JSON file: a coarse grid with the places of its nodes}"
-    "{mesh_size     | 17x10 | nodes in a row and in a column}";
+    "{mesh_size     | 17x10 | nodes in a row and in a column}"
+    "{overwrite     |       | replace existing files}";
 
 cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const std::vector<MotionFrame>& frames)
 {
@@ -82,7 +84,7 @@ void checkResults(const Options& options)
     throw UsageError("nothing to do: give --row_poses, --colmap, --stmap, --tracks, --points, --gcsv or --mesh");
 }
 
-// No result may replace an input, an image or video of the report or another result.
+// No result may replace an input, an image or video of the report or another result, or, unless that is wanted, a file.
 void checkTargets(const Options& options, const std::vector<MotionFrame>& frames)
 {
     OutputPlan plan;
@@ -92,24 +94,31 @@ void checkTargets(const Options& options, const std::vector<MotionFrame>& frames
     for (const char* name : {"tracks", "points"})
         if (options.given(name))
             plan.addInput(options.inputFile(name));
+    std::vector<std::string> results;
+    const auto addOutput = [&](const std::string& path, const std::string& source) {
+        plan.addOutput(path, source);
+        results.push_back(path);
+    };
     for (const char* name : {"row_poses", "tracks_output", "points_output", "gcsv", "mesh"})
         if (options.given(name))
-            plan.addOutput(options.text(name), std::string("--") + name);
+            addOutput(options.text(name), std::string("--") + name);
     const bool hasMasks = options.given("colmap"), hasStMaps = options.given("stmap");
     if (hasMasks)
-        plan.addOutput(options.text("colmap") + "/cameras.txt", "--colmap");
+        addOutput(options.text("colmap") + "/cameras.txt", "--colmap");
     std::set<std::pair<std::string, int>> planned; // a report may have a frame twice, and the last line counts
     for (const MotionFrame& frame : frames)
     {
         if (!planned.insert(std::make_pair(frame.input, frame.frame)).second)
             continue;
         if (hasMasks)
-            plan.addOutput(colmapMask(options.text("colmap"), frame), frame.input);
+            addOutput(colmapMask(options.text("colmap"), frame), frame.input);
         for (const char* direction : {"rectify", "distort"})
             if (hasStMaps)
-                plan.addOutput(stMapFile(options.text("stmap"), frame, direction, options.text("stmap_format")),
-                               frame.input);
+                addOutput(stMapFile(options.text("stmap"), frame, direction, options.text("stmap_format")),
+                          frame.input);
     }
+    for (const std::string& path : results)
+        checkResult(path, options.flag("overwrite"));
     plan.removeLeftovers();
 }
 

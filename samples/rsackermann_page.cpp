@@ -103,9 +103,9 @@ Task readTask(const Options& options)
     for (const Picture& picture : task.pictures)
         if (!task.folder.empty())
             plan.addOutput(task.folder + "/" + picture.name, picture.source);
-    for (const std::string& path : {task.output, task.folder})
-        if (!options.flag("overwrite") && cv::utils::fs::exists(path))
-            throw InputError(path + " exists (--overwrite replaces it)");
+    checkResult(task.output, options.flag("overwrite"));
+    if (!options.flag("overwrite") && cv::utils::fs::exists(task.folder))
+        throw InputError(task.folder + " exists (--overwrite replaces it)");
     plan.removeLeftovers();
     return task;
 }

@@ -18,9 +18,10 @@ namespace opencv_test { namespace {
 using nlohmann::json;
 using rsackermann_samples::Truth;
 
+//! Replaces results, as most tests write the same ones several times.
 Outcome exportMotion(const Arguments& arguments)
 {
-    return runProgram(EXPORT_PROGRAM, arguments);
+    return runProgram(EXPORT_PROGRAM, arguments + Arguments{"--overwrite"});
 }
 
 // A street with its true motion in a file.
@@ -943,6 +944,44 @@ TEST_F(Export, lens_profile_is_scaled_to_the_report)
     EXPECT_EQ(640, json::parse(contentOf(folder / "poses.json"))["width"]);
 }
 
+// Of each kind: refused before anything is written.
+TEST_F(Export, results_that_exist)
+{
+    writeContent(folder / "points.csv", "file,x,y\nrolling.png,1,2\n");
+    writeContent(folder / "cloud.csv", "file,x,y,z\nrolling.png,1,2,9\n");
+    writeContent(folder / "times.csv", "file,time_s\nrolling.png,7\nglobal.png,8\n");
+    const std::string report = "--report=" + (folder / "report.jsonl");
+    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", streetFolder() + "/global.png", "--wall=2.5", report,
+                          "--camera=" + streetFolder() + "/camera.yml", "--log=" + (folder / "times.csv")})
+                     .exitCode);
+    const std::pair<Arguments, const char*> cases[] = {
+        {{"--row_poses=" + (folder / "poses.json")}, "poses.json"},
+        {{"--gcsv=" + (folder / "gyro.gcsv")}, "gyro.gcsv"},
+        {{"--mesh=" + (folder / "mesh.json")}, "mesh.json"},
+        {{"--tracks=" + (folder / "points.csv"), "--tracks_output=" + (folder / "tracks.csv")}, "tracks.csv"},
+        {{"--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")}, "places.csv"},
+        {{"--colmap=" + (folder / "colmap")}, "colmap/cameras.txt"},
+        {{"--colmap=" + (folder / "colmap2")}, "colmap2/masks/rolling.png.png"},
+        {{"--stmap=" + (folder / "stmap")}, "stmap/rolling.png.distort.png"}};
+    for (const auto& c : cases)
+    {
+        const std::string result = folder / c.second;
+        cv::utils::fs::createDirectories(result.substr(0, result.rfind('/')));
+        writeContent(result, "precious");
+        // Beside another result, which isn't there yet.
+        const Arguments other = {&c == cases ? "--mesh=" + (folder / "other.json")
+                                             : "--row_poses=" + (folder / "other.json")};
+        const Outcome refused = runProgram(EXPORT_PROGRAM, Arguments{report} + c.first + other);
+        EXPECT_EQ(1, refused.exitCode) << c.second;
+        EXPECT_NE(std::string::npos, refused.messages.find(result + " exists (--overwrite")) << refused.messages;
+        EXPECT_EQ("precious", contentOf(result));
+        EXPECT_FALSE(cv::utils::fs::exists(folder / "other.json")) << c.second;
+        const Outcome replaced = exportMotion(Arguments{report} + c.first);
+        EXPECT_EQ(0, replaced.exitCode) << replaced.messages;
+        EXPECT_NE("precious", contentOf(result));
+    }
+}
+
 TEST_F(Export, usage)
 {
     const std::string motion = "--motion=" + (folder / "motion.yml"),
@@ -964,10 +1003,16 @@ TEST_F(Export, usage)
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "missing.yml"), camera}).exitCode);
     writeContent(folder / "empty.yml", "%YAML:1.0\n---\nx: 1\n");
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "empty.yml"), camera}).exitCode);
-    writeContent(folder / "damaged.yml", "%YAML:1.0\n---\nstatus: 0\ncovariance: [ 1, 2 ]\n");
+    writeContent(folder / "damaged.yml", "%YAML:1.0\n---\nstatus: 0\nrms: 0\ncovariance: [ 1, 2 ]\n");
     const Outcome damaged = exportMotion({"--motion=" + (folder / "damaged.yml"), camera});
     EXPECT_EQ(1, damaged.exitCode);
     EXPECT_NE(std::string::npos, damaged.messages.find("damaged.yml holds no motion")) << damaged.messages;
+    const std::string whole = contentOf(folder / "motion.yml");
+    writeContent(folder / "half.yml", whole.substr(0, whole.rfind('\n', whole.find(" rms:")) + 1));
+    const Outcome half = exportMotion({"--motion=" + (folder / "half.yml"), camera});
+    EXPECT_EQ(1, half.exitCode);
+    EXPECT_NE(std::string::npos, half.messages.find("half.yml holds no motion, or a part of one: it lacks rms"))
+        << half.messages;
     writeContent(folder / "twice.yml", "%YAML:1.2\n   data: [ 570., 0., 3., 1. ]\nstatus: !!opencv-matrix\n");
     EXPECT_EQ(1, exportMotion({"--motion=" + (folder / "twice.yml"), camera}).exitCode);
     EXPECT_EQ(0, exportMotion({motion, "--size=640x380", "--focal=500", "--mesh=" + (folder / "m.json")}).exitCode);

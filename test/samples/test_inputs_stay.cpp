@@ -46,7 +46,7 @@ protected:
         files["--tracks="] = "file,x,y\na.png,1,2\n";
         files["--points="] = "file,x,y,z\na.png,1,2,3\n";
         files["--image="] = contentOf(folder / "a.png");
-        files["--motion="] = "%YAML:1.0\n---\nstatus: 1\n";
+        files["--motion="] = "%YAML:1.0\n---\nstatus: 1\nrms: 0\n";
         files["--corrected="] = files["--overlay="] = files["--image="];
         writeContent(folder / "motion.yml", files["--motion="]);
         writeContent(folder / "report.jsonl", files["--report="]);
@@ -79,7 +79,7 @@ protected:
         Arguments arguments = reads.others + Arguments{input + read, output.option + result};
         if (way == "dot")
             arguments.back() = output.option + (output.name.empty() ? target + "/./" + name : target + "/../written");
-        if (reads.program != EXPORT_PROGRAM && output.option != "--picture=")
+        if (output.option != "--picture=")
             arguments.push_back("--overwrite");
         const Outcome outcome = runProgram(reads.program, arguments);
         EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
@@ -222,6 +222,26 @@ TEST_F(InputsStay, options_are_known)
 class InputsStayByName : public InputsStay, public testing::WithParamInterface<const char*>
 {
 };
+
+// A device would be replaced by a file.
+TEST_F(InputsStay, devices_are_no_results)
+{
+    const std::string device = folder / "device.txt", size = "--size=64x48";
+    ASSERT_EQ(0, symlink("/dev/null", device.c_str()));
+    const std::pair<std::string, Arguments> cases[] = {
+        {CALIBRATE_PROGRAM, {folder / "a.png", "--focal=50", "--output=" + device}},
+        {CORRECT_PROGRAM, {folder / "a.png", "--maps=" + device}},
+        {EXPORT_PROGRAM, {size, "--motion=" + (folder / "motion.yml"), "--row_poses=" + device}},
+        {PAGE_PROGRAM, {"--report=" + (folder / "report.jsonl"), "--output=" + device}}};
+    for (const auto& c : cases)
+    {
+        const Outcome outcome = runProgram(c.first, c.second + Arguments{"--overwrite"});
+        EXPECT_EQ(1, outcome.exitCode) << c.first;
+        EXPECT_NE(std::string::npos, outcome.messages.find("device.txt is a pipe or a device")) << outcome.messages;
+        char target[16] = "";
+        EXPECT_GT(readlink(device.c_str(), target, sizeof(target) - 1), 0) << c.first;
+    }
+}
 
 // Every input as every result; other names than the input's own for the first ones.
 TEST_P(InputsStayByName, whatever_reads_and_writes_them)

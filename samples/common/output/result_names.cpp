@@ -32,6 +32,8 @@ void checkResult(const std::string& path, bool isReplaced)
 {
     if (cv::utils::fs::isDirectory(path))
         throw InputError(path + " is a folder");
+    if (isPipe(path))
+        throw InputError(path + " is a pipe or a device, which no result replaces");
     if (!isReplaced && cv::utils::fs::exists(path))
         throw InputError(path + " exists (--overwrite replaces it)");
 }

@@ -19,7 +19,8 @@ std::string resultPath(const std::string& target, bool isFolder, const std::stri
 //! The name, without folders, of the picture of an input's segments.
 std::string overlayName(const std::string& input);
 
-//! Throws InputError if a file of that name can't be written: it is a folder, or exists and mustn't be replaced.
+//! Throws InputError if a file of that name can't be written: it is a folder, a pipe or a device, or exists and mustn't
+//! be replaced.
 void checkResult(const std::string& path, bool isReplaced);
 
 } // namespace rsackermann_samples
