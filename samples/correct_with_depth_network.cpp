@@ -77,6 +77,8 @@ Task readTask(const Options& options)
     task.depth = options.given("depth_output") ? options.text("depth_output") : "";
     task.overwrite = options.flag("overwrite");
     task.inputs = listInputs(options.arguments());
+    for (const std::string& warning : task.inputs.warnings)
+        std::cerr << "correct_with_depth_network: " << warning << std::endl;
     OutputPlan plan;
     options.inputFile("model");
     plan.addInputs(options.inputFiles());

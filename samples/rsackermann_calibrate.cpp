@@ -11,6 +11,7 @@
 #include "log_use.hpp"
 #include "output/interrupt.hpp"
 #include "output/output_plan.hpp"
+#include "output/result_names.hpp"
 #include "progress.hpp"
 #include "units.hpp"
 
@@ -68,6 +69,8 @@ Task readTask(const Options& options)
     task.output = options.text("output");
     task.params.estimator.detector = readDetector(options);
     task.inputs = listInputs(options.arguments());
+    for (const std::string& warning : task.inputs.warnings)
+        std::cerr << "rsackermann_calibrate: " << warning << std::endl;
     if (options.given("log"))
     {
         task.log = DriveLog(options.inputFile("log"));
@@ -85,10 +88,8 @@ Task readTask(const Options& options)
     plan.addInputs(options.inputFiles());
     plan.addInputs(filesOf(task.inputs));
     plan.addOutput(task.output, "the calibration");
-    if (options.given("threads"))
-        cv::setNumThreads(options.integer("threads", 1, 4096));
-    if (!options.flag("overwrite") && cv::utils::fs::exists(task.output))
-        throw InputError(task.output + " exists (--overwrite replaces it)");
+    setThreads(options);
+    checkResult(task.output, options.flag("overwrite"));
     plan.removeLeftovers();
     return task;
 }

@@ -8,6 +8,7 @@
 #include "files.hpp"
 #include "output/atomic_file.hpp"
 #include "output/output_plan.hpp"
+#include "output/result_names.hpp"
 #include "progress.hpp"
 #include "simulate/depth_image.hpp"
 #include "simulate/drive_files.hpp"
@@ -180,8 +181,7 @@ void writeImage(AtomicFile& file, const cv::Mat& image)
 void checkResults(const Options& options, const std::vector<std::string>& results)
 {
     for (const std::string& path : results)
-        if (!options.flag("overwrite") && cv::utils::fs::exists(path))
-            throw InputError(path + " exists (--overwrite replaces it)");
+        checkResult(path, options.flag("overwrite"));
     OutputPlan plan;
     plan.addInputs(options.inputFiles());
     for (const std::string& path : results)
@@ -225,8 +225,7 @@ int run(const Options& options)
     if (!options.given("output"))
         throw UsageError("--output is missing");
     checkTogether(options);
-    if (options.given("threads"))
-        cv::setNumThreads(options.integer("threads", 1, 4096));
+    setThreads(options);
 
     cv::Mat image;
     if (options.given("image"))

@@ -15,13 +15,24 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <sys/stat.h>
 
 namespace rsackermann_samples {
+
+const char* const PIPE = "it is a pipe or a device; a file is expected";
+
+bool isPipe(const std::string& path)
+{
+    struct stat status;
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
 
 std::vector<uchar> readBytes(const std::string& path)
 {
     if (!cv::utils::fs::exists(path))
         throw InputError("there is no such file");
+    if (isPipe(path))
+        throw InputError(PIPE);
     std::ifstream file(path.c_str(), std::ios::binary | std::ios::ate);
     const std::streamoff size = file.tellg();
     std::vector<uchar> bytes(size > 0 ? size_t(size) : 0u);

@@ -4,6 +4,7 @@
 
 #include "options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -194,6 +195,12 @@ void Options::printHelp(const std::string& about)
 {
     parser_.about(about);
     parser_.printMessage();
+}
+
+void setThreads(const Options& options)
+{
+    if (options.given("threads"))
+        cv::setNumThreads(std::min(options.integer("threads", 1, 4096), cv::getNumberOfCPUs()));
 }
 
 int runProgram(const std::string& about, const std::string& keys, int (*program)(const Options&), int argc,

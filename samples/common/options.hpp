@@ -74,6 +74,9 @@ private:
     cv::CommandLineParser parser_;
 };
 
+//! As many threads as --threads wants, of those that the processors can run: OpenCV's backends complain of others.
+void setThreads(const Options& options);
+
 /** Runs a program, or prints its help, and turns exceptions into messages and exit codes: 2 for UsageError, 1 for
 everything else.
 @param about the beginning of the help.

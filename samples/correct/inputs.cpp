@@ -9,6 +9,7 @@
 #include "opencv2/core/utils/filesystem.hpp"
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
 
 namespace rsackermann_samples {
@@ -41,15 +42,35 @@ std::vector<std::string> filesOf(const std::string& folder)
     return std::vector<std::string>(paths.begin(), paths.end());
 }
 
-std::vector<std::string> imagesOf(const std::string& folder)
+// Tells of files that are no images by their extensions: videos and depths may be missed.
+std::string toldOf(const std::map<std::string, int>& skipped, const std::string& folder)
+{
+    std::string list;
+    int count = 0;
+    for (const std::pair<const std::string, int>& kind : skipped)
+    {
+        list += (list.empty() ? "" : ", ") + std::to_string(kind.second) + " " +
+                (kind.first.empty() ? "without an extension" : kind.first);
+        count += kind.second;
+    }
+    return cv::format("%s stands for its images; %d other file%s left out: %s", folder.c_str(), count,
+                      count == 1 ? " is" : "s are", list.c_str());
+}
+
+std::vector<std::string> imagesOf(const std::string& folder, std::vector<std::string>& warnings)
 {
     static const std::vector<std::string> known = {".png",  ".jpg",  ".jpeg", ".jpe", ".bmp", ".dib", ".tif",
                                                    ".tiff", ".webp", ".jp2",  ".pgm", ".ppm", ".pbm", ".pnm",
                                                    ".pxm",  ".sr",   ".ras",  ".exr", ".hdr", ".pic"};
     std::vector<std::string> images;
+    std::map<std::string, int> skipped;
     for (const std::string& path : filesOf(folder))
         if (isOneOf(extension(path), known))
             images.push_back(path);
+        else
+            skipped[extension(path)]++;
+    if (!skipped.empty())
+        warnings.push_back(toldOf(skipped, folder));
     return images;
 }
 
@@ -121,16 +142,16 @@ std::vector<std::string> linesOf(const std::string& path)
     return lines;
 }
 
-std::vector<std::string> expand(const std::string& argument, std::vector<std::string>& lists)
+std::vector<std::string> expand(const std::string& argument, InputList& list)
 {
     if (fs::isDirectory(argument))
-        return imagesOf(argument);
+        return imagesOf(argument, list.warnings);
     if (fs::exists(argument))
         return std::vector<std::string>(1, argument);
     if (argument[0] == '@')
     {
-        lists.push_back(argument.substr(1));
-        return linesOf(lists.back());
+        list.lists.push_back(argument.substr(1));
+        return linesOf(list.lists.back());
     }
     NumberPattern pattern;
     const std::string name = fileName(argument);
@@ -151,11 +172,11 @@ InputList listInputs(const std::vector<std::string>& arguments)
     for (const std::string& argument : arguments)
         try
         {
-            const std::vector<std::string> files = expand(argument, list.lists);
+            const std::vector<std::string> files = expand(argument, list);
             if (files.empty())
                 throw InputError("there are no images");
             for (const std::string& file : files)
-                add(file, "");
+                add(file, isPipe(file) ? PIPE : "");
         }
         catch (const InputError& e)
         {
@@ -183,7 +204,7 @@ bool isVideo(const std::string& path)
 void keepShard(InputList& inputs, int shard, int count)
 {
     std::vector<Input> kept;
-    for (size_t i = size_t(shard % count); i < inputs.inputs.size(); i += size_t(count))
+    for (size_t i = size_t(shard - 1); i < inputs.inputs.size(); i += size_t(count))
         kept.push_back(inputs.inputs[i]);
     inputs.inputs.swap(kept);
 }

@@ -25,8 +25,9 @@ struct Input
 struct InputList
 {
     std::vector<Input> inputs;
-    std::vector<std::string> lists; //!< files whose lines are among the inputs
-    bool single;                    //!< there is one argument and it is the name of a file
+    std::vector<std::string> lists;    //!< files whose lines are among the inputs
+    std::vector<std::string> warnings; //!< of what folders hold besides
+    bool single;                       //!< there is one argument and it is the name of a file
 };
 
 /** Lists the files: an argument is an image, a video, a directory (its images, by name), a printf pattern as
@@ -39,7 +40,7 @@ std::vector<std::string> filesOf(const InputList& inputs);
 //! Whether a file is a video, by the extension of its name.
 bool isVideo(const std::string& path);
 
-//! Keeps every count-th input, beginning with the one that shard stands for.
+//! Keeps every count-th input, beginning with the shard-th, which is 1 for the first one.
 void keepShard(InputList& inputs, int shard, int count);
 
 } // namespace rsackermann_samples

@@ -154,10 +154,8 @@ void readShard(const Options& options, Job& job)
     if (slash == std::string::npos)
         throw UsageError(source + ": '" + text + "' has no slash");
     const int count = parseInteger(text.substr(slash + 1), source, 1, 1000000);
-    // 0/N is the same as N/N, for those who count from 0.
-    const int shard = parseInteger(text.substr(0, slash), source, 0, count);
     job.shardCount = count;
-    keepShard(job.inputs, shard + count - 1, count);
+    keepShard(job.inputs, parseInteger(text.substr(0, slash), source, 1, count), count);
 }
 
 } // namespace
@@ -192,10 +190,11 @@ Job readJob(const Options& options)
         throw UsageError("--skip_existing and --overwrite exclude each other");
     if (job.skipExisting && job.output.empty() && job.overlay.empty() && job.maps.empty() && job.report == "-")
         throw UsageError("--skip_existing needs a file: --output, --overlay, --maps or --report");
-    if (options.given("threads"))
-        cv::setNumThreads(options.integer("threads", 1, 4096));
+    setThreads(options);
 
     job.inputs = listInputs(options.arguments());
+    for (const std::string& warning : job.inputs.warnings)
+        std::cerr << "rsackermann_correct: " << warning << std::endl;
     job.linesGiven = options.given("lines");
     if (job.linesGiven && job.inputs.inputs.size() != 1)
         throw UsageError("--lines is for one input");

@@ -526,6 +526,27 @@ TEST(Evaluate, compares_with_the_truth)
     EXPECT_EQ(1, evaluate({"--truth=" + streetFolder() + "/truth.json", "--report=" + (folder / "maps.yml"),
                            "--maps=" + (folder / "maps.yml")})
                      .exitCode);
+    // Maps of another motion, and of an input that has failed.
+    const std::pair<Arguments, const char*> others[] = {
+        {{"--model=none"}, "maps.yml isn't of rolling.png, the last input of"},
+        {{"--scan=bottom_to_top"}, "maps.yml isn't of rolling.png, the last input of"},
+        {{folder / "missing.png"}, "has failed"}};
+    for (const auto& other : others)
+    {
+        correct(streetArguments() + other.first + Arguments{"--report=" + (folder / "other.jsonl"), "--overwrite"});
+        const Outcome refused = evaluate({"--truth=" + streetFolder() + "/truth.json",
+                                          "--report=" + (folder / "other.jsonl"), "--maps=" + (folder / "maps.yml")});
+        EXPECT_EQ(1, refused.exitCode);
+        EXPECT_NE(std::string::npos, refused.messages.find(other.second)) << refused.messages;
+    }
+}
+
+// OpenCV's backends would say so.
+TEST(Correct, more_threads_than_processors)
+{
+    const Outcome outcome = correct({streetFolder() + "/rolling.png", "--report=-", "--threads=4096"});
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_EQ("", outcome.messages);
 }
 
 TEST(Correct, given_values_that_the_image_contradicts)

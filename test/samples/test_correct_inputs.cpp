@@ -6,6 +6,7 @@
 
 #include "opencv2/imgproc.hpp"
 #include <set>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace opencv_test { namespace {
@@ -95,6 +96,43 @@ TEST(CorrectInputs, one_broken_image_among_good_ones)
     EXPECT_EQ("failed", failed["status"]);
     EXPECT_EQ("the image is cut short", failed["error"]);
     EXPECT_EQ((Names{"overlays", "report.jsonl", "results"}), namesIn(out.path()));
+}
+
+// Images and videos are looked at more than once: of pipes nothing is read, and nothing waits for them.
+TEST(CorrectInputs, pipes_and_devices)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png"});
+    for (const char* name : {"pipe.png", "pipe.mp4"})
+        ASSERT_EQ(0, mkfifo((in / name).c_str(), 0600));
+    const Outcome outcome = correct({in.path(), in / "pipe.mp4", "/dev/null", "--output=" + (out / "images"),
+                                     "--report=" + (out / "report.jsonl")});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_EQ(Names{"a.png"}, namesIn(out / "images"));
+    const std::vector<std::string> lines = linesOf(out / "report.jsonl");
+    ASSERT_EQ(4u, lines.size());
+    for (size_t i = 1; i < 4; i++)
+        EXPECT_EQ("it is a pipe or a device; a file is expected", nlohmann::json::parse(lines[i])["error"]) << lines[i];
+}
+
+TEST(CorrectInputs, files_of_a_folder_that_are_left_out)
+{
+    const TemporaryFolder in, out;
+    putImages(in, {"a.png"});
+    const Arguments arguments = {in.path(), "--report=" + (out / "report.jsonl"), "--overwrite"};
+    EXPECT_EQ("", correct(arguments).messages);
+    for (const char* name : {"b.pfm", "drive.mp4", "other.MP4", "README", ".hidden.mp4"})
+        writeContent(in / name, "");
+    const Outcome outcome = correct(arguments);
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find(in.path() + " stands for its images; 4 other files are left "
+                                                                   "out: 1 without an extension, 2 .mp4, 1 .pfm\n"))
+        << outcome.messages;
+    for (const char* name : {"a.png", "drive.mp4", "other.MP4", "README"})
+        std::remove((in / name).c_str());
+    const Outcome none = correct(arguments);
+    EXPECT_EQ(1, none.exitCode);
+    EXPECT_NE(std::string::npos, none.messages.find("1 other file is left out: 1 .pfm\n")) << none.messages;
 }
 
 TEST(CorrectInputs, empty_folder_and_missing_folder)
