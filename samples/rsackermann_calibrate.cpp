@@ -15,7 +15,6 @@
 #include "progress.hpp"
 #include "units.hpp"
 
-#include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/rsackermann.hpp"
 #include <cstdio>
 #include <iostream>

@@ -16,7 +16,6 @@
 #include "truth_file.hpp"
 #include "units.hpp"
 
-#include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgproc.hpp"
 
 namespace {
@@ -97,9 +96,10 @@ CameraSettings readSettings(const Options& options, const cv::Size& size, double
         throw UsageError("option --lens: there are 4, 5 or 8 coefficients");
     s.scan = options.choice("scan", SCAN_WORDS);
     if (options.given("line_delay"))
-        s.lineDelay = options.number("line_delay", 0, 1, false);
+        s.lineDelay = options.number("line_delay", 0, cv::rsackermann::LONGEST_READ_OUT, false);
     else
-        s.readOut = options.given("readout") ? options.number("readout", 0, 100, false) : 0.4 / 30;
+        s.readOut = options.given("readout") ? options.number("readout", 0, cv::rsackermann::LONGEST_READ_OUT, false)
+                                             : 0.4 / 30;
     s.reference = options.text("reference");
     s.roll = options.number("roll", -89, 89);
     s.pitch = options.number("pitch", -89, 89);

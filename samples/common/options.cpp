@@ -221,6 +221,11 @@ int runProgram(const std::string& about, const std::string& keys, int (*program)
         std::cerr << argv[0] << ": " << e.what() << " (see --help)" << std::endl;
         return 2;
     }
+    catch (const cv::Exception& e)
+    {
+        std::cerr << argv[0] << ": " << e.err << std::endl;
+        return 1;
+    }
     catch (const std::exception& e)
     {
         std::cerr << argv[0] << ": " << e.what() << std::endl;
