@@ -13,6 +13,7 @@ namespace rsackermann_samples {
 void Warnings::add(const std::string& input, const std::vector<FrameReport>& frames)
 {
     addContradiction(input, frames);
+    addTimes(input, frames);
     for (const FrameReport& frame : frames)
     {
         addGyro(frame);
@@ -33,6 +34,28 @@ void Warnings::addContradiction(const std::string& input, const std::vector<Fram
          contradiction(*first));
 }
 
+// Once: times in another unit, or those of another column, leave nothing of a sequence.
+void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>& frames)
+{
+    const double longest = 1; // second without an image, after which another sequence begins
+    const bool isVideo = !frames.empty() && frames[0].frame >= 0;
+    if (isVideo)
+        lastTime_ = std::numeric_limits<double>::quiet_NaN();
+    for (const FrameReport& frame : frames)
+    {
+        const double gap = frame.time - lastTime_;
+        lastTime_ = frame.time;
+        if (!job_.params.sequence || hasGap_ || !(gap <= 0 || gap > longest))
+            continue;
+        hasGap_ = true;
+        warn(cv::format("%s: its time is %g s after that of the image before: images that are more than %g s later, or "
+                        "not later, begin another sequence",
+                        input.c_str(), gap, longest));
+    }
+    if (isVideo)
+        lastTime_ = std::numeric_limits<double>::quiet_NaN();
+}
+
 void Warnings::addGyro(const FrameReport& frame)
 {
     const cv::Mat& times = job_.gyro.times;
@@ -49,6 +72,9 @@ void Warnings::addGyro(const FrameReport& frame)
             cv::format("--gyro has no effect on images outside of its times, %.12g to %.12g s: give --gyro_delay if "
                        "its clock is another",
                        *times.ptr<double>(0), *times.ptr<double>(times.rows - 1)));
+    else if (frame.motion.rotationCurve.empty() && frame.motion.status == cv::rsackermann::MOTION_OK)
+        warnOnce(
+            "--gyro isn't used on images in its gaps, and where the points of the few images so far contradict it");
 }
 
 void Warnings::addDepth(const FrameReport& frame)

@@ -8,6 +8,7 @@
 #include "job.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include <limits>
 #include <set>
 
 namespace rsackermann_samples {
@@ -23,6 +24,7 @@ public:
 
 private:
     void addContradiction(const std::string& input, const std::vector<FrameReport>& frames);
+    void addTimes(const std::string& input, const std::vector<FrameReport>& frames);
     void addGyro(const FrameReport& frame);
     void addDepth(const FrameReport& frame);
     void warn(const std::string& message);
@@ -30,8 +32,9 @@ private:
 
     const Job& job_;
     Progress& progress_;
-    bool hasContradiction_ = false;
-    std::set<std::string> given_; // warnings that hold for all inputs
+    bool hasContradiction_ = false, hasGap_ = false;
+    double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence
+    std::set<std::string> given_;                                // warnings that hold for all inputs
 };
 
 } // namespace rsackermann_samples

@@ -133,6 +133,30 @@ TEST_F(CorrectGyro, warnings)
 }
 
 // Of a clock with another origin nothing belongs to the image.
+// Before the gyro as a whole is known to be wrong.
+TEST_F(CorrectGyro, contradicted_by_a_few_frames)
+{
+    const std::string drive = folder_ / "drive";
+    ASSERT_EQ(
+        0,
+        simulate({"--output=" + drive, "--frames=6", "--speed=40", "--left=6", "--right=8", "--shake=phone"}).exitCode);
+    std::string turned;
+    for (const std::string& line : linesOf(drive + "/gyro.csv"))
+    {
+        double time = 0, yaw = 0, pitch = 0, roll = 0;
+        const bool isHeader = std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &yaw, &pitch, &roll) != 4;
+        turned += isHeader ? HEADER : cv::format("%.6f,%g,%g,%g\n", time, -pitch, roll, yaw);
+    }
+    writeContent(folder_ / "turned.csv", turned);
+    const Arguments arguments = {drive + "/frames", "--camera=" + drive + "/camera.yml", "--log=" + drive + "/log.csv",
+                                 "--carry", "--report=-"};
+    EXPECT_EQ("", correct(arguments + Arguments{"--gyro=" + drive + "/gyro.csv"}).messages);
+    const Outcome outcome = correct(arguments + Arguments{"--gyro=" + (folder_ / "turned.csv")});
+    EXPECT_EQ(outcome.output.find("rotation_curve"), std::string::npos);
+    EXPECT_NE(std::string::npos, outcome.messages.find("the points of the few images so far contradict it"))
+        << outcome.messages;
+}
+
 TEST_F(CorrectGyro, times_that_are_not_those_of_the_image)
 {
     const std::string samples = std::string(HEADER) + "5000,1,2,3\n5000.09,1,2,3\n";

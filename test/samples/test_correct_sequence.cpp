@@ -103,6 +103,29 @@ TEST_F(CorrectSequence, faults_of_frames_dont_change_the_motion_of_others)
 }
 
 // The row of a log by number is the same however the inputs are named and whichever of them fail.
+// In another unit, or backwards, they leave no sequence: that is said once.
+TEST_F(CorrectSequence, times_that_begin_another_sequence)
+{
+    const TemporaryFolder times;
+    const cv::Mat image(48, 64, CV_8U, cv::Scalar(7));
+    for (const char* name : {"0.png", "1.png", "2.png"})
+        cv::imwrite(times / name, image);
+    const std::pair<const char*, const char*> cases[] = {
+        {"0,0\n1,0.0333\n2,0.0667\n", ""},
+        {"0,0\n1,33.3\n2,66.7\n", "/1.png: its time is 33.3 s after that of the image before"},
+        {"0,7\n1,7.5\n2,7.25\n", "/2.png: its time is -0.25 s after that of the image before"}};
+    for (const auto& c : cases)
+    {
+        writeContent(times / "log.csv", std::string("frame,time_s\n") + c.first);
+        const Arguments arguments = {times / "%d.png", "--focal=50", "--readout=0.03", "--report=-",
+                                     "--log=" + (times / "log.csv")};
+        EXPECT_EQ("", correct(arguments).messages);
+        const std::string messages = correct(arguments + Arguments{"--carry"}).messages;
+        EXPECT_NE(std::string::npos, messages.find(c.second)) << messages;
+        EXPECT_EQ(*c.second ? 1 : 0, std::count(messages.begin(), messages.end(), '\n')) << messages;
+    }
+}
+
 TEST_F(CorrectSequence, number_of_an_input_doesnt_depend_on_others)
 {
     writeContent(folder_ / "log.csv", "frame,time_s\n0,100\n1,101\n2,102\n3,103\n");
