@@ -20,6 +20,7 @@ const char* const ABOUT =
     "Undoes the rolling shutter of images and videos that a car's camera has taken.\n"
     "usage: rsackermann_correct [--option=value]... [--] INPUT...\n"
     "INPUT is an image, a video, a folder of images, a printf pattern of image names or @FILE with one name per line.\n"
+    "Images and videos are files, no pipes.\n"
     "Exit code: 0 all is done, 1 some inputs failed, 2 the command line isn't understood, 130 or 143 interrupted.\n";
 
 // Images come and go. To have their memory from the system anew each time takes as long as to decode them.
