@@ -16,6 +16,7 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
     addTimes(input, frames);
     for (const FrameReport& frame : frames)
     {
+        addReference(frame);
         addGyro(frame);
         addDepth(frame);
     }
@@ -54,6 +55,17 @@ void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>
     }
     if (isVideo)
         lastTime_ = std::numeric_limits<double>::quiet_NaN();
+}
+
+void Warnings::addReference(const FrameReport& frame)
+{
+    const cv::rsackermann::RollingShutterCamera& camera = frame.camera;
+    const int last = (camera.isRowShutter() ? camera.imageSize.height : camera.imageSize.width) - 1;
+    if (camera.referenceRow < 0 || camera.referenceRow > last)
+        warnOnce(
+            cv::format("the reference line, %g, is none of the image's (0 to %d), which may show little of what is "
+                       "seen at its instant",
+                       camera.referenceRow, last));
 }
 
 void Warnings::addGyro(const FrameReport& frame)

@@ -25,6 +25,7 @@ public:
 private:
     void addContradiction(const std::string& input, const std::vector<FrameReport>& frames);
     void addTimes(const std::string& input, const std::vector<FrameReport>& frames);
+    void addReference(const FrameReport& frame);
     void addGyro(const FrameReport& frame);
     void addDepth(const FrameReport& frame);
     void warn(const std::string& message);

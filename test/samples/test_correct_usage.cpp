@@ -118,6 +118,18 @@ TEST(CorrectUsage, line_delay_in_milliseconds)
         << outcome.messages;
 }
 
+// The car is elsewhere then.
+TEST(CorrectUsage, reference_line_far_away)
+{
+    const auto messages = [](const char* line) {
+        return correct({streetFolder() + "/rolling.png", "--report=-", std::string("--reference=") + line}).messages;
+    };
+    for (const char* line : {"0", "379", "last"})
+        EXPECT_EQ("", messages(line));
+    for (const char* line : {"-0.5", "379.5", "1e9"})
+        EXPECT_NE(std::string::npos, messages(line).find("is none of the image's (0 to 379)")) << messages(line);
+}
+
 TEST(CorrectUsage, names_of_results_that_can_not_be)
 {
     const TemporaryFolder folder;
