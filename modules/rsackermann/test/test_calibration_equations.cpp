@@ -1,0 +1,315 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_drive_simulator.hpp"
+#include "../src/calibration/drive_turns.hpp"
+#include "../src/calibration/mount_equations.hpp"
+#include "../src/calibration/mount_solver.hpp"
+#include "../src/factors/robust_losses.hpp"
+
+// The equations of a calibration against the same ones written out, and what their solution keeps.
+
+namespace opencv_test { namespace {
+
+using simulation::StreetDrive;
+
+const double INTERVAL = 1. / 30;
+
+//! Of some frames, with random evidence and connections.
+MountEquations randomEquations(int frames, RNG& rng)
+{
+    MountEquations e;
+    e.cost = 0;
+    Eigen::Matrix<double, FRAME_VALUES + SHARED_VALUES, 1> J;
+    const auto number = [&]() { return rng.gaussian(1); };
+    for (int k = 0; k < frames; k++)
+    {
+        FrameEquations frame;
+        for (int i = 0; i < 20; i++)
+        {
+            J = J.NullaryExpr(number);
+            frame.add(J, Eigen::Matrix<double, 1, 1>(number()), CauchyLoss(1, 1));
+        }
+        e.frames.push_back(frame);
+        for (int i = 0; i < 5; i++)
+        {
+            LinearTerm term(k, number());
+            term.by(unknownOf(k, i % LINKED_VALUES), number());
+            if (k > 0)
+                term.by(unknownOf(k - 1, (i + 1) % LINKED_VALUES), number());
+            term.by(~i, number());
+            e.terms.push_back(term);
+        }
+    }
+    e.prior = MountMatrix::Identity() * 3;
+    e.prior(0, 1) = e.prior(1, 0) = 0.7;
+    e.priorGradient = MountVector::NullaryExpr(number);
+    return e;
+}
+
+//! All unknowns: those of the frames, one after another, and the mount. @param only a frame, or -1 for all and what is
+//! known of the mount.
+void writeOut(const MountEquations& e, int only, Eigen::MatrixXd& information, Eigen::VectorXd& gradient)
+{
+    const int frames = int(e.frames.size()), mount = frames * FRAME_VALUES;
+    information = Eigen::MatrixXd::Zero(mount + MOUNT_VALUES, mount + MOUNT_VALUES);
+    gradient = Eigen::VectorXd::Zero(mount + MOUNT_VALUES);
+    const auto placeOf = [&](int k, int i) {
+        return i < FRAME_VALUES ? k * FRAME_VALUES + i : mount + MOUNT_HEADING + i - FRAME_VALUES;
+    };
+    const auto placeOfLinked = [&](int unknown) {
+        return unknown < 0 ? mount + ~unknown
+                           : unknown / LINKED_VALUES * FRAME_VALUES + SCENE_VALUES + unknown % LINKED_VALUES;
+    };
+    for (int k = 0; k < frames; k++)
+        for (int i = 0; i < FRAME_VALUES + SHARED_VALUES && (only < 0 || only == k); i++)
+        {
+            gradient[placeOf(k, i)] += e.frames[k].gradient[i];
+            for (int j = 0; j < FRAME_VALUES + SHARED_VALUES; j++)
+                information(placeOf(k, i), placeOf(k, j)) += e.frames[k].information(std::max(i, j), std::min(i, j));
+        }
+    for (const LinearTerm& t : e.terms)
+        for (int i = 0; i < t.count && (only < 0 || only == int(t.frame)); i++)
+        {
+            gradient[placeOfLinked(t.unknown[i])] += t.slope[i] * t.value;
+            for (int j = 0; j < t.count; j++)
+                information(placeOfLinked(t.unknown[i]), placeOfLinked(t.unknown[j])) += t.slope[i] * t.slope[j];
+        }
+    if (only >= 0)
+        return;
+    information.bottomRightCorner<MOUNT_VALUES, MOUNT_VALUES>() += e.prior;
+    gradient.tail<MOUNT_VALUES>() += e.priorGradient;
+}
+
+TEST(RSAckermann_CalibrationEquations, elimination)
+{
+    RNG rng(1);
+    for (int frames = 1; frames < 6; frames++)
+    {
+        const MountEquations e = randomEquations(frames, rng);
+        const int own = frames * FRAME_VALUES;
+        Eigen::MatrixXd H;
+        Eigen::VectorXd g;
+        for (const double damping : {0., 0.4})
+        {
+            writeOut(e, -1, H, g);
+            H.diagonal() *= 1 + damping;
+            const Eigen::VectorXd expected = -H.ldlt().solve(g);
+            MountState step;
+            EXPECT_NEAR(-expected.dot(g), e.solve(damping, step), 1e-9 * expected.norm() * g.norm());
+            EXPECT_LT((step.mount - expected.tail<MOUNT_VALUES>()).norm(), 1e-9 * expected.norm());
+            for (int k = 0; k < frames; k++)
+                EXPECT_LT((step.frames[k] - expected.segment<FRAME_VALUES>(k * FRAME_VALUES)).norm(),
+                          1e-9 * expected.norm());
+        }
+        writeOut(e, -1, H, g);
+        const Eigen::MatrixXd byMount = H.topLeftCorner(own, own).ldlt().solve(H.topRightCorner(own, MOUNT_VALUES));
+        const ReducedMount reduced(e);
+        const MountMatrix information = H.bottomRightCorner<MOUNT_VALUES, MOUNT_VALUES>() -
+                                        H.topRightCorner(own, MOUNT_VALUES).transpose() * byMount;
+        EXPECT_LT((reduced.information - information).norm(), 1e-9 * information.norm());
+        const std::vector<MountVector> scores = reduced.scores();
+        for (int k = 0; k < frames; k++)
+        {
+            Eigen::MatrixXd ofFrame;
+            writeOut(e, k, ofFrame, g);
+            const MountVector score = g.tail<MOUNT_VALUES>() - byMount.transpose() * g.head(own);
+            EXPECT_LT((scores[k] - score).norm(), 1e-9 * score.norm());
+            for (int i = 0; i < LINKED_VALUES; i++)
+                EXPECT_LT(
+                    (reduced.linkedByMount().row(unknownOf(k, i)) - byMount.row(k * FRAME_VALUES + SCENE_VALUES + i))
+                        .norm(),
+                    1e-9 * byMount.norm());
+        }
+    }
+}
+
+struct Mode
+{
+    const char* name;
+    double heading; // radians
+    bool hasGyro, shakes;
+};
+
+const Mode MODES[] = {{"forward", 0.02, false, false},
+                      {"looks half right", -0.75, false, false},
+                      {"shakes", 0.02, false, true},
+                      {"shakes with a gyro", 0.02, true, true},
+                      {"shakes with a gyro, looks half right", -0.75, true, true}};
+
+//! The frames of a drive as its points and verticals show them, from the camera as it is.
+struct Recording
+{
+    Recording(const Mode& mode, int count)
+        : camera(Size(960, 540), Matx33d(700, 0, 470, 0, 720, 280, 0, 0, 1)), suspension{0.4 * degree, 0.5},
+          samples(std::make_shared<GyroSamples>())
+    {
+        camera.lineDelay = 0.025 / 540;
+        camera.height = 1.4;
+        camera.heading = mode.heading;
+        camera.setRollPitch(0.02, -0.01);
+        StreetDrive::Options options;
+        options.rowsTurn = mode.shakes;
+        options.tilt = (mode.shakes ? 0.5 : 0.1) * degree;
+        options.sway = [](double size, RNG& rng) { return simulation::onArm(size, 1.5, rng); };
+        options.noise = 0.01;
+        options.outliers = options.clutter = 0;
+        StreetDrive street(camera, 0.02, -0.01, options, 5);
+        AckermannEstimator::Params params;
+        params.gravitySigma = params.vehiclePitchSigma = 0.02;
+        const SequenceState usual(camera, params);
+        for (int k = 0; k < count; k++)
+        {
+            const StreetDrive::Frame f = street.frame(k * INTERVAL, INTERVAL);
+            CalibrationFrame frame;
+            frame.drive = 1;
+            frame.time = f.seconds;
+            frame.before = k > 0 ? frames[k - 1].time : f.seconds - INTERVAL;
+            frame.interval = INTERVAL;
+            std::vector<PointPair> pairs;
+            for (int i = 0; i < f.points.rows; i++)
+            {
+                const Vec4d p = f.points.at<Vec4d>(i, 0);
+                const PointPair pair = {Point2d(p[0], p[1]), Point2d(p[2], p[3])};
+                pairs.push_back(pair);
+            }
+            addBearings(camera, pairs, INTERVAL, frame.bearings);
+            std::vector<UprightSegment> others;
+            Mat segments;
+            f.segments.convertTo(segments, CV_64F);
+            selectCandidates(segments, camera, params, frame.verticals, others);
+            const SequenceFit fit = fitFrame(camera, frame.bearings, frame.verticals, usual, true);
+            std::copy(fit.values, fit.values + FRAME_VALUES, frame.value.data());
+            frame.turn = TurnOfPoints(camera, frame.bearings, fit.values, f.seconds, -INTERVAL);
+            for (int i = 0; i < SCENE_VALUES; i++)
+            {
+                frame.expected[i] = usual.value[i];
+                frame.sigma[i] = std::sqrt(usual.covariance(i, i));
+            }
+            frames.push_back(frame);
+        }
+        Mat times, rates;
+        for (double t = -0.5; t < count * INTERVAL + 0.5; t += 0.004)
+        {
+            times.push_back(t);
+            rates.push_back(Mat(street.rateAt(t).t()));
+        }
+        samples->add(times, rates);
+        if (mode.hasGyro)
+            for (CalibrationFrame& f : frames)
+                f.rowTurns = RowTurns(*samples, GyroAlignment(), true, camera, camera.secondsPerUnitTime(), f.bearings,
+                                      f.time, f.interval);
+    }
+
+    MountFit fit()
+    {
+        MountVector sigma;
+        sigma << 0.05, 0.05, 0.09, 0.3, 0.3;
+        return fitMount(camera, frames, sigma, suspension);
+    }
+
+    //! Median distance of points from where they should be, across the way of their depth.
+    double residual() const
+    {
+        const ResidualSigmas usual = {1, 1, 1};
+        const FrameProblem problem(camera, MountVector::Zero(), 1, usual);
+        std::vector<double> across;
+        std::vector<DepthResidual> along;
+        for (CalibrationFrame f : frames)
+        {
+            problem.weigh(f);
+            problem.addPointResiduals(f, across, along);
+        }
+        std::nth_element(across.begin(), across.begin() + across.size() / 2, across.end());
+        return across[across.size() / 2];
+    }
+
+    RollingShutterCamera camera;
+    std::vector<CalibrationFrame> frames;
+    Suspension suspension;
+    std::shared_ptr<GyroSamples> samples;
+};
+
+typedef testing::TestWithParam<int> CalibrationEquations; // index of MODES
+
+// Gradients are derivatives of the cost: those by the values of a frame next to the result, where they are those of
+// small motions, and those by the mount anywhere.
+TEST_P(CalibrationEquations, gradients)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Recording recording(MODES[GetParam()], 2);
+    const ResidualSigmas sigmas = {0.5, 0.7, 0.6};
+    CalibrationFrame& frame = recording.frames[1];
+    const auto problemAt = [&](const MountVector& mount) { return FrameProblem(recording.camera, mount, 2, sigmas); };
+    MountVector mount;
+    mount << 0, 0, 0.01, 0.2, 0.15;
+    problemAt(mount).weigh(frame);
+    FrameVector value = frame.value;
+    for (int i = 0; i < FRAME_VALUES; i++)
+        value[i] += 0.02 * (i % 2 ? 1 : -1) * std::max(std::abs(value[i]), 0.05);
+    const FrameEquations equations = problemAt(mount).evaluate(frame, value);
+    const double h = 1e-5;
+    for (int i = 0; i < FRAME_VALUES + SHARED_VALUES; i++)
+    {
+        MountVector more = mount, less = mount;
+        FrameVector high = value, low = value;
+        const bool isShared = i >= FRAME_VALUES;
+        (isShared ? more[MOUNT_HEADING + i - FRAME_VALUES] : high[i]) += h;
+        (isShared ? less[MOUNT_HEADING + i - FRAME_VALUES] : low[i]) -= h;
+        const double slope =
+            (problemAt(more).evaluate(frame, high).cost - problemAt(less).evaluate(frame, low).cost) / (4 * h);
+        const double size = std::sqrt(equations.cost * equations.information(i, i));
+        const bool isExact = isShared || i == SEQUENCE_ROLL || i == SEQUENCE_PITCH;
+        EXPECT_NEAR(slope, equations.gradient[i], (isExact ? 1e-5 : 0.05) * size) << i;
+    }
+}
+
+// Wherever the tilts begin, they end where they agree with the turns between frames.
+TEST_P(CalibrationEquations, tilts_are_linked)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Recording one(MODES[GetParam()], 24), other = one;
+    for (size_t k = 0; k < other.frames.size(); k++)
+    {
+        other.frames[k].value[SEQUENCE_ROLL] += (k % 2 ? 0.5 : -0.5) * degree;
+        other.frames[k].value[SEQUENCE_PITCH] -= (k % 2 ? 0.5 : -0.5) * degree;
+    }
+    const MountFit a = one.fit(), b = other.fit();
+    EXPECT_LT((a.value - b.value).cwiseQuotient(a.sigma).norm(), 0.1);
+    EXPECT_LT((a.sigma - b.sigma).cwiseQuotient(a.sigma).norm(), 0.05);
+    for (const std::vector<CalibrationFrame>& frames : {one.frames, other.frames})
+        for (size_t k = 1; k < frames.size(); k++)
+        {
+            const FrameVector &now = frames[k].value, &before = frames[k - 1].value;
+            EXPECT_NEAR(now[FLOW_ROLL_BEFORE], now[SEQUENCE_ROLL] - before[SEQUENCE_ROLL], 0.02 * degree) << k;
+            EXPECT_NEAR(now[FLOW_PITCH_BEFORE], now[SEQUENCE_PITCH] - before[SEQUENCE_PITCH], 0.02 * degree) << k;
+        }
+}
+
+// Of a camera that shakes points are nearer to where they should be if rows are turned back.
+TEST_P(CalibrationEquations, rows_that_turn)
+{
+    if (!MODES[GetParam()].shakes)
+        return;
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Recording plain(MODES[GetParam()], 24), turned = plain;
+    for (CalibrationFrame& f : plain.frames)
+        f.rowTurns = RowTurns();
+    plain.fit();
+    std::list<GyroSamples> curves;
+    if (MODES[GetParam()].hasGyro)
+        turned = Recording(MODES[GetParam()], 24);
+    else
+        curves = turnRowsByNeighbours(turned.camera, 1, turned.frames);
+    turned.fit();
+    RecordProperty("plain", format("%.4f", plain.residual()));
+    RecordProperty("turned", format("%.4f", turned.residual()));
+    EXPECT_LT(turned.residual(), 0.5 * plain.residual());
+}
+
+INSTANTIATE_TEST_CASE_P(RSAckermann, CalibrationEquations, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));
+
+}} // namespace opencv_test::
