@@ -16,8 +16,9 @@ using simulation::Simulator;
 //! A camera in a street with posts of random places, what it sees of them, and an inexact motion.
 struct PostsInStreet
 {
-    explicit PostsInStreet(RNG& rng, double direction = 1, double heading = 0)
-        : camera(RollingShutterCamera::fromFocal(Size(640, 380), 700))
+    //! @param focal pixels. @param looksDown known pitch of the camera.
+    explicit PostsInStreet(RNG& rng, double direction = 1, double heading = 0, double focal = 700, double looksDown = 0)
+        : camera(RollingShutterCamera::fromFocal(Size(640, 380), focal))
     {
         const double wall = heading == 0 ? 5 : 25;
         camera.lineDelay = 80e-6;
@@ -27,6 +28,7 @@ struct PostsInStreet
         params.vehiclePitchSigma = (heading == 0 ? 0.3 : 0.1) * CV_PI / 180;
         yawRate = rng.uniform(-0.8, 0.8);
         speed = direction * rng.uniform(12., 20.);
+        camera.setRollPitch(0, looksDown);
         RollingShutterCamera exact = camera;
         // The car leans to one side, and its nose hardly moves.
         const double ofCar =
@@ -34,7 +36,7 @@ struct PostsInStreet
                      noseDown = heading == 0 ? rng.uniform(-0.005, 0.005) : 0;
         roll = std::cos(heading) * ofCar + std::sin(heading) * noseDown;
         pitch = std::cos(heading) * noseDown - std::sin(heading) * ofCar;
-        exact.setRollPitch(roll, pitch);
+        exact.setRollPitch(roll, looksDown + pitch);
         simulator.reset(new Simulator(Simulator::fromMetric(exact, yawRate, speed, wall, 1.2 * wall, heading)));
         drawStreet();
         for (int i = 0; i < 120; i++)
@@ -114,6 +116,25 @@ struct PostsInStreet
         return cvtest::norm(given, way * inverse, NORM_L1) / cvtest::norm(way * inverse, NORM_L1);
     }
 
+    //! Mean pixels by which the shutter displaces what the image shows.
+    double meanDisplacement() const
+    {
+        const RollingShutterCamera& exact = simulator->camera;
+        double sum = 0;
+        int count = 0;
+        for (int y = 5; y < inverse.rows; y += 10)
+            for (int x = 5; x < inverse.cols; x += 10, count++)
+            {
+                const Point2d raw(x, y);
+                const double t = simulator->time(raw), nearness = std::max(inverse(y, x), 1e-6f);
+                const Vec3d ray = exact.uprightRotation * (exact.cameraMatrix.inv() * Vec3d(x, y, 1)),
+                            P = simulator->drive.position(t) + simulator->drive.turn(ray, t) * (1 / nearness),
+                            pixel = exact.cameraMatrix * (exact.uprightRotation.t() * P);
+                sum += cv::norm(raw - Point2d(pixel[0] / pixel[2], pixel[1] / pixel[2]));
+            }
+        return sum / count;
+    }
+
     RollingShutterCamera camera;
     AckermannEstimator::Params params;
     MotionPrior prior;
@@ -159,6 +180,27 @@ TEST(RSAckermann_DepthAlignment, of_cameras_that_look_sideways)
         EXPECT_NEAR(s.yawRate, 2 * motion.alpha / s.camera.secondsPerUnitTime(), 0.03) << heading;
         EXPECT_NEAR(s.roll, motion.rollCorrection, 0.003) << heading;
         EXPECT_NEAR(s.pitch, motion.pitchCorrection, 0.006) << heading;
+    }
+}
+
+// As far as the shutter displaces what the image shows, in each mode.
+TEST(RSAckermann_DepthAlignment, displacement)
+{
+    RNG rng(10);
+    const double modes[][4] = {{1, 0, 700, 0},    {-1, 0, 700, 0},  {1, 0, 350, 0},   {1, 0, 350, 0.1},
+                               {1, 0, 350, -0.1}, {1, 1.2, 500, 0}, {1, -1.2, 500, 0}};
+    for (const auto& m : modes)
+    {
+        SCOPED_TRACE(testing::Message() << m[0] << " " << m[1] << " " << m[2] << " " << m[3]);
+        PostsInStreet s(rng, m[0], m[1], m[2], m[3]);
+        s.prior.yawRateSigma = 0.002;
+        s.prior.speed = s.speed;
+        s.prior.speedSigma = 0.05;
+        DepthMap depth = s.relative(rng);
+        AckermannMotion motion = s.motion;
+        ASSERT_TRUE(s.align(depth, motion));
+        std::cout << s.meanDisplacement() << " " << motion.expectedRaw << " " << motion.expectedResidual << std::endl;
+        EXPECT_NEAR(s.meanDisplacement(), motion.expectedRaw, 0.15 * motion.expectedRaw);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "opencv2/opencv_modules.hpp"
+#include "../src/features/edges.hpp"
 #include "../src/features/refine_segments.hpp"
 #include "../src/features/segment_finder.hpp"
 
@@ -80,6 +81,92 @@ TEST(RSAckermann_PrivateDetect, segments_move_to_their_edge_from_either_side)
                     EXPECT_NEAR(100, segments[1][end], steps > 1 ? 0.2 : 0.8) << beside;
                 }
             }
+}
+
+//! A blurred edge between two grey levels that crosses some rows: column + slope t + bend t^2, with t from a row.
+struct CurvedEdge
+{
+    const char* name;
+    double column, slope, bend;
+    int begin, end; // rows, of 240
+    bool rises;
+
+    double at(double row) const
+    {
+        const double t = row - 120;
+        return column + t * (slope + t * bend);
+    }
+
+    //! @param beside grey level of the rows that it doesn't cross.
+    Mat draw(int beside) const
+    {
+        Mat image(240, 320, CV_8U, Scalar(beside));
+        for (int y = begin; y < end; y++)
+            for (int x = 0; x < image.cols; x++)
+                image.at<uchar>(y, x) = saturate_cast<uchar>(120 + (rises ? 60 : -60) * std::erf((x - at(y)) / 1.2));
+        return image;
+    }
+};
+
+const CurvedEdge EDGES[] = {{"upright", 160.3, 0, 0, 0, 240, true},
+                            {"falls", 40.6, -0.08, 0, 0, 240, false},
+                            {"begins late", 180.4, 0.2, 0, 130, 240, true},
+                            {"ends early", 180.4, -0.2, 0, 0, 100, false},
+                            {"bent", 150.2, 0.05, 3e-4, 0, 240, true},
+                            {"bent, begins late", 150.2, -0.1, -4e-4, 70, 240, false},
+                            {"bent, ends early", 150.2, 0.2, 4e-4, 20, 180, true}};
+
+// All along its rows, and no farther.
+TEST(RSAckermann_PrivateDetect, edges_are_found_where_they_are)
+{
+    for (const CurvedEdge& edge : EDGES)
+    {
+        SCOPED_TRACE(edge.name);
+        const std::vector<cv::rsackermann::EdgePiece> pieces = cv::rsackermann::findEdges(edge.draw(120), 1, 40);
+        ASSERT_EQ(1u, pieces.size());
+        const cv::rsackermann::EdgePiece& p = pieces[0];
+        EXPECT_NEAR(edge.begin, p.first, 1);
+        EXPECT_NEAR(edge.end - 1, p.last, 1);
+        EXPECT_EQ(edge.rises, p.rises);
+        EXPECT_NEAR(edge.bend, p.curvature, 2e-5);
+        for (double row = p.first; row <= p.last; row++)
+            EXPECT_NEAR(edge.at(row), p.column(row), 0.12) << row;
+    }
+}
+
+// Where it goes on beyond the image as well, along rows or along columns, whatever is seen at its ends.
+TEST(RSAckermann_PrivateDetect, pieces_move_to_their_edge)
+{
+    const double added[][2] = {{0, 0}, {-40, 0}, {0, 25}, {30, -10}}; // to the first and to the last row
+    for (const CurvedEdge& edge : EDGES)
+        for (const auto& rows : added)
+            for (const double ends : {0., 5.})
+                for (const bool isTransposed : {false, true})
+                {
+                    SCOPED_TRACE(testing::Message() << edge.name << " " << rows[0] << " " << rows[1] << " " << ends
+                                                    << " " << isTransposed);
+                    Mat image = edge.draw(120);
+                    cv::rsackermann::EdgePiece p;
+                    p.first = edge.begin + std::max(rows[0], edge.begin > 0 ? 0. : -40.);
+                    p.last = edge.end - 1 + std::min(rows[1], edge.end < 240 ? 0. : 25.);
+                    // Other edges that begin at the ends.
+                    for (int y = cvCeil(p.first); y < p.first + ends; y++)
+                        if (y >= 0)
+                            image.row(y).colRange(cvRound(edge.at(y)), image.cols).setTo(edge.rises ? 60 : 180);
+                    for (int y = cvFloor(p.last); y > p.last - ends; y--)
+                        if (y < image.rows)
+                            image.row(y).colRange(cvRound(edge.at(y)), image.cols).setTo(edge.rises ? 60 : 180);
+                    const double middle = p.middleRow();
+                    p.rises = edge.rises;
+                    p.curvature = edge.bend;
+                    p.slope = edge.slope + 2 * edge.bend * (middle - 120) + 0.004;
+                    p.middle = edge.at(middle) + 0.7;
+                    if (isTransposed)
+                        image = image.t();
+                    cv::rsackermann::EdgeFit(cv::rsackermann::EdgeImage(image, isTransposed)).move(ends, p);
+                    for (double row = p.first; row <= p.last; row++)
+                        EXPECT_NEAR(edge.at(row), p.column(row), 0.03) << row;
+                }
 }
 
 }} // namespace opencv_test::

@@ -404,6 +404,29 @@ TEST(RSAckermann_Sequence, own_bonnet_is_no_distant_road)
     EXPECT_LT(roadErrorBeside(150, Point2d(), true), 0.2);
 }
 
+// However large it is: the points of the scene are those that agree.
+TEST(RSAckermann_Sequence, own_car_is_no_other_scene)
+{
+    RNG rng(12);
+    const RollingShutterCamera camera = driveCamera();
+    const AckermannEstimator::Params params;
+    const Truth truth = {0.2, 11, 8, 6, 0.05};
+    for (const int stillPoints : {0, 100, 400})
+    {
+        std::vector<PointPair> pairs = randomPairs(simulate(camera, truth), 0.1, 200, 0.1, 0.1, rng);
+        for (int k = 0; k < stillPoints; k++)
+        {
+            const Point2d at = uniformPoint(rng, Point2d(0, 300), Point2d(960, 540));
+            pairs.push_back({at, at});
+        }
+        const SequenceFit fit = fitFrame(camera, bearingsOf(camera, pairs, 0.1), std::vector<UprightSegment>(),
+                                         stateOf(camera, truth), false);
+        EXPECT_NEAR(0.9, fit.agreeing, 0.06) << stillPoints;
+        EXPECT_TRUE(fit.moves) << stillPoints;
+        EXPECT_NEAR(truth.yawRate, fit.state.value[SEQUENCE_YAW_RATE], 0.5 * DEGREE) << stillPoints;
+    }
+}
+
 TEST(RSAckermann_Sequence, car_ahead_is_no_distant_road)
 {
     EXPECT_LT(roadErrorBeside(40, Point2d(1, 3), false), 0.2);
@@ -485,6 +508,25 @@ TEST(RSAckermann_Sequence, state_forgets)
     EXPECT_LT(cv::norm(once.covariance - twice.covariance), 1e-9);
     EXPECT_LT(cv::norm(late.value - usual.value), 1e-9);
     EXPECT_LT(cv::norm(late.covariance - usual.covariance), 1e-9);
+}
+
+// Each value within its own time (doc/theory.md, "Sequence"), and what two values have to do with each other as fast.
+TEST(RSAckermann_Sequence, values_are_forgotten_one_by_one)
+{
+    const double memories[SEQUENCE_VALUES] = {2, 10, 1, 1, 1, 1, 10, 10}, seconds = 0.7;
+    const SequenceState usual(driveCamera(), AckermannEstimator::Params());
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+        for (int j = 0; j < SEQUENCE_VALUES; j++)
+        {
+            SequenceState state = usual;
+            state.value[i] += 0.1;
+            state.covariance(i, j) = state.covariance(j, i) = 1e-3;
+            state.predict(seconds);
+            const double kept = std::exp(-seconds / memories[i]), rest = kept * std::exp(-seconds / memories[j]);
+            EXPECT_NEAR(usual.value[i] + 0.1 * kept, state.value[i], 1e-12) << i;
+            EXPECT_NEAR(1e-3 * rest + (i == j ? (1 - rest) * usual.covariance(i, i) : 0), state.covariance(i, j), 1e-12)
+                << i << " " << j;
+        }
 }
 
 TEST(RSAckermann_Sequence, measurement_is_weighed)

@@ -25,6 +25,7 @@ struct Setting
     RollingShutterCorrector::Params params;
     double shaking = 0;   // radians, of the camera's roll and pitch
     double yawChange = 0; // rad/s^2
+    int bonnet = 0;       // rows at the lower end of the image
 
     //! Of roll, pitch and yaw, seconds after the first frame.
     Vec3d shakenAt(double seconds) const { return shaking * Vec3d(std::sin(13 * seconds), -std::sin(17 * seconds), 0); }
@@ -66,6 +67,7 @@ const Mode MODES[] = {{"forward", [](Setting&) {}},
                            s.camera.lineDelay /= 3;
                            s.camera.referenceRow *= 3;
                        }},
+                      {"bonnet", [](Setting& s) { s.bonnet = 60; }},
                       {"gravity is known", [](Setting& s) { s.params.estimator.gravitySigma = 0; }}};
 
 Setting settingOf(const Mode& mode)
@@ -127,6 +129,9 @@ public:
             }
         }
         remap(texture, image, map, noArray(), INTER_LINEAR, BORDER_WRAP);
+        const Rect ofCar(0, image.rows - setting.bonnet, image.cols, setting.bonnet);
+        if (!ofCar.empty())
+            texture(ofCar).copyTo(image(ofCar));
         return image;
     }
 
@@ -388,6 +393,73 @@ TEST_P(SequenceModes, another_street_before)
             EXPECT_NEAR(expected.seenSpeed, motion.seenSpeed, 1e-3) << i;
         }
     }
+}
+
+// In the dark the motion is expected for a second. A clock that is set back begins another sequence.
+TEST_P(SequenceModes, dark_and_again)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const Mat dark(setting.camera.imageSize, CV_8U, Scalar(0));
+    const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING);
+    std::vector<AckermannMotion> first;
+    for (int i = 0; i < FRAMES; i++)
+        first.push_back(correctFrame(*corrector, frames, i, NOTHING));
+    Mat corrected;
+    for (const double after : {0.4, 0.9, 1.1, 1.9})
+    {
+        corrector->setTimestamp((FRAMES - 1) * INTERVAL + after);
+        EXPECT_EQ(after < 1 ? MOTION_OK : MOTION_TOO_FEW_SEGMENTS, corrector->correct(dark, corrected).status) << after;
+    }
+    for (int i = 0; i < FRAMES; i++)
+        expectSame(first[i], correctFrame(*corrector, frames, i, NOTHING));
+}
+
+// How far the scene seems to move, and how well that is known, doesn't depend on its scale.
+TEST_P(SequenceModes, displacement_without_a_scale)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const Ptr<RollingShutterCorrector> plain = createCorrector(setting, Twin(), NOTHING),
+                                       scaled = createCorrector(setting, Twin(), NOTHING);
+    MotionPrior prior;
+    prior.speed = setting.metric.speed;
+    prior.speedSigma = 0.01;
+    scaled->setPrior(prior);
+    for (int i = 0; i < FRAMES; i++)
+    {
+        const AckermannMotion a = correctFrame(*plain, frames, i, NOTHING),
+                              b = correctFrame(*scaled, frames, i, NOTHING);
+        if (i < 2)
+            continue;
+        EXPECT_NEAR(a.expectedRaw, b.expectedRaw, 0.05 * a.expectedRaw);
+        EXPECT_NEAR(a.expectedResidual, b.expectedResidual, 0.3 * a.expectedResidual);
+    }
+}
+
+// A single image that tells the yaw rate replaces what was known of it, and what that had to do with anything else.
+TEST_P(SequenceModes, single_image_within)
+{
+    if (setting.params.estimator.gravitySigma > 0)
+        return; // it would tell nothing
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING);
+    for (int i = 0; i < FRAMES; i++)
+        correctFrame(*corrector, frames, i, NOTHING);
+    const Mat dark(setting.camera.imageSize, CV_8U, Scalar(0));
+    RNG rng(3);
+    const AckermannMotion truth = street.truth(setting, FRAMES);
+    const Mat segments =
+        simulation::randomSegments(Simulator::fromMotion(setting.camera, truth), simulation::SegmentOptions(), rng)
+            .ends;
+    Mat corrected;
+    corrector->setTimestamp(FRAMES * INTERVAL);
+    const AckermannMotion seen = corrector->correctWithSegments(dark, segments, corrected);
+    corrector->setTimestamp((FRAMES + 1) * INTERVAL);
+    const AckermannMotion expected = corrector->correct(dark, corrected);
+    ASSERT_EQ(MOTION_OK, seen.status);
+    ASSERT_EQ(MOTION_OK, expected.status);
+    EXPECT_NEAR(truth.alpha, expected.alpha, 3 * std::sqrt(seen.covariance(0, 0)));
+    for (int i = 1; i < 4; i++)
+        EXPECT_EQ(0, expected.covariance(0, i)) << i;
 }
 
 // Without a gravity it is the gyro and what is given that know the yaw rate of a single image, each by its weight.
