@@ -98,12 +98,12 @@ struct CurvedEdge
     }
 
     //! @param beside grey level of the rows that it doesn't cross.
-    Mat draw(int beside) const
+    Mat draw(int beside, double blur = 1.2) const
     {
         Mat image(240, 320, CV_8U, Scalar(beside));
         for (int y = begin; y < end; y++)
             for (int x = 0; x < image.cols; x++)
-                image.at<uchar>(y, x) = saturate_cast<uchar>(120 + (rises ? 60 : -60) * std::erf((x - at(y)) / 1.2));
+                image.at<uchar>(y, x) = saturate_cast<uchar>(120 + (rises ? 60 : -60) * std::erf((x - at(y)) / blur));
         return image;
     }
 };
@@ -134,39 +134,85 @@ TEST(RSAckermann_PrivateDetect, edges_are_found_where_they_are)
     }
 }
 
+// A line that bends at one place is two, wherever that is.
+TEST(RSAckermann_PrivateDetect, kinks_are_found_where_they_are)
+{
+    for (const int kink : {60, 90, 150, 175})
+        for (const double slope : {-0.25, 0.2})
+        {
+            SCOPED_TRACE(testing::Message() << kink << " " << slope);
+            Mat image(240, 320, CV_8U);
+            const auto at = [&](double y) { return 160.3 + 0.1 * y + (y > kink ? slope * (y - kink) : 0); };
+            for (int y = 0; y < image.rows; y++)
+                for (int x = 0; x < image.cols; x++)
+                    image.at<uchar>(y, x) = saturate_cast<uchar>(120 + 60 * std::erf((x - at(y)) / 1.2));
+            const std::vector<cv::rsackermann::EdgePiece> pieces = cv::rsackermann::findEdges(image, 1, 40);
+            ASSERT_EQ(2u, pieces.size());
+            for (const cv::rsackermann::EdgePiece& p : pieces)
+                for (double row = p.first; row <= p.last; row++)
+                    EXPECT_NEAR(at(row), p.column(row), 0.8) << row;
+            EXPECT_NEAR(kink,
+                        (std::max(pieces[0].first, pieces[1].first) + std::min(pieces[0].last, pieces[1].last)) / 2, 6);
+        }
+}
+
+// A segment is as long as it is, whatever its direction.
+TEST(RSAckermann_PrivateDetect, least_length_in_any_direction)
+{
+    const double minLength = 60;
+    for (const double part : {0.85, 1.15})
+        for (int angle = 0; angle < 180; angle += 6)
+        {
+            SCOPED_TRACE(testing::Message() << part << " " << angle);
+            const int finer = 4;
+            Mat fine(Size(200, 200) * finer, CV_8U, Scalar(60)), image, segments;
+            const Point2d along(std::cos(angle * CV_PI / 180), std::sin(angle * CV_PI / 180)),
+                across(-along.y, along.x), a = along * (part * minLength / 2), b = across * 15, centre(100, 100);
+            std::vector<Point> corners;
+            for (const Point2d& c : {centre + a + b, centre + a - b, centre - a - b, centre - a + b})
+                corners.push_back(Point(c * finer));
+            fillConvexPoly(fine, corners, Scalar(180));
+            resize(fine, image, Size(200, 200), 0, 0, INTER_AREA);
+            GaussianBlur(image, image, Size(), 0.7);
+            cv::rsackermann::SegmentFinder().find(image, DETECTOR_VERTICALS, minLength, segments);
+            EXPECT_TRUE(part > 1 ? segments.rows >= 2 : segments.rows == 0) << segments.rows;
+        }
+}
+
 // Where it goes on beyond the image as well, along rows or along columns, whatever is seen at its ends.
 TEST(RSAckermann_PrivateDetect, pieces_move_to_their_edge)
 {
     const double added[][2] = {{0, 0}, {-40, 0}, {0, 25}, {30, -10}}; // to the first and to the last row
     for (const CurvedEdge& edge : EDGES)
         for (const auto& rows : added)
-            for (const double ends : {0., 5.})
-                for (const bool isTransposed : {false, true})
-                {
-                    SCOPED_TRACE(testing::Message() << edge.name << " " << rows[0] << " " << rows[1] << " " << ends
-                                                    << " " << isTransposed);
-                    Mat image = edge.draw(120);
-                    cv::rsackermann::EdgePiece p;
-                    p.first = edge.begin + std::max(rows[0], edge.begin > 0 ? 0. : -40.);
-                    p.last = edge.end - 1 + std::min(rows[1], edge.end < 240 ? 0. : 25.);
-                    // Other edges that begin at the ends.
-                    for (int y = cvCeil(p.first); y < p.first + ends; y++)
-                        if (y >= 0)
-                            image.row(y).colRange(cvRound(edge.at(y)), image.cols).setTo(edge.rises ? 60 : 180);
-                    for (int y = cvFloor(p.last); y > p.last - ends; y--)
-                        if (y < image.rows)
-                            image.row(y).colRange(cvRound(edge.at(y)), image.cols).setTo(edge.rises ? 60 : 180);
-                    const double middle = p.middleRow();
-                    p.rises = edge.rises;
-                    p.curvature = edge.bend;
-                    p.slope = edge.slope + 2 * edge.bend * (middle - 120) + 0.004;
-                    p.middle = edge.at(middle) + 0.7;
-                    if (isTransposed)
-                        image = image.t();
-                    cv::rsackermann::EdgeFit(cv::rsackermann::EdgeImage(image, isTransposed)).move(ends, p);
-                    for (double row = p.first; row <= p.last; row++)
-                        EXPECT_NEAR(edge.at(row), p.column(row), 0.03) << row;
-                }
+            for (const double blur : {0.8, 1.2, 2.})
+                for (const double ends : {0., 5.})
+                    for (const bool isTransposed : {false, true})
+                    {
+                        SCOPED_TRACE(testing::Message() << edge.name << " " << blur << " " << rows[0] << " " << rows[1]
+                                                        << " " << ends << " " << isTransposed);
+                        Mat image = edge.draw(120, blur);
+                        cv::rsackermann::EdgePiece p;
+                        p.first = edge.begin + std::max(rows[0], edge.begin > 0 ? 0. : -40.);
+                        p.last = edge.end - 1 + std::min(rows[1], edge.end < 240 ? 0. : 25.);
+                        // Other edges that begin at the ends.
+                        for (int y = cvCeil(p.first); y < p.first + ends; y++)
+                            if (y >= 0)
+                                image.row(y).colRange(cvRound(edge.at(y)), image.cols).setTo(edge.rises ? 60 : 180);
+                        for (int y = cvFloor(p.last); y > p.last - ends; y--)
+                            if (y < image.rows)
+                                image.row(y).colRange(cvRound(edge.at(y)), image.cols).setTo(edge.rises ? 60 : 180);
+                        const double middle = p.middleRow();
+                        p.rises = edge.rises;
+                        p.curvature = edge.bend;
+                        p.slope = edge.slope + 2 * edge.bend * (middle - 120) + 0.004;
+                        p.middle = edge.at(middle) + 0.7;
+                        if (isTransposed)
+                            image = image.t();
+                        cv::rsackermann::EdgeFit(cv::rsackermann::EdgeImage(image, isTransposed)).move(ends, p);
+                        for (double row = p.first; row <= p.last; row++)
+                            EXPECT_NEAR(edge.at(row), p.column(row), 0.03) << row;
+                    }
 }
 
 }} // namespace opencv_test::

@@ -43,4 +43,29 @@ TEST(RSAckermann_RelativeDepth, edges_in_common_with_the_image)
     EXPECT_LT(relative.edgesInCommon(atSteps, 25), 0.8 * most);
 }
 
+// Depths err in proportion: the horizon of a road is known nearly as well as its nearest parts allow.
+TEST(RSAckermann_RelativeDepth, road_with_noise)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    RNG rng(4);
+    const double scale = 3, shift = 2, horizon = camera.cameraMatrix(1, 2), f = camera.cameraMatrix(1, 1);
+    double slopes = 0, zeros = 0;
+    const int rounds = 60;
+    for (int round = 0; round < rounds; round++)
+    {
+        Mat values(camera.imageSize, CV_32F);
+        for (int y = 0; y < values.rows; y++)
+            for (int x = 0; x < values.cols; x++)
+                values.at<float>(y, x) =
+                    float(shift + scale * std::max(y - horizon, 0.) / f * (1 + rng.gaussian(0.04)));
+        const DepthMap depth(values, DEPTH_RAW, 1, DEPTH_RELATIVE);
+        const RelativeDepth road(depth, camera, Matx33d::eye());
+        ASSERT_TRUE(road.hasRoad());
+        slopes += std::pow(road.slope() / scale - 1, 2) / rounds;
+        zeros += std::pow((road.infinity() - shift) / scale, 2) / rounds;
+    }
+    EXPECT_LT(std::sqrt(slopes), 0.004);
+    EXPECT_LT(std::sqrt(zeros), 0.00032);
+}
+
 }} // namespace

@@ -623,24 +623,30 @@ TEST(RSAckermann_Sequence, points_are_tracked)
     EXPECT_TRUE(pairs.empty());
 }
 
-// A pixel of an image that was made smaller is in the middle of those that it was made of.
+// A pixel of an image that was made smaller is in the middle of those that it was made of, by others and by the
+// tracker.
 TEST(RSAckermann_Sequence, points_of_a_smaller_image)
 {
     const Mat texture = randomTexture(Size(400, 300), 1.5);
-    std::vector<PointPair> pairs[2];
-    for (int k = 0; k < 2; k++)
-    {
-        PointTracker tracker(COARSE_PIXELS);
-        for (int i = 0; i < 2; i++)
-            tracker.track(texture.colRange(2 * i, 390 + 2 * i).clone(), k ? 4 : 1, pairs[k]);
-    }
-    ASSERT_GT(pairs[0].size(), 100u);
-    ASSERT_EQ(pairs[0].size(), pairs[1].size());
-    for (size_t i = 0; i < pairs[0].size(); i++)
-    {
-        EXPECT_LT(cv::norm(pairs[0][i].now * 4 + Point2d(1.5, 1.5) - pairs[1][i].now), 1e-9);
-        EXPECT_LT(cv::norm(pairs[0][i].other * 4 + Point2d(1.5, 1.5) - pairs[1][i].other), 1e-9);
-    }
+    for (const size_t maxPixels : {COARSE_PIXELS, COARSE_PIXELS / 4})
+        for (const int scale : {2, 4})
+        {
+            std::vector<PointPair> pairs[2];
+            for (int k = 0; k < 2; k++)
+            {
+                PointTracker tracker(maxPixels);
+                for (int i = 0; i < 2; i++)
+                    tracker.track(texture.colRange(2 * i, 390 + 2 * i).clone(), k ? scale : 1, pairs[k]);
+            }
+            ASSERT_GT(pairs[0].size(), 100u);
+            ASSERT_EQ(pairs[0].size(), pairs[1].size());
+            const Point2d shift = Point2d(0.5, 0.5) * (scale - 1);
+            for (size_t i = 0; i < pairs[0].size(); i++)
+            {
+                EXPECT_LT(cv::norm(pairs[0][i].now * scale + shift - pairs[1][i].now), 1e-9);
+                EXPECT_LT(cv::norm(pairs[0][i].other * scale + shift - pairs[1][i].other), 1e-9);
+            }
+        }
 }
 
 // What a car comes nearer to isn't shifted as a whole: a displacement belongs to what has the texture of its window.
