@@ -131,14 +131,15 @@ struct Mode
 {
     const char* name;
     double heading; // radians
+    double referenceRow;
     bool hasGyro, shakes;
 };
 
-const Mode MODES[] = {{"forward", 0.02, false, false},
-                      {"looks half right", -0.75, false, false},
-                      {"shakes", 0.02, false, true},
-                      {"shakes with a gyro", 0.02, true, true},
-                      {"shakes with a gyro, looks half right", -0.75, true, true}};
+const Mode MODES[] = {{"forward", 0.02, 270, false, false},
+                      {"looks half right", -0.75, 0, false, false},
+                      {"shakes", 0.02, 20, false, true},
+                      {"shakes with a gyro", 0.02, 500, true, true},
+                      {"shakes with a gyro, looks half right", -0.75, 270, true, true}};
 
 //! The frames of a drive as its points and verticals show them, from the camera as it is.
 struct Recording
@@ -149,6 +150,7 @@ struct Recording
     {
         camera.lineDelay = 0.025 / 540;
         camera.height = 1.4;
+        camera.referenceRow = mode.referenceRow;
         camera.heading = mode.heading;
         camera.setRollPitch(0.02, -0.01);
         StreetDrive::Options options;
@@ -304,7 +306,9 @@ TEST_P(CalibrationEquations, rows_that_turn)
         turned = Recording(MODES[GetParam()], 24);
     else
         curves = turnRowsByNeighbours(turned.camera, 1, turned.frames);
-    turned.fit();
+    const MountFit fit = turned.fit();
+    for (int i = MOUNT_HEADING; i < MOUNT_VALUES; i++)
+        EXPECT_NEAR(0, fit.value[i], 3 * fit.sigma[i]) << i;
     RecordProperty("plain", format("%.4f", plain.residual()));
     RecordProperty("turned", format("%.4f", turned.residual()));
     EXPECT_LT(turned.residual(), 0.5 * plain.residual());

@@ -164,6 +164,29 @@ TEST_P(CorrectorState, maps_are_those_of_the_last_image)
 }
 
 // A time holds for one image; the one after it is an interval later, whether the image between was there or not.
+// Of an image with a motion that is given there is nothing of an earlier image to be had.
+TEST_P(CorrectorState, motion_that_is_given_after_an_image)
+{
+    const Sequence sequence;
+    const Ptr<Corrector> used = createCorrector(sequence.camera, GetParam()),
+                         unused = createCorrector(sequence.camera, GetParam());
+    Mat corrected, expected;
+    const AckermannMotion motion =
+        used->correctWithSegments(sequence.frame(0), sequence.segments, corrected, noArray(), DepthMap());
+    ASSERT_EQ(MOTION_OK, motion.status);
+    for (Corrector* c : {used.get(), unused.get()})
+    {
+        Mat segments, labels, maps[2];
+        c->correctWithMotion(sequence.frame(1), motion, c == used.get() ? corrected : expected);
+        c->getSegments(segments, labels);
+        EXPECT_TRUE(segments.empty());
+        EXPECT_TRUE(labels.empty());
+        EXPECT_FALSE(c->isDepthUsed());
+        EXPECT_EQ(0, c->getTimings()[0] + c->getTimings()[1]);
+    }
+    EXPECT_EQ(0, cv::norm(expected, corrected, NORM_INF));
+}
+
 TEST_P(CorrectorState, time_of_a_frame)
 {
     const Sequence s;

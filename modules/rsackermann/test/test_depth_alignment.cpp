@@ -17,11 +17,12 @@ using simulation::Simulator;
 struct PostsInStreet
 {
     //! @param focal pixels. @param looksDown known pitch of the camera.
-    explicit PostsInStreet(RNG& rng, double direction = 1, double heading = 0, double focal = 700, double looksDown = 0)
+    explicit PostsInStreet(RNG& rng, double direction = 1, double heading = 0, double focal = 700, double looksDown = 0,
+                           double lineDelay = 80e-6)
         : camera(RollingShutterCamera::fromFocal(Size(640, 380), focal))
     {
         const double wall = heading == 0 ? 5 : 25;
-        camera.lineDelay = 80e-6;
+        camera.lineDelay = lineDelay;
         camera.height = 1.3;
         camera.heading = heading;
         params.gravitySigma = (heading == 0 ? 0.3 : 1) * CV_PI / 180;
@@ -116,23 +117,22 @@ struct PostsInStreet
         return cvtest::norm(given, way * inverse, NORM_L1) / cvtest::norm(way * inverse, NORM_L1);
     }
 
-    //! Mean pixels by which the shutter displaces what the image shows.
+    //! Mean pixels by which the shutter displaces what the image shows, at the places where the library looks.
     double meanDisplacement() const
     {
         const RollingShutterCamera& exact = simulator->camera;
+        const int across = 9, down = 6;
         double sum = 0;
-        int count = 0;
-        for (int y = 5; y < inverse.rows; y += 10)
-            for (int x = 5; x < inverse.cols; x += 10, count++)
-            {
-                const Point2d raw(x, y);
-                const double t = simulator->time(raw), nearness = std::max(inverse(y, x), 1e-6f);
-                const Vec3d ray = exact.uprightRotation * (exact.cameraMatrix.inv() * Vec3d(x, y, 1)),
-                            P = simulator->drive.position(t) + simulator->drive.turn(ray, t) * (1 / nearness),
-                            pixel = exact.cameraMatrix * (exact.uprightRotation.t() * P);
-                sum += cv::norm(raw - Point2d(pixel[0] / pixel[2], pixel[1] / pixel[2]));
-            }
-        return sum / count;
+        for (int i = 0; i < across * down; i++)
+        {
+            const Point2d raw((i % across + 0.5) / across * inverse.cols, (i / across + 0.5) / down * inverse.rows);
+            const double t = simulator->time(raw), nearness = std::max(inverse(raw), 1e-6f);
+            const Vec3d ray = exact.uprightRotation * (exact.cameraMatrix.inv() * Vec3d(raw.x, raw.y, 1)),
+                        P = simulator->drive.position(t) + simulator->drive.turn(ray, t) * (1 / nearness),
+                        pixel = exact.cameraMatrix * (exact.uprightRotation.t() * P);
+            sum += cv::norm(raw - Point2d(pixel[0] / pixel[2], pixel[1] / pixel[2]));
+        }
+        return sum / (across * down);
     }
 
     RollingShutterCamera camera;
@@ -183,7 +183,7 @@ TEST(RSAckermann_DepthAlignment, of_cameras_that_look_sideways)
     }
 }
 
-// As far as the shutter displaces what the image shows, in each mode.
+// As far as the shutter displaces what the image shows: to first order, as that of a short read-out is.
 TEST(RSAckermann_DepthAlignment, displacement)
 {
     RNG rng(10);
@@ -192,15 +192,16 @@ TEST(RSAckermann_DepthAlignment, displacement)
     for (const auto& m : modes)
     {
         SCOPED_TRACE(testing::Message() << m[0] << " " << m[1] << " " << m[2] << " " << m[3]);
-        PostsInStreet s(rng, m[0], m[1], m[2], m[3]);
+        PostsInStreet s(rng, m[0], m[1], m[2], m[3], 4e-6);
         s.prior.yawRateSigma = 0.002;
         s.prior.speed = s.speed;
         s.prior.speedSigma = 0.05;
         DepthMap depth = s.relative(rng);
         AckermannMotion motion = s.motion;
         ASSERT_TRUE(s.align(depth, motion));
-        std::cout << s.meanDisplacement() << " " << motion.expectedRaw << " " << motion.expectedResidual << std::endl;
-        EXPECT_NEAR(s.meanDisplacement(), motion.expectedRaw, 0.15 * motion.expectedRaw);
+        // A tilt is neglected, and sideways it is hardly known.
+        EXPECT_NEAR(s.meanDisplacement(), motion.expectedRaw,
+                    (m[1] == 0 && m[3] == 0 ? 0.04 : 0.12) * motion.expectedRaw);
     }
 }
 
