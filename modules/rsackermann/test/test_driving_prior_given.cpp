@@ -53,6 +53,27 @@ TEST(RSAckermann_DrivingPrior, reverse_has_its_probability)
     EXPECT_NEAR(-2 * std::log(0.003), costOf(terms, back, hypothesis) - costOf(terms, forward, hypothesis), 1e-9);
 }
 
+// Without the distance of a wall the speed is known but for a scale: its direction is as probable as the sign.
+TEST(RSAckermann_DrivingPrior, direction_of_a_given_speed)
+{
+    for (const double sigmas : {-2., -0.5, 0., 0.5, 2.})
+    {
+        MotionPrior given;
+        given.speedSigma = 3;
+        given.speed = sigmas * given.speedSigma;
+        const DrivingPrior terms = makeTerms(given);
+        Model forward, back;
+        forward.direction = 1;
+        back.direction = -1;
+        forward[P_B] = back[P_B] = terms.expectedScaledSpeed();
+        const MotionHypothesis hypothesis(MODEL_3LA, 1);
+        const double ofForward = 0.5 * std::erfc(-sigmas / std::sqrt(2.));
+        EXPECT_NEAR(-2 * std::log((1 - ofForward) / ofForward),
+                    costOf(terms, back, hypothesis) - costOf(terms, forward, hypothesis), 1e-6)
+            << sigmas;
+    }
+}
+
 TEST(RSAckermann_DrivingPrior, line_delay_is_uncertain)
 {
     RollingShutterCamera camera = simulation::paperCamera();

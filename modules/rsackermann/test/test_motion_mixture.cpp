@@ -66,6 +66,37 @@ TEST_F(MixtureOfMotions, of_one_is_that_one)
     EXPECT_EQ(0, best.probabilityWorse);
 }
 
+// Within the motions and between them.
+TEST_F(MixtureOfMotions, covariance_is_that_of_all)
+{
+    add(turning(0.01, 0.002), 0.7);
+    add(turning(0.02, 0.003), 0.3);
+    const Posterior best = mixture.best();
+    const double a = 0.01 - best.model[P_ALPHA], b = 0.02 - best.model[P_ALPHA];
+    EXPECT_NEAR(0.7 * (4e-6 + a * a) + 0.3 * (9e-6 + b * b), best.covariance(P_ALPHA, P_ALPHA), 1e-9);
+}
+
+// On whichever side it is.
+TEST_F(MixtureOfMotions, of_one_wall_is_that_wall)
+{
+    for (const double B : {-0.2, 0.2})
+        for (const int direction : {-1, 1})
+        {
+            SCOPED_TRACE(testing::Message() << B << " " << direction);
+            MotionMixture walls(field, prior, 0);
+            for (const double larger : {1., 1.02})
+            {
+                Fit fit = moving(larger * B, 0);
+                fit.model.direction = direction;
+                walls.add(fit, fit.hypothesis, 0);
+            }
+            const Posterior best = walls.best();
+            EXPECT_NEAR(1.01 * B, best.model[P_B], 0.011 * std::abs(B));
+            EXPECT_EQ(0, best.model[P_LAMBDA]);
+            EXPECT_EQ(direction, best.model.direction);
+        }
+}
+
 // Along one line: of the mean so much that more than half of the probability isn't exceeded.
 TEST_F(MixtureOfMotions, the_majority_is_not_exceeded)
 {
