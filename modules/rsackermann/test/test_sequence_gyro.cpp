@@ -85,42 +85,6 @@ TurnOfPoints turnOfPoints(const Turning& turning, int frame, double noise, RNG& 
 
 const RowSpan IMAGE(-0.016, 0.016);
 
-// What was long ago counts no more: an alignment goes on as one does that begins later, and judges the gyro as that
-// one.
-TEST(RSAckermann_Gyro, forgets)
-{
-    for (const double wrong : {1.5, 3., 5.}) // times the noise: the gyro's error in the last seconds
-    {
-        SCOPED_TRACE(wrong);
-        RNG rng(8);
-        const Turning turning(rng);
-        const TrueGyro gyro = {0.004, 0.5 * DEGREE, Vec3d(0.2, -0.1, 0.3) * DEGREE, Vec3d(1, -1, 0.5) * DEGREE, 1.01};
-        const int count = 2100, begin = 1200, worse = 1950;
-        GyroRates all, last;
-        Mat times, rates;
-        measure(turning, gyro, count * INTERVAL, rng, times, rates);
-        all.samples.add(times, rates);
-        last.samples.add(times, rates);
-        for (int k = 1; k < count; k++)
-        {
-            const TurnOfPoints turn = turnOfPoints(turning, k, (0.3 + (k > worse ? wrong : 0)) * DEGREE, rng);
-            all.add(turn);
-            if (k > begin)
-                last.add(turn);
-            if (k > worse && k % 10 == 0)
-            {
-                EXPECT_EQ(last.contradicts(), all.contradicts()) << k;
-                EXPECT_EQ(last.isWrong(), all.isWrong()) << k;
-            }
-        }
-        const Vec<double, GyroRates::UNKNOWNS> a = last.alignmentSigma(), b = all.alignmentSigma();
-        for (int i = 0; i < GyroRates::UNKNOWNS; i++)
-            EXPECT_NEAR(a[i], b[i], 0.02 * a[i]) << i;
-        EXPECT_NEAR(last.alignment().delay, all.alignment().delay, 0.1 * a[0]);
-        EXPECT_LT(cv::norm(last.alignment().bias - all.alignment().bias), 0.1 * a[4]);
-    }
-}
-
 // The mean rates to the frame before and to the one after.
 TEST(RSAckermann_Gyro, turns_to_both_neighbours)
 {
