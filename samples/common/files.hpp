@@ -23,7 +23,7 @@ cv::Mat readImage(const std::string& path, std::vector<uchar>* exif = nullptr);
 std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image,
                                const std::vector<uchar>& exif = std::vector<uchar>());
 
-//! Whether a name is that of something that can't be read at any place, and more than once, as images and videos are.
+//! Whether a name is that of a pipe or a device: it can't be read at any place, and more than once, as files can.
 bool isPipe(const std::string& path);
 //! What is wrong with it.
 extern const char* const PIPE;

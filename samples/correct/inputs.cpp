@@ -7,6 +7,7 @@
 #include "options.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include "opencv2/imgcodecs.hpp"
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -42,7 +43,7 @@ std::vector<std::string> filesOf(const std::string& folder)
     return std::vector<std::string>(paths.begin(), paths.end());
 }
 
-// Tells of files that are no images by their extensions: videos and depths may be missed.
+// Tells, by their extensions, of files that may be missed.
 std::string toldOf(const std::map<std::string, int>& skipped, const std::string& folder)
 {
     std::string list;
@@ -67,7 +68,7 @@ std::vector<std::string> imagesOf(const std::string& folder, std::vector<std::st
     for (const std::string& path : filesOf(folder))
         if (isOneOf(extension(path), known))
             images.push_back(path);
-        else
+        else if (isVideo(path) || (!isPipe(path) && cv::haveImageReader(path)))
             skipped[extension(path)]++;
     if (!skipped.empty())
         warnings.push_back(toldOf(skipped, folder));

@@ -123,7 +123,7 @@ TEST_F(CorrectResults, report_through_a_named_pipe)
     const std::string pipe = out_ / "pipe", read = out_ / "report.jsonl";
     const Outcome outcome = runCommand("mkfifo '" + pipe + "'; timeout 60 cat '" + pipe + "' >'" + read + "' & '" +
                                        CORRECT_PROGRAM + "' '" + in_.path() + "' '--report=" + pipe + "'; wait");
-    EXPECT_EQ(std::string::npos, outcome.messages.find("pipe")) << outcome.messages;
+    EXPECT_EQ("", outcome.messages);
     EXPECT_EQ(3u, reportLines().size());
 }
 

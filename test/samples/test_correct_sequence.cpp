@@ -102,7 +102,6 @@ TEST_F(CorrectSequence, faults_of_frames_dont_change_the_motion_of_others)
     }
 }
 
-// The row of a log by number is the same however the inputs are named and whichever of them fail.
 // In another unit, or backwards, they leave no sequence: that is said once.
 TEST_F(CorrectSequence, times_that_begin_another_sequence)
 {
@@ -126,6 +125,7 @@ TEST_F(CorrectSequence, times_that_begin_another_sequence)
     }
 }
 
+// The row of a log by number is the same however the inputs are named and whichever of them fail.
 TEST_F(CorrectSequence, number_of_an_input_doesnt_depend_on_others)
 {
     writeContent(folder_ / "log.csv", "frame,time_s\n0,100\n1,101\n2,102\n3,103\n");

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "shared_lines.hpp"
+#include "files.hpp"
 #include "options.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
@@ -16,13 +17,6 @@
 namespace rsackermann_samples {
 
 namespace {
-
-// Whether a path is that of a pipe or a device.
-bool isStream(const std::string& path)
-{
-    struct stat status;
-    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-}
 
 off_t lengthOf(int file)
 {
@@ -75,7 +69,7 @@ std::string contentOf(int file, off_t length)
 SharedLines::SharedLines(const std::string& path)
     : path_(cv::utils::fs::exists(path) ? cv::utils::fs::canonical(path) : path)
 {
-    if (!isStream(path_))
+    if (!isPipe(path_))
         return;
     // For writing alone: otherwise a pipe waits for no reader, and the lines of one that nobody reads yet are lost.
     stream_ = FileDescriptor(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
