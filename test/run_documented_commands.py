@@ -32,6 +32,7 @@ NOT_RUN = {
     'perf/experiments/run_experiments.sh ': 'an hour; the experiment that it calls is run',
     'perf/experiments/plot_focal_error.sh ': 'minutes; the experiment that it calls is run',
     'build/perf/experiments/rsackermann_experiment_drives ': 'needs drives that aren\'t part of the project',
+    'build/perf/experiments/rsackermann_experiment_alike ': 'needs drives that aren\'t part of the project',
     'build/perf/experiments/rsackermann_experiment_frames ': 'needs frames that aren\'t part of the project',
     'build/perf/benchmark/rsackermann_benchmark': 'minutes; that with a filter is run',
     'build/opencv_perf_rsackermann ': 'minutes; a test of its own runs it with one sample',

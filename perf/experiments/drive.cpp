@@ -85,6 +85,22 @@ std::vector<DriveFrame> readDrive(const std::string& folder)
     return frames;
 }
 
+MotionPrior priorOf(const DriveFrame& frame, int given)
+{
+    MotionPrior prior;
+    if (given & 1)
+    {
+        prior.yawRate = frame.yawRate;
+        prior.yawRateSigma = CV_PI / 180;
+    }
+    if (given & 2)
+    {
+        prior.speed = frame.speed;
+        prior.speedSigma = 2 / 3.6;
+    }
+    return prior;
+}
+
 FlowTruth::FlowTruth(const DriveFrame& frame, const cv::Mat& image, const cv::Mat& next)
     : size(image.size()), lineDelay(frame.camera.lineDelay), reference(frame.camera.referenceRow)
 {

@@ -23,6 +23,9 @@ struct DriveFrame
 //! The frames that a folder's frames.csv lists; throws InputError.
 std::vector<DriveFrame> readDrive(const std::string& folder);
 
+//! What a log says of a frame, to 1 deg/s and 2 km/h; @p given: 1 for its yaw rate, 2 for its speed, 3 for both.
+cv::rsackermann::MotionPrior priorOf(const DriveFrame& frame, int given);
+
 /** Where the optical flow to the next frame says that a global shutter would have seen the pixels of a frame.
 
 A raw pixel q that is read at the time t after the reference row and moves by v each second belongs at q - v t. The flow

@@ -75,22 +75,6 @@ void addYawRate(const RollingShutterCamera& camera, double truth, double truthSi
     outcome.deviation = variance > 0 ? std::abs(yawRate - truth) / std::hypot(std::sqrt(variance), truthSigma) : 0;
 }
 
-MotionPrior priorOf(const DriveFrame& frame, int given)
-{
-    MotionPrior prior;
-    if (given & 1)
-    {
-        prior.yawRate = frame.yawRate;
-        prior.yawRateSigma = 1 * DEGREE;
-    }
-    if (given & 2)
-    {
-        prior.speed = frame.speed;
-        prior.speedSigma = 2 / 3.6;
-    }
-    return prior;
-}
-
 // The motion with its maps against the flow to the next frame.
 Outcome measureFrame(const DriveFrame& frame, const AckermannMotion& motion, const cv::Mat maps[2],
                      const FlowTruth& truth)
