@@ -28,6 +28,15 @@ namespace vectors = cv::rsackermann::tested;
 namespace scalars = cv::rsackermann::tested_without_vectors;
 
 const double FOCAL = 800, SIGMA = 0.5, LEAN = 0.002;
+// How exact sums over residuals are. In single precision bearings are rounded to 1e-7, some 1e-4 sigmas of a residual;
+// random segments are hundreds of sigmas away, and where two planes are equally near it may be on the other one.
+struct Precision
+{
+    double relative;
+    double inView;  // farthest end that is compared, over the focal length
+    int exceptions; // of 3000 sets
+};
+const Precision DOUBLE_PRECISION = {1e-10, DBL_MAX, 0}, SINGLE_PRECISION = {5e-3, 5, 3};
 
 Model randomModel(RNG& rng)
 {
@@ -108,12 +117,12 @@ ResidualSums expectedSums(const std::vector<UprightSegment>& segments, const Pre
 double farthestEnd(const SegmentArrays& segments, const PreparedModel& model)
 {
     const int padded = segments.paddedSize();
-    std::vector<double> points(size_t(4) * padded);
+    std::vector<float> points(size_t(4) * padded);
     scalars::compensateSegments(segments, model, points.data());
     double farthest = 0;
     for (int field = 0; field < 4; field++)
         for (int i = 0; i < segments.size(); i++)
-            farthest = std::max(farthest, std::abs(points[size_t(field) * padded + i]));
+            farthest = std::max(farthest, double(std::abs(points[size_t(field) * padded + i])));
     return farthest;
 }
 
@@ -121,34 +130,34 @@ double farthestEnd(const SegmentArrays& segments, const PreparedModel& model)
 a moving end and the middle that moves with it contribute nearly cancels if the end is close to infinity. A compiler
 that fuses multiplications with additions rounds each description of a formula in a way of its own: with FMA 360000 sets
 of segments took up to a tenth of what is allowed. Without it there is only the order of the addition, 1e-15.
-@param farthest end.
+@param eps for numbers of the size of 1.
 */
-void compare(const ResidualSums& expected, const ResidualSums& sums, const FreeParameters& unknowns, double farthest)
+bool areAlike(const ResidualSums& expected, const ResidualSums& sums, const FreeParameters& unknowns, double eps)
 {
-    const double eps = 1e-10 * (1 + farthest);
-    ASSERT_NEAR(expected.cost, sums.cost, eps * (1 + expected.cost));
-    ASSERT_NEAR(expected.weights, sums.weights, eps * (1 + expected.weights));
-    ASSERT_NEAR(expected.influence2, sums.influence2, eps * (1 + expected.influence2));
-    ASSERT_NEAR(expected.slopes, sums.slopes, eps * (1 + expected.weights));
+    const auto isNear = [eps](double a, double b, double size) { return std::abs(a - b) <= eps * (1 + size); };
+    bool alike = isNear(expected.cost, sums.cost, expected.cost) &&
+                 isNear(expected.weights, sums.weights, expected.weights) &&
+                 isNear(expected.influence2, sums.influence2, expected.influence2) &&
+                 isNear(expected.slopes, sums.slopes, expected.weights);
     for (int k = 0; k < unknowns.count; k++)
     {
-        ASSERT_NEAR(expected.gradient[k], sums.gradient[k],
-                    eps * (1 + std::sqrt(expected.hessian[k][k] * expected.cost)))
-            << k;
+        const double square = expected.hessian[k][k];
+        alike = alike && isNear(expected.gradient[k], sums.gradient[k], std::sqrt(square * expected.cost));
         for (int l = 0; l <= k; l++)
-            ASSERT_NEAR(expected.hessian[k][l], sums.hessian[k][l],
-                        eps * (1 + std::sqrt(expected.hessian[k][k] * expected.hessian[l][l])))
-                << k;
+            alike =
+                alike && isNear(expected.hessian[k][l], sums.hessian[k][l], std::sqrt(square * expected.hessian[l][l]));
     }
+    return alike;
 }
 
 typedef void (*AddSegments)(const SegmentArrays&, const PreparedModel&, const RobustLoss&, const FreeParameters&,
                             ResidualSums&);
 
 // Any number of segments, any unknowns, and row times within and beyond what the series serve.
-void testSums(AddSegments add, Residual residual, double slant)
+void testSums(AddSegments add, Residual residual, double slant, const Precision& precision)
 {
     RNG& rng = theRNG();
+    int compared = 0, different = 0;
     for (int i = 0; i < 3000; i++)
     {
         const Model model = randomModel(rng);
@@ -166,22 +175,26 @@ void testSums(AddSegments add, Residual residual, double slant)
         ResidualSums sums;
         add(arrays, prepared, loss, unknowns, sums);
         const double farthest = farthestEnd(arrays, prepared);
-        ASSERT_NO_FATAL_FAILURE(
-            compare(expectedSums(segments, prepared, loss, unknowns, residual), sums, unknowns, farthest))
-            << i;
+        if (farthest > precision.inView)
+            continue;
+        compared++;
+        different += !areAlike(expectedSums(segments, prepared, loss, unknowns, residual), sums, unknowns,
+                               precision.relative * (1 + farthest));
     }
+    EXPECT_GT(compared, 2000);
+    EXPECT_LE(different, precision.exceptions);
 }
 
 TEST(RSAckermann_ResidualKernels, sums_of_verticals)
 {
-    testSums(vectors::addVerticals, vertical, 0.05);
-    testSums(scalars::addVerticals, vertical, 0.05);
+    testSums(vectors::addVerticals, vertical, 0.05, DOUBLE_PRECISION);
+    testSums(scalars::addVerticals, vertical, 0.05, DOUBLE_PRECISION);
 }
 
 TEST(RSAckermann_ResidualKernels, sums_of_directions)
 {
-    testSums(vectors::addDirections, directionResidual, 0.5);
-    testSums(scalars::addDirections, directionResidual, 0.5);
+    testSums(vectors::addDirections, directionResidual, 0.5, SINGLE_PRECISION);
+    testSums(scalars::addDirections, directionResidual, 0.5, SINGLE_PRECISION);
 }
 
 typedef double (*Score)(const SegmentArrays&, const PreparedModel&, double, double, double, int&);
@@ -239,7 +252,7 @@ TEST(RSAckermann_ResidualKernels, street_cost)
         const std::vector<UprightSegment> segments = randomSegments(rng, rng.uniform(0, 20), 0.5, 0.5);
         SegmentArrays arrays;
         arrays.assign(segments);
-        std::vector<double> points(4 * arrays.paddedSize() + 1);
+        std::vector<float> points(4 * arrays.paddedSize() + 1);
         const Model unturned = model;
         vectors::compensateSegments(arrays, PreparedModel(unturned, heading, ratio), points.data());
         const double street = rng.uniform(-1., 1.);
@@ -251,7 +264,7 @@ TEST(RSAckermann_ResidualKernels, street_cost)
             const double r = scale * directionResidual(segments[k], prepared, 0);
             expected += r * r / (1 + r * r);
         }
-        const double x = std::sin(street), z = std::cos(street), eps = 1e-9 * (1 + expected);
+        const double x = std::sin(street), z = std::cos(street), eps = 1e-4 * (1 + expected);
         ASSERT_NEAR(expected, vectors::streetCost(points.data(), arrays.paddedSize(), x, z, scale), eps);
         scalars::compensateSegments(arrays, PreparedModel(unturned, heading, ratio), points.data());
         ASSERT_NEAR(expected, scalars::streetCost(points.data(), arrays.paddedSize(), x, z, scale), eps);

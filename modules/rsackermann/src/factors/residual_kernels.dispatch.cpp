@@ -28,12 +28,12 @@ double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model,
     CV_CPU_DISPATCH(scoreVerticals, (segments, model, focal, threshold, best, inliers), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points)
+void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, float* points)
 {
     CV_CPU_DISPATCH(compensateSegments, (segments, model, points), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-double streetCost(const double* points, int padded, double streetX, double streetZ, double scale)
+double streetCost(const float* points, int padded, double streetX, double streetZ, double scale)
 {
     CV_CPU_DISPATCH(streetCost, (points, padded, streetX, streetZ, scale), CV_CPU_DISPATCH_MODES_ALL);
 }

@@ -45,7 +45,7 @@ struct ResidualSums
 void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                   const FreeParameters& unknowns, ResidualSums& sums);
 
-//! Adds the residuals of the other segments (segment_residuals.hpp).
+//! Adds the residuals of the other segments (segment_residuals.hpp), in single precision.
 void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                    const FreeParameters& unknowns, ResidualSums& sums);
 
@@ -59,14 +59,14 @@ double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model,
 /** The ends of segments as the global-shutter camera sees them.
 @param points receives the four arrays of x and y of the ends u and v, each of the padded size.
 */
-void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points);
+void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, float* points);
 
 /** Robust cost of a street in the direction (streetX, streetZ): the sum of r^2 / (1 + r^2) of the residuals of
 compensated segments (segment_residuals.hpp) times scale.
 @param points of compensateSegments().
 @param padded size of their arrays.
 */
-double streetCost(const double* points, int padded, double streetX, double streetZ, double scale);
+double streetCost(const float* points, int padded, double streetX, double streetZ, double scale);
 
 }} // namespace cv::rsackermann
 

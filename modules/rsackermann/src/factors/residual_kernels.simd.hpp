@@ -19,14 +19,15 @@ void addDirections(const SegmentArrays& segments, const PreparedModel& model, co
                    const FreeParameters& unknowns, ResidualSums& sums);
 double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
                       double best, int& inliers);
-void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points);
-double streetCost(const double* points, int padded, double streetX, double streetZ, double scale);
+void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, float* points);
+double streetCost(const float* points, int padded, double streetX, double streetZ, double scale);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
 namespace {
 
-typedef PackOf<double> Pack;
+typedef PackOf<double> Doubles;
+typedef PackOf<float> Floats;
 
 template <class Number>
 PackOf<Number> load(const SegmentArrays& segments, SegmentArrays::Field field, int i)
@@ -50,8 +51,11 @@ RotatedEnd<PackOf<Number>> endV(const SegmentArrays& s, int i, const PreparedMod
 
 // ResidualSums in vectors. Products of derivatives are summed for a block of vectors at once: each sum goes to memory
 // and back once a block.
+template <class Number>
 class Sums
 {
+    typedef PackOf<Number> Pack;
+
 public:
     Sums(const RobustLoss& loss_, const FreeParameters& unknowns_)
         : unknowns(unknowns_), loss(loss_), cost(0.), weights(0.), influence2(0.), slopes(0.), filled(0)
@@ -134,32 +138,33 @@ void addVerticals(const SegmentArrays& segments, const PreparedModel& model, con
                   const FreeParameters& unknowns, ResidualSums& sums)
 {
     const bool tilt = unknowns.hasTilt();
-    Sums total(loss, unknowns);
-    for (int i = 0; i < segments.size(); i += Pack::COUNT)
+    Sums<double> total(loss, unknowns);
+    for (int i = 0; i < segments.size(); i += Doubles::COUNT)
     {
-        const RotatedEnd<Pack> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
-        const VerticalTerms<Pack> residual(u, v, model);
-        Pack by[PARAMETERS];
+        const RotatedEnd<Doubles> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
+        const VerticalTerms<Doubles> residual(u, v, model);
+        Doubles by[PARAMETERS];
         residual.derivatives(u, v, model, tilt, by);
         total.add(residual.value, by, load<double>(segments, SegmentArrays::SCALE, i));
     }
     total.addTo(sums);
 }
 
+// In single precision, which is 1e-4 pixels: they lean by far more.
 void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                    const FreeParameters& unknowns, ResidualSums& sums)
 {
     const bool tilt = unknowns.hasTilt();
-    const Pack streetX(model.streetX), streetZ(model.streetZ);
-    Sums total(loss, unknowns);
-    for (int i = 0; i < segments.size(); i += Pack::COUNT)
+    const Floats streetX(model.streetX), streetZ(model.streetZ);
+    Sums<float> total(loss, unknowns);
+    for (int i = 0; i < segments.size(); i += Floats::COUNT)
     {
-        const RotatedEnd<Pack> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
-        const CompensatedEnd<Pack> a(u, model), b(v, model);
-        const DirectionTerms<Pack> residual(Chord<Pack>(a.x, a.y, b.x, b.y), streetX, streetZ);
-        Pack by[PARAMETERS];
+        const RotatedEnd<Floats> u = endU<float>(segments, i, model), v = endV<float>(segments, i, model);
+        const CompensatedEnd<Floats> a(u, model), b(v, model);
+        const DirectionTerms<Floats> residual(Chord<Floats>(a.x, a.y, b.x, b.y), streetX, streetZ);
+        Floats by[PARAMETERS];
         residual.derivatives(u, v, a, b, model, tilt, by);
-        total.add(residual.value, by, load<double>(segments, SegmentArrays::SCALE, i));
+        total.add(residual.value, by, load<float>(segments, SegmentArrays::SCALE, i));
     }
     total.addTo(sums);
 }
@@ -168,21 +173,20 @@ void addDirections(const SegmentArrays& segments, const PreparedModel& model, co
 double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
                       double best, int& inliers)
 {
-    typedef PackOf<float> Vector;
-    const Vector limit(threshold * threshold);
+    const Floats limit(threshold * threshold);
     const int betweenChecks = 4;
     double sum = 0, inside = 0;
     int i = 0;
     while (i < segments.size() && sum < best)
     {
-        Vector part(0.), count(0.);
-        for (int k = 0; k < betweenChecks && i < segments.size(); k++, i += Vector::COUNT)
+        Floats part(0.), count(0.);
+        for (int k = 0; k < betweenChecks && i < segments.size(); k++, i += Floats::COUNT)
         {
-            const VerticalTerms<Vector> residual(endU<float>(segments, i, model), endV<float>(segments, i, model),
+            const VerticalTerms<Floats> residual(endU<float>(segments, i, model), endV<float>(segments, i, model),
                                                  model);
-            const Vector r = residual.value * focal, r2 = r * r;
+            const Floats r = residual.value * focal, r2 = r * r;
             part = part + choose(r2 < limit, r2, limit);
-            count = count + choose(r2 < limit, Vector(1), Vector(0.));
+            count = count + choose(r2 < limit, Floats(1), Floats(0.));
         }
         sum += part.sum();
         inside += count.sum();
@@ -192,13 +196,13 @@ double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model,
     return sum;
 }
 
-void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, double* points)
+void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, float* points)
 {
     const int padded = segments.paddedSize();
-    for (int i = 0; i < padded; i += Pack::COUNT)
+    for (int i = 0; i < padded; i += Floats::COUNT)
     {
-        const CompensatedEnd<Pack> a(endU<double>(segments, i, model), model),
-            b(endV<double>(segments, i, model), model);
+        const CompensatedEnd<Floats> a(endU<float>(segments, i, model), model),
+            b(endV<float>(segments, i, model), model);
         a.x.store(points + i);
         a.y.store(points + padded + i);
         b.x.store(points + 2 * padded + i);
@@ -206,23 +210,23 @@ void compensateSegments(const SegmentArrays& segments, const PreparedModel& mode
     }
 }
 
-double streetCost(const double* points, int padded, double streetX, double streetZ, double scale)
+double streetCost(const float* points, int padded, double streetX, double streetZ, double scale)
 {
-    const Pack x(streetX), z(streetZ), acrossX(-streetZ), scale2(scale * scale);
-    Pack sum(0.);
-    for (int i = 0; i < padded; i += Pack::COUNT)
+    const Floats x(streetX), z(streetZ), acrossX(-streetZ), scale2(scale * scale);
+    Floats sum(0.);
+    for (int i = 0; i < padded; i += Floats::COUNT)
     {
-        const Chord<Pack> chord(Pack::load(points + i), Pack::load(points + padded + i),
-                                Pack::load(points + 2 * padded + i), Pack::load(points + 3 * padded + i));
+        const Chord<Floats> chord(Floats::load(points + i), Floats::load(points + padded + i),
+                                  Floats::load(points + 2 * padded + i), Floats::load(points + 3 * padded + i));
         // Squares, and fractions compared without division: this is done for many directions.
-        Pack along2, alongLength2, across2, acrossLength2;
+        Floats along2, alongLength2, across2, acrossLength2;
         chord.momentAround(x, z, along2, alongLength2);
         chord.momentAround(acrossX, x, across2, acrossLength2);
         along2 = along2 * along2;
         across2 = across2 * across2;
-        const Pack::Mask isAlong = along2 * acrossLength2 < across2 * alongLength2;
-        const Pack moment2 = scale2 * choose(isAlong, along2, across2),
-                   length2 = choose(isAlong, alongLength2, acrossLength2);
+        const Floats::Mask isAlong = along2 * acrossLength2 < across2 * alongLength2;
+        const Floats moment2 = scale2 * choose(isAlong, along2, across2),
+                     length2 = choose(isAlong, alongLength2, acrossLength2);
         sum = sum + moment2 / (length2 + moment2);
     }
     return sum.sum();

@@ -19,7 +19,7 @@ void SegmentArrays::assign(const std::vector<UprightSegment>& segments)
         for (int field = 0; field < SCALE; field++)
             numbers[size_t(field) * padded + i] = values[field];
     }
-    rounded.assign(numbers.begin(), numbers.begin() + size_t(SCALE) * padded);
+    rounded.assign(numbers.begin(), numbers.end());
 }
 
 // A detector fits a chord to an image that the lens has bent, to a parabola: its distance is the sagitta times
@@ -32,8 +32,12 @@ static double detectionSigma(const UprightSegment& segment, double sigma)
 void SegmentArrays::weigh(const std::vector<UprightSegment>& segments, double focal, double sigma, double lean)
 {
     for (int i = 0; i < count; i++)
-        numbers[size_t(SCALE) * padded + i] =
+    {
+        const size_t place = size_t(SCALE) * padded + i;
+        numbers[place] =
             focal / std::hypot(detectionSigma(segments[i], sigma), focal * lean * norm(segments[i].u - segments[i].v));
+        rounded[place] = float(numbers[place]);
+    }
 }
 
 }} // namespace cv::rsackermann

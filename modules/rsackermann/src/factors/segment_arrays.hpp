@@ -31,8 +31,7 @@ public:
 
     int size() const { return count; }
     int paddedSize() const { return padded; }
-    //! In the precision of the second argument, which is only there to choose it. There is SCALE in double precision
-    //! alone.
+    //! In the precision of the second argument, which is only there to choose it.
     const double* at(Field field, double) const { return numbers.data() + size_t(field) * padded; }
     const float* at(Field field, float) const { return rounded.data() + size_t(field) * padded; }
 

@@ -33,7 +33,7 @@ bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypo
     if (problem.others.empty())
         return false;
     const int padded = problem.otherArrays.paddedSize();
-    AutoBuffer<double> points(4 * size_t(padded));
+    AutoBuffer<float> points(4 * size_t(padded));
     compensateSegments(problem.otherArrays, PreparedModel(model, problem.heading, problem.roadRatio), points.data());
 
     const double scale = problem.focal / (COARSENESS * problem.directionSigma);
