@@ -29,7 +29,7 @@ public:
     AckermannMotion estimate(InputArray segments, OutputArray labels, const MotionPrior& prior) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        return runAndCompare(segmentRows(segments), labels, prior);
+        return run(segmentRows(segments), labels, prior);
     }
 
     AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels,
@@ -41,18 +41,22 @@ public:
         detectSegments(image, found, params.detector, params.minLength);
         if (segments.needed())
             returnSegments(found, segments);
-        return runAndCompare(segmentRows(found), labels, prior);
+        return run(segmentRows(found), labels, prior);
     }
 
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_AckermannEstimator"; }
 
 private:
-    AckermannMotion runAndCompare(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
     AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
-    RefinementProblem makeProblem(const MotionLimits& limits) const;
-    int findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion, Mat& labels) const;
+    RefinementProblem makeProblem(const Mat& segments, const MotionLimits& limits) const;
+    void findMotion(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
+                    Mat& labels) const;
+    void decide(const RefinementProblem& problem, const Mat& segments, const MotionPrior& prior, Posterior& found,
+                AckermannMotion& motion) const;
     void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
                 AckermannMotion& motion) const;
+    void compareWithSeen(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior,
+                         AckermannMotion& motion) const;
 };
 
 // The azimuth's tangent of a pixel, in the upright frame.
@@ -64,7 +68,7 @@ static double uprightColumn(const RollingShutterCamera& camera, const Point2d& p
     return bearing[0] / bearing[2];
 }
 
-RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits) const
+RefinementProblem AckermannEstimatorImpl::makeProblem(const Mat& segments, const MotionLimits& limits) const
 {
     RefinementProblem problem(limits);
     problem.uprightRotation = camera.uprightRotation;
@@ -80,18 +84,16 @@ RefinementProblem AckermannEstimatorImpl::makeProblem(const MotionLimits& limits
     const double middle = (camera.imageSize.height - 1) / 2.;
     problem.leftmost = uprightColumn(camera, Point2d(0, middle));
     problem.rightmost = uprightColumn(camera, Point2d(camera.imageSize.width - 1, middle));
+    selectCandidates(segments, camera, params, problem.verticals, problem.others);
+    problem.arrange();
     return problem;
 }
 
 // The estimate is near a given value whatever the image shows: a contradiction shows without the values alone, since
 // one that is wrong would make the other one look so.
-AckermannMotion AckermannEstimatorImpl::runAndCompare(const Mat& segments, OutputArray labels,
-                                                      const MotionPrior& prior) const
+void AckermannEstimatorImpl::compareWithSeen(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior,
+                                             AckermannMotion& motion) const
 {
-    AckermannMotion motion = run(segments, labels, prior);
-    const bool isGiven = prior.yawRateSigma > 0 || prior.speedSigma > 0;
-    if (!isGiven || !(camera.lineDelay > 0) || (motion.status != MOTION_OK && motion.status != MOTION_NOT_SIGNIFICANT))
-        return motion;
     // What is seen decides, not how seldom cars reverse, or drive or turn as fast as is given.
     AckermannEstimatorImpl neutral(*this);
     MotionPrior others = prior;
@@ -103,16 +105,17 @@ AckermannMotion AckermannEstimatorImpl::runAndCompare(const Mat& segments, Outpu
         neutral.params.reverseProbability = 1;
         neutral.params.priorSpeed = std::max(std::abs(prior.speed), prior.speedSigma);
     }
-    const AckermannMotion seen = neutral.run(segments, noArray(), others);
+    AckermannMotion seen;
+    Mat labels;
+    neutral.findMotion(problem, segments, others, seen, labels);
     if (seen.status != MOTION_OK)
-        return motion;
+        return;
     const Matx44d covariance = seen.metricCovariance(camera);
     if (prior.yawRateSigma > 0 && covariance(0, 0) > 0 && seen.yawRate(camera, motion.seenYawRate))
         motion.seenYawRateSigma = std::sqrt(covariance(0, 0));
     if (prior.speedSigma > 0 && covariance(1, 1) > 0 && seen.speed(camera, motion.seenSpeed))
         motion.seenSpeedSigma = std::sqrt(covariance(1, 1));
     compareWithGiven(prior, showsOtherDirection(seen, prior), motion);
-    return motion;
 }
 
 AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const
@@ -124,47 +127,56 @@ AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray lab
         motion.status = MOTION_NOT_OBSERVABLE;
     else
     {
-        const MotionLimits limits(camera, params);
-        const DrivingPrior driving(prior, camera, params, limits);
-        RefinementProblem problem = makeProblem(limits);
-        problem.prior = &driving;
-        problem.roadRatio = driving.roadRatio();
-        selectCandidates(segments, camera, params, problem.verticals, problem.others);
-        problem.arrange();
+        RefinementProblem problem = makeProblem(segments, MotionLimits(camera, params));
         for (size_t i = 0; i < problem.verticals.size(); i++)
             labels.at<uchar>(problem.verticals[i].index) = SEGMENT_OUTLIER;
         motion.candidates = (int)problem.verticals.size();
-        Posterior found;
-        motion.status = motion.candidates < params.minCandidates ? MOTION_TOO_FEW_SEGMENTS
-                                                                 : findMotion(problem, found, motion, labels);
-        if (motion.status == MOTION_OK)
-            addFocalUncertainty(problem, camera, params, prior, segments, found);
-        if (motion.status == MOTION_OK && !(found.expectedResidual < found.expectedRaw))
-            motion.status = MOTION_NOT_SIGNIFICANT;
-        motion.expectedRaw = found.expectedRaw;
-        motion.expectedResidual = found.expectedResidual;
-        if (motion.status == MOTION_OK)
-        {
-            motion.probabilityWorse = found.probabilityWorse;
-            report(problem, prior, found, motion);
-        }
+        if (motion.candidates < params.minCandidates)
+            motion.status = MOTION_TOO_FEW_SEGMENTS;
         else
-            motion.expectedResidual = motion.expectedRaw;
+            findMotion(problem, segments, prior, motion, labels);
+        const bool isGiven = prior.yawRateSigma > 0 || prior.speedSigma > 0;
+        if (isGiven && camera.lineDelay > 0 && (motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT))
+            compareWithSeen(problem, segments, prior, motion);
     }
     if (labels_.needed())
         labels.copyTo(labels_);
     return motion;
 }
 
-// Returns the status.
-int AckermannEstimatorImpl::findMotion(RefinementProblem& problem, Posterior& found, AckermannMotion& motion,
-                                       Mat& labels) const
+// Sets the motion with its status. Without labels they aren't needed.
+void AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior,
+                                        AckermannMotion& motion, Mat& labels) const
 {
-    if (!explorePosterior(problem, params, DisplacementField(camera, problem.ends()), found))
-        return MOTION_NO_CONSENSUS;
-    const Agreement agreement = {problem.focal, params.threshold, problem.lean};
-    labelInliers(problem.verticals, found.model, problem.heading, agreement, motion, labels);
-    return found.hypothesis.motion != MODEL_NONE ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+    const DrivingPrior driving(prior, camera, params, problem.limits);
+    problem.prior = &driving;
+    problem.roadRatio = driving.roadRatio();
+    Posterior found;
+    if (explorePosterior(problem, params, DisplacementField(camera, problem.ends()), found))
+    {
+        const Agreement agreement = {problem.focal, params.threshold, problem.lean};
+        if (!labels.empty())
+            labelInliers(problem.verticals, found.model, problem.heading, agreement, motion, labels);
+        decide(problem, segments, prior, found, motion);
+    }
+    else
+        motion.status = MOTION_NO_CONSENSUS;
+    problem.prior = 0;
+}
+
+void AckermannEstimatorImpl::decide(const RefinementProblem& problem, const Mat& segments, const MotionPrior& prior,
+                                    Posterior& found, AckermannMotion& motion) const
+{
+    const bool moves = found.hypothesis.motion != MODEL_NONE;
+    if (moves)
+        addFocalUncertainty(problem, camera, params, prior, segments, found);
+    motion.expectedRaw = motion.expectedResidual = found.expectedRaw;
+    motion.status = moves && found.expectedResidual < found.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+    if (motion.status != MOTION_OK)
+        return;
+    motion.expectedResidual = found.expectedResidual;
+    motion.probabilityWorse = found.probabilityWorse;
+    report(problem, prior, found, motion);
 }
 
 void AckermannEstimatorImpl::report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,

@@ -63,9 +63,12 @@ public:
 
     bool run(Posterior& result)
     {
-        problem.lossScale = SLANT_SCALE; // until the noise is known
-        problem.lean = 0;
-        problem.weigh();
+        if (!problem.noiseIsKnown)
+        {
+            problem.lossScale = SLANT_SCALE; // until then
+            problem.lean = 0;
+            problem.weigh();
+        }
         dependence = dependenceOf(problem.rollSigma());
         Fit rest = Fit(MotionHypothesis(MODEL_NONE, 0));
         rest.model[P_STREET] = problem.heading.angle;
@@ -211,12 +214,13 @@ private:
     // Noise and fits, in turn; then by how much the evidence says less than its number.
     void measureNoise(Fit& rest, std::vector<WeighedHypothesis>& moving)
     {
-        const int passes = 3;
+        const int passes = problem.noiseIsKnown ? 1 : 3;
         for (int pass = 0; pass < passes; pass++)
         {
             setNoise(leastOf(rest, moving));
             refineAll(rest, moving);
         }
+        problem.noiseIsKnown = true;
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
         ownNoise = ownNoiseOf(leastOf(rest, moving));

@@ -29,7 +29,8 @@ struct Posterior
 
 A camera at rest, a pure rotation and a motion between walls are explored over the yaw rate; the other unknowns are
 refined at each.
-@param problem with a driving prior; its noise becomes the one that was found.
+@param problem with a driving prior; its noise becomes the one that was found, from which another exploration of it,
+with another prior, starts.
 @return false if no motion within the limits could be refined.
 */
 bool explorePosterior(RefinementProblem& problem, const AckermannEstimator::Params& params,

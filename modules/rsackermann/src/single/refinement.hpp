@@ -28,6 +28,7 @@ struct RefinementProblem
     double lean;                // radians, by which verticals of the scene lean, whatever their length
     double directionSigma;      // pixels, of the residual of another segment
     double lossScale;           // of the robust loss, in sigmas
+    bool noiseIsKnown;          // whether sigma, lean and lossScale are those that were measured
     double verticalWeight;      // of the evidence of a vertical: below 1 if they err together
     double otherWeight;         // the same for another segment
     double roadRatio;           // distance of the left (or only) wall over the height of the camera
@@ -39,8 +40,8 @@ struct RefinementProblem
 
     explicit RefinementProblem(const MotionLimits& l)
         : limits(l), uprightRotation(Matx33d::eye()), distortionSigma(0), heading(0), focal(1), sigma(1), lean(0),
-          directionSigma(1), lossScale(1), verticalWeight(1), otherWeight(1), roadRatio(1), gravitySigma(0),
-          vehiclePitchSigma(0), streetDeviation(0), prior(0), leftmost(0), rightmost(0)
+          directionSigma(1), lossScale(1), noiseIsKnown(false), verticalWeight(1), otherWeight(1), roadRatio(1),
+          gravitySigma(0), vehiclePitchSigma(0), streetDeviation(0), prior(0), leftmost(0), rightmost(0)
     {
     }
 
