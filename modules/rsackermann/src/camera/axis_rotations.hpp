@@ -10,24 +10,18 @@
 
 namespace cv { namespace rsackermann {
 
-//! Camera frame to upright frame of a camera with that roll, positive if it is turned clockwise seen from behind.
-inline Matx33d rollRotation(double roll)
+//! Camera frame to upright frame of a camera that is turned clockwise, seen from behind, by a roll, and down by a
+//! pitch.
+inline Matx33d tiltRotation(double sinRoll, double cosRoll, double sinPitch, double cosPitch)
 {
-    const double c = std::cos(roll), s = std::sin(roll);
-    return Matx33d(c, -s, 0, s, c, 0, 0, 0, 1);
+    return Matx33d(cosRoll, -sinRoll * cosPitch, -sinRoll * sinPitch, sinRoll, cosRoll * cosPitch, cosRoll * sinPitch,
+                   0, -sinPitch, cosPitch);
 }
 
-//! Camera frame to upright frame of a camera with that pitch, positive if it looks down.
-inline Matx33d pitchRotation(double pitch)
-{
-    const double c = std::cos(pitch), s = std::sin(pitch);
-    return Matx33d(1, 0, 0, 0, c, s, 0, -s, c);
-}
-
-//! Camera frame to upright frame of a camera with that roll and pitch.
+//! The same, by the angles.
 inline Matx33d tiltRotation(double roll, double pitch)
 {
-    return rollRotation(roll) * pitchRotation(pitch);
+    return tiltRotation(std::sin(roll), std::cos(roll), std::sin(pitch), std::cos(pitch));
 }
 
 //! Frame of a camera that has turned right by that yaw to the frame before.

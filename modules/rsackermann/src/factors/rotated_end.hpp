@@ -58,7 +58,7 @@ struct RotatedEnd
             sincTerms(half, sincHalf, cosHalf, slope);
         row = RowMotionOf<T>(half, sincHalf, cosHalf, m.heading, t);
         tauByAlpha = t * t * slope;
-        // rollRotation() * pitchRotation() * bearing
+        // tiltRotation() * bearing
         yPitched = by * m.cosPitch + m.sinPitch;
         z = T(m.cosPitch) - by * m.sinPitch;
         x = bx * m.cosRoll - yPitched * m.sinRoll;

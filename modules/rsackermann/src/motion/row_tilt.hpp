@@ -7,6 +7,7 @@
 
 #include "opencv2/rsackermann/motion.hpp"
 #include "../camera/axis_rotations.hpp"
+#include "compensation.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -58,7 +59,11 @@ public:
     //! Upright frame of a row to that of one that only yaws.
     Matx33d at(double time) const
     {
-        const Matx33d steady = tiltRotation(rollRate * time, pitchRate * time);
+        const double roll = rollRate * time, pitch = pitchRate * time;
+        double sincRoll, cosRoll, sincPitch, cosPitch;
+        sincAndCos(roll, sincRoll, cosRoll);
+        sincAndCos(pitch, sincPitch, cosPitch);
+        const Matx33d steady = tiltRotation(roll * sincRoll, cosRoll, pitch * sincPitch, cosPitch);
         return curve.empty() ? steady : steady * curve.rotation(time);
     }
 

@@ -16,7 +16,7 @@ GlobalCamera::GlobalCamera(const RollingShutterCamera& camera, const WarpMapGene
 }
 
 // Smaller squares are solved pixel by pixel.
-static const int MIN_PATCH = 16;
+static const int MIN_PATCH = 8;
 
 void TileFiller::fill(MapWriter::Tile& tile) const
 {
