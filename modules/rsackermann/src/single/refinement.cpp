@@ -201,7 +201,7 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
 {
     const ModelProblem ofModel(problem, hypothesis, evidence);
     ModelProblem::Equations equations;
-    MinimizerOptions options(maxIterations, 1e-12, 1e-5);
+    MinimizerOptions options(maxIterations, 1e-12, 3e-6);
     options.farthest = farthest;
     minimize(ofModel, options, model, equations);
     if (covariance)
