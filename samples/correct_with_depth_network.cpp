@@ -73,8 +73,8 @@ Task readTask(const Options& options)
     if (options.given("wall"))
         task.params.estimator.wallDistance = options.number("wall", 0, 1e5, false);
     task.kind = options.choice("depth_kind", {"relative", "metric"}) == 0 ? DEPTH_RELATIVE : DEPTH_METRIC;
-    task.output = options.text("output");
-    task.depth = options.given("depth_output") ? options.text("depth_output") : "";
+    task.output = options.outputFile("output");
+    task.depth = options.given("depth_output") ? options.outputFile("depth_output") : "";
     task.overwrite = options.flag("overwrite");
     task.inputs = listInputs(options.arguments());
     for (const std::string& warning : task.inputs.warnings)

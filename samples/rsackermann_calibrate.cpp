@@ -65,7 +65,7 @@ Task readTask(const Options& options)
     if (task.camera.scan == cv::rsackermann::SCAN_LEFT_TO_RIGHT ||
         task.camera.scan == cv::rsackermann::SCAN_RIGHT_TO_LEFT)
         throw UsageError("the lines of the sensor are columns of the image (scan): no vertical shows the motion");
-    task.output = options.text("output");
+    task.output = options.outputFile("output");
     task.params.estimator.detector = readDetector(options);
     task.inputs = listInputs(options.arguments());
     for (const std::string& warning : task.inputs.warnings)

@@ -101,10 +101,10 @@ void checkTargets(const Options& options, const std::vector<MotionFrame>& frames
     };
     for (const char* name : {"row_poses", "tracks_output", "points_output", "gcsv", "mesh"})
         if (options.given(name))
-            addOutput(options.text(name), std::string("--") + name);
+            addOutput(options.outputFile(name), std::string("--") + name);
     const bool hasMasks = options.given("colmap"), hasStMaps = options.given("stmap");
     if (hasMasks)
-        addOutput(options.text("colmap") + "/cameras.txt", "--colmap");
+        addOutput(options.outputFile("colmap") + "/cameras.txt", "--colmap");
     std::set<std::pair<std::string, int>> planned; // a report may have a frame twice, and the last line counts
     for (const MotionFrame& frame : frames)
     {
@@ -114,7 +114,7 @@ void checkTargets(const Options& options, const std::vector<MotionFrame>& frames
             addOutput(colmapMask(options.text("colmap"), frame), frame.input);
         for (const char* direction : {"rectify", "distort"})
             if (hasStMaps)
-                addOutput(stMapFile(options.text("stmap"), frame, direction, options.text("stmap_format")),
+                addOutput(stMapFile(options.outputFile("stmap"), frame, direction, options.text("stmap_format")),
                           frame.input);
     }
     for (const std::string& path : results)

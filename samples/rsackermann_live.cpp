@@ -151,7 +151,7 @@ void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const Ac
 
 void checkPicture(const Options& options)
 {
-    const std::string path = options.text("picture");
+    const std::string path = options.outputFile("picture");
     if (!cv::haveImageWriter(path))
         throw UsageError("option --picture: " + path + " has the extension of no image format that can be written");
     OutputPlan plan;

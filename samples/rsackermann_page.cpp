@@ -87,7 +87,7 @@ Task readTask(const Options& options)
             throw UsageError(std::string("--") + name + " is missing");
     Task task;
     task.report = options.inputFile("report");
-    task.output = options.text("output");
+    task.output = options.outputFile("output");
     task.width = options.integer("width", 16, 65535);
     task.frames = readPageFrames(task.report);
     if (task.frames.size() > size_t(options.integer("embed", 0, INT_MAX)))

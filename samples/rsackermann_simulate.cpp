@@ -190,7 +190,7 @@ void checkResults(const Options& options, const std::vector<std::string>& result
 
 void writeDrive(const Options& options, const CameraSettings& settings, const Truth& truth)
 {
-    const DriveFiles files = {options.text("output") + "/",
+    const DriveFiles files = {options.outputFile("output") + "/",
                               options.integer("frames", 1, 100000),
                               options.integer("samples", 1, 16),
                               settings,
@@ -242,7 +242,7 @@ int run(const Options& options)
     const int samples = options.integer("samples", 1, 16);
     const street::StreetRenderer::Rays rays = raysOf(options);
 
-    const std::string folder = options.text("output") + "/";
+    const std::string folder = options.outputFile("output") + "/";
     const std::string rolling = folder + "rolling.png", global = folder + "global.png";
     const std::string truthFile = folder + "truth.json", camera = folder + "camera.yml";
     const std::string rollingDepth = folder + "rolling_depth.png", globalDepth = folder + "global_depth.png";

@@ -146,6 +146,14 @@ std::string Options::inputFile(const std::string& name) const
     return *inputFiles_.insert(text(name)).first;
 }
 
+std::string Options::outputFile(const std::string& name) const
+{
+    const std::string path = text(name);
+    if (path == "-")
+        throw UsageError("option --" + name + ": - isn't standard output here; ./- is a file of this name");
+    return path;
+}
+
 double Options::number(const std::string& name) const
 {
     return parseNumber(text(name), "option --" + name);

@@ -52,6 +52,9 @@ public:
     std::string text(const std::string& name) const;
     //! The text of an option that names a file which is read, and which no result may replace.
     std::string inputFile(const std::string& name) const;
+    //! The text of an option that names a file or a folder that is written; throws UsageError for -, which isn't
+    //! standard output here.
+    std::string outputFile(const std::string& name) const;
     //! The files of inputFile() so far.
     const std::set<std::string>& inputFiles() const { return inputFiles_; }
     double number(const std::string& name) const;

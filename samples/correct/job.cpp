@@ -106,7 +106,7 @@ void checkScale(const Job& job)
 
 std::string target(const Options& options, const std::string& name)
 {
-    return options.given(name) ? options.text(name) : "";
+    return options.given(name) ? options.outputFile(name) : "";
 }
 
 bool hasVideo(const InputList& inputs)
@@ -181,7 +181,7 @@ Job readJob(const Options& options)
     job.output = target(options, "output");
     job.overlay = target(options, "overlay");
     job.maps = target(options, "maps");
-    job.report = target(options, "report");
+    job.report = options.given("report") ? options.text("report") : ""; // - is standard output
     if (job.output.empty() && job.overlay.empty() && job.maps.empty() && job.report.empty())
         throw UsageError("nothing to do: give --output, --overlay, --report or --maps");
     job.skipExisting = options.flag("skip_existing");

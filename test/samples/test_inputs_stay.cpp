@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// No program writes to a file that it reads, whichever options name it and whatever it is called.
+// No program writes to a file that it reads, whichever options name it and whatever it is called, nor to a file called
+// -.
 
 #include "program.hpp"
 
@@ -44,6 +45,7 @@ protected:
         files["@"] = (folder / "a.png") + "\n";
         files["--report="] = "{\"input\":\"a.png\",\"status\":\"not_significant\"}\n";
         files["--tracks="] = "file,x,y\na.png,1,2\n";
+        files["--model="] = "no network";
         files["--points="] = "file,x,y,z\na.png,1,2,3\n";
         files["--image="] = contentOf(folder / "a.png");
         files["--motion="] = "%YAML:1.0\n---\nstatus: 1\nrms: 0\n";
@@ -129,6 +131,17 @@ protected:
 #ifdef LIVE_PROGRAM
         list.push_back({LIVE_PROGRAM, {folder / "none.avi"}, {"--camera="}, {"--picture="}});
 #endif
+#ifdef DEPTH_NETWORK_PROGRAM
+        list.push_back({DEPTH_NETWORK_PROGRAM, {folder / "a.png", "--focal=50"}, {"--model="}, {"--output="}});
+        list.push_back({DEPTH_NETWORK_PROGRAM,
+                        {folder / "a.png", "--model=" + (folder / "none.onnx")},
+                        {"--camera="},
+                        {"--output="}});
+        list.push_back({DEPTH_NETWORK_PROGRAM,
+                        {folder / "a.png", "--focal=50", "--output=" + (folder / "b.png")},
+                        {"--model="},
+                        {"--depth_output="}});
+#endif
         return list;
     }
 };
@@ -195,7 +208,12 @@ TEST_F(InputsStay, options_are_known)
         "stagger",
         "stains",
         "wall_direction",
-        "depth" // of rsackermann_simulate
+        "depth", // of rsackermann_simulate
+        "bgr",
+        "input_size",
+        "mean",
+        "network",
+        "scale" // of correct_with_depth_network
     };
     std::map<std::string, std::set<std::string>> tested;
     for (const Reads& reads : programs())
@@ -217,6 +235,24 @@ TEST_F(InputsStay, options_are_known)
         }
         EXPECT_GT(count, 5) << program.first;
     }
+}
+
+// Standard output is that of --report of rsackermann_correct alone.
+TEST_F(InputsStay, a_dash_is_no_result)
+{
+    for (const Reads& reads : programs())
+        for (const Output& output : reads.outputs)
+        {
+            if (reads.program == CORRECT_PROGRAM && output.option == "--report=")
+                continue;
+            SCOPED_TRACE(reads.program + " " + output.option);
+            const std::string input = reads.inputs[0] + (folder / "input");
+            writeContent(folder / "input", files.at(reads.inputs[0]));
+            const Outcome outcome = runProgram(reads.program, reads.others + Arguments{input, output.option + "-"});
+            EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
+            EXPECT_NE(std::string::npos, outcome.messages.find("- isn't standard output")) << outcome.messages;
+            EXPECT_FALSE(cv::utils::fs::exists("-"));
+        }
 }
 
 class InputsStayByName : public InputsStay, public testing::WithParamInterface<const char*>
