@@ -75,6 +75,24 @@ inline void checkRemapped(InputArray image, const char* name, const Size& expect
                                           typeToString(image.type()).c_str()));
 }
 
+//! Whether two arguments are one matrix, or begin with the same element of one.
+inline bool areOneMatrix(const _InputArray& a, const _InputArray& b)
+{
+    if (a.getObj() != NULL && a.getObj() == b.getObj())
+        return true;
+    if (a.isMat() && b.isMat())
+        return a.getMat().data != NULL && a.getMat().data == b.getMat().data;
+    return a.isUMat() && b.isUMat() && a.getUMat().u != NULL && a.getUMat().u == b.getUMat().u &&
+           a.getUMat().offset == b.getUMat().offset;
+}
+
+//! Throws if an output would replace another argument that is still needed.
+inline void checkApart(const _InputArray& output, const char* name, const _InputArray& other, const char* otherName)
+{
+    if (areOneMatrix(output, other))
+        CV_Error(Error::StsBadArg, format("%s is the same matrix as %s; another one is expected", name, otherName));
+}
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_CHECKS_HPP

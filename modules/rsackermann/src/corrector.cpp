@@ -245,6 +245,7 @@ public:
     {
         CV_INSTRUMENT_REGION();
         checkImage(src, "src", generator->getCamera().imageSize);
+        checkMask(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
         Stopwatch watch;
         finder.find(src, params.estimator.detector, params.estimator.minLength, segments);
@@ -260,6 +261,7 @@ public:
         checkRemapped(src, "src", generator->getCamera().imageSize);
         if (isTracked)
             checkImage(src, "src");
+        checkMask(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
         segments = segmentRows(segments_);
         timings = Vec4d();
@@ -274,6 +276,7 @@ public:
         CV_INSTRUMENT_REGION();
         checkRemapped(src, "src", generator->getCamera().imageSize);
         checkMotion(motion);
+        checkMask(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
         segments.release();
         labels.release();
@@ -283,6 +286,7 @@ public:
 
     void getSegments(OutputArray segments_, OutputArray labels_) const CV_OVERRIDE
     {
+        checkApart(labels_, "labels", segments_, "segments");
         if (segments_.needed())
             returnSegments(segments, segments_);
         if (labels_.needed())
@@ -291,6 +295,7 @@ public:
 
     void getMaps(OutputArray map1_, OutputArray map2_) const CV_OVERRIDE
     {
+        checkApart(map2_, "map2", map1_, "map1");
         if (copiedSize != Size())
             identityMaps(map1_, map2_);
         else if (onDevice)
@@ -322,6 +327,13 @@ private:
         sigmas.bias = params.gyroBiasSigma;
         sigmas.scale = params.gyroScaleSigma;
         sequence.gyro.setSigmas(sigmas);
+    }
+
+    // The mask is written before the image is read.
+    static void checkMask(InputArray src, OutputArray dst, OutputArray mask)
+    {
+        checkApart(mask, "mask", src, "src");
+        checkApart(mask, "mask", dst, "dst");
     }
 
     // In seconds beyond which there is no room for an interval between frames.

@@ -7,6 +7,7 @@
 
 #include "test_precomp.hpp"
 #include "test_common.hpp"
+#include "test_metric_motion.hpp"
 #include "opencv2/rsackermann/calibration.hpp"
 #include "opencv2/rsackermann/corrector.hpp"
 #include "opencv2/rsackermann/draw.hpp"
@@ -323,6 +324,145 @@ TEST(RSAckermann_CorrectorArguments, words_of_a_motion)
                     EXPECT_NE(std::string::npos, e.err.find(bad.complaint)) << e.err;
                 }
             }
+    }
+}
+
+//! A public function with two arguments of which it writes the second; both of them if the first one is an output.
+struct TwoArrays
+{
+    const char* name;
+    Mat first; // an input, or empty
+    bool mayBeOne;
+    std::function<void(InputOutputArray, OutputArray)> call;
+};
+
+std::vector<TwoArrays> entriesWithTwoArrays()
+{
+    const RollingShutterCamera camera = smallCamera();
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(camera);
+    const AckermannMotion motion = motionFromMetric(camera, 1, 20, 3, 3, 0);
+    const Mat image = noise(), segments = segmentsOf(20), depth(SIZE, CV_32F, Scalar(9)),
+              points = (Mat_<double>(2, 2) << 10, 20, 30, 40);
+    std::vector<TwoArrays> list = {
+        {"correct, dst and mask", Mat(), false,
+         [=](InputOutputArray a, OutputArray b) { corrector->correct(image, a, b); }},
+        {"correct, src and mask", image, false,
+         [=](InputOutputArray a, OutputArray b) {
+             Mat other;
+             corrector->correct(a, other, b);
+         }},
+        {"correct, src and dst", image, true, [=](InputOutputArray a, OutputArray b) { corrector->correct(a, b); }},
+        {"correctWithSegments, dst and mask", Mat(), false,
+         [=](InputOutputArray a, OutputArray b) { corrector->correctWithSegments(image, segments, a, b); }},
+        {"correctWithSegments, src and mask", image, false,
+         [=](InputOutputArray a, OutputArray b) {
+             Mat other;
+             corrector->correctWithSegments(a, segments, other, b);
+         }},
+        {"correctWithSegments, segments and dst", segments, true,
+         [=](InputOutputArray a, OutputArray b) { corrector->correctWithSegments(image, a, b); }},
+        {"correctWithSegments, segments and mask", segments, true,
+         [=](InputOutputArray a, OutputArray b) {
+             Mat other;
+             corrector->correctWithSegments(image, a, other, b);
+         }},
+        {"correctWithMotion, dst and mask", Mat(), false,
+         [=](InputOutputArray a, OutputArray b) { corrector->correctWithMotion(image, motion, a, b); }},
+        {"correctWithMotion, src and mask", image, false,
+         [=](InputOutputArray a, OutputArray b) {
+             Mat other;
+             corrector->correctWithMotion(a, motion, other, b);
+         }},
+        {"correctWithMotion, src and dst", image, true,
+         [=](InputOutputArray a, OutputArray b) { corrector->correctWithMotion(a, motion, b); }},
+        {"correctWithMotion, depth and dst", depth, true,
+         [=](InputOutputArray a, OutputArray b) {
+             corrector->correctWithMotion(Mat(SIZE, CV_32F, Scalar(4)), motion, b, noArray(), DepthMap(a.getMat()));
+         }},
+        {"getSegments", Mat(), false, [=](InputOutputArray a, OutputArray b) { corrector->getSegments(a, b); }},
+        {"getMaps", Mat(), false, [=](InputOutputArray a, OutputArray b) { corrector->getMaps(a, b); }},
+        {"estimate, segments and labels", segments, true,
+         [=](InputOutputArray a, OutputArray b) { estimator->estimate(a, b); }},
+        {"estimateFromImage, image and segments", image, true,
+         [=](InputOutputArray a, OutputArray b) { estimator->estimateFromImage(a, b); }},
+        {"estimateFromImage, image and labels", image, true,
+         [=](InputOutputArray a, OutputArray b) { estimator->estimateFromImage(a, noArray(), b); }},
+        {"estimateFromImage, segments and labels", Mat(), false,
+         [=](InputOutputArray a, OutputArray b) { estimator->estimateFromImage(image, a, b); }},
+        {"detectSegments", image, true, [=](InputOutputArray a, OutputArray b) { detectSegments(a, b); }},
+        {"correctPoints, src and dst", points, true,
+         [=](InputOutputArray a, OutputArray b) { generator->correctPoints(motion, a, b); }},
+        {"correctPoints, dst and mask", Mat(), false,
+         [=](InputOutputArray a, OutputArray b) { generator->correctPoints(motion, points, a, noArray(), b); }},
+        {"correctPoints, src and mask", points, true,
+         [=](InputOutputArray a, OutputArray b) {
+             Mat other;
+             generator->correctPoints(motion, a, other, noArray(), b);
+         }},
+        {"distortPoints, src and dst", points, true,
+         [=](InputOutputArray a, OutputArray b) { generator->distortPoints(motion, a, b); }},
+        {"distortPoints, dst and mask", Mat(), false,
+         [=](InputOutputArray a, OutputArray b) { generator->distortPoints(motion, points, a, noArray(), b); }}};
+    for (const int type : {CV_32FC1, CV_32FC2, CV_16SC2})
+    {
+        const auto rectify = [=](OutputArray a, OutputArray b, OutputArray mask, const Mat& values) {
+            generator->initRectifyMap(motion, a, b, type, mask, DepthMap(values));
+        };
+        const auto distort = [=](OutputArray a, OutputArray b, OutputArray mask, const Mat& values) {
+            generator->initDistortMap(motion, a, b, type, mask, DepthMap(values));
+        };
+        const std::function<void(OutputArray, OutputArray, OutputArray, const Mat&)> functions[] = {rectify, distort};
+        for (const auto& init : functions)
+        {
+            const auto add = [&](const char* name, const Mat& first,
+                                 const std::function<void(InputOutputArray, OutputArray)>& call) {
+                list.push_back({name, first, false, call});
+            };
+            add("maps", Mat(), [=](InputOutputArray a, OutputArray b) { init(a, b, noArray(), Mat()); });
+            add("map1 and mask", Mat(), [=](InputOutputArray a, OutputArray b) {
+                Mat other;
+                init(a, other, b, Mat());
+            });
+            add("map2 and mask", Mat(), [=](InputOutputArray a, OutputArray b) {
+                Mat other;
+                init(other, a, b, Mat());
+            });
+            add("depth and map1", depth, [=](InputOutputArray a, OutputArray b) {
+                Mat other;
+                init(b, other, noArray(), a.getMat());
+            });
+            add("depth and map2", depth, [=](InputOutputArray a, OutputArray b) {
+                Mat other;
+                init(other, b, noArray(), a.getMat());
+            });
+        }
+    }
+    return list;
+}
+
+// One matrix for two arguments is as good as two, or refused by their names; nothing is lost.
+TEST(RSAckermann_CorrectorArguments, one_matrix_for_two_arguments)
+{
+    for (const TwoArrays& entry : entriesWithTwoArrays())
+    {
+        SCOPED_TRACE(entry.name);
+        Mat first = entry.first.clone(), second;
+        entry.call(first, second);
+        Mat one = entry.first.clone(), header = entry.first.empty() ? second.clone() : entry.first.clone(),
+            other = header;
+        const bool mayShareData = entry.mayBeOne || header.empty();
+        EXPECT_EQ(entry.mayBeOne, isAccepted([&]() { entry.call(one, one); }));
+        EXPECT_EQ(mayShareData, isAccepted([&]() { entry.call(header, other); }));
+        if (entry.mayBeOne)
+            for (const Mat& same : {one, other})
+            {
+                ASSERT_EQ(second.size(), same.size());
+                EXPECT_EQ(0, second.empty() ? 0 : cvtest::norm(second, same, NORM_INF));
+            }
+        UMat device;
+        EXPECT_TRUE(!entry.first.empty() || !isAccepted([&]() { entry.call(device, device); }));
     }
 }
 

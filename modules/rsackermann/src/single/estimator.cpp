@@ -37,6 +37,7 @@ public:
     {
         CV_INSTRUMENT_REGION();
         checkImage(image, "image", camera.imageSize);
+        checkApart(labels, "labels", segments, "segments");
         Mat found;
         detectSegments(image, found, params.detector, params.minLength);
         if (segments.needed())

@@ -202,6 +202,11 @@ private:
     {
         checkMotion(motion);
         checkDepth(depth, camera, params);
+        checkApart(map2, "map2", map1, "map1");
+        checkApart(mask, "mask", map1, "map1");
+        checkApart(mask, "mask", map2, "map2");
+        checkApart(map1, "map1", depth.values, "depth.values");
+        checkApart(map2, "map2", depth.values, "depth.values");
         m1type = normalizedMapType(m1type);
         CV_OCL_RUN(depth.empty() && map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2),
                    oclWarpMap(warp, camera, params, motion, m1type, map1, map2, mask))
@@ -219,6 +224,7 @@ private:
                     InputArray depths, OutputArray mask) const
     {
         checkMotion(motion);
+        checkApart(mask, "mask", dst, "dst");
         const Mat src = src_.getMat();
         const std::vector<Point2d> points = toPoints(src);
         std::vector<Place> places;

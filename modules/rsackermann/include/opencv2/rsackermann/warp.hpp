@@ -91,7 +91,8 @@ public:
     @param m1type type of map1 with the meaning of cv::initUndistortRectifyMap: CV_32FC1, CV_32FC2 or CV_16SC2; 0 or
     less stands for CV_16SC2.
     @param mask receives a CV_8U mask, 255 where the pixel is seen in the raw image and 0 elsewhere; to 1/64 pixel, as
-    cv::remap of OpenCV 4 rounds places to 1/32. With a depth #MASK_HIDDEN marks pixels that something hides.
+    cv::remap of OpenCV 4 rounds places to 1/32. With a depth #MASK_HIDDEN marks pixels that something hides. Maps,
+    mask and depth are different matrices.
     @param depth see DepthMap, of the size of its camera's image; empty (default): the planes and the inverse-depth
     offset of the motion. A metric one needs what depths in correctPoints() need; throws cv::Exception otherwise.
 
