@@ -212,6 +212,56 @@ TEST(RSAckermann_Verticals, sides_of_narrow_bars)
         }
 }
 
+//! A bar between two edges that are turned from the vertical, or one edge if it has no width.
+Mat diagonalBar(const Size& size, double angle, double middle, double width, double noise, RNG& rng)
+{
+    Mat image(size, CV_64F);
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++)
+        {
+            const double across = (x - (size.width - 1) / 2. - middle) * std::cos(angle) -
+                                  (y - (size.height - 1) / 2.) * std::sin(angle),
+                         step = std::erfc(-across / (0.8 * std::sqrt(2.))),
+                         back = width > 0 ? std::erfc(-(across - width) / (0.8 * std::sqrt(2.))) : 0;
+            image.at<double>(y, x) = 60 + 40 * (step - back);
+        }
+    return withNoise(image, noise, rng);
+}
+
+// Rows and columns of an image see an edge near the diagonal: it is one segment nevertheless, over all of its length.
+TEST(RSAckermann_Verticals, diagonal_edges_are_found_once)
+{
+    RNG rng(8);
+    std::vector<double> angles;
+    for (double angle = 20; angle <= 70; angle += angle >= 40 && angle < 50 ? 0.5 : 2.5)
+        angles.push_back(angle * CV_PI / 180);
+    for (const double noise : {0., 1., 2., 5.})
+        for (const double angle : angles)
+            for (const double sign : {-1., 1.})
+                for (const double width : {0., 5.})
+                {
+                    SCOPED_TRACE(
+                        cv::format("%g degrees, noise %g, width %g", sign * angle * 180 / CV_PI, noise, width));
+                    const Size size(120, 160);
+                    const double middle = rng.uniform(-3., 3.),
+                                 length = std::min(size.width / std::sin(angle), size.height / std::cos(angle));
+                    std::vector<Vec4f> segments;
+                    detectSegments(diagonalBar(size, sign * angle, middle, width, noise, rng), segments,
+                                   DETECTOR_VERTICALS, 30);
+                    ASSERT_EQ(width > 0 ? 2u : 1u, segments.size());
+                    for (const Vec4f& s : segments)
+                    {
+                        EXPECT_GT(std::hypot(s[2] - s[0], s[3] - s[1]), 0.85 * length);
+                        for (int end = 0; end < 4; end += 2)
+                        {
+                            const double across = (s[end] - (size.width - 1) / 2. - middle) * std::cos(angle) -
+                                                  sign * (s[end + 1] - (size.height - 1) / 2.) * std::sin(angle);
+                            EXPECT_LT(std::min(std::abs(across), std::abs(across - width)), 0.5);
+                        }
+                    }
+                }
+}
+
 //! Upright edges of a rendered street, and how many of them and of nothing a detector finds.
 struct Found
 {

@@ -59,6 +59,58 @@ static std::vector<Vec4f> findInStrip(const Strip& strip, const Mat& gray, const
     return segments;
 }
 
+// Whether the middle of a segment is on another one that goes the same way.
+static bool isOn(const Vec4f& segment, const Vec4f& other, double tolerance)
+{
+    const double parallel = 0.1; // rad
+    const Point2d middle((segment[0] + segment[2]) / 2, (segment[1] + segment[3]) / 2), a(other[0], other[1]),
+        b(other[2], other[3]), along = b - a, own(segment[2] - segment[0], segment[3] - segment[1]);
+    if ((middle.x - a.x) * (middle.x - b.x) > 0 || (middle.y - a.y) * (middle.y - b.y) > 0)
+        return false;
+    const double length = norm(along);
+    return std::abs(along.cross(middle - a)) < tolerance * length &&
+           std::abs(along.cross(own)) < parallel * length * norm(own);
+}
+
+// An edge near the diagonal is found in the image and in the transposed one. It stays where it crosses more rows, and
+// so do parts that are found there alone.
+static void dropRepeated(size_t ofImage, double tolerance, std::vector<Vec4f>& segments)
+{
+    const float steepest = 2.5f; // chains follow no edge that crosses as many columns per row
+    struct Diagonal
+    {
+        size_t index;
+        float rows;
+    };
+    std::vector<Diagonal> diagonals;
+    for (size_t i = 0; i < segments.size(); i++)
+    {
+        const Vec4f& s = segments[i];
+        const float width = std::abs(s[2] - s[0]), height = std::abs(s[3] - s[1]);
+        if (width < steepest * height && height < steepest * width)
+            diagonals.push_back({i, i < ofImage ? height : width});
+    }
+    std::stable_sort(diagonals.begin(), diagonals.end(),
+                     [](const Diagonal& a, const Diagonal& b) { return a.rows > b.rows; });
+    std::vector<size_t> kept[2];
+    std::vector<bool> isDropped(segments.size());
+    for (const Diagonal& d : diagonals)
+    {
+        const bool isTransposed = d.index >= ofImage;
+        const std::vector<size_t>& others = kept[!isTransposed];
+        isDropped[d.index] = std::any_of(others.begin(), others.end(), [&](size_t other) {
+            return isOn(segments[d.index], segments[other], tolerance);
+        });
+        if (!isDropped[d.index])
+            kept[isTransposed].push_back(d.index);
+    }
+    size_t count = 0;
+    for (size_t i = 0; i < segments.size(); i++)
+        if (!isDropped[i])
+            segments[count++] = segments[i];
+    segments.resize(count);
+}
+
 void detectVerticals(const Mat& gray, const Mat& smaller, int scale, double minLength, bool isForMany,
                      std::vector<Vec4f>& segments)
 {
@@ -82,8 +134,14 @@ void detectVerticals(const Mat& gray, const Mat& smaller, int scale, double minL
         found[i] = findInStrip(strips[i], gray, smaller, scale, noise, minLength, isForMany);
     });
     segments.clear();
+    size_t ofImage = 0;
     for (size_t i = 0; i < found.size(); i++)
+    {
         segments.insert(segments.end(), found[i].begin(), found[i].end());
+        if (!strips[i].isTransposed)
+            ofImage = segments.size();
+    }
+    dropRepeated(ofImage, scale, segments);
 }
 
 }} // namespace cv::rsackermann
