@@ -13,17 +13,24 @@ using simulation::Simulator;
 
 const int COLUMNS = DisplacementField::COLUMNS, ROWS = DisplacementField::ROWS, POINTS = DisplacementField::POINTS;
 
-//! Cameras with focal lengths that differ, for every direction of a row shutter, ahead and to both sides.
+//! Cameras with focal lengths that differ, for every direction of a row shutter, ahead and to both sides; the last ones
+//! are wide, and tilted.
 RollingShutterCamera makeCamera(int k)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.cameraMatrix(0, 0) *= 1.2;
     camera.scanDirection = k % 2;
-    camera.heading = (k / 2 - 1) * 80 * degree;
+    camera.heading = (k / 2 % 3 - 1) * 80 * degree;
+    if (k >= 6)
+    {
+        camera.cameraMatrix(0, 0) *= 0.5;
+        camera.cameraMatrix(1, 1) *= 0.5;
+        camera.setRollPitch(0.1, k % 2 ? 0.4 : -0.4);
+    }
     return camera;
 }
 
-const int CAMERAS = 6;
+const int CAMERAS = 12;
 
 //! A motion so small that squares don't count.
 AckermannMotion smallMotion(const RollingShutterCamera& camera, int k)

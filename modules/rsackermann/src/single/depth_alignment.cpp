@@ -11,6 +11,7 @@
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
 #include "depth_alignment.hpp"
+#include "displacement_field.hpp"
 #include "relative_depth.hpp"
 #include "slant_noise.hpp"
 
@@ -155,25 +156,17 @@ struct ExpectedDisplacement
                          const Aligned& state, const AlignmentProblem::Equations::Matrix& covariance)
         : raw(0), residual(0)
     {
-        const int across = 9, down = 6;
-        std::vector<Point2d> pixels, rays;
-        for (int i = 0; i < across * down; i++)
-            pixels.push_back(Point2d((i % across + 0.5) / across * camera.imageSize.width,
-                                     (i / across + 0.5) / down * camera.imageSize.height));
-        undistortedRays(camera, pixels, rays);
+        const DisplacementField field(camera);
+        const Heading heading(camera.heading);
         int count = 0;
-        for (size_t i = 0; i < pixels.size(); i++)
+        for (int k = 0; k < DisplacementField::POINTS; k++)
         {
-            const Vec3d b = camera.uprightRotation * Vec3d(rays[i].x, rays[i].y, 1);
-            const double height = std::max(depth.at(pixels[i]), 0.);
-            if (!(b[2] > IN_FRONT) || !std::isfinite(height))
+            const DisplacementField::Point& p = field.point(k);
+            const double height = std::max(depth.at(p.pixel), 0.);
+            if (!(p.z > IN_FRONT) || !std::isfinite(height))
                 continue;
-            const double x = b[0] / b[2], y = b[1] / b[2], w = direction * std::exp(state[A_LOG_ROAD]) * height / b[2],
-                         t = camera.rowTime(pixels[i]), fx = camera.cameraMatrix(0, 0) * t,
-                         fy = camera.cameraMatrix(1, 1) * t;
-            const Heading heading(camera.heading);
-            const Vec2d byAlpha(fx * 2 * (1 + x * x), fy * 2 * x * y),
-                byLogRoad(fx * w * (heading.s - x * heading.c), -fy * w * y * heading.c);
+            const double w = direction * std::exp(state[A_LOG_ROAD]) * height / p.z;
+            const Vec2d byAlpha = p.byAlpha(), byLogRoad = p.byInverseDepth(heading.s, heading.c) * w;
             const double variance = byAlpha.dot(byAlpha) * covariance(A_ALPHA, A_ALPHA) +
                                     2 * byAlpha.dot(byLogRoad) * covariance(A_ALPHA, A_LOG_ROAD) +
                                     byLogRoad.dot(byLogRoad) * covariance(A_LOG_ROAD, A_LOG_ROAD),

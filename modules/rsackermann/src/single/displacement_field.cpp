@@ -12,9 +12,9 @@ namespace cv { namespace rsackermann {
 static const double NEXT_TO_NOTHING = 0.05; // of the displacement
 
 DisplacementField::DisplacementField(const RollingShutterCamera& camera, const std::vector<Point2d>& seen)
-    : fx(camera.cameraMatrix(0, 0)), fy(camera.cameraMatrix(1, 1)), headingSine(std::sin(camera.heading)),
-      headingCosine(std::cos(camera.heading))
+    : headingSine(std::sin(camera.heading)), headingCosine(std::cos(camera.heading))
 {
+    const Matx33d toImage = camera.cameraMatrix * camera.uprightRotation.t();
     std::vector<Point2d> pixels, rays;
     for (int i = 0; i < ROWS; i++)
         for (int j = 0; j < COLUMNS; j++)
@@ -25,9 +25,17 @@ DisplacementField::DisplacementField(const RollingShutterCamera& camera, const s
     {
         const Vec3d bearing = camera.uprightRotation * Vec3d(rays[k].x, rays[k].y, 1);
         const double z = std::max(bearing[2], IN_FRONT); // never behind a camera that looks steeply up or down
-        points[k].x = bearing[0] / z;
-        points[k].y = bearing[1] / z;
-        points[k].time = camera.rowTime(pixels[k]);
+        Point& p = points[k];
+        p.pixel = pixels[k];
+        p.x = bearing[0] / z;
+        p.y = bearing[1] / z;
+        p.z = bearing[2];
+        p.time = camera.rowTime(pixels[k]);
+        const Vec3d q = toImage * Vec3d(p.x, p.y, 1);
+        const double depth = std::max(q[2], IN_FRONT), u = q[0] / depth, v = q[1] / depth;
+        p.toPixels = Matx22d(toImage(0, 0) - u * toImage(2, 0), toImage(0, 1) - u * toImage(2, 1),
+                             toImage(1, 0) - v * toImage(2, 0), toImage(1, 1) - v * toImage(2, 1)) *
+                     (1 / depth);
     }
     weigh(seen);
 }
@@ -93,10 +101,11 @@ void DisplacementField::displacement(const Model& m, double G, Values& values) c
 {
     for (int k = 0; k < POINTS; k++)
     {
-        const double x = points[k].x, y = points[k].y, t = points[k].t;
-        const double w = NearestPlane(m, G, x, y).w;
-        values[2 * k] = fx * t * (2 * m[P_ALPHA] * (1 + x * x) + w * (headingSine - x * headingCosine));
-        values[2 * k + 1] = fy * t * (2 * m[P_ALPHA] * x * y - w * y * headingCosine);
+        const Point& p = points[k];
+        const double w = NearestPlane(m, G, p.x, p.y).w;
+        const Vec2d moved = p.byAlpha() * m[P_ALPHA] + p.byInverseDepth(headingSine, headingCosine) * w;
+        values[2 * k] = moved[0];
+        values[2 * k + 1] = moved[1];
     }
 }
 
@@ -105,10 +114,9 @@ void DisplacementField::variance(const Model& m, double G, double varianceG,
 {
     for (int k = 0; k < POINTS; k++)
     {
-        const double x = points[k].x, y = points[k].y, t = points[k].t;
-        const NearestPlane plane(m, G, x, y);
-        const double rx = fx * t * 2 * (1 + x * x), ry = fy * t * 2 * x * y;
-        const double tx = fx * t * (headingSine - x * headingCosine), ty = -fy * t * y * headingCosine;
+        const Point& p = points[k];
+        const NearestPlane plane(m, G, p.x, p.y);
+        const Vec2d turned = p.byAlpha(), moved = p.byInverseDepth(headingSine, headingCosine);
         const double j[4] = {0, plane.byB, plane.byD, plane.byLambda};
         double vw = plane.byG * plane.byG * varianceG, cross = 0;
         for (int a = 1; a < 4; a++)
@@ -118,7 +126,7 @@ void DisplacementField::variance(const Model& m, double G, double varianceG,
                 vw += j[a] * C(a, b) * j[b];
         }
         const double va = C(P_ALPHA, P_ALPHA);
-        values[k] = std::max(0., (rx * rx + ry * ry) * va + 2 * (rx * tx + ry * ty) * cross + (tx * tx + ty * ty) * vw);
+        values[k] = std::max(0., turned.dot(turned) * va + 2 * turned.dot(moved) * cross + moved.dot(moved) * vw);
     }
 }
 
@@ -126,8 +134,9 @@ void DisplacementField::variance(const Model& m, double G, double varianceG,
 Point2d DisplacementField::byTurn(const Point& point, const Vec3d& turn) const
 {
     const double x = point.x, y = point.y;
-    return Point2d(fx * (-x * y * turn[0] + (1 + x * x) * turn[1] - y * turn[2]),
-                   fy * (-(1 + y * y) * turn[0] + x * y * turn[1] + x * turn[2]));
+    const Vec2d moved = point.toPixels * Vec2d(-x * y * turn[0] + (1 + x * x) * turn[1] - y * turn[2],
+                                               -(1 + y * y) * turn[0] + x * y * turn[1] + x * turn[2]);
+    return Point2d(moved[0], moved[1]);
 }
 
 void DisplacementField::addTilt(const RowTilt& tilt, Values& values) const

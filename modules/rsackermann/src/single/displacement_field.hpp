@@ -24,9 +24,29 @@ public:
     typedef Vec<double, 2 * POINTS> Values; //!< pixels: horizontal, vertical for each point
     typedef Vec<double, POINTS> Variances;  //!< square pixels
 
+    //! A place of the image, and how the image moves there.
+    struct Point
+    {
+        Point2d pixel;
+        double x, y, z;      //!< upright bearing x, y, 1 of a ray that has the depth z per depth along the optical axis
+        double time, weight; //!< row time; 1 in the mean
+        double t;            //!< product of both
+        Matx22d toPixels; //!< derivative of the pixel by x and y: a camera that is tilted shows them shorter or longer
+
+        //! Displacement by alpha, of a point at infinity.
+        Vec2d byAlpha() const { return toPixels * Vec2d(2 * (1 + x * x), 2 * x * y) * t; }
+        //! The same by the point's scaled inverse depth. @param sine, cosine of the heading.
+        Vec2d byInverseDepth(double sine, double cosine) const
+        {
+            return toPixels * Vec2d(sine - x * cosine, -y * cosine) * t;
+        }
+    };
+
     //! @param seen upright bearings, with z = 1, of what the image shows; without any, all points count alike.
     explicit DisplacementField(const RollingShutterCamera& camera,
                                const std::vector<Point2d>& seen = std::vector<Point2d>());
+
+    const Point& point(int k) const { return points[k]; }
 
     //! Times the weight of the point. @param G slope of the road's scaled inverse depth.
     void displacement(const Model& model, double G, Values& values) const;
@@ -47,17 +67,11 @@ public:
     int mainMotion(const Model& model, double G) const;
 
 private:
-    struct Point
-    {
-        double x, y, time, weight; // row time; 1 in the mean
-        double t;                  // product of both
-    };
-
     void weigh(const std::vector<Point2d>& seen);
     Point2d byTurn(const Point& point, const Vec3d& turn) const;
 
     Point points[POINTS];
-    double fx, fy, headingSine, headingCosine;
+    double headingSine, headingCosine;
 };
 
 }} // namespace cv::rsackermann
