@@ -38,7 +38,6 @@ void Warnings::addContradiction(const std::string& input, const std::vector<Fram
 // Once: times in another unit, or those of another column, leave nothing of a sequence.
 void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>& frames)
 {
-    const double longest = 1; // second without an image, after which another sequence begins
     const bool isVideo = !frames.empty() && frames[0].frame >= 0;
     if (isVideo)
         lastTime_ = std::numeric_limits<double>::quiet_NaN();
@@ -46,12 +45,13 @@ void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>
     {
         const double gap = frame.time - lastTime_;
         lastTime_ = frame.time;
-        if (!job_.params.sequence || hasGap_ || !(gap <= 0 || gap > longest))
+        if (!job_.params.sequence || hasGap_ || !(gap <= 0 || gap >= cv::rsackermann::LONGEST_INTERVAL))
             continue;
         hasGap_ = true;
-        warn(cv::format("%s: its time is %g s after that of the image before: images that are more than %g s later, or "
-                        "not later, begin another sequence",
-                        input.c_str(), gap, longest));
+        warn(cv::format(
+            "%s: its time is %g s after that of the image before: images that are %g s or more later, or not "
+            "later, begin another sequence",
+            input.c_str(), gap, cv::rsackermann::LONGEST_INTERVAL));
     }
     if (isVideo)
         lastTime_ = std::numeric_limits<double>::quiet_NaN();

@@ -111,6 +111,7 @@ TEST_F(CorrectSequence, times_that_begin_another_sequence)
         cv::imwrite(times / name, image);
     const std::pair<const char*, const char*> cases[] = {
         {"0,0\n1,0.0333\n2,0.0667\n", ""},
+        {"0,0\n1,1\n2,1.9\n", "/1.png: its time is 1 s after that of the image before"},
         {"0,0\n1,33.3\n2,66.7\n", "/1.png: its time is 33.3 s after that of the image before"},
         {"0,7\n1,7.5\n2,7.25\n", "/2.png: its time is -0.25 s after that of the image before"}};
     for (const auto& c : cases)

@@ -11,7 +11,6 @@
 
 namespace cv { namespace rsackermann {
 
-const double LONGEST_INTERVAL = 1; //!< seconds between two frames of one scene
 const size_t LEAST_POINTS = 20;
 //! Least share of the points that are found again, and of those that agree with one motion, in frames of one scene.
 const double SAME_SCENE = 0.3;

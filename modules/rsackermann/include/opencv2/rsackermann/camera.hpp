@@ -29,6 +29,9 @@ enum LensModel {
 //! Seconds that a camera may take to read all of its lines; what takes longer is in another unit.
 const double LONGEST_READ_OUT = 1;
 
+//! Seconds from one image to the next, from which on they are frames of different sequences.
+const double LONGEST_INTERVAL = 1;
+
 /** @brief A rolling-shutter camera in a car: lens, shutter timing and mounting.
 
 All fields may be set directly; check() verifies them together and is called by every algorithm that takes a camera.

@@ -174,7 +174,7 @@ public:
     sequence.
 
     The state is also reset if a camera is set that differs in more than uprightRotation and standard deviations, after
-    more than a second without an image, and if hardly any point of the image before is found again. An image without
+    #LONGEST_INTERVAL without an image, and if hardly any point of the image before is found again. An image without
     evidence is corrected by the predicted motion, for a second and as long as that is expected to help.
      */
     CV_WRAP virtual void reset() = 0;
