@@ -98,10 +98,11 @@ std::string useOf(const RollingShutterCorrector& corrector, const AckermannMotio
         return cv::format("depth used: inverse depth %g * output %+g", used.scale, used.shift);
     if (!used.empty())
         return "depth used";
-    return std::string("depth not used: ") + (motion.status != MOTION_OK ? "there is no motion to correct"
-                                              : kind == DEPTH_RELATIVE
-                                                  ? "it contradicts the image, or doesn't show that it is its own"
-                                                  : "the speed in metres is unknown (--speed, --wall)");
+    return std::string("depth not used: ") +
+           (motion.status != MOTION_OK ? "there is no motion to correct"
+            : kind == DEPTH_RELATIVE
+                ? "it contradicts the image, or doesn't show that it is its own"
+                : "the speed in metres is unknown (--speed, --wall), or it is in another unit than walls and road");
 }
 
 void print(const std::string& input, const RollingShutterCorrector& corrector, const AckermannMotion& motion,

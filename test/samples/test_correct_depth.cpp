@@ -210,6 +210,31 @@ TEST_F(CorrectDepth, relative_in_sequences)
     }
 }
 
+// Of the true depths 1/256 m are a unit, and no other one that makes images worse.
+TEST_F(CorrectDepth, in_another_unit)
+{
+    const std::string depth = "--depth=" + street("rolling_depth.png");
+    const double without = residual({});
+    const struct
+    {
+        const char* scale;
+        bool isUsed;
+    } units[] = {{"0.00390625", true}, {"0.39", false}, {"3.9", false}, {"0.000039", false}, {"0.0000039", false}};
+    for (const auto& unit : units)
+    {
+        SCOPED_TRACE(unit.scale);
+        const std::string option = std::string("--depth_scale=") + unit.scale;
+        const Outcome outcome = run({depth, option, "--report=-"});
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(unit.isUsed, outcome.output.find("\"depth_used\":true") != std::string::npos) << outcome.output;
+        EXPECT_EQ(!unit.isUsed, outcome.messages.find("in another unit") != std::string::npos) << outcome.messages;
+        if (!unit.isUsed)
+        {
+            EXPECT_EQ(without, residual({depth, option}));
+        }
+    }
+}
+
 TEST_F(CorrectDepth, bad_files_are_named_and_others_processed)
 {
     const TemporaryFolder folder;

@@ -13,6 +13,7 @@
 #include "sequence/sequence_estimator.hpp"
 #include "features/segments.hpp"
 #include "storage.hpp"
+#include "warp/depth/depth_unit.hpp"
 #include "warp/maps/maps.hpp"
 
 namespace cv { namespace rsackermann {
@@ -379,7 +380,8 @@ private:
             motion = sequence.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
         finder.release();
         DepthMap aligned = depth;
-        if (depth.kind == DEPTH_RELATIVE && !align(motion, aligned))
+        if (depth.kind == DEPTH_RELATIVE ? !align(motion, aligned)
+                                         : isInAnotherUnit(generator->getCamera(), params.warp, motion, depth))
             aligned = DepthMap();
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask, aligned);

@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_corrector_common.hpp"
 #include "test_metric_motion.hpp"
+#include "test_simulator.hpp"
 #include "opencv2/imgproc.hpp"
 
 namespace opencv_test { namespace {
@@ -87,6 +88,42 @@ TEST_F(CorrectorDepth, needs_a_value_that_is_known)
     Mat values(camera.imageSize, CV_16U, Scalar(0));
     corrector->correctWithMotion(image, motion, corrected, noArray(), DepthMap(values, DEPTH_RAW, 0.01));
     EXPECT_FALSE(corrector->isDepthUsed());
+}
+
+// Millimetres taken for metres aren't used, whatever form they have, but by maps of a motion that is given.
+TEST_F(CorrectorDepth, is_refused_in_another_unit)
+{
+    RNG rng(11);
+    const Mat segments = simulation::randomSegments(simulation::Simulator::fromMetric(camera, 0.3, 15, 2.5, 3, 0),
+                                                    simulation::SegmentOptions(), rng)
+                             .ends;
+    MotionPrior prior;
+    prior.speed = 15;
+    prior.speedSigma = 0.3;
+    for (const bool isSequence : {false, true})
+        for (const int type : {CV_32F, CV_16U})
+            for (const int whose : {DEPTH_RAW, DEPTH_CORRECTED})
+                for (const double unit : {1., 3.28, 1 / 3.28, 100., 0.001})
+                {
+                    SCOPED_TRACE(testing::Message() << isSequence << " " << type << " " << whose << " " << unit);
+                    RollingShutterCorrector::Params params;
+                    params.sequence = isSequence;
+                    params.trackPoints = false;
+                    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+                    corrector->setPrior(prior);
+                    DepthMap given(Mat(), whose, (type == CV_16U ? 0.01 : 1) * unit);
+                    depth.values.convertTo(given.values, type, type == CV_16U ? 100 : 1);
+                    Mat corrected, expected;
+                    const AckermannMotion found =
+                        corrector->correctWithSegments(image, segments, corrected, noArray(), given);
+                    ASSERT_EQ(MOTION_OK, found.status);
+                    const bool isPlausible = unit > 0.1 && unit < 10;
+                    EXPECT_EQ(isPlausible, corrector->isDepthUsed());
+                    corrector->correctWithMotion(image, found, expected, noArray(), isPlausible ? given : DepthMap());
+                    EXPECT_EQ(0, cvtest::norm(expected, corrected, NORM_INF));
+                    corrector->correctWithMotion(image, found, corrected, noArray(), given);
+                    EXPECT_TRUE(corrector->isDepthUsed());
+                }
 }
 
 TEST_F(CorrectorDepth, relative_needs_no_metres)

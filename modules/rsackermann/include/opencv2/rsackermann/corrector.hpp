@@ -220,8 +220,9 @@ public:
 
     A depth in metres needs a motion in metres: AckermannMotion::wallDistance, or AckermannMotion::roadSlope and
     RollingShutterCamera::height. A given speed (MotionPrior::speed) or AckermannEstimator::Params::wallDistance
-    suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK and
-    where no depth at all is known.
+    suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK,
+    where no depth at all is known, and unless the motion is given (correctWithMotion()) where the depths are evidently
+    in another unit: their median is more than 20 times or less than a twentieth of that of the planes.
 
     A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
     verticals that it explains as well as the planes do: one of another image, mirrored or constant isn't used. In a
