@@ -316,6 +316,29 @@ TEST(RSAckermann_Calibration, straight_drive_does_not_tell_the_line_delay)
     EXPECT_NEAR(HEADING, c.heading, 0.2 * degree);
 }
 
+// What the drive doesn't show of the line delay is as uncertain as before: as the camera says, or the parameters.
+TEST(RSAckermann_Calibration, sigma_of_a_line_delay_that_is_not_observed)
+{
+    StreetDrive::Options options;
+    options.yawRate = 0;
+    for (const double told : {0., 2e-6})
+    {
+        SCOPED_TRACE(told);
+        RollingShutterCamera camera = guess();
+        camera.lineDelaySigma = told;
+        MountCalibrator::Params params;
+        params.lineDelaySigma = 0.2;
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera, params);
+        drive(*calibrator, StreetDrive(mounted(0.9), ROLL, PITCH, options, 1), 20, true);
+        const MountCalibration c = calibrator->calibrate();
+        EXPECT_GT(c.frames, 10);
+        EXPECT_FALSE(c.lineDelayObserved);
+        EXPECT_EQ(camera.lineDelay, c.lineDelay);
+        EXPECT_NEAR(told > 0 ? told : 0.2 * c.lineDelay, c.lineDelaySigma, 1e-12);
+        EXPECT_EQ(told, c.camera.lineDelaySigma);
+    }
+}
+
 // What is seen of the car itself stands still.
 TEST(RSAckermann_Calibration, own_bonnet_is_left_out)
 {

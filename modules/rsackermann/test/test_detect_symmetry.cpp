@@ -76,14 +76,14 @@ struct Change
     std::function<Point2d(const Point2d&, const Size&)> ofPlace; // the size is that of the image before
 };
 
-const Change CHANGES[] = {
-    {"mirrored", [](Mat& image) { flip(image, image, 1); },
-     [](const Point2d& p, const Size& size) { return Point2d(size.width - 1 - p.x, p.y); }},
-    {"upside down", [](Mat& image) { flip(image, image, 0); },
-     [](const Point2d& p, const Size& size) { return Point2d(p.x, size.height - 1 - p.y); }},
-    {"transposed", [](Mat& image) { image = image.t(); },
-     [](const Point2d& p, const Size&) { return Point2d(p.y, p.x); }},
-    {"negative", [](Mat& image) { image = 255 - image; }, [](const Point2d& p, const Size&) { return p; }}};
+const Change CHANGES[] = {{"mirrored", [](Mat& image) { flip(image, image, 1); },
+                           [](const Point2d& p, const Size& size) { return Point2d(size.width - 1 - p.x, p.y); }},
+                          {"upside down", [](Mat& image) { flip(image, image, 0); },
+                           [](const Point2d& p, const Size& size) { return Point2d(p.x, size.height - 1 - p.y); }},
+                          {"transposed", [](Mat& image) { image = image.t(); },
+                           [](const Point2d& p, const Size&) { return Point2d(p.y, p.x); }},
+                          {"negative", [](Mat& image) { image = (image.depth() == CV_16U ? 65535 : 255) - image; },
+                           [](const Point2d& p, const Size&) { return p; }}};
 
 struct Ends
 {
@@ -138,10 +138,13 @@ TEST_P(DetectSymmetry, of_segments)
     const int detector = GetParam();
     const std::vector<Patch> patches = scene(detector == DETECTOR_VERTICALS);
     std::vector<Ends> ofSmall;
-    for (const int scale : {1, 2})
+    for (const int form : {1, 2, 16})
     {
-        SCOPED_TRACE(scale);
-        const Mat image = draw(patches, scale);
+        SCOPED_TRACE(form);
+        const int scale = form == 2 ? 2 : 1;
+        Mat image = draw(patches, scale);
+        if (form == 16) // bits, of which not all of the range is used
+            image.convertTo(image, CV_16U, 11, 9000);
         const std::vector<Ends> all = detect(image, detector, scale);
         EXPECT_GT(all.size(), 30u);
         for (const Change& change : CHANGES)
@@ -155,9 +158,9 @@ TEST_P(DetectSymmetry, of_segments)
             expectSame(expected, detect(changed, detector, scale), detector, 0.5 * scale,
                        (detector == DETECTOR_VERTICALS ? 0.07 : 0.25) * scale);
         }
-        if (scale == 1)
+        if (form == 1)
             ofSmall = all;
-        else
+        else if (form == 2)
         {
             const Point2d half(0.5, 0.5);
             for (Ends& e : ofSmall)

@@ -261,6 +261,9 @@ void expectTruth(const Setting& s, const RollingShutterCamera& camera, const Ack
         EXPECT_NEAR(2 * truth.alpha / unit, m.seenYawRate, 3 * m.seenYawRateSigma);
         EXPECT_NEAR(trueSpeed, m.seenSpeed, 3 * m.seenSpeedSigma);
     }
+    else // there is nothing to compare it with
+        for (const double seen : {m.seenYawRate, m.seenYawRateSigma, m.seenSpeed, m.seenSpeedSigma})
+            EXPECT_EQ(0, seen);
     if (!m.inverseDepthOffset.empty())
     {
         // Its cells are nearly squares.
@@ -472,6 +475,45 @@ TEST_P(SequenceModes, single_image_within)
 }
 
 // Without a gravity it is the gyro and what is given that know the yaw rate of a single image, each by its weight.
+// Whichever of what is known of gravity changes, roll and pitch begin anew; all else goes on.
+TEST(RSAckermann_SequenceModes, gravity_that_changes)
+{
+    const Setting setting = settingOf({"shakes", [](Setting& s) { s.shaking = 0.004; }});
+    const StreetImages street(setting);
+    std::vector<Mat> frames;
+    for (int i = 0; i < FRAMES; i++)
+        frames.push_back(street.frame(i));
+    const std::function<void(RollingShutterCamera&, AckermannEstimator::Params&)> changes[] = {
+        [](RollingShutterCamera&, AckermannEstimator::Params&) {},
+        [](RollingShutterCamera& camera, AckermannEstimator::Params&) { camera.setRollPitch(0.002, 0.001); },
+        [](RollingShutterCamera&, AckermannEstimator::Params& params) { params.gravitySigma *= 1.5; },
+        [](RollingShutterCamera&, AckermannEstimator::Params& params) { params.vehiclePitchSigma *= 1.5; }};
+    AckermannMotion unchanged;
+    for (int k = 0; k < 4; k++)
+    {
+        SCOPED_TRACE(k);
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING);
+        for (int i = 0; i < FRAMES; i++)
+            correctFrame(*corrector, frames, i, NOTHING);
+        RollingShutterCamera camera = setting.camera;
+        RollingShutterCorrector::Params params = setting.params;
+        changes[k](camera, params.estimator);
+        corrector->setCamera(camera);
+        corrector->setParams(params);
+        // In the dark the state says what is expected.
+        Mat corrected;
+        corrector->setTimestamp(FRAMES * INTERVAL);
+        const AckermannMotion dark = corrector->correct(Mat(camera.imageSize, CV_8U, Scalar(0)), corrected);
+        ASSERT_EQ(MOTION_OK, dark.status);
+        if (k == 0)
+            unchanged = dark;
+        EXPECT_EQ(k == 0, std::abs(dark.rollCorrection) > 1e-4);
+        EXPECT_EQ(k == 0, std::abs(dark.pitchCorrection) > 1e-4);
+        EXPECT_NEAR(unchanged.alpha, dark.alpha, 1e-9);
+        EXPECT_NEAR(unchanged.roadSlope, dark.roadSlope, 1e-9);
+    }
+}
+
 TEST(RSAckermann_SequenceModes, two_sources_of_a_yaw_rate)
 {
     Setting s = settingOf(MODES[0]);

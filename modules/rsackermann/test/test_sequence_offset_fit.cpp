@@ -155,6 +155,37 @@ TEST(RSAckermann_InverseDepthOffset, points_show_it)
     EXPECT_LT(many, 0.3 * planes);
 }
 
+// However few they are, and however far away, points make it better than the planes are, with a cell for five of them.
+TEST(RSAckermann_InverseDepthOffset, few_points_and_far_ones)
+{
+    RNG rng(42);
+    for (const int count : {25, 60, 200})
+        for (const bool isFar : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << count << " " << isFar);
+            double planes = 0, found = 0;
+            for (int i = 0; i < 4; i++)
+            {
+                const BumpyStreet street(12, 0.03, rng);
+                std::vector<TrackedBearing> bearings = street.bearings(3 * count, 0.2, 0, rng);
+                const double far = 0.12; // from the horizon
+                bearings.erase(
+                    std::remove_if(bearings.begin(), bearings.end(),
+                                   [&](const TrackedBearing& b) { return isFar && std::abs(b.now.y) > far; }),
+                    bearings.end());
+                bearings.resize(std::min(bearings.size(), size_t(count)));
+                AckermannMotion motion = withoutOffset(street.motion);
+                planes += street.error(motion);
+                fitOffset(street.camera, bearings, street.values, motion);
+                ASSERT_FALSE(motion.inverseDepthOffset.empty());
+                const int cells = (motion.inverseDepthOffset.rows - 3) * (motion.inverseDepthOffset.cols - 3);
+                EXPECT_NEAR(bearings.size() / 5., cells, 0.3 * bearings.size() / 5 + 2);
+                found += street.error(motion);
+            }
+            EXPECT_LT(found, (count < 100 ? 0.95 : 0.8) * planes);
+        }
+}
+
 TEST(RSAckermann_InverseDepthOffset, of_planes_is_next_to_nothing)
 {
     RNG rng(37);

@@ -212,6 +212,46 @@ TEST(RSAckermann_Verticals, sides_of_narrow_bars)
         }
 }
 
+// An edge that turns is two segments, which meet where it does.
+TEST(RSAckermann_Verticals, kinks_with_noise)
+{
+    RNG rng(9);
+    for (const double noise : {0., 2., 5.})
+        for (const double turn : {-0.5, -0.25, 0.25, 0.5})
+            for (const bool isTransposed : {false, true})
+                for (int k = 0; k < 5; k++)
+                {
+                    SCOPED_TRACE(cv::format("noise %g, turn %g, transposed %d", noise, turn, int(isTransposed)));
+                    const Size size(120, 160);
+                    const double middle = rng.uniform(50., 70.), slope = rng.uniform(-0.2, 0.2) - turn / 2,
+                                 corner = rng.uniform(60., 100.);
+                    Mat image(size, CV_64F);
+                    for (int y = 0; y < size.height; y++)
+                        for (int x = 0; x < size.width; x++)
+                        {
+                            const double t = y - corner, column = middle + t * (slope + (t > 0 ? turn : 0));
+                            image.at<double>(y, x) = 60 + 50 * std::erfc(-(x - column));
+                        }
+                    Mat noisy = withNoise(image, noise, rng);
+                    if (isTransposed)
+                        cv::transpose(noisy.clone(), noisy);
+                    std::vector<Vec4f> segments;
+                    detectSegments(noisy, segments, DETECTOR_VERTICALS, 25);
+                    ASSERT_EQ(2u, segments.size());
+                    for (Vec4f s : segments)
+                    {
+                        if (isTransposed)
+                            s = Vec4f(s[1], s[0], s[3], s[2]);
+                        const double low = std::min(s[1], s[3]), high = std::max(s[1], s[3]);
+                        const bool isAbove = low + high < 2 * corner;
+                        EXPECT_NEAR(corner, isAbove ? high : low, 6);
+                        EXPECT_NEAR(isAbove ? 0 : size.height, isAbove ? low : high, 4);
+                        const double found = (s[2] - s[0]) / (s[3] - s[1]);
+                        EXPECT_NEAR(slope + (isAbove ? 0 : turn), found, 0.02);
+                    }
+                }
+}
+
 //! A bar between two edges that are turned from the vertical, or one edge if it has no width.
 Mat diagonalBar(const Size& size, double angle, double middle, double width, double noise, RNG& rng)
 {

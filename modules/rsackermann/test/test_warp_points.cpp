@@ -115,23 +115,41 @@ TEST(RSAckermann_WarpPoints, have_places_where_pixels_of_maps_have)
             }
 }
 
+// In each direction of the shutter, with rows that tilt in each way, and with another camera matrix.
 TEST_P(WarpPoints, agree_with_the_simulator)
 {
     RNG rng(22);
-    RollingShutterCamera camera = lensCamera(GetParam());
-    mountAtRandom(camera, rng);
-    const AckermannMotion motion = randomMotion(camera, rng);
-    const Simulator simulator = Simulator::fromMotion(camera, motion);
-    const Mat raw = randomPixels(camera.imageSize, 100, rng);
-    Mat global;
-    WarpMapGenerator::create(camera)->correctPoints(motion, raw, global);
-    for (int i = 0; i < raw.rows; i++)
-    {
-        Vec3d P;
-        simulator.locate(pointOf(raw, i), simulator.surface(pointOf(raw, i)), P);
-        P = camera.cameraMatrix * (camera.uprightRotation.t() * P);
-        EXPECT_LE(cv::norm(pointOf(global, i) - Point2d(P[0] / P[2], P[1] / P[2])), 1e-6) << i;
-    }
+    for (int scan = SCAN_TOP_TO_BOTTOM; scan <= SCAN_RIGHT_TO_LEFT; scan++)
+        for (const int tilt : {0, 1, 2}) // none, rates, a curve
+            for (const bool isOtherMatrix : {false, true})
+            {
+                SCOPED_TRACE(testing::Message() << scan << " " << tilt << " " << isOtherMatrix);
+                RollingShutterCamera camera = lensCamera(GetParam());
+                mountAtRandom(camera, rng);
+                camera.scanDirection = scan;
+                AckermannMotion motion = motionFromMetric(camera, rng.uniform(-1., 1.), rng.uniform(-30., 30.), 2.5, 3,
+                                                          camera.heading + rng.uniform(-0.05, 0.05));
+                const double most = 30 * CV_PI / 180 * camera.secondsPerUnitTime();
+                motion.pitchRate = tilt > 0 ? rng.uniform(-most, most) : 0;
+                motion.rollRate = tilt > 0 ? rng.uniform(-most, most) : 0;
+                if (tilt > 1)
+                    addRotationCurve(motion, 7, rng);
+                WarpMapGenerator::Params params;
+                if (isOtherMatrix)
+                    params.newCameraMatrix = Matx33d(600, 0, 290, 0, 640, 210, 0, 0, 1);
+                const Matx33d matrix = isOtherMatrix ? params.newCameraMatrix : camera.cameraMatrix;
+                const Simulator simulator = Simulator::fromMotion(camera, motion);
+                const Mat raw = randomPixels(camera.imageSize, 30, rng);
+                Mat global;
+                WarpMapGenerator::create(camera, params)->correctPoints(motion, raw, global);
+                for (int i = 0; i < raw.rows; i++)
+                {
+                    Vec3d P;
+                    simulator.locate(pointOf(raw, i), simulator.surface(pointOf(raw, i)), P);
+                    P = matrix * (camera.uprightRotation.t() * P);
+                    EXPECT_LE(cv::norm(pointOf(global, i) - Point2d(P[0] / P[2], P[1] / P[2])), 1e-6) << i;
+                }
+            }
 }
 
 // Points anywhere in space, in metres.
@@ -162,7 +180,17 @@ TEST_P(WarpPoints, depths)
             global.push_back(Mat(Matx12d(pixel.x, pixel.y)));
             depths.push_back(depth);
         }
-        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+        WarpMapGenerator::Params params;
+        if (round % 3 == 0)
+            params.newCameraMatrix = Matx33d(600, 0, 290, 0, 640, 210, 0, 0, 1);
+        for (int i = 0; i < global.rows && round % 3 == 0; i++)
+        {
+            const Vec3d p =
+                params.newCameraMatrix * (K.inv() * Vec3d(global.at<double>(i, 0), global.at<double>(i, 1), 1));
+            global.at<double>(i, 0) = p[0];
+            global.at<double>(i, 1) = p[1];
+        }
+        const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera, params);
         Mat gotRaw, gotGlobal;
         generator->distortPoints(motion, global, gotRaw, depths);
         generator->correctPoints(motion, raw, gotGlobal, depths);
@@ -176,7 +204,9 @@ TEST_P(WarpPoints, agree_with_the_maps)
     RNG rng(24);
     const RollingShutterCamera camera = lensCamera(GetParam());
     const AckermannMotion motion = randomMotion(camera, rng);
-    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    WarpMapGenerator::Params params;
+    params.newCameraMatrix = Matx33d(800, 0, 290, 0, 840, 210, 0, 0, 1);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera, params);
     Mat map, unused, pixels(0, 2, CV_64F), moved;
     for (int y = 0; y < 380; y += 19)
         for (int x = 0; x < 640; x += 20)
