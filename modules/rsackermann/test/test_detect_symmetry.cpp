@@ -136,12 +136,17 @@ typedef testing::TestWithParam<int> DetectSymmetry;
 TEST_P(DetectSymmetry, of_segments)
 {
     const int detector = GetParam();
-    const std::vector<Patch> patches = scene(detector == DETECTOR_VERTICALS);
+    std::vector<Patch> patches = scene(detector == DETECTOR_VERTICALS);
     std::vector<Ends> ofSmall;
     for (const int form : {1, 2, 16})
     {
         SCOPED_TRACE(form);
         const int scale = form == 2 ? 2 : 1;
+        if (form == 16) // what is darker and brighter than the rest is seen as well
+        {
+            patches.push_back(patchOf(118, 237, 16, 90, 0.3, 0, 14));
+            patches.push_back(patchOf(595, 237, 16, 90, -0.3, 0, 216));
+        }
         Mat image = draw(patches, scale);
         if (form == 16) // bits, of which not all of the range is used
             image.convertTo(image, CV_16U, 11, 9000);
@@ -155,7 +160,8 @@ TEST_P(DetectSymmetry, of_segments)
             std::vector<Ends> expected;
             for (const Ends& e : all)
                 expected.push_back({change.ofPlace(e.a, image.size()), change.ofPlace(e.b, image.size())});
-            expectSame(expected, detect(changed, detector, scale), detector, 0.5 * scale,
+            // 16 bits are rounded to 8, to other ones in a negative, which may cost an end a row.
+            expectSame(expected, detect(changed, detector, scale), detector, (form == 16 ? 1.5 : 0.5) * scale,
                        (detector == DETECTOR_VERTICALS ? 0.07 : 0.25) * scale);
         }
         if (form == 1)
