@@ -475,6 +475,28 @@ TEST_P(SequenceModes, single_image_within)
 }
 
 // Without a gravity it is the gyro and what is given that know the yaw rate of a single image, each by its weight.
+// A gyro is nothing that is given, which a single image could contradict.
+TEST(RSAckermann_SequenceModes, nothing_is_seen_beside_a_gyro)
+{
+    for (const int source : {GYRO, GIVEN})
+    {
+        const Setting setting = settingOf({"alone", [](Setting& s) { s.params.sequence = false; }});
+        const MetricMotion& m = setting.metric;
+        const Simulator simulator =
+            Simulator::fromMetric(setting.camera, m.yawRate, m.speed, m.leftDistance, m.rightDistance, m.wallDirection);
+        RNG rng(12);
+        const Mat segments = simulation::randomSegments(simulator, simulation::SegmentOptions(), rng).ends,
+                  image(setting.camera.imageSize, CV_8U, Scalar(9));
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), source);
+        corrector->setTimestamp(0.1);
+        Mat corrected;
+        const AckermannMotion motion = corrector->correctWithSegments(image, segments, corrected);
+        ASSERT_EQ(MOTION_OK, motion.status);
+        EXPECT_EQ(source == GIVEN, motion.seenYawRateSigma > 0);
+        EXPECT_EQ(source == GIVEN, motion.seenYawRate != 0);
+    }
+}
+
 // Whichever of what is known of gravity changes, roll and pitch begin anew; all else goes on.
 TEST(RSAckermann_SequenceModes, gravity_that_changes)
 {
