@@ -23,21 +23,24 @@ bool isPngCutShort(const std::vector<uchar>& b)
     return true;
 }
 
-// A JPEG file is a row of segments, each with a marker and, except for a few, a length. Coded data follow a segment SOS
-// (0xDA) and last until a marker that is neither a stuffed 0 nor a restart; EOI (0xD9) ends the image. Searching for
-// EOI alone would find the one of a thumbnail.
+// A JPEG file is a row of segments, each with a marker and, except for a few, a length; EOI (0xD9) ends the image. In
+// coded data 0xFF is stuffed with a 0 or begins a restart, which have no length, either. Searching for EOI alone would
+// find the one of a thumbnail.
 bool isJpegCutShort(const std::vector<uchar>& b)
 {
-    const int SOS = 0xDA, EOI = 0xD9;
-    size_t at = 2;
-    while (at + 1 < b.size())
+    const int EOI = 0xD9;
+    for (size_t at = 2; at + 1 < b.size();)
     {
-        if (b[at] != 0xFF || b[at + 1] == 0xFF)
+        const void* const next = std::memchr(&b[at], 0xFF, b.size() - 1 - at);
+        if (!next)
+            return true;
+        at = size_t(static_cast<const uchar*>(next) - b.data());
+        const int marker = b[at + 1];
+        if (marker == 0xFF) // fill byte
         {
             at++;
             continue;
         }
-        const int marker = b[at + 1];
         at += 2;
         if (marker == EOI)
             return false;
@@ -46,9 +49,6 @@ bool isJpegCutShort(const std::vector<uchar>& b)
         if (at + 1 >= b.size())
             return true;
         at += size_t(b[at]) << 8 | b[at + 1];
-        if (marker == SOS)
-            while (at + 1 < b.size() && (b[at] != 0xFF || b[at + 1] == 0 || (b[at + 1] >= 0xD0 && b[at + 1] <= 0xD7)))
-                at++;
     }
     return true;
 }
