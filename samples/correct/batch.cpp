@@ -220,7 +220,7 @@ void Batch::correctOfSequence(size_t index, const Targets& targets, Outcome& out
     frame.report.input = input;
     finish(overlap);
     outcome.written = std::async(launchPolicy(), [&input, stored, frame, targets]() {
-        writeResults(input, stored, frame, targets);
+        writeResults(input, stored, frame, targets).commit();
         return frame.report;
     });
 }
@@ -228,19 +228,31 @@ void Batch::correctOfSequence(size_t index, const Targets& targets, Outcome& out
 void Batch::correctAlone(size_t index, const Targets& targets, Outcome& outcome)
 {
     targets.check(job_);
+    // Results needn't have reached the disk before other images are corrected; of as many again they may be left.
     if (!alone_.empty())
-        finish(alone_.size() - 1);
+        finish(2 * (alone_.size() - 1));
     shareThreads();
+    Alone& alone = alone_[next_++ % alone_.size()];
+    if (alone.last.valid())
+        alone.last.wait();
     const Input& input = inputs_[index];
     const FrameFacts facts = factsOf(index);
-    FrameCorrector& corrector = *alone_[next_++ % alone_.size()];
-    outcome.written = std::async(launchPolicy(), [this, &input, &corrector, facts, targets]() {
-        const StoredImage stored = readStored(input.name);
-        corrector.beginFrame(facts);
-        CorrectedFrame frame = corrector.correct(stored.pixels, NextFrame(), job_.depth.fileOf(input));
-        frame.report.input = input.name;
-        writeResults(input.name, stored, frame, targets);
-        return frame.report;
+    FrameCorrector& corrector = *alone.corrector;
+    alone.last = std::async(launchPolicy(), [this, &input, &corrector, facts, targets]() {
+                     const StoredImage stored = readStored(input.name);
+                     corrector.beginFrame(facts);
+                     const CorrectedFrame frame =
+                         corrector.correct(stored.pixels, NextFrame(), job_.depth.fileOf(input));
+                     return Corrected{frame.report,
+                                      std::make_shared<AtomicFiles>(writeResults(input.name, stored, frame, targets))};
+                 }).share();
+    const std::shared_future<Corrected> corrected = alone.last;
+    // By the thread that waits for it, while the others go on with the next images.
+    outcome.written = std::async(std::launch::deferred, [&input, corrected]() {
+        corrected.get().results->commit();
+        FrameReport report = corrected.get().report;
+        report.input = input.name;
+        return report;
     });
 }
 
@@ -254,9 +266,9 @@ void Batch::shareThreads()
         return;
     finish(0);
     alone_.resize(size_t(images));
-    for (std::unique_ptr<FrameCorrector>& corrector : alone_)
-        if (!corrector)
-            corrector.reset(new FrameCorrector(job_));
+    for (Alone& alone : alone_)
+        if (!alone.corrector)
+            alone.corrector.reset(new FrameCorrector(job_));
     cv::setNumThreads(std::max(threads_ / images, 1));
 }
 

@@ -58,6 +58,20 @@ private:
         }
     };
 
+    // An image whose results have still to reach the disk.
+    struct Corrected
+    {
+        FrameReport report;
+        std::shared_ptr<AtomicFiles> results;
+    };
+
+    // Corrects one image after another, none of which depends on others.
+    struct Alone
+    {
+        std::unique_ptr<FrameCorrector> corrector;
+        std::shared_future<Corrected> last;
+    };
+
     typedef std::shared_future<StoredImage> FutureImage;
 
     Task taskOf(const std::string& input) const;
@@ -84,10 +98,10 @@ private:
     const std::vector<Input>& inputs_;
     const int threads_;
     std::unique_ptr<ReportFile> report_;
-    FrameCorrector corrector_;                           // of sequences and videos
-    std::vector<std::unique_ptr<FrameCorrector>> alone_; // one for each image that is corrected at the same time
-    size_t next_;                                        // of them
-    int largest_;                                        // pixels, of the images up to now; 0: there was none
+    FrameCorrector corrector_; // of sequences and videos
+    std::vector<Alone> alone_; // one for each image that is corrected at the same time
+    size_t next_;              // of them
+    int largest_;              // pixels, of the images up to now; 0: there was none
     Progress progress_;
     Warnings warnings_;
     std::map<size_t, FutureImage> images_; // by their places among the inputs

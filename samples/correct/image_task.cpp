@@ -38,8 +38,8 @@ StoredImage readStored(const std::string& input)
     return stored;
 }
 
-void writeResults(const std::string& input, const StoredImage& stored, const CorrectedFrame& frame,
-                  const Targets& targets)
+AtomicFiles writeResults(const std::string& input, const StoredImage& stored, const CorrectedFrame& frame,
+                         const Targets& targets)
 {
     AtomicFiles files;
     if (!targets.overlay.empty())
@@ -57,7 +57,7 @@ void writeResults(const std::string& input, const StoredImage& stored, const Cor
         else
             writeImage(file, frame.image, stored.exif);
     }
-    files.commit();
+    return files;
 }
 
 } // namespace rsackermann_samples

@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_IMAGE_TASK_HPP
 
 #include "frame_corrector.hpp"
+#include "output/atomic_file.hpp"
 #include "targets.hpp"
 
 namespace rsackermann_samples {
@@ -20,9 +21,9 @@ struct StoredImage
 //! Throws InputError or cv::Exception.
 StoredImage readStored(const std::string& input);
 
-//! Writes the results of an image. Throws InputError or cv::Exception, and then no result is there.
-void writeResults(const std::string& input, const StoredImage& stored, const CorrectedFrame& frame,
-                  const Targets& targets);
+//! Writes the results of an image; they appear when they are committed. Throws InputError or cv::Exception.
+AtomicFiles writeResults(const std::string& input, const StoredImage& stored, const CorrectedFrame& frame,
+                         const Targets& targets);
 
 } // namespace rsackermann_samples
 

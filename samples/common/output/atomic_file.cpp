@@ -150,6 +150,7 @@ void AtomicFiles::commit()
                 std::rename(name.second.c_str(), name.first.c_str());
             std::remove(name.second.c_str()); // still there if both were names of one file
         }
+        files_.clear();
         throw;
     }
     for (const std::pair<std::string, std::string>& name : done)
