@@ -15,6 +15,7 @@
 #include "storage.hpp"
 #include "warp/depth/depth_unit.hpp"
 #include "warp/maps/maps.hpp"
+#include <atomic>
 
 namespace cv { namespace rsackermann {
 
@@ -419,9 +420,36 @@ private:
         }
         else if (onDevice)
             warp(motion, src, dst, mask, depth, deviceMap1, deviceMap2, watch);
+        else if (depth.empty() && src.isMat() && dst.isMat())
+            warpTiles(motion, src, dst, mask, watch);
         else
             warp(motion, src, dst, mask, depth, map1, map2, watch);
-        timings[3] = watch.lap();
+        timings[3] += watch.lap();
+    }
+
+    // Tiles are remapped by the threads that have made their maps, while they are in the cache. Each of both steps has
+    // its share of the time.
+    void warpTiles(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask, Stopwatch& watch)
+    {
+        const RollingShutterCamera camera = generator->getCamera();
+        const Size size = GlobalCamera(camera, params.warp).size;
+        Mat image = src.getMat();
+        dst.create(size, image.type());
+        const Mat warped = dst.getMat();
+        if (warped.data == image.data)
+            image = image.clone();
+        MapWriter writer(size, camera.imageSize, CV_32FC1, map1, map2, mask);
+        std::atomic<int64> mapTicks(0), remapTicks(0);
+        writer.whenWritten = [&](const Rect& tile, int64 start) {
+            const int64 middle = getTickCount();
+            remap(image, warped(tile), map1(tile), map2(tile), params.interpolation);
+            mapTicks += middle - start;
+            remapTicks += getTickCount() - middle;
+        };
+        writeMap(WARP_RECTIFY, camera, params.warp, motion, writer);
+        const double ms = watch.lap();
+        timings[2] = ms * mapTicks / std::max(mapTicks + remapTicks, int64(1));
+        timings[3] = ms - timings[2];
     }
 
     void warp(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask, const DepthMap& depth,

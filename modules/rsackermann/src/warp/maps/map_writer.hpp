@@ -6,6 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_WRITER_HPP
 
 #include "opencv2/core.hpp"
+#include <functional>
 
 namespace cv { namespace rsackermann {
 
@@ -73,6 +74,11 @@ public:
         float* firstY;
         bool inPlace; // in the maps
     };
+
+    /** Called, if there is one, by the thread that has written a tile.
+    @param area of the map.
+    @param start getTickCount() when the tile was begun. */
+    std::function<void(const Rect& area, int64 start)> whenWritten;
 
     bool hasMask() const { return !mask.empty(); }
     int tiles() const { return tilesAcross() * ((mapSize.height + TILE - 1) / TILE); }

@@ -39,9 +39,12 @@ void fillTiles(const TileFiller& filler, MapWriter& writer)
         std::vector<float> buffer;
         for (int i = range.start; i < range.end; i++)
         {
+            const int64 start = getTickCount();
             MapWriter::Tile tile(writer, i, buffer);
             filler.fill(tile);
             tile.write();
+            if (writer.whenWritten)
+                writer.whenWritten(tile.area(), start);
         }
     });
 }
