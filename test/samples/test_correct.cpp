@@ -228,7 +228,8 @@ TEST(Correct, same_results_of_a_folder_whatever_the_number_of_threads)
     }
 }
 
-// The lines are given, since the detectors of OpenCV depend on the processor, too.
+// The lines are given, since the detectors of OpenCV depend on the processor, too. Sums in single precision differ in
+// their last digits with and without fused multiply-adds: numbers do so far below their sigmas, maps do by their own rounding.
 TEST(Correct, nearly_same_result_whatever_the_vectors)
 {
     const TemporaryFolder folder;
@@ -262,12 +263,12 @@ TEST(Correct, nearly_same_result_whatever_the_vectors)
         for (const auto& expected : widest.items())
             if (expected.value().is_number_float())
                 EXPECT_NEAR(expected.value().get<double>(), values[expected.key()].get<double>(),
-                            1e-6 * (1e-6 + std::abs(expected.value().get<double>())))
+                            1e-4 * (1e-4 + std::abs(expected.value().get<double>())))
                     << expected.key() << " without " << disabled;
             else
                 EXPECT_EQ(expected.value(), values[expected.key()]) << expected.key() << " without " << disabled;
         for (int i = 0; i < 2; i++)
-            EXPECT_LT(cv::norm(widestMaps[i], maps[i], cv::NORM_INF), 1e-3) << "map without " << disabled;
+            EXPECT_LT(cv::norm(widestMaps[i], maps[i], cv::NORM_INF), 2e-4) << "map without " << disabled;
     }
 }
 

@@ -296,7 +296,7 @@ static double bestFraction(const MotionSamples& samples, const Correction& corre
         }
     }
 
-    const double least = 1e-3; // pixels: by less nothing is to be gained
+    const double least = 0.01 * loss(0); // by less nothing is to be gained
     const double best = loss(1) < loss((low + high) / 2) + least ? 1 : (low + high) / 2;
     return loss(best) < loss(0) - least ? best : 0;
 }
