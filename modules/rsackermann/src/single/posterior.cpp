@@ -25,6 +25,19 @@ const Fit& cheapest(const std::vector<Fit>& fits)
     return *std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
 }
 
+// Refinements of one minimum end within a small part of its width from each other, wherever they started.
+bool isSameMinimum(const Fit& a, const Fit& b)
+{
+    const double part = 0.1;
+    for (int i = 0; i < PARAMETERS; i++)
+    {
+        const double difference = a.model.value[i] - b.model.value[i];
+        if (!(difference * difference <= part * part * a.covariance(i, i)))
+            return false;
+    }
+    return a.model.direction == b.model.direction;
+}
+
 // A motion hypothesis with the logarithm of its prior probability, given that the camera moves.
 struct WeighedHypothesis
 {
@@ -37,7 +50,7 @@ struct WeighedHypothesis
 
     void addMinimum(const Fit& fit)
     {
-        const auto isSame = [&](const Fit& other) { return std::abs(other.cost - fit.cost) < NEGLIGIBLE; };
+        const auto isSame = [&](const Fit& other) { return isSameMinimum(other, fit); };
         if (fit.cost < DBL_MAX && std::none_of(minima.begin(), minima.end(), isSame))
             minima.push_back(fit);
     }

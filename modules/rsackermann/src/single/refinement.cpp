@@ -201,7 +201,8 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
 {
     const ModelProblem ofModel(problem, hypothesis, evidence);
     ModelProblem::Equations equations;
-    MinimizerOptions options(maxIterations, 1e-12, 3e-6);
+    // Before the noise is known nothing but the way to a minimum is of use.
+    MinimizerOptions options(maxIterations, 1e-12, problem.noiseIsKnown ? 3e-6 : 1e-4);
     options.farthest = farthest;
     minimize(ofModel, options, model, equations);
     if (covariance)
