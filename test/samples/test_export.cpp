@@ -31,6 +31,11 @@ public:
     Export()
         : truth(rsackermann_samples::readTruth(streetFolder() + "/truth.json")), renderer(truth.camera, truth.scene)
     {
+        writeMotion();
+    }
+
+    void writeMotion()
+    {
         cv::FileStorage fs(folder / "motion.yml", cv::FileStorage::WRITE);
         fs.write("input", std::string("street/rolling.png"));
         fs.startWriteStruct("motion", cv::FileNode::MAP);
@@ -119,6 +124,18 @@ TEST_F(Export, row_poses_are_the_views_at_the_first_and_the_last_line)
     EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
     EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
     EXPECT_GT(cv::norm(poseOf(frame["viewmat_end"]) - poseOf(frame["viewmat_start"])), 0.1);
+}
+
+TEST_F(Export, row_poses_on_a_road_without_walls)
+{
+    truth.scene.left = truth.scene.right = 0;
+    writeMotion();
+    write({"--row_poses=" + (folder / "poses.json")});
+    const json poses = json::parse(contentOf(folder / "poses.json"));
+    const json& frame = poses["frames"][0];
+    EXPECT_EQ("metre", frame["unit"]);
+    EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
+    EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
 }
 
 TEST_F(Export, row_poses_of_each_shutter)
