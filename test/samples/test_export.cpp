@@ -31,6 +31,11 @@ public:
     Export()
         : truth(rsackermann_samples::readTruth(streetFolder() + "/truth.json")), renderer(truth.camera, truth.scene)
     {
+        writeMotion();
+    }
+
+    void writeMotion()
+    {
         cv::FileStorage fs(folder / "motion.yml", cv::FileStorage::WRITE);
         fs.write("input", std::string("street/rolling.png"));
         fs.startWriteStruct("motion", cv::FileNode::MAP);
@@ -52,6 +57,24 @@ public:
     Truth truth;
     street::StreetRenderer renderer;
 };
+
+//! Of rsackermann_correct, with the true motion.
+json lineOfReport(const Truth& truth, const std::string& input)
+{
+    const cv::rsackermann::AckermannMotion m = rsackermann_samples::libraryMotion(truth.camera, truth.scene);
+    return {{"input", input},
+            {"status", "ok"},
+            {"alpha", m.alpha},
+            {"beta", m.wallSlope},
+            {"wall_offset", m.wallOffset},
+            {"wall_ratio", m.wallRatio},
+            {"road_slope", m.roadSlope},
+            {"direction", m.direction},
+            {"roll_correction_deg", 0},
+            {"pitch_correction_deg", 0},
+            {"wall_distance_m", m.wallDistance},
+            {"scale", "wall"}};
+}
 
 typedef cv::Matx44d Pose;
 
@@ -103,16 +126,44 @@ TEST_F(Export, row_poses_are_the_views_at_the_first_and_the_last_line)
     EXPECT_GT(cv::norm(poseOf(frame["viewmat_end"]) - poseOf(frame["viewmat_start"])), 0.1);
 }
 
-TEST_F(Export, row_poses_of_a_shutter_that_goes_up_begin_at_the_last_row)
+TEST_F(Export, row_poses_on_a_road_without_walls)
 {
-    write({"--row_poses=" + (folder / "poses.json"), "--scan=bottom_to_top"});
+    truth.scene.left = truth.scene.right = 0;
+    writeMotion();
+    write({"--row_poses=" + (folder / "poses.json")});
     const json poses = json::parse(contentOf(folder / "poses.json"));
-    EXPECT_EQ("ROLLING_BOTTOM_TO_TOP", poses["shutter"]);
-    EXPECT_EQ(size().height - 1, poses["start_line"]);
-    EXPECT_EQ(0, poses["end_line"]);
-    // The last row is read as much before the reference as the first one is read after it.
-    EXPECT_LT(cv::norm(poseOf(poses["frames"][0]["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
-    EXPECT_LT(cv::norm(poseOf(poses["frames"][0]["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
+    const json& frame = poses["frames"][0];
+    EXPECT_EQ("metre", frame["unit"]);
+    EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
+    EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
+}
+
+TEST_F(Export, row_poses_of_each_shutter)
+{
+    const struct
+    {
+        const char *scan, *shutter;
+        bool isByColumns, isBackward;
+    } cases[] = {{"top_to_bottom", "ROLLING_TOP_TO_BOTTOM", false, false},
+                 {"bottom_to_top", "ROLLING_BOTTOM_TO_TOP", false, true},
+                 {"left_to_right", "ROLLING_LEFT_TO_RIGHT", true, false},
+                 {"right_to_left", "ROLLING_RIGHT_TO_LEFT", true, true}};
+    for (const auto& c : cases)
+    {
+        SCOPED_TRACE(c.scan);
+        write({"--row_poses=" + (folder / "poses.json"), std::string("--scan=") + c.scan});
+        const json poses = json::parse(contentOf(folder / "poses.json"));
+        const int last = (c.isByColumns ? size().width : size().height) - 1;
+        EXPECT_EQ(c.shutter, poses["shutter"]);
+        EXPECT_EQ(c.isBackward ? last : 0, poses["start_line"]);
+        EXPECT_EQ(c.isBackward ? 0 : last, poses["end_line"]);
+        // Backward the last line is read as much before the reference as the first one is read after it.
+        const double before = poses["reference_line"].get<double>(), after = last - before,
+                     first = truth.camera.reference - (c.isBackward ? after : before);
+        const json& frame = poses["frames"][0];
+        EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, first)), 1e-9);
+        EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, first + last)), 1e-9);
+    }
 }
 
 // https://colmap.github.io/format.html: pixel centres at 0.5; masks are named after their image, and 0 stands for no
@@ -264,12 +315,15 @@ TEST_F(Export, damaged_tracks_are_refused_with_their_line)
 }
 
 // The place of a point in the row that sees it; false if it is behind or the image doesn't show it.
-bool placeInRaw(const Truth& truth, const cv::Vec3d& point, cv::Point2d& place)
+bool placeInRaw(const Truth& truth, const cv::Vec3d& point, cv::Point2d& place, double roll = 0)
 {
+    const double c = std::cos(roll), s = std::sin(roll);
+    const Pose upright(c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
     place.y = truth.camera.reference;
     for (int i = 0; i < 100; i++)
     {
-        const cv::Vec4d seen = viewAt(truth, place.y) * cv::Vec4d(point[0], point[1], point[2], 1);
+        const cv::Vec4d seen =
+            upright.t() * viewAt(truth, place.y) * upright * cv::Vec4d(point[0], point[1], point[2], 1);
         if (seen[2] <= 0)
             return false;
         place = cv::Point2d(truth.camera.cx + truth.camera.fx * seen[0] / seen[2],
@@ -350,6 +404,39 @@ TEST_F(Export, points_of_several_frames)
     }
 }
 
+// Each as its line of the report says.
+TEST_F(Export, points_of_frames_that_lean)
+{
+    std::string report, cloud = "file,x,y,z\n";
+    const double rolls[] = {0, 20, -35}; // degrees
+    const cv::Vec3d point(1, 0.5, 6);
+    for (const double roll : rolls)
+    {
+        json line = lineOfReport(truth, cv::format("%g.png", roll));
+        line["roll_deg"] = roll;
+        line["pitch_deg"] = 0;
+        report += line.dump() + "\n";
+        cloud += cv::format("%g.png,%g,%g,%g\n", roll, point[0], point[1], point[2]);
+    }
+    writeContent(folder / "report.jsonl", report);
+    writeContent(folder / "cloud.csv", cloud);
+    const Outcome outcome =
+        exportMotion({"--report=" + (folder / "report.jsonl"), "--camera=" + streetFolder() + "/camera.yml",
+                      "--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const std::vector<std::string> lines = linesOf(folder / "places.csv");
+    ASSERT_EQ(4u, lines.size());
+    cv::Point2d exact, place, level;
+    ASSERT_TRUE(placeInRaw(truth, point, level));
+    for (int i = 0; i < 3; i++)
+    {
+        ASSERT_TRUE(placeInRaw(truth, point, exact, rolls[i] * CV_PI / 180));
+        ASSERT_EQ(2, std::sscanf(lines[size_t(i) + 1].c_str(), "%*[^,],%*f,%*f,%*f,%lf,%lf", &place.x, &place.y));
+        EXPECT_LT(cv::norm(place - exact), 1e-5) << rolls[i];
+        EXPECT_EQ(i > 0, cv::norm(exact - level) > 0.1);
+    }
+}
+
 TEST_F(Export, points_need_metres)
 {
     cv::rsackermann::AckermannMotion motion = rsackermann_samples::libraryMotion(truth.camera, truth.scene);
@@ -425,19 +512,7 @@ TEST_F(Export, mesh_has_the_error_that_it_says)
 // A report has what the file of a motion has.
 TEST_F(Export, report)
 {
-    const cv::rsackermann::AckermannMotion m = rsackermann_samples::libraryMotion(truth.camera, truth.scene);
-    const json street = {{"input", "street/rolling.png"},
-                         {"status", "ok"},
-                         {"alpha", m.alpha},
-                         {"beta", m.wallSlope},
-                         {"wall_offset", m.wallOffset},
-                         {"wall_ratio", m.wallRatio},
-                         {"road_slope", m.roadSlope},
-                         {"direction", m.direction},
-                         {"roll_correction_deg", 0},
-                         {"pitch_correction_deg", 0},
-                         {"wall_distance_m", m.wallDistance},
-                         {"scale", "wall"}};
+    const json street = lineOfReport(truth, "street/rolling.png");
     json frame = street;
     frame["input"] = "drive.mp4";
     frame["frame"] = 7;

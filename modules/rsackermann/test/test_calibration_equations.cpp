@@ -314,6 +314,37 @@ TEST_P(CalibrationEquations, rows_that_turn)
     EXPECT_LT(turned.residual(), 0.2 * plain.residual());
 }
 
+// At which instants a gyro shows how rows turn depends on the line delay; how neighbours show it doesn't.
+TEST_P(CalibrationEquations, rows_that_turn_by_another_line_delay)
+{
+    const Mode& mode = MODES[GetParam()];
+    if (!mode.shakes)
+        return;
+    SCOPED_TRACE(mode.name);
+    Recording recording(mode, 6);
+    std::list<GyroSamples> curves;
+    if (!mode.hasGyro)
+        curves = turnRowsByNeighbours(recording.camera, 1, recording.frames);
+    const CalibrationFrame& frame = recording.frames[3];
+    const double unit = recording.camera.secondsPerUnitTime();
+    ASSERT_TRUE(frame.rowTurns.known());
+    double points = 0, ends = 0;
+    for (const TrackedBearing& b : frame.bearings)
+    {
+        const TrackedBearing one = frame.rowTurns.removedFrom(b, unit),
+                             other = frame.rowTurns.removedFrom(b, 1.2 * unit);
+        points += cv::norm(one.now - other.now) + cv::norm(one.other - other.other);
+    }
+    for (const UprightSegment& v : frame.verticals)
+    {
+        const UprightSegment one = frame.rowTurns.removedFrom(v, unit),
+                             other = frame.rowTurns.removedFrom(v, 1.2 * unit);
+        ends += cv::norm(one.u - other.u) + cv::norm(one.v - other.v);
+    }
+    EXPECT_EQ(mode.hasGyro, points > 0);
+    EXPECT_EQ(mode.hasGyro, ends > 0);
+}
+
 INSTANTIATE_TEST_CASE_P(RSAckermann, CalibrationEquations, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));
 
 }} // namespace opencv_test::

@@ -174,19 +174,6 @@ TEST(RSAckermann_Corrector, lens_of_a_camera_at_rest)
     EXPECT_EQ(0, cvtest::norm(src, dst, NORM_INF));
 }
 
-TEST(RSAckermann_Corrector, new_camera_of_a_camera_at_rest)
-{
-    const RollingShutterCamera camera = simulation::paperCamera();
-    RollingShutterCorrector::Params params;
-    params.warp.newCameraMatrix = Matx33d(408, 0, 159.5, 0, 408, 94.5, 0, 0, 1);
-    params.warp.newSize = Size(320, 190);
-    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
-    Mat dst, mask;
-    corrector->correct(Mat(camera.imageSize, CV_8UC1, Scalar(9)), dst, mask);
-    EXPECT_EQ(params.warp.newSize, dst.size());
-    EXPECT_EQ(params.warp.newSize, mask.size());
-}
-
 TEST(RSAckermann_Corrector, column_shutter_is_not_observable)
 {
     RollingShutterCamera camera = simulation::paperCamera();
@@ -680,6 +667,33 @@ TEST(RSAckermann_Corrector, carrying_pays_in_a_steady_drive)
     }
     for (int k = 0; k < 2; k++)
         EXPECT_LT(error[1][k], 0.9 * error[0][k]) << k;
+}
+
+// An image without a motion is copied only if the other one is to have its size and its focal length.
+TEST(RSAckermann_Corrector, another_image_without_a_motion)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const Mat image(camera.imageSize, CV_8UC1, Scalar(9));
+    RollingShutterCorrector::Params smaller, longer, both;
+    smaller.warp.newSize = Size(320, 190);
+    longer.warp.newCameraMatrix = camera.cameraMatrix;
+    longer.warp.newCameraMatrix(0, 0) *= 2;
+    both.warp.newSize = smaller.warp.newSize;
+    both.warp.newCameraMatrix = Matx33d(408, 0, 159.5, 0, 408, 94.5, 0, 0, 1);
+    for (const RollingShutterCorrector::Params& params : {smaller, longer, both})
+    {
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+        Mat dst, mask, map1, map2, expected1, expected2;
+        corrector->correct(image, dst, mask);
+        corrector->getMaps(map1, map2);
+        WarpMapGenerator::create(camera, params.warp)
+            ->initRectifyMap(AckermannMotion(), expected1, expected2, CV_32FC1);
+        ASSERT_EQ(expected1.size(), dst.size());
+        EXPECT_EQ(expected1.size(), mask.size());
+        ASSERT_EQ(expected1.size(), map1.size());
+        EXPECT_EQ(0, cvtest::norm(map1, expected1, NORM_INF));
+        EXPECT_EQ(0, cvtest::norm(map2, expected2, NORM_INF));
+    }
 }
 
 TEST(RSAckermann_Corrector, bad_arguments)

@@ -275,6 +275,24 @@ TEST_P(EstimatorSymmetry, another_focal_length)
             << i;
 }
 
+// A longer lens shows another street, whose image is displaced the same, at a road near the camera as well.
+TEST(RSAckermann_EstimatorSymmetry, displacement_by_another_focal_length)
+{
+    for (const int mode : {0, 2, 3}) // which are told apart from their reverse
+    {
+        SCOPED_TRACE(MODES[mode].name);
+        Setting s = settingOf(MODES[mode], KNOWN[0]), uncertain = s;
+        const double relative = 0.04;
+        s.camera.height = uncertain.camera.height = 0.3;
+        uncertain.camera.focalSigma = relative * s.camera.cameraMatrix(0, 0);
+        Mat labels;
+        const AckermannMotion one = estimate(s, labels), both = estimate(uncertain, labels);
+        const double added = std::pow(both.expectedResidual, 2) - std::pow(one.expectedResidual, 2);
+        EXPECT_GT(added, 0);
+        EXPECT_LT(std::sqrt(added), relative / 2 * one.expectedRaw);
+    }
+}
+
 INSTANTIATE_TEST_CASE_P(/*nothing*/, EstimatorSymmetry, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));
 
 }} // namespace opencv_test::

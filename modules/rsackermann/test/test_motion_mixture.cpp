@@ -168,6 +168,38 @@ TEST_F(MixtureOfMotions, the_uncertain_road_is_expected)
     EXPECT_GT(wide.best().expectedResidual, 1.05 * exactWalls);
 }
 
+// There the other wall is the left one, and each is as uncertain as it was.
+TEST_F(MixtureOfMotions, in_a_mirror)
+{
+    const double B = 0.2, D = 0.02, lambda = 0.6;
+    const Matx33d spread(0.03, 0, 0, 0.01, 0.02, 0, -0.05, 0.08, 0.15), // of B, D and lambda
+        change(lambda, 0, B, 0, -lambda, -D, 0, 0, -1 / (lambda * lambda)), mirrored = change * spread;
+    Fit fit = moving(B, lambda), twin = moving(lambda * B, 1 / lambda);
+    fit.model[P_D] = D;
+    twin.model[P_D] = -lambda * D;
+    MotionMixture other(field, prior, 0);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+        {
+            fit.covariance(P_B + i, P_B + j) = spread.row(i).dot(spread.row(j));
+            twin.covariance(P_B + i, P_B + j) = mirrored.row(i).dot(mirrored.row(j));
+        }
+    const Fit rest(MotionHypothesis(MODEL_NONE, 0));
+    mixture.add(fit, fit.hypothesis, 0);
+    other.add(twin, twin.hypothesis, 0);
+    for (MotionMixture* m : {&mixture, &other})
+        m->add(rest, rest.hypothesis, -1);
+    const Posterior best = mixture.best(), ofTwin = other.best();
+    EXPECT_NEAR(best.expectedRaw, ofTwin.expectedRaw, 1e-4 * best.expectedRaw);
+    EXPECT_NEAR(best.expectedResidual, ofTwin.expectedResidual, 1e-4 * best.expectedRaw);
+    EXPECT_NEAR(best.probabilityWorse, ofTwin.probabilityWorse, 1e-6);
+    EXPECT_NEAR(best.G, ofTwin.G, 1e-4 * best.G);
+    const double ratio = best.model[P_LAMBDA];
+    EXPECT_NEAR(1, ratio * ofTwin.model[P_LAMBDA], 1e-4);
+    EXPECT_NEAR(ratio * best.model[P_B], ofTwin.model[P_B], 1e-4 * best.model[P_B]);
+    EXPECT_NEAR(-ratio * best.model[P_D], ofTwin.model[P_D], 1e-4 * best.model[P_B]);
+}
+
 TEST_F(MixtureOfMotions, walls_are_averaged_as_inverse_distances)
 {
     add(moving(0.1, 0.5), 0.5);

@@ -97,4 +97,24 @@ TEST(RSAckermann_Refinement, covariance_of_least_squares)
                 << i << " " << j;
 }
 
+// However far segments are from where they should be, what is known of gravity is known as well.
+TEST(RSAckermann_Refinement, covariance_of_what_is_known)
+{
+    const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.5, 20, 2.5, 3, 0);
+    AckermannEstimator::Params params;
+    params.gravitySigma = params.vehiclePitchSigma = 1e-4;
+    RefinementProblem problem = streetProblem(street, 0.3, 20, params, 4);
+    problem.lossScale = 1e4;
+    for (const double sigma : {0.3, 0.02}) // of the places of their ends, as it is and far too small
+    {
+        problem.sigma = sigma;
+        problem.weigh();
+        Model model = modelOf(street);
+        Matx<double, PARAMETERS, PARAMETERS> covariance;
+        refine(problem, MotionHypothesis(MODEL_4LA, 2), VERTICALS_ONLY, 50, model, &covariance);
+        for (const Parameter p : {P_ROLL, P_PITCH})
+            EXPECT_NEAR(1e-4, std::sqrt(covariance(p, p)), 2e-6) << sigma;
+    }
+}
+
 }} // namespace

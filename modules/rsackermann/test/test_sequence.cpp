@@ -529,6 +529,26 @@ TEST(RSAckermann_Sequence, values_are_forgotten_one_by_one)
         }
 }
 
+// Whichever way time passes: what is known becomes less.
+TEST(RSAckermann_Sequence, filter_in_reversed_time)
+{
+    const RollingShutterCamera camera = driveCamera();
+    const AckermannEstimator::Params params;
+    SequenceFilter filters[] = {SequenceFilter(camera, params), SequenceFilter(camera, params)};
+    const double passed[] = {0.3, -0.3};
+    double known = 0;
+    for (int i = 0; i < 2; i++)
+    {
+        filters[i].advance(5, camera, params);
+        filters[i].state.measure(SEQUENCE_YAW_RATE, 0.3, 0.01);
+        known = filters[i].state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE);
+        EXPECT_TRUE(filters[i].advance(5 + passed[i], camera, params));
+    }
+    EXPECT_GT(filters[0].state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE), known);
+    EXPECT_LT(cv::norm(filters[0].state.value - filters[1].state.value), 1e-9);
+    EXPECT_LT(cv::norm(filters[0].state.covariance - filters[1].state.covariance), 1e-9);
+}
+
 TEST(RSAckermann_Sequence, measurement_is_weighed)
 {
     const RollingShutterCamera camera = driveCamera();

@@ -161,6 +161,32 @@ TEST(RSAckermann_Gyro, alignment_is_found)
     EXPECT_LT(std::sqrt(squares / shown), 0.05);
 }
 
+// Of a bias that changes halfway the last turns tell more than the first ones, in whichever order time passes.
+TEST(RSAckermann_Gyro, bias_that_changes)
+{
+    RNG rng(17);
+    const Turning turning(rng);
+    const int frames = 270; // within the memory
+    const TrueGyro early = {0, 0, Vec3d(), Vec3d(), 1}, late = {0, 0, Vec3d::all(0.4 * DEGREE), Vec3d(), 1};
+    Mat times, rates, lateRates;
+    measure(turning, early, frames * INTERVAL, rng, times, rates);
+    measure(turning, late, frames * INTERVAL, rng, times, lateRates);
+    for (int i = 0; i < times.rows; i++)
+        if (times.at<double>(i) > frames / 2 * INTERVAL)
+            lateRates.row(i).copyTo(rates.row(i));
+    for (const bool isBackward : {false, true})
+    {
+        GyroRates gyro;
+        gyro.samples.add(times, rates);
+        for (int k = 0; k < frames; k++)
+            gyro.add(turnOfPoints(turning, isBackward ? frames - k : k + 1, 0.2 * DEGREE, rng));
+        const double ofLast = isBackward ? 0 : 0.4 * DEGREE, ofFirst = 0.4 * DEGREE - ofLast;
+        for (int i = 0; i < 3; i++)
+            EXPECT_LT(std::abs(gyro.alignment().bias[i] - ofLast), 0.8 * std::abs(gyro.alignment().bias[i] - ofFirst))
+                << isBackward << i;
+    }
+}
+
 // What isn't a gyro of this camera isn't used, and is distinguished from one whose clock differs.
 TEST(RSAckermann_Gyro, contradictions_are_noticed)
 {
