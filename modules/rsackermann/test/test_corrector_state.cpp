@@ -120,6 +120,33 @@ void expectNear(const AckermannMotion& expected, const AckermannMotion& motion)
 
 typedef testing::TestWithParam<int> CorrectorState; // Mode
 
+// What is refused hasn't happened: the same frame can be given again.
+TEST_P(CorrectorState, refused_arguments_leave_the_sequence_as_it_was)
+{
+    const Sequence s;
+    const Ptr<Corrector> corrector = createCorrector(s.camera, GetParam()),
+                         undisturbed = createCorrector(s.camera, GetParam());
+    for (int i = 0; i < 4; i++)
+    {
+        const Mat frame = s.frame(i);
+        Mat dst, expected;
+        Mat_<Vec3s> typed;
+        std::vector<Mat> list(1);
+        const auto correct = [&](InputArray segments, OutputArray result, OutputArray mask) {
+            return corrector->correctWithSegments(frame, segments, result, mask);
+        };
+        EXPECT_THROW(correct(Mat(5, 3, CV_32F, Scalar(1)), dst, noArray()), cv::Exception);
+        EXPECT_THROW(correct(s.segments, typed, noArray()), cv::Exception);
+        EXPECT_THROW(correct(s.segments, noArray(), noArray()), cv::Exception);
+        EXPECT_THROW(correct(s.segments, dst, typed), cv::Exception);
+        EXPECT_THROW(correct(s.segments, dst, list), cv::Exception);
+        EXPECT_THROW(corrector->correct(frame, typed), cv::Exception);
+        const AckermannMotion motion = undisturbed->correctWithSegments(frame, s.segments, expected);
+        expectSame(motion, correct(s.segments, dst, noArray()));
+        EXPECT_EQ(0, cvtest::norm(expected, dst, NORM_INF)) << i;
+    }
+}
+
 // After reset() a corrector is like a new one.
 TEST_P(CorrectorState, reset_forgets_every_history)
 {

@@ -172,7 +172,10 @@ public:
         return add(segmentsOfFrame, seconds, prior, [&](double passed) { features.setPoints(start, pairs, passed); });
     }
 
-    void addGyro(InputArray times, InputArray rates) CV_OVERRIDE { gyro.add(times.getMat(), rates.getMat()); }
+    void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
+    {
+        gyro.add(matrixOf(times, "times"), matrixOf(rates, "rates"));
+    }
 
     void clearGyro() CV_OVERRIDE { gyro.clear(); }
 
