@@ -243,6 +243,13 @@ public:
         passTo(0);
     }
 
+    void clear() CV_OVERRIDE
+    {
+        clearGyro();
+        reset();
+        prior = MotionPrior();
+    }
+
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask, const DepthMap& depth) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();

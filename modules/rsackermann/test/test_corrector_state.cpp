@@ -147,25 +147,38 @@ TEST_P(CorrectorState, refused_arguments_leave_the_sequence_as_it_was)
     }
 }
 
-// After reset() a corrector is like a new one.
-TEST_P(CorrectorState, reset_forgets_every_history)
+// After reset() or clear() a corrector is like a new one; clear() forgets what was given, too.
+TEST_P(CorrectorState, reset_and_clear_forget_every_history)
 {
     const Sequence s;
+    MotionPrior prior;
+    prior.yawRate = 1;
+    prior.yawRateSigma = 0.01;
+    const Mat times = (Mat_<double>(3, 1) << -0.05, 0, 0.05), rates(3, 3, CV_64F, Scalar(0.5));
     for (const History& history : HISTORIES)
-    {
-        SCOPED_TRACE(history.name);
-        const Ptr<Corrector> used = createCorrector(s.camera, GetParam()),
-                             unused = createCorrector(s.camera, GetParam());
-        history.make(*used, s);
-        used->reset();
-        for (int i = 0; i < 3; i++)
+        for (const bool isCleared : {false, true})
         {
-            Mat dst, expected;
-            const AckermannMotion motion = used->correctWithSegments(s.frame(i), s.segments, dst);
-            expectSame(unused->correctWithSegments(s.frame(i), s.segments, expected), motion);
-            EXPECT_EQ(0, cvtest::norm(expected, dst, NORM_INF)) << i;
+            SCOPED_TRACE(testing::Message() << history.name << isCleared);
+            const Ptr<Corrector> used = createCorrector(s.camera, GetParam()),
+                                 unused = createCorrector(s.camera, GetParam());
+            history.make(*used, s);
+            if (isCleared)
+            {
+                used->setPrior(prior);
+                used->addGyro(times, rates);
+                used->clear();
+                EXPECT_EQ(0, used->getPrior().yawRateSigma);
+            }
+            else
+                used->reset();
+            for (int i = 0; i < 3; i++)
+            {
+                Mat dst, expected;
+                const AckermannMotion motion = used->correctWithSegments(s.frame(i), s.segments, dst);
+                expectSame(unused->correctWithSegments(s.frame(i), s.segments, expected), motion);
+                EXPECT_EQ(0, cvtest::norm(expected, dst, NORM_INF)) << i;
+            }
         }
-    }
 }
 
 // getMaps() is of the last image, whatever the one before was.

@@ -179,6 +179,9 @@ public:
      */
     CV_WRAP virtual void reset() = 0;
 
+    //! Forgets all but the camera and the parameters: what reset() resets, the prior and the gyro.
+    CV_WRAP virtual void clear() CV_OVERRIDE = 0;
+
     /** @brief Corrects an image.
     @param src raw image of the camera's size, up to 32766 pixels along each side; any type that cv::remap takes, and 8
     or 16 bit with 1, 3 or 4 channels for the detection.
