@@ -8,13 +8,13 @@
 #include "json_text.hpp"
 #include "map_distance.hpp"
 #include "options.hpp"
+#include "text_file.hpp"
 #include "truth_file.hpp"
 
 #include "opencv2/rsackermann/warp.hpp"
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
 namespace {
 
@@ -32,7 +32,7 @@ const char* const KEYS = "{help   | | print this message}"
 
 nlohmann::json lastLine(const std::string& path)
 {
-    std::ifstream file(path.c_str());
+    std::ifstream file = openText(path);
     if (!file)
         throw InputError(path + " can't be read");
     std::string last;

@@ -4,10 +4,10 @@
 
 #include "csv.hpp"
 #include "options.hpp"
+#include "text_file.hpp"
 
 #include "opencv2/core/cvstd.hpp"
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 namespace rsackermann_samples {
@@ -24,11 +24,7 @@ std::string trimmed(const std::string& text)
 class CsvReader
 {
 public:
-    CsvReader(const std::string& text, const std::string& name) : text_(text), name_(name), at_(0), line_(1)
-    {
-        if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0)
-            at_ = 3;
-    }
+    CsvReader(const std::string& text, const std::string& name) : text_(text), name_(name), at_(0), line_(1) {}
 
     // The next row that isn't empty and the line on which it begins; false at the end.
     bool next(std::vector<std::string>& cells, int& line)
@@ -103,6 +99,15 @@ private:
 
 } // namespace
 
+// Which of two columns of one name is meant nobody knows; several may have none.
+static void checkNames(const std::vector<std::string>& header, const std::string& path)
+{
+    for (size_t i = 0; i < header.size(); i++)
+        if (!header[i].empty() && std::count(header.begin(), header.begin() + std::ptrdiff_t(i), header[i]))
+            throw UsageError(
+                cv::format("column %d of %s: '%s' is there twice", int(i + 1), path.c_str(), header[i].c_str()));
+}
+
 CsvTable readCsv(const std::string& path)
 {
     return readCsv(path, [](const std::vector<std::string>&) { return false; });
@@ -110,10 +115,10 @@ CsvTable readCsv(const std::string& path)
 
 CsvTable readCsv(const std::string& path, bool (*isRagged)(const std::vector<std::string>& header))
 {
-    std::ifstream file(path.c_str(), std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file.is_open() || file.bad())
+    std::ifstream file = openText(path);
+    if (!file)
         throw UsageError(path + " can't be read");
+    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     if (text.find('\0') != std::string::npos)
         throw UsageError(path + " has a zero byte: it isn't a text");
     CsvReader reader(text, path);
@@ -122,6 +127,8 @@ CsvTable readCsv(const std::string& path, bool (*isRagged)(const std::vector<std
     if (!reader.next(table.header, line))
         throw UsageError(path + " is empty");
     const bool ragged = isRagged(table.header);
+    if (!ragged)
+        checkNames(table.header, path);
     for (std::vector<std::string> cells; reader.next(cells, line);)
     {
         if (!ragged && cells.size() != table.header.size())

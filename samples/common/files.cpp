@@ -6,6 +6,7 @@
 #include "image_ends.hpp"
 #include "image_metadata.hpp"
 #include "options.hpp"
+#include "text_file.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"
@@ -33,6 +34,8 @@ std::vector<uchar> readBytes(const std::string& path)
         throw InputError("there is no such file");
     if (isPipe(path))
         throw InputError(PIPE);
+    if (cv::utils::fs::isDirectory(path))
+        throw InputError("it is a folder; a file is expected");
     std::ifstream file(path.c_str(), std::ios::binary | std::ios::ate);
     const std::streamoff size = file.tellg();
     std::vector<uchar> bytes(size > 0 ? size_t(size) : 0u);
@@ -93,8 +96,8 @@ std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, co
 
 cv::Mat readSegments(const std::string& path)
 {
-    std::ifstream file(path.c_str());
-    if (!file || cv::utils::fs::isDirectory(path))
+    std::ifstream file = openText(path);
+    if (!file)
         throw UsageError("lines file " + path + " can't be read");
     cv::Mat segments(0, 4, CV_32F);
     std::string line;

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 
@@ -70,7 +72,7 @@ std::vector<const char*> sortArguments(int argc, const char* const* argv, const 
 std::string printed(double value)
 {
     std::ostringstream stream;
-    stream << value;
+    stream << std::setprecision(10) << value; // all digits of a whole number
     return stream.str();
 }
 
@@ -211,6 +213,16 @@ void setThreads(const Options& options)
         cv::setNumThreads(std::min(options.integer("threads", 1, 4096), cv::getNumberOfCPUs()));
 }
 
+// What a program prints may be all that it does.
+static int checkOutput(const char* program, int exitCode)
+{
+    std::cout.flush();
+    if (exitCode != 0 || (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout))
+        return exitCode;
+    std::cerr << program << ": standard output can't be written" << std::endl;
+    return 1;
+}
+
 int runProgram(const std::string& about, const std::string& keys, int (*program)(const Options&), int argc,
                const char* const* argv)
 {
@@ -220,9 +232,9 @@ int runProgram(const std::string& about, const std::string& keys, int (*program)
         if (options.given("help"))
         {
             options.printHelp(about);
-            return 0;
+            return checkOutput(argv[0], 0);
         }
-        return program(options);
+        return checkOutput(argv[0], program(options));
     }
     catch (const UsageError& e)
     {

@@ -5,15 +5,14 @@
 #include "report_lines.hpp"
 #include "json_text.hpp"
 #include "options.hpp"
-
-#include <fstream>
+#include "text_file.hpp"
 
 namespace rsackermann_samples {
 
 void readReportLines(const std::string& path,
                      const std::function<void(const nlohmann::json& line, const std::string& source)>& use)
 {
-    std::ifstream file(path.c_str());
+    std::ifstream file = openText(path);
     if (!file)
         throw InputError(path + " can't be read");
     int number = 0;

@@ -56,9 +56,6 @@ void checkHeader(const std::vector<std::string>& header, const std::string& path
                 names += std::string(", ") + column.name;
             throw UsageError(place + " is none of " + names);
         }
-        if (std::find(header.begin(), header.begin() + std::ptrdiff_t(i), header[i]) !=
-            header.begin() + std::ptrdiff_t(i))
-            throw UsageError(place + " is there twice");
     }
     // A standard deviation alone would have no effect.
     for (const char* name : {"speed_sigma_kmh", "yaw_rate_sigma_deg_s"})

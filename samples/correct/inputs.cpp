@@ -5,11 +5,11 @@
 #include "inputs.hpp"
 #include "files.hpp"
 #include "options.hpp"
+#include "text_file.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -127,14 +127,12 @@ std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::strin
 
 std::vector<std::string> linesOf(const std::string& path)
 {
-    std::ifstream file(path.c_str());
-    if (!file || fs::isDirectory(path))
+    std::ifstream file = openText(path);
+    if (!file)
         throw InputError("the list can't be read");
     std::vector<std::string> lines;
     for (std::string line; std::getline(file, line);)
     {
-        if (lines.empty() && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
-            line.erase(0, 3); // the mark of UTF-8
         if (!line.empty() && line.back() == '\r')
             line.pop_back();
         if (!line.empty())

@@ -6,9 +6,9 @@
 #include "json_text.hpp"
 #include "units.hpp"
 #include "options.hpp"
+#include "text_file.hpp"
 
 #include <climits>
-#include <fstream>
 #include <iterator>
 
 namespace rsackermann_samples {
@@ -84,7 +84,7 @@ static double inRange(const std::string& path, const nlohmann::json& json, const
 Truth readTruth(const std::string& path)
 try
 {
-    std::ifstream file(path.c_str());
+    std::ifstream file = openText(path);
     if (!file)
         throw InputError(path + " can't be read");
     const nlohmann::json json = parseJson(std::string(std::istreambuf_iterator<char>(file), {}));

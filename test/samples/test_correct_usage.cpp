@@ -25,6 +25,29 @@ TEST(CorrectUsage, help_names_every_option)
         EXPECT_NE(std::string::npos, outcome.output.find(std::string("--") + name)) << name;
 }
 
+// What is printed may be all that there is.
+TEST(CorrectUsage, standard_output_that_is_full)
+{
+    const TemporaryFolder folder;
+    const std::string report = folder / "report.jsonl", maps = folder / "maps.yml";
+    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",
+                          "--report=" + report, "--maps=" + maps})
+                     .exitCode);
+    const std::string evaluation = std::string(EVALUATE_PROGRAM) + " --truth=" + streetFolder() +
+                                   "/truth.json --maps=" + maps + " --report=" + report;
+    std::vector<std::string> commands = {evaluation};
+    for (const char* program :
+         {CALIBRATE_PROGRAM, CORRECT_PROGRAM, EVALUATE_PROGRAM, EXPORT_PROGRAM, PAGE_PROGRAM, SIMULATE_PROGRAM})
+        commands.push_back(std::string(program) + " --help");
+    for (const std::string& command : commands)
+    {
+        const Outcome outcome = runCommand(command + " > /dev/full");
+        EXPECT_EQ(1, outcome.exitCode) << command;
+        EXPECT_NE(std::string::npos, outcome.messages.find("standard output can't be written")) << outcome.messages;
+        EXPECT_EQ(0, runCommand(command).exitCode) << command;
+    }
+}
+
 // Every command line here is refused: exit code 2, the message names what is wrong, nothing is written.
 class CorrectRefuses : public testing::TestWithParam<std::pair<const char*, const char*>>
 {
@@ -53,6 +76,7 @@ const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--out
                                                        {"--focal=inf", "inf"},
                                                        {"--focal=0", "--focal"},
                                                        {"--focal=-816", "--focal"},
+                                                       {"--seed=-1", "from 0 to 2147483647"},
                                                        {"--focal=1e999", "1e999"},
                                                        {"--line_delay=0", "--line_delay"},
                                                        {"--readout=x", "--readout"},

@@ -237,6 +237,50 @@ TEST_F(InputsStay, options_are_known)
     }
 }
 
+// Whatever reads a file says that a folder is none, by its name.
+TEST_F(InputsStay, folders_are_no_files)
+{
+    const std::string given = folder / "a_folder";
+    ASSERT_TRUE(cv::utils::fs::createDirectory(given));
+    const std::set<std::string> folders = {"--depth=", "--corrected=", "--overlay="};
+    for (const Reads& reads : programs())
+        for (const std::string& input : reads.inputs)
+        {
+            if (folders.count(input))
+                continue;
+            SCOPED_TRACE(reads.program + " " + input);
+            const Outcome outcome = runProgram(
+                reads.program, reads.others + Arguments{input + given, reads.outputs[0].option + (folder / "new.yml")});
+            EXPECT_TRUE(outcome.exitCode == 1 || outcome.exitCode == 2) << outcome.exitCode;
+            EXPECT_NE(std::string::npos, outcome.messages.find("a_folder")) << outcome.messages;
+            EXPECT_EQ(std::string::npos, outcome.messages.find("basic_")) << outcome.messages;
+            runCommand("rm -f '" + (folder / "new.yml") + "'");
+        }
+}
+
+// Editors put it before UTF-8.
+TEST_F(InputsStay, texts_may_begin_with_a_mark)
+{
+    const std::set<std::string> texts = {"--log=", "--gyro=", "--lines=", "@", "--report=", "--tracks=", "--points="};
+    const std::string read = folder / "text.txt", written = folder / "new.yml";
+    for (const Reads& reads : programs())
+        for (const std::string& input : reads.inputs)
+        {
+            if (!texts.count(input))
+                continue;
+            SCOPED_TRACE(reads.program + " " + input);
+            Outcome outcomes[2];
+            for (int i = 0; i < 2; i++)
+            {
+                writeContent(read, (i == 0 ? "" : "\xEF\xBB\xBF") + files.at(input));
+                outcomes[i] = runProgram(reads.program, reads.others + Arguments{input + read, "--overwrite",
+                                                                                 reads.outputs[0].option + written});
+            }
+            EXPECT_EQ(outcomes[0].exitCode, outcomes[1].exitCode);
+            EXPECT_EQ(outcomes[0].messages, outcomes[1].messages);
+        }
+}
+
 // Standard output is that of --report of rsackermann_correct alone.
 TEST_F(InputsStay, a_dash_is_no_result)
 {

@@ -44,10 +44,27 @@ inline void checkRange(double value, double low, double high, const char* name)
         CV_Error(Error::StsBadArg, format("%s is %g; a number from %g to %g is expected", name, value, low, high));
 }
 
+//! Whether it is one matrix or a vector of elements, or nothing; lists of matrices are none.
+inline bool isOneMatrix(const _InputArray& input)
+{
+    const int kind = input.kind();
+    return kind == _InputArray::NONE || kind == _InputArray::MAT || kind == _InputArray::UMAT ||
+           kind == _InputArray::MATX || kind == _InputArray::EXPR || kind == _InputArray::STD_VECTOR ||
+           kind == _InputArray::STD_BOOL_VECTOR;
+}
+
+//! The matrix of an argument; throws if it isn't one.
+inline Mat matrixOf(InputArray input, const char* name)
+{
+    if (!isOneMatrix(input))
+        CV_Error(Error::StsBadArg, format("%s is a list of matrices or lists; one matrix is expected", name));
+    return input.getMat();
+}
+
 //! Throws unless it is one image and, if a size is expected, has it.
 inline void checkImageSize(InputArray image, const char* name, const Size& expected)
 {
-    if (image.isMatVector() || image.isUMatVector() || image.dims() > 2 || image.empty())
+    if (!isOneMatrix(image) || image.dims() > 2 || image.empty())
         CV_Error(Error::StsBadArg,
                  format("%s is empty or not one matrix of two dimensions; an image is expected", name));
     if (expected != Size() && image.size() != expected)
@@ -73,6 +90,23 @@ inline void checkRemapped(InputArray image, const char* name, const Size& expect
     if (depth != CV_8U && depth != CV_16U && depth != CV_16S && depth != CV_32F && depth != CV_64F)
         CV_Error(Error::StsBadArg, format("%s is of type %s; CV_8U, CV_16U, CV_16S, CV_32F or CV_64F is expected", name,
                                           typeToString(image.type()).c_str()));
+}
+
+/** Throws unless an output can become a matrix of that size and type: it is one whose size and type aren't fixed to
+others, or a vector of such elements. Before any work is done, so that nothing has changed. */
+inline void checkOutput(const _OutputArray& output, const char* name, const Size& size, int type)
+{
+    const bool isVector = output.kind() == _InputArray::STD_VECTOR, isMatrix = output.isMat() || output.isUMat(),
+               isFixed = output.isMatx(), isKnown = isVector || isMatrix || isFixed;
+    if (isKnown && (!output.fixedType() || output.type() == type) &&
+        (!(output.fixedSize() || isFixed) || output.size() == size) &&
+        (!isVector || size.width <= 1 || size.height <= 1))
+        return;
+    const String given = !output.needed() ? "missing"
+                         : !isKnown       ? "neither a matrix nor a vector of elements"
+                                    : String(isVector ? "a vector of " : "a matrix of ") + typeToString(output.type());
+    CV_Error(Error::StsBadArg, format("%s is %s; one that can become %d x %d of type %s is expected", name,
+                                      given.c_str(), size.width, size.height, typeToString(type).c_str()));
 }
 
 //! Whether two arguments are one matrix, or begin with the same element of one.

@@ -206,7 +206,7 @@ public:
 
     void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
     {
-        sequence.gyro.samples.add(times.getMat(), rates.getMat());
+        sequence.gyro.samples.add(matrixOf(times, "times"), matrixOf(rates, "rates"));
     }
 
     bool getGyroAlignment(double& delay, Vec3d& axes, Vec3d& bias) const CV_OVERRIDE
@@ -243,11 +243,18 @@ public:
         passTo(0);
     }
 
+    void clear() CV_OVERRIDE
+    {
+        clearGyro();
+        reset();
+        prior = MotionPrior();
+    }
+
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask, const DepthMap& depth) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         checkImage(src, "src", generator->getCamera().imageSize);
-        checkMask(src, dst, mask);
+        checkOutputs(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
         Stopwatch watch;
         finder.find(src, params.estimator.detector, params.estimator.minLength, segments);
@@ -263,7 +270,7 @@ public:
         checkRemapped(src, "src", generator->getCamera().imageSize);
         if (isTracked)
             checkImage(src, "src");
-        checkMask(src, dst, mask);
+        checkOutputs(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
         segments = segmentRows(segments_);
         timings = Vec4d();
@@ -278,7 +285,7 @@ public:
         CV_INSTRUMENT_REGION();
         checkRemapped(src, "src", generator->getCamera().imageSize);
         checkMotion(motion);
-        checkMask(src, dst, mask);
+        checkOutputs(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
         segments.release();
         labels.release();
@@ -289,6 +296,8 @@ public:
     void getSegments(OutputArray segments_, OutputArray labels_) const CV_OVERRIDE
     {
         checkApart(labels_, "labels", segments_, "segments");
+        if (labels_.needed())
+            checkOutput(labels_, "labels", labels.size(), CV_8U);
         if (segments_.needed())
             returnSegments(segments, segments_);
         if (labels_.needed())
@@ -298,6 +307,9 @@ public:
     void getMaps(OutputArray map1_, OutputArray map2_) const CV_OVERRIDE
     {
         checkApart(map2_, "map2", map1_, "map1");
+        const Size size = copiedSize != Size() ? copiedSize : onDevice ? deviceMap1.size() : map1.size();
+        checkOutput(map1_, "map1", size, CV_32FC1);
+        checkOutput(map2_, "map2", size, CV_32FC1);
         if (copiedSize != Size())
             identityMaps(map1_, map2_);
         else if (onDevice)
@@ -332,8 +344,16 @@ private:
     }
 
     // The mask is written before the image is read.
-    static void checkMask(InputArray src, OutputArray dst, OutputArray mask)
+    void checkOutputs(InputArray src, OutputArray dst, OutputArray mask) const
     {
+        const Size size = GlobalCamera(generator->getCamera(), params.warp).size;
+        const int longest = std::max(std::max(src.cols(), src.rows()), std::max(size.width, size.height));
+        if (longest >= SHRT_MAX) // refused by cv::remap, whether or not this image needs it
+            CV_Error(Error::StsBadArg,
+                     format("src or dst has a side of %d pixels; up to %d are expected", longest, SHRT_MAX - 1));
+        checkOutput(dst, "dst", size, src.type());
+        if (mask.needed())
+            checkOutput(mask, "mask", size, CV_8UC1);
         checkApart(mask, "mask", src, "src");
         checkApart(mask, "mask", dst, "dst");
     }

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "camera/lens.hpp"
+#include "checks.hpp"
 #include "motion/compensation.hpp"
 #include "motion/motion_check.hpp"
 #include "opencv2/imgproc.hpp"
@@ -113,7 +114,7 @@ void drawMotion(InputOutputArray image_, InputArray segments_, InputArray labels
     CV_INSTRUMENT_REGION();
     camera.check();
     checkMotion(motion);
-    Mat image = image_.getMat();
+    Mat image = matrixOf(image_, "image");
     if (image.type() != CV_8UC3 || image.size() != camera.imageSize)
         CV_Error(Error::StsBadArg,
                  format("image is a %d x %d matrix of type %s; CV_8UC3 of the camera's size %d x %d is expected",
@@ -121,7 +122,7 @@ void drawMotion(InputOutputArray image_, InputArray segments_, InputArray labels
                         camera.imageSize.height));
     if (thickness < 1 || thickness > 255)
         CV_Error(Error::StsBadArg, format("thickness is %d; 1 to 255 is expected", thickness));
-    const Mat segments = segmentRows(segments_), labels = labels_.getMat();
+    const Mat segments = segmentRows(segments_), labels = matrixOf(labels_, "labels");
     if ((int)labels.total() != segments.rows || (segments.rows > 0 && labels.type() != CV_8U))
         CV_Error(Error::StsBadArg,
                  format("labels has %d elements of type %s; %d of CV_8U, one for each segment, are expected",

@@ -167,6 +167,8 @@ TEST(RSAckermann_CalibrationWithGyro, bad_samples_throw)
     EXPECT_THROW(calibrator->addGyro(times, rates), cv::Exception); // not after those
     calibrator->clearGyro();
     EXPECT_NO_THROW(calibrator->addGyro(times, rates));
+    calibrator->clear();
+    EXPECT_NO_THROW(calibrator->addGyro(times, rates));
 }
 
 }} // namespace opencv_test

@@ -120,25 +120,65 @@ void expectNear(const AckermannMotion& expected, const AckermannMotion& motion)
 
 typedef testing::TestWithParam<int> CorrectorState; // Mode
 
-// After reset() a corrector is like a new one.
-TEST_P(CorrectorState, reset_forgets_every_history)
+// What is refused hasn't happened: the same frame can be given again.
+TEST_P(CorrectorState, refused_arguments_leave_the_sequence_as_it_was)
 {
     const Sequence s;
-    for (const History& history : HISTORIES)
+    const Ptr<Corrector> corrector = createCorrector(s.camera, GetParam()),
+                         undisturbed = createCorrector(s.camera, GetParam());
+    for (int i = 0; i < 4; i++)
     {
-        SCOPED_TRACE(history.name);
-        const Ptr<Corrector> used = createCorrector(s.camera, GetParam()),
-                             unused = createCorrector(s.camera, GetParam());
-        history.make(*used, s);
-        used->reset();
-        for (int i = 0; i < 3; i++)
-        {
-            Mat dst, expected;
-            const AckermannMotion motion = used->correctWithSegments(s.frame(i), s.segments, dst);
-            expectSame(unused->correctWithSegments(s.frame(i), s.segments, expected), motion);
-            EXPECT_EQ(0, cvtest::norm(expected, dst, NORM_INF)) << i;
-        }
+        const Mat frame = s.frame(i);
+        Mat dst, expected;
+        Mat_<Vec3s> typed;
+        std::vector<Mat> list(1);
+        const auto correct = [&](InputArray segments, OutputArray result, OutputArray mask) {
+            return corrector->correctWithSegments(frame, segments, result, mask);
+        };
+        EXPECT_THROW(correct(Mat(5, 3, CV_32F, Scalar(1)), dst, noArray()), cv::Exception);
+        EXPECT_THROW(correct(s.segments, typed, noArray()), cv::Exception);
+        EXPECT_THROW(correct(s.segments, noArray(), noArray()), cv::Exception);
+        EXPECT_THROW(correct(s.segments, dst, typed), cv::Exception);
+        EXPECT_THROW(correct(s.segments, dst, list), cv::Exception);
+        EXPECT_THROW(corrector->correct(frame, typed), cv::Exception);
+        const AckermannMotion motion = undisturbed->correctWithSegments(frame, s.segments, expected);
+        expectSame(motion, correct(s.segments, dst, noArray()));
+        EXPECT_EQ(0, cvtest::norm(expected, dst, NORM_INF)) << i;
     }
+}
+
+// After reset() or clear() a corrector is like a new one; clear() forgets what was given, too.
+TEST_P(CorrectorState, reset_and_clear_forget_every_history)
+{
+    const Sequence s;
+    MotionPrior prior;
+    prior.yawRate = 1;
+    prior.yawRateSigma = 0.01;
+    const Mat times = (Mat_<double>(3, 1) << -0.05, 0, 0.05), rates(3, 3, CV_64F, Scalar(0.5));
+    for (const History& history : HISTORIES)
+        for (const bool isCleared : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << history.name << isCleared);
+            const Ptr<Corrector> used = createCorrector(s.camera, GetParam()),
+                                 unused = createCorrector(s.camera, GetParam());
+            history.make(*used, s);
+            if (isCleared)
+            {
+                used->setPrior(prior);
+                used->addGyro(times, rates);
+                used->clear();
+                EXPECT_EQ(0, used->getPrior().yawRateSigma);
+            }
+            else
+                used->reset();
+            for (int i = 0; i < 3; i++)
+            {
+                Mat dst, expected;
+                const AckermannMotion motion = used->correctWithSegments(s.frame(i), s.segments, dst);
+                expectSame(unused->correctWithSegments(s.frame(i), s.segments, expected), motion);
+                EXPECT_EQ(0, cvtest::norm(expected, dst, NORM_INF)) << i;
+            }
+        }
 }
 
 // getMaps() is of the last image, whatever the one before was.

@@ -115,7 +115,7 @@ public:
                             "SCAN_BOTTOM_TO_TOP (1), is expected",
                             camera.scanDirection));
         given = camera;
-        clear();
+        removeFrames();
     }
 
     RollingShutterCamera getCamera() const CV_OVERRIDE { return given; }
@@ -126,21 +126,15 @@ public:
         params = params_;
         gates = params.estimator;
         gates.gravitySigma = gates.vehiclePitchSigma = params.tiltSigma;
-        clear();
+        removeFrames();
     }
 
     Params getParams() const CV_OVERRIDE { return params; }
 
     void clear() CV_OVERRIDE
     {
-        start = given;
-        frames.clear();
-        numbers.clear();
-        features.reset();
-        number = 0;
-        drive = 0;
-        stride = 1;
-        filter.hasFrame = false;
+        removeFrames();
+        clearGyro();
     }
 
     bool addFrame(InputArray image, double seconds, const MotionPrior& prior) CV_OVERRIDE
@@ -172,7 +166,10 @@ public:
         return add(segmentsOfFrame, seconds, prior, [&](double passed) { features.setPoints(start, pairs, passed); });
     }
 
-    void addGyro(InputArray times, InputArray rates) CV_OVERRIDE { gyro.add(times.getMat(), rates.getMat()); }
+    void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
+    {
+        gyro.add(matrixOf(times, "times"), matrixOf(rates, "rates"));
+    }
 
     void clearGyro() CV_OVERRIDE { gyro.clear(); }
 
@@ -210,6 +207,18 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_MountCalibrator"; }
 
 private:
+    void removeFrames()
+    {
+        start = given;
+        frames.clear();
+        numbers.clear();
+        features.reset();
+        number = 0;
+        drive = 0;
+        stride = 1;
+        filter.hasFrame = false;
+    }
+
     static void check(double seconds, const MotionPrior& prior)
     {
         checkFinite(seconds, "seconds");

@@ -3,15 +3,16 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../checks.hpp"
 #include "segments.hpp"
 
 namespace cv { namespace rsackermann {
 
 Mat segmentRows(InputArray segments, const char* name)
 {
-    if (segments.empty())
+    const Mat in = matrixOf(segments, name);
+    if (in.empty())
         return Mat(0, 4, CV_64F);
-    Mat in = segments.getMat();
     const bool fourColumns = in.channels() == 1 && in.cols == 4,
                fourChannels = in.channels() == 4 && (in.cols == 1 || in.rows == 1);
     if ((in.depth() != CV_32F && in.depth() != CV_64F) || in.dims > 2 || (!fourColumns && !fourChannels))
@@ -27,6 +28,7 @@ Mat segmentRows(InputArray segments, const char* name)
 void returnSegments(const Mat& rows, OutputArray segments)
 {
     const bool fourChannels = segments.fixedType() && segments.channels() == 4;
+    checkOutput(segments, "segments", Size(fourChannels ? 1 : 4, rows.rows), fourChannels ? segments.type() : CV_32F);
     segments.create(rows.rows, fourChannels ? 1 : 4, fourChannels ? segments.type() : CV_32F);
     if (rows.rows > 0)
         (fourChannels ? rows.reshape(4) : rows).convertTo(segments, fourChannels ? segments.depth() : CV_32F);

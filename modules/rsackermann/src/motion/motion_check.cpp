@@ -21,8 +21,11 @@ static void checkOffset(const AckermannMotion& motion)
                         offset.rows, offset.cols, typeToString(offset.type()).c_str(),
                         InverseDepthOffset::possibleSizes().c_str()));
     if (!cv::checkRange(offset, true, 0, -LARGEST_VALUE, LARGEST_VALUE))
-        CV_Error(Error::StsBadArg,
-                 format("motion.inverseDepthOffset has values that aren't finite or beyond +-%g", LARGEST_VALUE));
+        CV_Error(
+            Error::StsBadArg,
+            format("motion.inverseDepthOffset has values that aren't finite or beyond +-%g; finite ones up to it are "
+                   "expected",
+                   LARGEST_VALUE));
     checkFinite(area.x, "motion.offsetArea.x");
     checkFinite(area.y, "motion.offsetArea.y");
     checkPositive(area.width, "motion.offsetArea.width");

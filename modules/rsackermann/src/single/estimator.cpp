@@ -122,6 +122,8 @@ void AckermannEstimatorImpl::compareWithSeen(RefinementProblem& problem, const M
 AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const
 {
     prior.check();
+    if (labels_.needed())
+        checkOutput(labels_, "labels", Size(1, segments.rows), CV_8U);
     AckermannMotion motion;
     Mat labels(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
     if (!camera.isRowShutter())

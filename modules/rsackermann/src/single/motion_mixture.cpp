@@ -182,6 +182,9 @@ private:
         raw.push_back(meanDistance(values, none, PADDED));
     }
 
+    // Beyond what an image can be displaced by: its square is finite.
+    static float rounded(double pixels) { return float(std::min(std::max(pixels, -1e15), 1e15)); }
+
     void fieldOf(const Correction& correction, float* values) const
     {
         DisplacementField::Values displacement;
@@ -189,8 +192,8 @@ private:
         for (int k = 0; k < PADDED; k++)
         {
             const bool isPoint = k < DisplacementField::POINTS;
-            values[k] = isPoint ? float(displacement[2 * k]) : 0;
-            values[PADDED + k] = isPoint ? float(displacement[2 * k + 1]) : 0;
+            values[k] = isPoint ? rounded(displacement[2 * k]) : 0;
+            values[PADDED + k] = isPoint ? rounded(displacement[2 * k + 1]) : 0;
         }
     }
 

@@ -24,7 +24,7 @@ void WarpMapGenerator::Params::write(FileStorage& fs) const
 
 void WarpMapGenerator::Params::read(const FileNode& fn)
 {
-    cv::read(fn["new_camera_matrix"], newCameraMatrix, newCameraMatrix);
+    readMatrix(fn, "new_camera_matrix", newCameraMatrix);
     cv::read(fn["new_width"], newSize.width, newSize.width);
     cv::read(fn["new_height"], newSize.height, newSize.height);
     cv::read(fn["max_iterations"], maxIterations, maxIterations);
@@ -74,13 +74,14 @@ void WarpMapGenerator::Params::check() const
 
 static int countPoints(const Mat& points)
 {
-    const int count = points.checkVector(2, -1, false);
+    const int count = points.dims > 2 ? -1 : points.checkVector(2, -1, false);
     if (count < 0 || (points.depth() != CV_32F && points.depth() != CV_64F))
         CV_Error(
             Error::StsBadArg,
             format(
-                "src is a %d x %d matrix of type %s; N x 2, or N x 1 with two channels, CV_32F or CV_64F is expected",
-                points.rows, points.cols, typeToString(points.type()).c_str()));
+                "src is a %d x %d matrix of %d dimensions and type %s; N x 2, or N x 1 with two channels, CV_32F or CV_64F "
+                "is expected",
+                points.rows, points.cols, points.dims, typeToString(points.type()).c_str()));
     return count;
 }
 
@@ -98,11 +99,14 @@ static std::vector<double> toDepths(const Mat& depths, size_t count)
 {
     if (depths.empty())
         return std::vector<double>();
-    if ((depths.depth() != CV_32F && depths.depth() != CV_64F) || depths.total() * depths.channels() != count)
+    if ((depths.depth() != CV_32F && depths.depth() != CV_64F) || depths.dims > 2 ||
+        depths.total() * depths.channels() != count)
         CV_Error(
             Error::StsBadArg,
-            format("depths has %d values of type %s for %d points; one CV_32F or CV_64F value for each is expected",
-                   (int)(depths.total() * depths.channels()), typeToString(depths.type()).c_str(), (int)count));
+            format("depths has %d values of type %s in %d dimensions for %d points; one CV_32F or CV_64F value for "
+                   "each, in two dimensions, is expected",
+                   (int)(depths.total() * depths.channels()), typeToString(depths.type()).c_str(), depths.dims,
+                   (int)count));
     Mat converted;
     depths.convertTo(converted, CV_64F);
     return converted.reshape(1, int(count));
@@ -208,11 +212,16 @@ private:
         checkApart(map1, "map1", depth.values, "depth.values");
         checkApart(map2, "map2", depth.values, "depth.values");
         m1type = normalizedMapType(m1type);
-        CV_OCL_RUN(depth.empty() && map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2),
-                   oclWarpMap(warp, camera, params, motion, m1type, map1, map2, mask))
         Size size = GlobalCamera(camera, params).size, target = camera.imageSize;
         if (warp == WARP_DISTORT)
             std::swap(size, target);
+        checkOutput(map1, "map1", size, m1type);
+        if (m1type != CV_32FC2)
+            checkOutput(map2, "map2", size, m1type == CV_16SC2 ? CV_16UC1 : CV_32FC1);
+        if (mask.needed())
+            checkOutput(mask, "mask", size, CV_8UC1);
+        CV_OCL_RUN(depth.empty() && map1.isUMat() && (map2.isUMat() || m1type == CV_32FC2),
+                   oclWarpMap(warp, camera, params, motion, m1type, map1, map2, mask))
         MapWriter writer(size, target, m1type, map1, map2, mask);
         if (depth.empty())
             writeMap(warp, camera, params, motion, writer);
@@ -225,11 +234,15 @@ private:
     {
         checkMotion(motion);
         checkApart(mask, "mask", dst, "dst");
-        const Mat src = src_.getMat();
+        const Mat src = matrixOf(src_, "src");
         const std::vector<Point2d> points = toPoints(src);
+        if (!points.empty())
+            checkOutput(dst, "dst", src.size(), src.type());
+        if (mask.needed())
+            checkOutput(mask, "mask", Size(1, int(points.size())), CV_8U);
         std::vector<Place> places;
         function(camera, params, GlobalCamera(camera, params).matrix, motion, points,
-                 toDepths(depths.getMat(), points.size()), places);
+                 toDepths(matrixOf(depths, "depths"), points.size()), places);
         returnPlaces(places, src, dst, mask);
     }
 };

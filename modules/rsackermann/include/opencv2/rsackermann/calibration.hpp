@@ -184,6 +184,9 @@ public:
     //! Forgets all samples of addGyro().
     CV_WRAP virtual void clearGyro() = 0;
 
+    //! Removes all frames and forgets all samples of addGyro().
+    CV_WRAP virtual void clear() CV_OVERRIDE = 0;
+
     /** @brief Fits all frames together.
     @return mount and line delay; may be called again after more frames.
      */

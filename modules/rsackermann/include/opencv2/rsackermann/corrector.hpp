@@ -179,9 +179,12 @@ public:
      */
     CV_WRAP virtual void reset() = 0;
 
+    //! Forgets all but the camera and the parameters: what reset() resets, the prior and the gyro.
+    CV_WRAP virtual void clear() CV_OVERRIDE = 0;
+
     /** @brief Corrects an image.
-    @param src raw image of the camera's size; any type that cv::remap takes, and 8 or 16 bit with 1, 3 or 4 channels
-    for the detection.
+    @param src raw image of the camera's size, up to 32766 pixels along each side; any type that cv::remap takes, and 8
+    or 16 bit with 1, 3 or 4 channels for the detection.
     @param dst corrected image of the same type; may be src. Pixels that the raw image doesn't show are 0.
     @param mask receives a CV_8U mask, 255 where a pixel is seen in the raw image and 0 elsewhere; with a depth
     #MASK_HIDDEN marks pixels that something hides in the raw image. Another matrix than src and dst.
