@@ -229,7 +229,8 @@ TEST(Correct, same_results_of_a_folder_whatever_the_number_of_threads)
 }
 
 // The lines are given, since the detectors of OpenCV depend on the processor, too. Sums in single precision differ in
-// their last digits with and without fused multiply-adds: numbers do so far below their sigmas, maps do by their own rounding.
+// their last digits with and without fused multiply-adds: numbers do so far below their sigmas, maps do by their own
+// rounding.
 TEST(Correct, nearly_same_result_whatever_the_vectors)
 {
     const TemporaryFolder folder;
