@@ -19,7 +19,9 @@ Matrix scaledInverse(const Matrix& information)
         (information.diagonal().array() + 1e-9).sqrt().inverse();
     Matrix scaled = scale.asDiagonal() * information * scale.asDiagonal();
     scaled.diagonal().array() += 1e-12;
-    return scale.asDiagonal() * scaled.llt().solve(Matrix::Identity(scaled.rows(), scaled.cols())) * scale.asDiagonal();
+    Matrix inverse = Matrix::Identity(scaled.rows(), scaled.cols());
+    Eigen::LLT<Eigen::Ref<Matrix>>(scaled).solveInPlace(inverse);
+    return scale.asDiagonal() * inverse * scale.asDiagonal();
 }
 
 /** Cost and normal equations of a least squares problem at a state: the sums of w r^2, w J^T r and w J^T J.

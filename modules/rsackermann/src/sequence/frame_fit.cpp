@@ -52,6 +52,13 @@ public:
     {
         FlowEquations::Matrix covariance = FlowEquations::Matrix::Identity() * (TURN_SIGMA * TURN_SIGMA);
         covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
+        // A scene that isn't made of planes looks as if rates changed: only so far that the other values hardly do.
+        for (const TrackedBearing& s : bearings)
+        {
+            const double rate = 0.1 * TURN_SIGMA / ((s.timeNow - s.timeOther) * unit);
+            for (int turn : {s.pitch, s.roll})
+                covariance(changeOf(turn), changeOf(turn)) = 2 * rate * rate;
+        }
         covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>() =
             Eigen::Map<const StateMatrix>(prediction.covariance.val);
         prior = scaledInverse(covariance);

@@ -7,7 +7,10 @@
 
 namespace cv { namespace rsackermann {
 
-RateProcess::RateProcess() : products(Matx22d::zeros()), count(0), pairs(0), changes(0), errors(0), known(0) {}
+RateProcess::RateProcess()
+    : products(Matx33d::zeros()), count(0), pairs(0), changes(0), errors(0), shown(0), shownCount(0), known(0)
+{
+}
 
 // The next mean.
 double RateProcess::predict() const
@@ -15,20 +18,21 @@ double RateProcess::predict() const
     if (!(products(0, 0) > 0))
         return 0;
     // Coefficients of 0 weigh as much as some frames do.
-    const double prior = ASSUMED_FRAMES * products(0, 0) / count;
-    Matx22d information = products;
-    information(0, 0) += prior;
-    information(1, 1) += prior;
+    const double prior = ASSUMED_FRAMES / count, least = 1e-12; // if rows show nothing
+    Matx33d information = products;
+    information(0, 0) += prior * products(0, 0);
+    information(1, 1) += prior * products(0, 0);
+    information(2, 2) += prior * products(2, 2) + least;
     return (information.inv() * response).dot(past);
 }
 
-void RateProcess::add(double rate, double interval)
+void RateProcess::add(double rate, double change, double interval)
 {
     const double kept = std::exp(-std::abs(interval) / RATE_MEMORY);
     if (known > 0)
     {
-        const double change = rate - past[0];
-        changes = kept * changes + change * change;
+        const double difference = rate - past[0];
+        changes = kept * changes + difference * difference;
         pairs = kept * pairs + 1;
     }
     if (known > 1)
@@ -39,7 +43,10 @@ void RateProcess::add(double rate, double interval)
         count = kept * count + 1;
         errors = kept * errors + error * error;
     }
-    past = Vec2d(rate, known > 0 ? past[0] : 0);
+    // In the long run rates don't change: what is left of the mean is not of turns, but of the scene.
+    shown = kept * shown + change;
+    shownCount = kept * shownCount + 1;
+    past = Vec3d(rate, known > 0 ? past[0] : 0, change - shown / (shownCount + ASSUMED_FRAMES));
     known = std::min(known + 1, 2);
 }
 
@@ -82,15 +89,16 @@ void RowRates::update(const SequenceFit& fit, double before, double after)
     // Turns are counted from a frame to one that was taken later.
     const bool backward = before < 0;
     const double earlier = std::abs(before), later = std::abs(after), share = earlier / (earlier + later);
-    const auto follow = [&](RateProcess& process, double ofBefore, double ofAfter) {
-        const double next = -ofAfter / (backward ? earlier : later), previous = ofBefore / (backward ? later : earlier);
-        process.add(backward ? next : previous, before);
+    const auto follow = [&](RateProcess& process, int ofBefore, int ofAfter) {
+        const double next = -fit.values[ofAfter] / (backward ? earlier : later),
+                     previous = fit.values[ofBefore] / (backward ? later : earlier);
+        process.add(backward ? next : previous, fit.values[changeOf(backward ? ofAfter : ofBefore)], before);
         return after != 0 ? process.now(backward ? previous : next, share) : process.now();
     };
-    pitchNow = follow(pitch, fit.values[FLOW_PITCH_BEFORE], fit.values[FLOW_PITCH_AFTER]);
-    rollNow = follow(roll, fit.values[FLOW_ROLL_BEFORE], fit.values[FLOW_ROLL_AFTER]);
+    pitchNow = follow(pitch, FLOW_PITCH_BEFORE, FLOW_PITCH_AFTER);
+    rollNow = follow(roll, FLOW_ROLL_BEFORE, FLOW_ROLL_AFTER);
 
-    yaw.add(fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2, before);
+    yaw.add(fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2, 0, before);
     // The fit has met the next frame, too: of the mean of both sides it is half the variance.
     yawSigma = yaw.wandering() * (after != 0 ? std::sqrt(0.5) : 1);
 }

@@ -26,16 +26,18 @@ const double ASSUMED_FRAMES = 4;
 /** The mean rates of a turn over the intervals between frames, as a damped oscillator that noise drives
 (doc/theory.md, "Rates of rows"): a suspension that swings, an arm or a mount that shakes.
 
-Each mean depends on the two before, an autoregression of second order. Its coefficients are those of the sequence, by
-least squares with a fading memory.
+Each mean depends on the two before and on how the rate changes, which the rows show: an autoregression of second order.
+Its coefficients are those of the sequence, by least squares with a fading memory.
 */
 class RateProcess
 {
 public:
     RateProcess();
 
-    //! Adds the mean rate over the interval that ends at the present frame. @param interval seconds, of any sign.
-    void add(double rate, double interval);
+    /** Adds the mean rate over the interval that ends at the present frame.
+    @param change by how much faster the present frame turns than the one before, as its rows show.
+    @param interval seconds, of any sign. */
+    void add(double rate, double change, double interval);
 
     //! The square of a change that is expected while none is known.
     void expectChange(double square);
@@ -55,12 +57,13 @@ public:
 private:
     double predict() const;
 
-    Matx22d products;       // of the two means before
-    Vec2d response;         // their products with the mean that follows
-    double count, pairs;    // of the means with two before, and with one; those that are forgotten count less
-    double changes, errors; // squares of the differences of neighbouring means, and of the errors of predictions
-    Vec2d past;             // the last mean and the one before
-    int known;              // of these
+    Matx33d products;         // of what a mean depends on
+    Vec3d response;           // its products with the mean that follows
+    double count, pairs;      // of the means with two before, and with one; those that are forgotten count less
+    double changes, errors;   // squares of the differences of neighbouring means, and of the errors of predictions
+    double shown, shownCount; // sum of the changes that rows have shown, and their number
+    Vec3d past;               // the last mean, the one before and the change
+    int known;                // of these means
 };
 
 //! How a gyro has measured that the rows of a frame turn.
