@@ -223,6 +223,35 @@ TEST(RSAckermann_RowRates, forward_and_backward)
     EXPECT_EQ(0, a.rollRateSigma);
 }
 
+// The same of predictions, with what rows show.
+TEST(RSAckermann_RowRates, predicted_forward_and_backward)
+{
+    RNG rng(4);
+    const SequenceState state(simulation::paperCamera(), AckermannEstimator::Params());
+    RowRates forward, backward, without;
+    double distance = 0;
+    for (int i = 0; i < 30; i++)
+    {
+        SequenceFit before(state), after(state), still(state);
+        const double rate = rng.gaussian(0.1), change = rng.gaussian(0.1);
+        before.values[FLOW_PITCH_BEFORE] = still.values[FLOW_PITCH_BEFORE] = rate * INTERVAL;
+        before.values[FLOW_PITCH_CHANGE_BEFORE] = change;
+        after.values[FLOW_PITCH_AFTER] = -rate * INTERVAL;
+        after.values[FLOW_PITCH_CHANGE_AFTER] = change;
+        forward.update(before, INTERVAL, 0);
+        backward.update(after, -INTERVAL, 0);
+        without.update(still, INTERVAL, 0);
+        AckermannMotion a, b, c;
+        forward.toMotion(1, a);
+        backward.toMotion(1, b);
+        without.toMotion(1, c);
+        EXPECT_NEAR(a.pitchRate, b.pitchRate, 1e-12) << i;
+        EXPECT_NEAR(a.pitchRateSigma, b.pitchRateSigma, 1e-12) << i;
+        distance = std::max(distance, std::abs(a.pitchRate - c.pitchRate));
+    }
+    EXPECT_GT(distance, 0.005);
+}
+
 // What a gyro has measured in one frame is nothing to the next one, whether that shows turns or not.
 TEST(RSAckermann_RowRates, of_a_gyro_are_those_of_its_frame)
 {

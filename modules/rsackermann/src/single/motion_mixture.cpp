@@ -299,9 +299,9 @@ static double bestFraction(const MotionSamples& samples, const Correction& corre
         }
     }
 
-    const double least = 0.01 * loss(0); // by less nothing is to be gained
+    const double none = loss(0), least = 0.01 * none; // by less nothing is to be gained
     const double best = loss(1) < loss((low + high) / 2) + least ? 1 : (low + high) / 2;
-    return loss(best) < loss(0) - least ? best : 0;
+    return loss(best) < none - least ? best : 0;
 }
 
 Posterior MotionMixture::best() const
