@@ -9,6 +9,8 @@
 #include "../src/sequence/row_rates.hpp"
 #include "opencv2/rsackermann/corrector.hpp"
 
+#include <numeric>
+
 // How fast a camera pitches and rolls at the instant of a frame, from its mean rates between frames (doc/theory.md,
 // "Rates of rows").
 
@@ -31,39 +33,49 @@ struct Swing
     }
 };
 
+// Root mean squares of what differs from the truth, and how often that is within two sigmas.
 struct Errors
 {
-    double raw, ofMean, predicted, between, shown; // root mean squares; shown: predicted with what rows show
-    int within, count;                             // of the sigmas of both
+    double raw, ofMean, predicted, between; // of the rate, the last mean, without the next frame and with it
+    int within, count;
 };
 
-Errors errorsOf(const Swing& swing, int frames)
+// What the rows of points show beside the changes: independent errors, and what the scene always adds.
+struct ShownChanges
 {
-    Errors e = {0, 0, 0, 0, 0, 0, 0};
-    RateProcess process, ofRows;
-    const double bias = 0.1; // as a scene that isn't as is assumed makes it
+    bool shown;
+    double noise, bias;
+};
+
+Errors errorsOf(const Swing& swing, int frames, const ShownChanges& rows)
+{
+    Errors e = {0, 0, 0, 0, 0, 0};
+    RNG rng(1);
+    RateProcess process;
+    const auto change = [&](int now, int other) {
+        return rows.shown ? swing.at(now) - swing.at(other) + rows.bias + rng.gaussian(rows.noise) : 0;
+    };
     for (int i = 1; i <= frames; i++)
     {
-        process.add(swing.mean(i), 0, INTERVAL);
-        ofRows.add(swing.mean(i), swing.at(i) - swing.at(i - 1) + bias, INTERVAL);
+        process.add(swing.mean(i), change(i, i - 1), INTERVAL);
+        const InstantRate now = process.now(), both = process.now(swing.mean(i + 1), change(i, i + 1), 0.5);
         if (i < frames / 4)
             continue;
         const double truth = swing.at(i);
-        const InstantRate now = process.now(), both = process.now(swing.mean(i + 1), 0.5);
         e.raw += truth * truth;
         e.ofMean += std::pow(swing.mean(i) - truth, 2);
         e.predicted += std::pow(now.value - truth, 2);
         e.between += std::pow(both.value - truth, 2);
-        e.shown += std::pow(ofRows.now().value - truth, 2);
         e.within += (std::abs(now.value - truth) < 2 * now.sigma) + (std::abs(both.value - truth) < 2 * both.sigma);
         e.count++;
     }
-    for (double* sum : {&e.raw, &e.ofMean, &e.predicted, &e.between, &e.shown})
+    for (double* sum : {&e.raw, &e.ofMean, &e.predicted, &e.between})
         *sum = std::sqrt(*sum / e.count);
     return e;
 }
 
-// A suspension, and an arm of 5 Hz: with the next frame better than without, without better than the last mean.
+// A suspension, and an arm of 5 Hz: with the next frame better than without, without better than the last mean, and
+// better still if the rows show changes, whatever the scene adds to all of them.
 TEST(RSAckermann_RowRates, of_oscillations)
 {
     RNG rng(5);
@@ -73,12 +85,56 @@ TEST(RSAckermann_RowRates, of_oscillations)
         const simulation::Oscillation fast(0.002, 0.15, 0.25, rng);
         const Swing swing = {k % 2 ? simulation::Sway([fast](double seconds) { return fast.at(seconds); })
                                    : simulation::onSprings(0.004, rng)};
-        const Errors e = errorsOf(swing, 200);
+        const ShownChanges none = {false, 0, 0}, exact = {true, 0, 0.1};
+        const Errors e = errorsOf(swing, 200, none), ofRows = errorsOf(swing, 200, exact);
         EXPECT_LT(e.predicted, 0.8 * e.ofMean);
-        EXPECT_LT(e.shown, e.predicted);
         EXPECT_LT(e.between, e.predicted);
         EXPECT_LT(e.between, 0.25 * e.raw);
-        EXPECT_GE(e.within, 0.9 * 2 * e.count);
+        EXPECT_LT(ofRows.predicted, e.predicted);
+        EXPECT_LT(ofRows.between, e.between);
+        for (const Errors& errors : {e, ofRows})
+            EXPECT_GE(errors.within, 0.9 * 2 * errors.count);
+        // What shows next to nothing hardly counts.
+        const ShownChanges noise = {true, 20 * e.ofMean, 0};
+        const Errors ofNoise = errorsOf(swing, 200, noise);
+        EXPECT_LT(ofNoise.predicted, 1.1 * e.predicted);
+        EXPECT_LT(ofNoise.between, 1.5 * e.between);
+        EXPECT_GE(ofNoise.within, 0.9 * 2 * ofNoise.count);
+    }
+}
+
+// A rate that wanders: of one that is known at both ends of an interval the mean tells by how much less it is
+// uncertain.
+TEST(RSAckermann_RowRates, of_a_rate_that_wanders)
+{
+    RNG rng(6);
+    const int steps = 20, frames = 1500;
+    std::vector<double> rate(1, 0.);
+    for (int i = 0; i < steps * (frames + 1); i++)
+        rate.push_back(rate.back() + rng.gaussian(0.01));
+    const auto mean = [&](int k) { return std::accumulate(&rate[(k - 1) * steps], &rate[k * steps], 0.) / steps; };
+    for (const bool isShown : {false, true})
+    {
+        RateProcess process;
+        int within[2][2] = {{0, 0}, {0, 0}}, count = 0;
+        for (int k = 1; k <= frames; k++)
+        {
+            const double truth = rate[k * steps], before = isShown ? truth - rate[(k - 1) * steps] : 0,
+                         after = isShown ? truth - rate[(k + 1) * steps] : 0;
+            process.add(mean(k), before, INTERVAL);
+            if (k < 200)
+                continue;
+            const InstantRate rates[] = {process.now(), process.now(mean(k + 1), after, 0.5)};
+            for (int i = 0; i < 2; i++)
+                for (int n = 0; n < 2; n++)
+                    within[i][n] += std::abs(rates[i].value - truth) < (n + 1) * rates[i].sigma;
+            count++;
+        }
+        for (int i = 0; i < 2; i++)
+        {
+            EXPECT_NEAR(0.73, within[i][0] / double(count), 0.12) << isShown << i;
+            EXPECT_NEAR(0.965, within[i][1] / double(count), 0.025) << isShown << i;
+        }
     }
 }
 
@@ -126,12 +182,12 @@ TEST(RSAckermann_RowRates, nothing_is_known_at_first)
     RateProcess process;
     EXPECT_EQ(0, process.now().value);
     EXPECT_EQ(0, process.now().sigma);
-    EXPECT_EQ(0, process.now(1, 0.5).value);
+    EXPECT_EQ(0, process.now(1, 0, 0.5).value);
     process.add(0.3, 0, INTERVAL);
     EXPECT_EQ(0, process.now().value); // how much it changes isn't known
-    EXPECT_NEAR(0.4, process.now(0.5, 0.5).value, 1e-15);
-    EXPECT_NEAR(0.35, process.now(0.5, 0.25).value, 1e-15);
-    EXPECT_GT(process.now(0.5, 0.5).sigma, 0);
+    EXPECT_NEAR(0.4, process.now(0.5, 0, 0.5).value, 1e-15);
+    EXPECT_NEAR(0.35, process.now(0.5, 0, 0.25).value, 1e-15);
+    EXPECT_GT(process.now(0.5, 0, 0.5).sigma, 0);
     // At rest, and after it
     for (int i = 0; i < 5; i++)
         process.add(0, 0, INTERVAL);
@@ -150,11 +206,16 @@ double yawSigmaOf(const RowRates& rates)
     return 2 * std::sqrt(motion.covariance(0, 0)) / unit;
 }
 
+RowTurn& turn(SequenceFit& fit, int value)
+{
+    return fit.turns[value - FLOW_PITCH_BEFORE];
+}
+
 SequenceFit turnsToNextFrame(double pitch, double roll)
 {
     SequenceFit fit{SequenceState(simulation::paperCamera(), AckermannEstimator::Params())};
-    fit.values[FLOW_PITCH_AFTER] = pitch;
-    fit.values[FLOW_ROLL_AFTER] = roll;
+    turn(fit, FLOW_PITCH_AFTER).angle = pitch;
+    turn(fit, FLOW_ROLL_AFTER).angle = roll;
     return fit;
 }
 
@@ -201,10 +262,10 @@ TEST(RSAckermann_RowRates, first_changes_are_as_large_as_other_rates)
 TEST(RSAckermann_RowRates, forward_and_backward)
 {
     SequenceFit fit{SequenceState(simulation::paperCamera(), AckermannEstimator::Params())};
-    fit.values[FLOW_PITCH_BEFORE] = 0.01;
-    fit.values[FLOW_PITCH_AFTER] = -0.03; // counted from the later frame
-    fit.values[FLOW_ROLL_BEFORE] = -0.02;
-    fit.values[FLOW_ROLL_AFTER] = 0.04;
+    turn(fit, FLOW_PITCH_BEFORE).angle = 0.01;
+    turn(fit, FLOW_PITCH_AFTER).angle = -0.03; // counted from the later frame
+    turn(fit, FLOW_ROLL_BEFORE).angle = -0.02;
+    turn(fit, FLOW_ROLL_AFTER).angle = 0.04;
     RowRates forward, backward;
     forward.update(fit, 0.1, 0.2);
     backward.update(fit, -0.2, -0.1);
@@ -223,33 +284,43 @@ TEST(RSAckermann_RowRates, forward_and_backward)
     EXPECT_EQ(0, a.rollRateSigma);
 }
 
-// The same of predictions, with what rows show.
-TEST(RSAckermann_RowRates, predicted_forward_and_backward)
+// The same with what rows show, with the next frame and without it.
+TEST(RSAckermann_RowRates, shown_forward_and_backward)
 {
-    RNG rng(4);
     const SequenceState state(simulation::paperCamera(), AckermannEstimator::Params());
-    RowRates forward, backward, without;
-    double distance = 0;
-    for (int i = 0; i < 30; i++)
+    for (const double next : {0., 1.5 * INTERVAL})
     {
-        SequenceFit before(state), after(state), still(state);
-        const double rate = rng.gaussian(0.1), change = rng.gaussian(0.1);
-        before.values[FLOW_PITCH_BEFORE] = still.values[FLOW_PITCH_BEFORE] = rate * INTERVAL;
-        before.values[FLOW_PITCH_CHANGE_BEFORE] = change;
-        after.values[FLOW_PITCH_AFTER] = -rate * INTERVAL;
-        after.values[FLOW_PITCH_CHANGE_AFTER] = change;
-        forward.update(before, INTERVAL, 0);
-        backward.update(after, -INTERVAL, 0);
-        without.update(still, INTERVAL, 0);
-        AckermannMotion a, b, c;
-        forward.toMotion(1, a);
-        backward.toMotion(1, b);
-        without.toMotion(1, c);
-        EXPECT_NEAR(a.pitchRate, b.pitchRate, 1e-12) << i;
-        EXPECT_NEAR(a.pitchRateSigma, b.pitchRateSigma, 1e-12) << i;
-        distance = std::max(distance, std::abs(a.pitchRate - c.pitchRate));
+        RNG rng(4);
+        RowRates forward, backward, without;
+        double distance = 0, last = 0;
+        for (int i = 0; i < 60; i++)
+        {
+            SequenceFit before(state), after(state);
+            const double rate = rng.gaussian(0.1), mean = (rate + last) / 2, change = rate - last,
+                         nextRate = rng.gaussian(0.1), nextMean = (rate + nextRate) / 2;
+            last = rate;
+            turn(before, FLOW_PITCH_BEFORE).angle = mean * INTERVAL;
+            turn(before, FLOW_PITCH_BEFORE).change = turn(after, FLOW_PITCH_AFTER).change = change;
+            turn(after, FLOW_PITCH_AFTER).angle = -mean * INTERVAL;
+            turn(before, FLOW_PITCH_AFTER).angle = -nextMean * next;
+            turn(before, FLOW_PITCH_AFTER).change = turn(after, FLOW_PITCH_BEFORE).change = rate - nextRate;
+            turn(after, FLOW_PITCH_BEFORE).angle = nextMean * next;
+            SequenceFit still = before;
+            for (RowTurn& t : still.turns)
+                t.change = 0;
+            forward.update(before, INTERVAL, next);
+            backward.update(after, -INTERVAL, -next);
+            without.update(still, INTERVAL, next);
+            AckermannMotion a, b, c;
+            forward.toMotion(1, a);
+            backward.toMotion(1, b);
+            without.toMotion(1, c);
+            EXPECT_NEAR(a.pitchRate, b.pitchRate, 1e-12) << i;
+            EXPECT_NEAR(a.pitchRateSigma, b.pitchRateSigma, 1e-12) << i;
+            distance = std::max(distance, std::abs(a.pitchRate - c.pitchRate));
+        }
+        EXPECT_GT(distance, 0.005) << next;
     }
-    EXPECT_GT(distance, 0.005);
 }
 
 // What a gyro has measured in one frame is nothing to the next one, whether that shows turns or not.

@@ -26,7 +26,7 @@ typedef Eigen::Matrix<double, MOUNT_VALUES, 1> MountVector;
 typedef Eigen::Matrix<double, MOUNT_VALUES, MOUNT_VALUES> MountMatrix;
 // The first of FlowResidual's values. Those that other frames have to do with are the last ones: roll, pitch and the
 // turns about both axes since the frame before.
-enum { FRAME_VALUES = FLOW_YAW_CHANGE, SCENE_VALUES = SEQUENCE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
+enum { FRAME_VALUES = FLOW_PITCH_AFTER, SCENE_VALUES = SEQUENCE_ROLL, LINKED_VALUES = FRAME_VALUES - SCENE_VALUES };
 enum { LINKED_ROLL, LINKED_PITCH, LINKED_PITCH_TURN, LINKED_ROLL_TURN };
 typedef Eigen::Matrix<double, FRAME_VALUES, 1> FrameVector;
 

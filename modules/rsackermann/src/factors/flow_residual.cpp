@@ -52,17 +52,16 @@ Point2d FlowResidual::residualOf(const TrackedBearing& s, const double* u, const
         *byInverseDepth = Point2d();
     if (!(turnedZ > IN_FRONT))
         return Point2d(behind, behind);
-    const double px = turnedX / turnedZ, py = v.ray[1] / turnedZ, time = s.timeNow * unit,
-                 pitch = u[s.pitch] + time * u[changeOf(s.pitch)], roll = u[s.roll] + time * u[changeOf(s.roll)];
+    const double px = turnedX / turnedZ, py = v.ray[1] / turnedZ;
     if (byInverseDepth)
     {
         const double zBy = (sn * wayX + c * wayZ) / turnedZ, xBy = (c * wayX - sn * wayZ) / turnedZ - px * zBy,
                      yBy = -py * zBy;
-        *byInverseDepth =
-            focal * Point2d(xBy + (xBy * py + px * yBy) * pitch - yBy * roll, yBy + 2 * py * yBy * pitch + xBy * roll);
+        *byInverseDepth = focal * Point2d(xBy + (xBy * py + px * yBy) * u[s.pitch] - yBy * u[s.roll],
+                                          yBy + 2 * py * yBy * u[s.pitch] + xBy * u[s.roll]);
     }
-    return focal *
-           Point2d(px + px * py * pitch - py * roll - s.other.x, py + (1 + py * py) * pitch + px * roll - s.other.y);
+    return focal * Point2d(px + px * py * u[s.pitch] - py * u[s.roll] - s.other.x,
+                           py + (1 + py * py) * u[s.pitch] + px * u[s.roll] - s.other.y);
 }
 
 // Half of the difference of the squares of the two times, in seconds: what a change of the yaw rate counts by.
@@ -111,11 +110,6 @@ Point2d FlowResidual::evaluate(const TrackedBearing& s, const double* u, double*
         jy[s.pitch] = focal * (1 + my * my);
         jx[s.roll] = -focal * my;
         jy[s.roll] = focal * mx;
-        for (int turn : {s.pitch, s.roll})
-        {
-            jx[changeOf(turn)] = jx[turn] * s.timeNow * unit;
-            jy[changeOf(turn)] = jy[turn] * s.timeNow * unit;
-        }
     }
     return residual;
 }

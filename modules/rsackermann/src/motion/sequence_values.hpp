@@ -24,27 +24,16 @@ enum SequenceValue {
 };
 
 /** The state of a sequence, and the differences of other frames from the present one: turns about the other axes from
-the frame before and to the frame after, by how much faster the present frame turns than each of them (rad/s), and the
-change of the yaw rate. */
+the frame before and to the frame after, and the change of the yaw rate. */
 enum {
     FLOW_PITCH_BEFORE = SEQUENCE_VALUES,
     FLOW_ROLL_BEFORE,
-    FLOW_YAW_CHANGE, //!< rad/s^2
     FLOW_PITCH_AFTER,
     FLOW_ROLL_AFTER,
-    FLOW_PITCH_CHANGE_BEFORE,
-    FLOW_ROLL_CHANGE_BEFORE,
-    FLOW_PITCH_CHANGE_AFTER,
-    FLOW_ROLL_CHANGE_AFTER,
-    FLOW_VALUES
+    FLOW_YAW_CHANGE, //!< rad/s^2
+    FLOW_VALUES,
+    FLOW_TURNS = FLOW_YAW_CHANGE - FLOW_PITCH_BEFORE
 };
-
-//! By how much faster the present frame turns, of a turn.
-inline int changeOf(int turn)
-{
-    return turn < FLOW_YAW_CHANGE ? turn - FLOW_PITCH_BEFORE + FLOW_PITCH_CHANGE_BEFORE
-                                  : turn - FLOW_PITCH_AFTER + FLOW_PITCH_CHANGE_AFTER;
-}
 
 typedef Vec<double, SEQUENCE_VALUES> SequenceVector;
 typedef Matx<double, SEQUENCE_VALUES, SEQUENCE_VALUES> SequenceMatrix;

@@ -52,13 +52,6 @@ public:
     {
         FlowEquations::Matrix covariance = FlowEquations::Matrix::Identity() * (TURN_SIGMA * TURN_SIGMA);
         covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
-        // A scene that isn't made of planes looks as if rates changed: only so far that the other values hardly do.
-        for (const TrackedBearing& s : bearings)
-        {
-            const double rate = 0.1 * TURN_SIGMA / ((s.timeNow - s.timeOther) * unit);
-            for (int turn : {s.pitch, s.roll})
-                covariance(changeOf(turn), changeOf(turn)) = 2 * rate * rate;
-        }
         covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>() =
             Eigen::Map<const StateMatrix>(prediction.covariance.val);
         prior = scaledInverse(covariance);
@@ -105,6 +98,46 @@ public:
     }
 
     static bool allows(const Unknowns&) { return true; }
+
+    // The state isn't asked: a scene that isn't made of planes looks to it as if rates changed.
+    void measureTurns(const Unknowns& u, RowTurn* turns) const
+    {
+        enum { UNKNOWNS = 2 * FLOW_TURNS };
+        NormalEquations<UNKNOWNS> equations;
+        const auto expect = [&](int unknown, double value, double sigma) {
+            equations.information(unknown, unknown) = 1 / (sigma * sigma);
+            equations.gradient[unknown] = value / (sigma * sigma);
+        };
+        for (const TrackedBearing& s : bearings)
+            for (int turn : {s.pitch, s.roll})
+            {
+                const int k = 2 * (turn - FLOW_PITCH_BEFORE);
+                expect(k, u[turn], TURN_SIGMA);
+                // Rates that don't depend on each other.
+                expect(k + 1, 0, std::sqrt(2.) * TURN_SIGMA / ((s.timeNow - s.timeOther) * unit));
+            }
+        rsackermann::addPoints<UNKNOWNS>(
+            bearings, pointWeights, 1,
+            [&](const TrackedBearing& s, Eigen::Matrix<double, UNKNOWNS, 2>& J) {
+                FlowGradient byValues;
+                const Point2d r = residual.evaluate(s, u.data(), byValues.data());
+                J.setZero();
+                for (int turn : {s.pitch, s.roll})
+                {
+                    const int k = 2 * (turn - FLOW_PITCH_BEFORE);
+                    J.row(k) = byValues.row(turn);
+                    J.row(k + 1) = s.timeNow * unit * byValues.row(turn);
+                }
+                return r;
+            },
+            equations);
+        const NormalEquations<UNKNOWNS>::Vector step = -(scaledInverse(equations.symmetric()) * equations.gradient);
+        for (int i = 0; i < FLOW_TURNS; i++)
+        {
+            turns[i].angle = u[FLOW_PITCH_BEFORE + i] + step[2 * i];
+            turns[i].change = step[2 * i + 1];
+        }
+    }
 
     const std::vector<TrackedBearing>& bearings;
     const FlowResidual residual;
@@ -209,6 +242,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
         expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
     }
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
+    problem.measureTurns(best.at, fit.turns);
     const FlowEquations::Matrix covariance = scaledInverse(best.equations.symmetric());
     std::copy(best.at.data(), best.at.data() + SEQUENCE_VALUES, fit.state.value.val);
     Eigen::Map<StateMatrix>(fit.state.covariance.val) =

@@ -10,19 +10,31 @@
 
 namespace cv { namespace rsackermann {
 
+//! A turn from or to another frame whose rate may change.
+struct RowTurn
+{
+    double angle;  //!< of the reference row, radians
+    double change; //!< by how much faster the present frame turns than the other one, rad/s: later rows turn further
+
+    RowTurn() : angle(0), change(0) {}
+};
+
 //! The evidence of a frame of a sequence.
 struct SequenceFit
 {
     SequenceState state;        //!< prediction and frame together
     double values[FLOW_VALUES]; //!< state and turns
+    RowTurn turns[FLOW_TURNS];  //!< the same turns, from FLOW_PITCH_BEFORE on
     bool moves;                 //!< whether the points rule out a camera at rest
     double residual;            //!< of the points that agree, over their displacement in the raw image
     double agreeing;            //!< share of the points that agree with the motion, without those on the car itself
 
     explicit SequenceFit(const SequenceState& prediction)
-        : state(prediction), values(), moves(false), residual(1), agreeing(0)
+        : state(prediction), values(), turns(), moves(false), residual(1), agreeing(0)
     {
     }
+
+    const RowTurn& turn(int value) const { return turns[value - FLOW_PITCH_BEFORE]; }
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to

@@ -8,7 +8,8 @@
 namespace cv { namespace rsackermann {
 
 RateProcess::RateProcess()
-    : products(Matx33d::zeros()), count(0), pairs(0), changes(0), errors(0), shown(0), shownCount(0), known(0)
+    : products(Matx22d::zeros()), count(0), pairs(0), changes(0), errors(0), shown(0), shownCount(0), shownSquares(0),
+      confirmed(0), change(0), known(0)
 {
 }
 
@@ -18,15 +19,27 @@ double RateProcess::predict() const
     if (!(products(0, 0) > 0))
         return 0;
     // Coefficients of 0 weigh as much as some frames do.
-    const double prior = ASSUMED_FRAMES / count, least = 1e-12; // if rows show nothing
-    Matx33d information = products;
-    information(0, 0) += prior * products(0, 0);
-    information(1, 1) += prior * products(0, 0);
-    information(2, 2) += prior * products(2, 2) + least;
+    const double prior = ASSUMED_FRAMES * products(0, 0) / count;
+    Matx22d information = products;
+    information(0, 0) += prior;
+    information(1, 1) += prior;
     return (information.inv() * response).dot(past);
 }
 
-void RateProcess::add(double rate, double change, double interval)
+// The share of what rows show that is of turns, and not of a scene that differs from its planes.
+double RateProcess::trust() const
+{
+    const double squares = shownSquares * (1 + ASSUMED_FRAMES / count);
+    return squares > 0 ? std::min(std::max(confirmed / squares, 0.), 1.) : 0;
+}
+
+// In the long run rates don't change: their mean change is that of the scene.
+double RateProcess::meanShown() const
+{
+    return shown / (shownCount + ASSUMED_FRAMES);
+}
+
+void RateProcess::add(double rate, double shownChange, double interval)
 {
     const double kept = std::exp(-std::abs(interval) / RATE_MEMORY);
     if (known > 0)
@@ -42,11 +55,14 @@ void RateProcess::add(double rate, double change, double interval)
         response = kept * response + rate * past;
         count = kept * count + 1;
         errors = kept * errors + error * error;
+        // From the middle of both means before the last frame to that of the means around it.
+        shownSquares = kept * shownSquares + change * change;
+        confirmed = kept * confirmed + change * (rate - past[1]) / 2;
     }
-    // In the long run rates don't change: what is left of the mean is not of turns, but of the scene.
-    shown = kept * shown + change;
+    shown = kept * shown + shownChange;
     shownCount = kept * shownCount + 1;
-    past = Vec3d(rate, known > 0 ? past[0] : 0, change - shown / (shownCount + ASSUMED_FRAMES));
+    change = shownChange - meanShown();
+    past = Vec2d(rate, known > 0 ? past[0] : 0);
     known = std::min(known + 1, 2);
 }
 
@@ -58,26 +74,29 @@ void RateProcess::expectChange(double square)
     pairs = 1;
 }
 
-// Of a rate that wanders, the mean of the means on both sides misses the instant by half of their difference.
+// Of a rate that wanders, the mean of the means on both sides misses the instant by half of their difference, and if
+// both ends of an interval are known its mean misses theirs by a quarter of the variance.
 InstantRate RateProcess::now() const
 {
     InstantRate result;
     if (count > 0 && known > 0)
     {
-        result.value = (past[0] + predict()) / 2;
-        result.sigma = std::sqrt(changes / pairs + errors / count) / 2;
+        const double byMeans = (past[0] + predict()) / 2, byRows = past[0] + change / 2, share = trust(),
+                     variance = changes / pairs;
+        result.value = byMeans + share * (byRows - byMeans);
+        result.sigma = std::sqrt((1 - share) * (variance + errors / count) / 4 + share * variance / 8);
     }
     return result;
 }
 
-InstantRate RateProcess::now(double next, double share) const
+InstantRate RateProcess::now(double next, double shownChange, double share) const
 {
     InstantRate result;
     if (known > 0)
     {
-        const double change = next - past[0];
-        result.value = past[0] + share * change;
-        result.sigma = std::sqrt((changes + change * change) / (pairs + 1)) / 2;
+        const double difference = next - past[0], changeToNext = shownChange - meanShown(), seen = trust();
+        result.value = past[0] + share * difference + seen * (change + share * (changeToNext - change)) / 2;
+        result.sigma = std::sqrt((changes + difference * difference) / (pairs + 1) * (1 - 0.75 * seen)) / 2;
     }
     return result;
 }
@@ -88,15 +107,15 @@ void RowRates::update(const SequenceFit& fit, double before, double after)
     curve.release();
     // Turns are counted from a frame to one that was taken later.
     const bool backward = before < 0;
-    const double earlier = std::abs(before), later = std::abs(after), share = earlier / (earlier + later);
-    const auto follow = [&](RateProcess& process, int ofBefore, int ofAfter) {
-        const double next = -fit.values[ofAfter] / (backward ? earlier : later),
-                     previous = fit.values[ofBefore] / (backward ? later : earlier);
-        process.add(backward ? next : previous, fit.values[changeOf(backward ? ofAfter : ofBefore)], before);
-        return after != 0 ? process.now(backward ? previous : next, share) : process.now();
+    const double past = std::abs(before), future = std::abs(after), share = past / (past + future);
+    const auto follow = [&](RateProcess& process, const RowTurn& ofBefore, const RowTurn& ofAfter) {
+        const RowTurn &last = backward ? ofAfter : ofBefore, &next = backward ? ofBefore : ofAfter;
+        const int sign = backward ? -1 : 1;
+        process.add(sign * last.angle / past, last.change, before);
+        return after != 0 ? process.now(-sign * next.angle / future, next.change, share) : process.now();
     };
-    pitchNow = follow(pitch, FLOW_PITCH_BEFORE, FLOW_PITCH_AFTER);
-    rollNow = follow(roll, FLOW_ROLL_BEFORE, FLOW_ROLL_AFTER);
+    pitchNow = follow(pitch, fit.turn(FLOW_PITCH_BEFORE), fit.turn(FLOW_PITCH_AFTER));
+    rollNow = follow(roll, fit.turn(FLOW_ROLL_BEFORE), fit.turn(FLOW_ROLL_AFTER));
 
     yaw.add(fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2, 0, before);
     // The fit has met the next frame, too: of the mean of both sides it is half the variance.
@@ -119,7 +138,7 @@ void RowRates::interrupt()
 void RowRates::begin(const SequenceFit& fit, double after)
 {
     interrupt();
-    const double ofPitch = fit.values[FLOW_PITCH_AFTER] / after, ofRoll = fit.values[FLOW_ROLL_AFTER] / after;
+    const double ofPitch = fit.turn(FLOW_PITCH_AFTER).angle / after, ofRoll = fit.turn(FLOW_ROLL_AFTER).angle / after;
     yaw.expectChange(ofPitch * ofPitch + ofRoll * ofRoll);
     yawSigma = yaw.wandering();
 }

@@ -23,11 +23,12 @@ struct InstantRate
 //! For which what is assumed of a whole drive counts beside what its frames show.
 const double ASSUMED_FRAMES = 4;
 
-/** The mean rates of a turn over the intervals between frames, as a damped oscillator that noise drives
-(doc/theory.md, "Rates of rows"): a suspension that swings, an arm or a mount that shakes.
+/** The rate of a turn at the present frame, by its means over the intervals between frames and by how the rows show it
+to change (doc/theory.md, "Rates of rows").
 
-Each mean depends on the two before and on how the rate changes, which the rows show: an autoregression of second order.
-Its coefficients are those of the sequence, by least squares with a fading memory.
+Means follow each other as those of a damped oscillator that noise drives, a suspension that swings or an arm that
+shakes: an autoregression of second order, whose coefficients are those of the sequence. What rows show counts as far as
+the means confirm it. Both by least squares with a fading memory.
 */
 class RateProcess
 {
@@ -48,22 +49,28 @@ public:
     //! The rate at the present frame, between the last mean and the next one.
     InstantRate now() const;
 
-    //! The same if the next mean is measured, too. @param share of its difference to the last one that has passed.
-    InstantRate now(double next, double share) const;
+    /** The same if the next mean is measured, too.
+    @param change by how much faster the present frame turns than the next one.
+    @param share of the difference to the last mean that has passed. */
+    InstantRate now(double next, double change, double share) const;
 
     //! Standard deviation of the rate at the present frame about the last mean.
     double wandering() const { return pairs > 0 ? std::sqrt(changes / pairs / 2) : 0; }
 
 private:
     double predict() const;
+    double trust() const;
+    double meanShown() const;
 
-    Matx33d products;         // of what a mean depends on
-    Vec3d response;           // its products with the mean that follows
+    Matx22d products;         // of the two means before
+    Vec2d response;           // their products with the mean that follows
     double count, pairs;      // of the means with two before, and with one; those that are forgotten count less
     double changes, errors;   // squares of the differences of neighbouring means, and of the errors of predictions
     double shown, shownCount; // sum of the changes that rows have shown, and their number
-    Vec3d past;               // the last mean, the one before and the change
-    int known;                // of these means
+    double shownSquares, confirmed; // of these changes, and their products with those of the means
+    Vec2d past;                     // the last mean and the one before
+    double change;                  // that rows have shown last, without its mean
+    int known;                      // of these means
 };
 
 //! How a gyro has measured that the rows of a frame turn.
