@@ -80,9 +80,9 @@ inline void narrowReach(const DepthPatch& patch, const Rect& part, const Inverse
                         float& high, float& stretch)
 {
     const auto curveAt = [&](int k) {
-        return CubicCurve(patch, part.tl() + Point(k % 2 * part.width, k / 2 * part.height));
+        return SquareCurve(patch, part.tl() + Point(k % 2 * part.width, k / 2 * part.height));
     };
-    const CubicCurve curves[] = {curveAt(0), curveAt(1), curveAt(2), curveAt(3)};
+    const SquareCurve curves[] = {curveAt(0), curveAt(1), curveAt(2), curveAt(3)};
     narrowReach(
         [&](int k, float inverseDepth, Point2f& place) {
             place = curves[k].at(inverseDepth);

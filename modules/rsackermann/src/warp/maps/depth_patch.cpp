@@ -31,8 +31,8 @@ DepthVariable::DepthVariable(const Point2d& pixel, double lowest, double highest
     const double root = bendAt(pixel, lowest, highest, places), from = lowest / (1 - root * lowest),
                  to = highest / (1 - root * highest);
     bend = float(root);
-    low = float(from);
-    scale = float((DepthPatch::NODES - 1) / (to - from));
+    middle = float((from + to) / 2);
+    scale = float(2 / (to - from));
 }
 
 // Between opposite corners.
@@ -51,44 +51,68 @@ static bool isSmooth(const Rect& square, double inverseDepth, const DepthPlaces&
 
 bool DepthPatch::fit(const Rect& square, double lowest, double highest, const DepthPlaces& places)
 {
-    const double step = square.width / (NODES - 1.);
     const Point2d first = square.tl();
-    variable = DepthVariable(first + 1.5 * step * Point2d(1, 1), lowest, highest, places);
+    variable = DepthVariable(first + 0.5 * square.width * Point2d(1, 1), lowest, highest, places);
 
     if (places.hasKnots() && !isSmooth(square, lowest, places))
         return false;
-    double valuesX[NODES][NODES][NODES], valuesY[NODES][NODES][NODES]; // [power or depth][row][column]
     Rectifier::Guess guess;
-    for (int m = 0; m < NODES; m++)
-        for (int n = 0; n < NODES; n++)
+    for (int power = 0; power < POWERS; power++)
+        if (!add(power, first, square.width, places, guess))
+            return false;
+    return isExact(first, square.width / (NODES - 1.), places);
+}
+
+// Of a polynomial of degree 2, of which 3 x 3 values are given, the others of NODES x NODES.
+static void extend(double values[DepthPatch::NODES][DepthPatch::NODES])
+{
+    for (int m = 0; m < 3; m++)
+        values[m][3] = 3 * (values[m][2] - values[m][1]) + values[m][0];
+    for (int n = 0; n < DepthPatch::NODES; n++)
+        values[3][n] = 3 * (values[2][n] - values[1][n]) + values[0][n];
+}
+
+// Newton's interpolation: the next power accounts for what is left at a further depth.
+bool DepthPatch::add(int power, const Point2d& first, double size, const DepthPlaces& places, Rectifier::Guess& guess)
+{
+    static const double depths[POWERS] = {0, 1, -1};
+    const int count = degree(power) + 1;
+    const double step = size / (count - 1), inverseDepth = variable.inverseDepth(depths[power]);
+    double leftX[NODES][NODES], leftY[NODES][NODES]; // [row][column]
+    for (int m = 0; m < count; m++)
+        for (int i = 0; i < count; i++)
         {
-            Point2d p[NODES];
-            for (int i = 0; i < NODES; i++)
-            {
-                const int k = n % 2 ? NODES - 1 - i : i; // on from where the last pixel ended
-                if (!places.find(first + step * Point2d(n, m), variable.inverseDepth(k), p[k], guess))
-                    return false;
-            }
-            Bicubic::interpolate(1, p[0].x, p[1].x, p[2].x, p[3].x);
-            Bicubic::interpolate(1, p[0].y, p[1].y, p[2].y, p[3].y);
-            for (int k = 0; k < NODES; k++)
-            {
-                valuesX[k][m][n] = p[k].x;
-                valuesY[k][m][n] = p[k].y;
-            }
+            const int n = m % 2 ? count - 1 - i : i; // on from where the last row ended
+            const Point2d pixel(n * step, m * step);
+            Point2d place;
+            if (!places.find(first + pixel, inverseDepth, place, guess))
+                return false;
+            const Point2d left = place - at(pixel, depths[power]);
+            leftX[m][n] = left.x;
+            leftY[m][n] = left.y;
         }
-    for (int k = 0; k < NODES; k++)
+    if (count < NODES)
     {
-        x[k] = Bicubic(valuesX[k], step);
-        y[k] = Bicubic(valuesY[k], step);
+        extend(leftX);
+        extend(leftY);
     }
-    return isExact(first, step, places);
+    const Bicubic more[] = {Bicubic(leftX, step), Bicubic(leftY, step)};
+    Bicubic* const sums[] = {x, y};
+    for (int k = 0; k < 2; k++)
+        if (power < 2)
+            sums[k][power].add(more[k], 1);
+        else // v (v - 1) / 2, which vanishes at the depths before
+        {
+            sums[k][2].add(more[k], 0.5);
+            sums[k][1].add(more[k], -0.5);
+        }
+    return true;
 }
 
 // At pixels and depths at which the error is nearly as large as anywhere (MapPatch::check).
 bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& places) const
 {
-    const double depths[] = {0.38, 2.62};
+    const double depths[] = {-0.8, 0.8};
     const int checks = places.hasKnots() ? MapPatch::CHECKS_WITH_KNOTS : MapPatch::CHECKS;
     Rectifier::Guess guess;
     for (int i = 0; i < checks * 2; i++)
@@ -106,7 +130,7 @@ bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& p
 Point2d DepthPatch::at(const Point2d& pixel, double depth) const
 {
     Point2d place;
-    for (int k = NODES - 1; k >= 0; k--)
+    for (int k = POWERS - 1; k >= 0; k--)
         place = place * depth + Point2d(x[k].at(pixel.x, pixel.y), y[k].at(pixel.x, pixel.y));
     return place;
 }
