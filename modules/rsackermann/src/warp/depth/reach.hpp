@@ -69,8 +69,10 @@ bool narrowReach(const PlaceOf& placeOf, const InverseDepthImage& depths, float&
             longest = std::max(longest, std::max(std::abs(near.x - far.x), std::abs(near.y - far.y)));
         }
         const float pixelsPerDepth = high > low ? longest / (high - low) : 0;
-        depths.range(reach.area(), low, high);
-        stretch = pixelsPerDepth * depths.steepest(reach.area());
+        const DepthRange range = depths.range(reach.area());
+        low = range.low;
+        high = range.high;
+        stretch = pixelsPerDepth * range.steepest;
     }
     return true;
 }
@@ -97,7 +99,8 @@ inline void narrowReach(const DepthPatch& patch, const Rect& part, const Inverse
 inline bool findReach(const DepthPlaces& places, const InverseDepthImage& depths, const Point2d& corner,
                       const Size& size, float& low, float& high, float& stretch)
 {
-    depths.range(low, high);
+    low = depths.range().low;
+    high = depths.range().high;
     Rectifier::Guess guess;
     return narrowReach(
         [&](int k, float inverseDepth, Point2f& place) {

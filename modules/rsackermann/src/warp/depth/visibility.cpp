@@ -19,14 +19,13 @@ static const int SMALLEST = 8; // pixels of blocks that aren't divided any more
 // A square around the places inside of the other image, in which the others count as on its border.
 Rect Visibility::placesOf(const DepthPatch& own, const Point& first, const Rect& block) const
 {
-    float low, high;
-    depths.range(block, low, high);
+    const DepthRange range = depths.range(block);
     Reach reach;
     for (int k = 0; k < 4; k++)
     {
         const SquareCurve curve(own, block.tl() - first + Point(k % 2 * block.width, k / 2 * block.height));
-        reach.add(curve.at(low));
-        reach.add(curve.at(high));
+        reach.add(curve.at(range.low));
+        reach.add(curve.at(range.high));
     }
     return reach.square(lastX, lastY);
 }
