@@ -101,7 +101,7 @@ inline bool findReach(const DepthPlaces& places, const InverseDepthImage& depths
 {
     low = depths.range().low;
     high = depths.range().high;
-    Rectifier::Guess guess;
+    DepthPlaces::Guess guess;
     return narrowReach(
         [&](int k, float inverseDepth, Point2f& place) {
             Point2d exact;

@@ -56,11 +56,9 @@ bool DepthPatch::fit(const Rect& square, double lowest, double highest, const De
 
     if (places.hasKnots() && !isSmooth(square, lowest, places))
         return false;
-    Rectifier::Guess guess;
-    for (int power = 0; power < POWERS; power++)
-        if (!add(power, first, square.width, places, guess))
-            return false;
-    return isExact(first, square.width / (NODES - 1.), places);
+    DepthPlaces::Guess guess;
+    return interpolate(first, square.width, places, guess) && addBend(first, square.width, places, guess) &&
+           isExact(first, square.width / (NODES - 1.), places);
 }
 
 // Of a polynomial of degree 2, of which 3 x 3 values are given, the others of NODES x NODES.
@@ -72,40 +70,54 @@ static void extend(double values[DepthPatch::NODES][DepthPatch::NODES])
         values[3][n] = 3 * (values[2][n] - values[1][n]) + values[0][n];
 }
 
-// Newton's interpolation: the next power accounts for what is left at a further depth.
-bool DepthPatch::add(int power, const Point2d& first, double size, const DepthPlaces& places, Rectifier::Guess& guess)
+// From the middle depth to the nearest one.
+bool DepthPatch::interpolate(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess)
 {
-    static const double depths[POWERS] = {0, 1, -1};
-    const int count = degree(power) + 1;
-    const double step = size / (count - 1), inverseDepth = variable.inverseDepth(depths[power]);
-    double leftX[NODES][NODES], leftY[NODES][NODES]; // [row][column]
-    for (int m = 0; m < count; m++)
-        for (int i = 0; i < count; i++)
+    const double step = size / (NODES - 1), middle = variable.inverseDepth(0), nearest = variable.inverseDepth(1);
+    double x0[NODES][NODES], y0[NODES][NODES], x1[NODES][NODES], y1[NODES][NODES]; // [row][column]
+    for (int m = 0; m < NODES; m++)
+        for (int i = 0; i < NODES; i++)
         {
-            const int n = m % 2 ? count - 1 - i : i; // on from where the last row ended
+            const int n = m % 2 ? NODES - 1 - i : i; // on from where the last row ended
+            const Point2d pixel = first + Point2d(n * step, m * step);
+            Point2d place, near;
+            if (!places.find(pixel, middle, place, guess) || !places.find(pixel, nearest, near, guess))
+                return false;
+            x0[m][n] = place.x;
+            y0[m][n] = place.y;
+            x1[m][n] = near.x - place.x;
+            y1[m][n] = near.y - place.y;
+        }
+    x[0] = Bicubic(x0, step);
+    y[0] = Bicubic(y0, step);
+    x[1] = Bicubic(x1, step);
+    y[1] = Bicubic(y1, step);
+    return true;
+}
+
+// What is left at the farthest depth belongs to v (v - 1) / 2, which vanishes at the other two.
+bool DepthPatch::addBend(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess)
+{
+    const int nodes = NODES - 1;
+    const double step = size / (nodes - 1), farthest = variable.inverseDepth(-1);
+    double leftX[NODES][NODES], leftY[NODES][NODES];
+    for (int m = 0; m < nodes; m++)
+        for (int n = 0; n < nodes; n++)
+        {
             const Point2d pixel(n * step, m * step);
             Point2d place;
-            if (!places.find(first + pixel, inverseDepth, place, guess))
+            if (!places.find(first + pixel, farthest, place, guess))
                 return false;
-            const Point2d left = place - at(pixel, depths[power]);
+            const Point2d left = (place - at(pixel, -1)) / 2;
             leftX[m][n] = left.x;
             leftY[m][n] = left.y;
         }
-    if (count < NODES)
-    {
-        extend(leftX);
-        extend(leftY);
-    }
-    const Bicubic more[] = {Bicubic(leftX, step), Bicubic(leftY, step)};
-    Bicubic* const sums[] = {x, y};
-    for (int k = 0; k < 2; k++)
-        if (power < 2)
-            sums[k][power].add(more[k], 1);
-        else // v (v - 1) / 2, which vanishes at the depths before
-        {
-            sums[k][2].add(more[k], 0.5);
-            sums[k][1].add(more[k], -0.5);
-        }
+    extend(leftX);
+    extend(leftY);
+    x[2] = Bicubic(leftX, step);
+    y[2] = Bicubic(leftY, step);
+    x[1].subtract(x[2]);
+    y[1].subtract(y[2]);
     return true;
 }
 
@@ -114,7 +126,7 @@ bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& p
 {
     const double depths[] = {-0.8, 0.8};
     const int checks = places.hasKnots() ? MapPatch::CHECKS_WITH_KNOTS : MapPatch::CHECKS;
-    Rectifier::Guess guess;
+    DepthPlaces::Guess guess;
     for (int i = 0; i < checks * 2; i++)
     {
         const Point2d check = MapPatch::check(i / 2, step);

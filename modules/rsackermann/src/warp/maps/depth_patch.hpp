@@ -47,13 +47,14 @@ struct DepthPatch
     Bicubic x[POWERS], y[POWERS]; //!< of the powers of the variable
     DepthVariable variable;
 
-    /** Interpolates the exact places, once; false if the error is too large or a place doesn't exist.
+    /** Interpolates the exact places; false if the error is too large or a place doesn't exist.
     @param square of pixels of the map.
     @param lowest, highest inverse depths that can occur in the square. */
     bool fit(const Rect& square, double lowest, double highest, const DepthPlaces& places);
 
 private:
-    bool add(int power, const Point2d& first, double size, const DepthPlaces& places, Rectifier::Guess& guess);
+    bool interpolate(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess);
+    bool addBend(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess);
     bool isExact(const Point2d& first, double step, const DepthPlaces& places) const;
     Point2d at(const Point2d& pixel, double depth) const;
 };

@@ -32,10 +32,10 @@ struct Bicubic
             interpolate(step, c[0][n], c[1][n], c[2][n], c[3][n]);
     }
 
-    void add(const Bicubic& other, double factor)
+    void subtract(const Bicubic& other)
     {
         for (int i = 0; i < NODES * NODES; i++)
-            c[i / NODES][i % NODES] += factor * other.c[i / NODES][i % NODES];
+            c[i / NODES][i % NODES] -= other.c[i / NODES][i % NODES];
     }
 
     //! The coefficients of the powers of the column in a row, of which those above the degree vanish.
