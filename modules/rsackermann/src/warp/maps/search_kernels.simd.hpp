@@ -58,6 +58,7 @@ void searchSurfaces(const DepthPatch& patch, const Mat1f& image, float low, floa
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
                 const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b mask)
 {
+    const int iterations = 4; // to 0.03 pixels, which is near enough for a distance
     const PackDepths own(depths);
     const PackVariable variable(patch.variable);
     const FloatDepthPatch places(patch);
@@ -72,7 +73,7 @@ void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths
             const Pack low = choose(outsideX > 0.5f * last.x, high, choose(outsideY > 0.5f * last.y, high, value));
             const PackCurve curve(places, variable, placeX - float(first.x), placeY - float(first.y));
             Pack depth;
-            SurfaceSearch<PackCurve, PackDepths>(own, curve, low, high).find(depth);
+            SurfaceSearch<PackCurve, PackDepths>(own, curve, low, high).find(depth, iterations);
             const PackCurve::Place shown = curve.at(depth);
             const Pack awayX = magnitude(shown.x - (columnsFrom(block.x + i))),
                        awayY = magnitude(shown.y - float(block.y + row)), away = larger(awayX, awayY);
