@@ -42,8 +42,8 @@ public:
     float step(const RowDepthPatch& places, int firstColumn)
     {
         findPlaces(places, firstColumn);
-        lookUp(other.depths, corners[0], corners[1]);
-        lookUp(other.depths + other.step, corners[2], corners[3]);
+        prefetchBelow();
+        lookUp();
         return moveOn();
     }
 
@@ -79,32 +79,39 @@ private:
         }
     }
 
-    // Values and their neighbours to the right. The widest vectors look values up more slowly than two half as wide.
-    void lookUp(const float* table, float* values, float* neighbours) const
+    // Rows of a tile are far from each other in memory.
+    void prefetchBelow() const
     {
-        int i = 0;
+        const int rowsAhead = 6, ahead = std::min(indices[0] + rowsAhead * other.step, other.last - count);
+        if (ahead > 0)
+            prefetchRow(other.depths + ahead, count * sizeof(float));
+    }
+
+    // The widest vectors look values up more slowly than two half as wide.
+    void lookUp()
+    {
 #if CV_SIMD256
-        for (; i < count; i += 8)
+        const int lanes = 8;
+        for (int i = 0; i < count; i += lanes)
         {
-            v_float32x8 value, neighbour;
-            v_lut_deinterleave(table, v256_load(indices + i), value, neighbour);
-            v_store(values + i, value);
-            v_store(neighbours + i, neighbour);
+            const v_int32x8 index = v256_load(indices + i);
+            for (int k = 0; k < 4; k += 2)
+            {
+                v_float32x8 left, right;
+                v_lut_deinterleave(other.depths + k / 2 * other.step, index, left, right);
+                v_store(corners[k] + i, left);
+                v_store(corners[k + 1] + i, right);
+            }
         }
-#elif CV_SIMD128
-        for (; i < count; i += 4)
+#else
+        for (int i = 0; i < count; i += Pack::COUNT)
         {
-            v_float32x4 value, neighbour;
-            v_lut_deinterleave(table, v_load(indices + i), value, neighbour);
-            v_store(values + i, value);
-            v_store(neighbours + i, neighbour);
+            Pack found[4];
+            other.cornersOf(PackDepths::load(indices + i), found);
+            for (int k = 0; k < 4; k++)
+                found[k].store(corners[k] + i);
         }
 #endif
-        for (; i < count; i++)
-        {
-            values[i] = table[indices[i]];
-            neighbours[i] = table[indices[i] + 1];
-        }
     }
 
     float moveOn()
@@ -145,7 +152,7 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
                       float* x, float* y, size_t step)
 {
     const int steps = 2;
-    const int rowsAhead = 4;    // of the map, which are elsewhere in memory: else writing waits for them
+    const int rowsAhead = 4;    // of the map: else writing waits for them
     const float enough = 1e-3f; // pixels that a step moves a place: what is left is less than the half of it
     const PackDepths other(image);
     const PackVariable variable(patch.variable);
@@ -157,8 +164,11 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
     for (int row = 0; row < size.height; row++, x += step, y += step)
     {
         const RowDepthPatch places(patch, first.y + row);
-        prefetchRow(x + rowsAhead * step, size.width * sizeof(float));
-        prefetchRow(y + rowsAhead * step, size.width * sizeof(float));
+        if (row + rowsAhead < size.height)
+        {
+            prefetchRow(x + rowsAhead * step, size.width * sizeof(float));
+            prefetchRow(y + rowsAhead * step, size.width * sizeof(float));
+        }
         for (int i = 0; i < columns; i += RowOfDepths::MOST)
         {
             pixels.start(depths.data() + i, growths.data() + i, std::min(columns - i, int(RowOfDepths::MOST)));

@@ -16,11 +16,12 @@ namespace {
 struct PackDepths
 {
     const float* depths;
-    int step;
+    int step, last; // values from row to row, and to the last one
     float lastX, lastY;
 
     explicit PackDepths(const Mat1f& image)
-        : depths(image[0]), step(int(image.step1())), lastX(float(image.cols - 1)), lastY(float(image.rows - 1))
+        : depths(image[0]), step(int(image.step1())), last(step * (image.rows - 1) + image.cols - 1),
+          lastX(float(image.cols - 1)), lastY(float(image.rows - 1))
     {
     }
 
@@ -58,17 +59,25 @@ struct PackDepths
     {
         v_store(to, indices);
     }
+    static Index load(const int* indices)
+    {
+        return vx_load(indices);
+    }
 
     // Row by row.
-    void cornersOf(const Cell& cell, Pack (&corners)[4]) const
+    void cornersOf(const Index& index, Pack (&corners)[4]) const
     {
         for (int k = 0; k < 4; k += 2)
-            v_lut_deinterleave(depths + k / 2 * step, cell.index, corners[k].v, corners[k + 1].v);
+            v_lut_deinterleave(depths + k / 2 * step, index, corners[k].v, corners[k + 1].v);
     }
 #else
     static void store(Index index, int* to)
     {
         *to = index;
+    }
+    static Index load(const int* index)
+    {
+        return *index;
     }
 
     Cell cellAt(const Pack& x, const Pack& y) const
@@ -78,10 +87,10 @@ struct PackDepths
         return Cell{row * step + column, insideX - column, insideY - row};
     }
 
-    void cornersOf(const Cell& cell, Pack (&corners)[4]) const
+    void cornersOf(const Index& index, Pack (&corners)[4]) const
     {
         for (int k = 0; k < 4; k++)
-            corners[k] = depths[cell.index + k / 2 * step + k % 2];
+            corners[k] = depths[index + k / 2 * step + k % 2];
     }
 #endif
 
@@ -90,7 +99,7 @@ struct PackDepths
     {
         const Cell cell = cellAt(x, y);
         Pack p[4];
-        cornersOf(cell, p);
+        cornersOf(cell.index, p);
         const Pack least = smaller(smaller(p[0], p[1]), smaller(p[2], p[3])),
                    most = larger(larger(p[0], p[1]), larger(p[2], p[3]));
         const Pack half = 0.5f, top = multiplyAdd(cell.x, p[1] - p[0], p[0]),
