@@ -16,37 +16,38 @@ namespace {
 // Values of a relative depth, whose scale and shift give inverse depths, those behind infinity being there; what is
 // unknown becomes NaN.
 template <class T>
-void scaleDepths(const T* values, int width, float scale, float shift, float nearest, float* inverse)
+bool scaleDepths(const T* values, int width, float scale, float shift, float nearest, float* inverse)
 {
     const float unknown = std::numeric_limits<float>::quiet_NaN();
+    int missing = 0;
     for (int x = 0; x < width; x++)
     {
         const float value = scale * float(values[x]) + shift;
         const bool known = value * nearest <= 1 && value >= -FLT_MAX; // neither is NaN
         inverse[x] = known ? std::max(value, 0.f) : unknown;
+        missing |= !known;
     }
+    return missing == 0;
 }
 
 // A part of a row of any kind of depth map.
 template <class T>
-void readRow(const DepthMap& depth, const Point& first, int width, double nearest, float* inverse)
+bool readRow(const DepthMap& depth, const Point& first, int width, double nearest, float* inverse)
 {
     const T* values = depth.values.ptr<T>(first.y) + first.x;
     if (depth.kind == DEPTH_RELATIVE)
-        scaleDepths(values, width, float(depth.scale), float(depth.shift), float(nearest), inverse);
-    else
-        invertDepths(values, width, float(1 / depth.scale), std::max(float(nearest / depth.scale), FLT_MIN), FLT_MAX,
-                     inverse);
+        return scaleDepths(values, width, float(depth.scale), float(depth.shift), float(nearest), inverse);
+    return invertDepths(values, width, float(1 / depth.scale), std::max(float(nearest / depth.scale), FLT_MIN), FLT_MAX,
+                        inverse);
 }
 
 } // namespace
 
-void GivenDepths::read(const Point& first, int width, float* inverse) const
+bool GivenDepths::read(const Point& first, int width, float* inverse) const
 {
     if (depth.values.depth() == CV_16U)
-        readRow<ushort>(depth, first, width, nearest, inverse);
-    else
-        readRow<float>(depth, first, width, nearest, inverse);
+        return readRow<ushort>(depth, first, width, nearest, inverse);
+    return readRow<float>(depth, first, width, nearest, inverse);
 }
 
 Mat1f GivenDepths::part(const Rect& area, float& low, float& high) const
@@ -57,13 +58,12 @@ Mat1f GivenDepths::part(const Rect& area, float& low, float& high) const
     for (int y = 0; y < area.height && isComplete; y++)
     {
         prefetchRow(depth.values.ptr(std::min(area.y + y + rowsAhead, last)) + area.x * size, area.width * size);
-        read(area.tl() + Point(0, y), area.width, values[y]);
+        if (!read(area.tl() + Point(0, y), area.width, values[y]))
+            isComplete = false;
     }
-    if (!isComplete || !findRange(values, low, high))
-    {
-        isComplete = false;
+    if (!isComplete)
         return Mat1f();
-    }
+    findRange(values, low, high);
     return values;
 }
 
@@ -73,11 +73,7 @@ InverseDepthImage::InverseDepthImage(const DepthMap& depth, const ShutterGeometr
 {
     const GivenDepths given(depth, nearest);
     std::vector<uchar> isComplete(image.rows);
-    forEachInParallel(image.rows, [&](int y) {
-        float low, high;
-        given.read(Point(0, y), image.cols, image[y]);
-        isComplete[y] = findRange(image.row(y), low, high);
-    });
+    forEachInParallel(image.rows, [&](int y) { isComplete[y] = given.read(Point(0, y), image.cols, image[y]); });
     if (std::find(isComplete.begin(), isComplete.end(), 0) != isComplete.end())
         fillUnknown(shutter, depth.camera == DEPTH_RAW, matrix, 1 / way, image);
     ranges.find(image);

@@ -35,8 +35,8 @@ public:
     //! Whether everything that was asked for is known.
     bool areComplete() const { return isComplete; }
 
-    //! Some pixels of a row; NaN: unknown.
-    void read(const Point& first, int width, float* inverse) const;
+    //! Some pixels of a row; NaN: unknown. Returns whether all are known.
+    bool read(const Point& first, int width, float* inverse) const;
 
 private:
     const DepthMap& depth;

@@ -47,7 +47,8 @@ public:
         return moveOn();
     }
 
-    void results(float* above, float* growths, int width, float* toX, float* toY, bool isFirst) const
+    // @param above, growths receive those for the next row. @param width of what is left of the row.
+    void finish(float* above, float* growths, int width, float* toX, float* toY, bool isFirst) const
     {
         for (int i = 0; i < count; i += Pack::COUNT)
         {
@@ -172,10 +173,10 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
         for (int i = 0; i < columns; i += RowOfDepths::MOST)
         {
             pixels.start(depths.data() + i, growths.data() + i, std::min(columns - i, int(RowOfDepths::MOST)));
-            for (int k = 0; k < steps && pixels.step(places, first.x + i) > enough; k++)
-            {
-            }
-            pixels.results(depths.data() + i, growths.data() + i, size.width - i, x + i, y + i, row == 0);
+            bool isOnWay = true;
+            for (int k = 0; k < steps && isOnWay; k++)
+                isOnWay = pixels.step(places, first.x + i) > enough;
+            pixels.finish(depths.data() + i, growths.data() + i, size.width - i, x + i, y + i, row == 0);
         }
     }
 }
