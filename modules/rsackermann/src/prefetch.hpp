@@ -17,6 +17,14 @@ static inline void prefetch(const void* place)
 #endif
 }
 
+//! Of a part of a row.
+static inline void prefetchRow(const void* first, size_t bytes)
+{
+    const size_t line = 64; // bytes that come together
+    for (size_t i = 0; i < bytes; i += line)
+        prefetch(static_cast<const char*>(first) + i);
+}
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_PREFETCH_HPP

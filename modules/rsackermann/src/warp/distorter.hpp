@@ -98,20 +98,16 @@ public:
     */
     bool solve(const Point2d& raw, double inverseDepth, Vec3d& ray) const
     {
-        if (!undistort(raw, ray))
-            return false;
-        if (!shutter.moving)
-            return true;
-        // The depth of the bearing a + w tau (s2, 0, c2) is w / inverseDepth, which is linear in w.
-        const double t = shutter.rowTime(raw);
-        const RowMotion m = shutter.motionAt(t);
-        const Vec3d a = ShutterGeometry::rotateBack(shutter.tiltBack(shutter.up * ray, t), m);
-        const double approach = 1 - m.tau * (shutter.down * Vec3d(m.s2, 0, m.c2))[2] * inverseDepth;
-        if (!(approach > 0))
-            return false;
-        const double w = inverseDepth * (shutter.down * a)[2] / approach;
-        ray = shutter.down * ShutterGeometry::moveBack(a, w, m);
-        return ray[2] > 0;
+        View v;
+        return viewOfKnown(raw, v) && rayToDepth(v, inverseDepth, ray);
+    }
+
+    //! The same for a view.
+    bool rayToDepth(const View& v, double inverseDepth, Vec3d& ray) const
+    {
+        // The depth of a point is w / inverseDepth, which is linear in w.
+        const double approach = 1 - (shutter.down * Vec3d(v.x, 0, v.z))[2] * inverseDepth;
+        return approach > 0 && rayTo(v, inverseDepth * (shutter.down * v.direction)[2] / approach, ray);
     }
 
 private:

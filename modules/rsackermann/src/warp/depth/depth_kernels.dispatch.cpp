@@ -10,19 +10,19 @@
 
 namespace cv { namespace rsackermann {
 
-void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+bool invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
     CV_CPU_DISPATCH(invertDepths, (depths, width, unitsPerMetre, nearest, farthest, inverse),
                     CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+bool invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
     CV_CPU_DISPATCH(invertDepths, (depths, width, unitsPerMetre, nearest, farthest, inverse),
                     CV_CPU_DISPATCH_MODES_ALL);
 }
 
-bool findRange(const Mat1f& values, float& low, float& high)
+void findRange(const Mat1f& values, float& low, float& high)
 {
     CV_CPU_DISPATCH(findRange, (values, low, high), CV_CPU_DISPATCH_MODES_ALL);
 }

@@ -12,12 +12,13 @@
 namespace cv { namespace rsackermann {
 
 /** A row of metric depths to inverse depths; what is unknown becomes NaN.
-@param nearest, farthest what is known, in units of the values. */
-void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
-void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
+@param nearest, farthest what is known, in units of the values.
+@return whether all are known. */
+bool invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
+bool invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
 
-//! The range of some values; false if one of them is NaN.
-bool findRange(const Mat1f& values, float& low, float& high);
+//! The range of some values, none of which is NaN.
+void findRange(const Mat1f& values, float& low, float& high);
 
 /** Of each column in some rows of an image the lowest and the highest value, and the largest differences to the next
 column and to the next row, which may be one more than these.

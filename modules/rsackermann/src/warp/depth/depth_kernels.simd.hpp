@@ -12,9 +12,9 @@ namespace cv { namespace rsackermann {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
-void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
-bool findRange(const Mat1f& values, float& low, float& high);
+bool invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
+bool invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse);
+void findRange(const Mat1f& values, float& low, float& high);
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
@@ -25,43 +25,44 @@ typedef PackOf<float> Pack;
 
 // A loop that compilers turn into vectors.
 template <class T>
-void invert(const T* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+bool invert(const T* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
     const float unknown = std::numeric_limits<float>::quiet_NaN();
+    int missing = 0;
     for (int x = 0; x < width; x++)
     {
         const float depth = float(depths[x]), value = unitsPerMetre / depth;
         const bool known = depth >= nearest && depth <= farthest;
         inverse[x] = known ? value : unknown;
+        missing |= !known;
     }
+    return missing == 0;
 }
 
 } // namespace
 
-void invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+bool invertDepths(const float* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
-    invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
+    return invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
 }
 
-void invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
+bool invertDepths(const ushort* depths, int width, float unitsPerMetre, float nearest, float farthest, float* inverse)
 {
-    invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
+    return invert(depths, width, unitsPerMetre, nearest, farthest, inverse);
 }
 
-bool findRange(const Mat1f& values, float& low, float& high)
+void findRange(const Mat1f& values, float& low, float& high)
 {
-    Pack least = FLT_MAX, most = -FLT_MAX, zero = 0;
+    Pack least = FLT_MAX, most = -FLT_MAX;
     for (int y = 0; y < values.rows; y++)
         for (int x = 0; x < values.cols; x += Pack::COUNT)
         {
             const Pack value = loadFirst(values[y] + x, values.cols - x);
             least = smaller(value, least);
             most = larger(value, most);
-            zero = multiplyAdd(value, 0, zero); // or NaN
         }
     low = -largest(0 - least);
     high = largest(most);
-    return zero.sum() == 0;
 }
 
 void findColumnRanges(const Mat1f& image, int first, int last, float* low, float* high, float* across, float* down)

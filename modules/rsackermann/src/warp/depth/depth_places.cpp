@@ -14,7 +14,7 @@ RectifyPlaces::RectifyPlaces(const ShutterGeometry& shutter_, const Matx33d& mat
 {
 }
 
-bool RectifyPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const
+bool RectifyPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const
 {
     const Vec3d ray = inverse * Vec3d(pixel.x, pixel.y, 1), b = shutter.up * ray;
     const double v = way * inverseDepth;
@@ -24,8 +24,8 @@ bool RectifyPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& pla
         const double far = depthInRow(b, m, t), closer = depthInRow(camera, m, t);
         return 1 + v * closer > 0 ? v * far / (1 + v * closer) : std::numeric_limits<double>::quiet_NaN();
     };
-    const bool found =
-        ofRaw ? rectifier.solve(ray, b, inRow, false, guess, place) : rectifier.solve(ray, b, v, false, guess, place);
+    const bool found = ofRaw ? rectifier.solve(ray, b, inRow, false, guess.row, place)
+                             : rectifier.solve(ray, b, v, false, guess.row, place);
     return found && isAddressable(place);
 }
 
@@ -39,17 +39,16 @@ DistortPlaces::DistortPlaces(const ShutterGeometry& shutter_, const Matx33d& mat
 {
 }
 
-bool DistortPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess&) const
+bool DistortPlaces::find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const
 {
+    if (!guess.hasView || guess.pixel != pixel)
+    {
+        guess.pixel = pixel;
+        guess.hasView = distorter.viewOfKnown(pixel, guess.view);
+    }
     const double v = way * inverseDepth;
     Vec3d ray;
-    if (ofRaw)
-    {
-        Distorter::View view;
-        if (!distorter.viewOfKnown(pixel, view) || !distorter.rayTo(view, v, ray))
-            return false;
-    }
-    else if (!distorter.solve(pixel, v, ray))
+    if (!guess.hasView || !(ofRaw ? distorter.rayTo(guess.view, v, ray) : distorter.rayToDepth(guess.view, v, ray)))
         return false;
     place = pixelOf(matrix, ray);
     return isAddressable(place);

@@ -20,13 +20,23 @@ class DepthPlaces
 public:
     virtual ~DepthPlaces() {}
 
-    //! False if there is no place, or one that cv::remap can't address. @param guess read and written: that of a place
-    //! nearby.
-    virtual bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const = 0;
+    //! What the search for one place leaves for the next one, of the same pixel or one nearby.
+    struct Guess
+    {
+        Guess() : hasView(false) {}
+
+        Rectifier::Guess row;
+        bool hasView;
+        Point2d pixel; // of the view
+        Distorter::View view;
+    };
+
+    //! False if there is no place, or one that cv::remap can't address. @param guess read and written.
+    virtual bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const = 0;
 
     bool find(const Point2d& pixel, double inverseDepth, Point2d& place) const
     {
-        Rectifier::Guess none;
+        Guess none;
         return find(pixel, inverseDepth, place, none);
     }
 
@@ -50,7 +60,7 @@ public:
                   double tolerance);
 
     using DepthPlaces::find;
-    bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const CV_OVERRIDE;
+    bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const CV_OVERRIDE;
     bool hasKnots() const CV_OVERRIDE { return shutter.hasCurve(); }
     bool isSmoothBetween(const Point2d&, const Point2d& place, const Point2d&,
                          const Point2d& otherPlace) const CV_OVERRIDE
@@ -76,7 +86,7 @@ public:
     DistortPlaces(const ShutterGeometry& shutter, const Matx33d& matrix, double way, bool ofRaw);
 
     using DepthPlaces::find;
-    bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const CV_OVERRIDE;
+    bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const CV_OVERRIDE;
     bool hasKnots() const CV_OVERRIDE { return shutter.hasCurve(); }
     bool isSmoothBetween(const Point2d& pixel, const Point2d&, const Point2d& otherPixel,
                          const Point2d&) const CV_OVERRIDE

@@ -7,6 +7,7 @@
 
 #include "opencv2/rsackermann/depth_map.hpp"
 #include "../shutter_geometry.hpp"
+#include "depth_ranges.hpp"
 #include <atomic>
 
 namespace cv { namespace rsackermann {
@@ -34,8 +35,8 @@ public:
     //! Whether everything that was asked for is known.
     bool areComplete() const { return isComplete; }
 
-    //! Some pixels of a row; NaN: unknown.
-    void read(const Point& first, int width, float* inverse) const;
+    //! Some pixels of a row; NaN: unknown. Returns whether all are known.
+    bool read(const Point& first, int width, float* inverse) const;
 
 private:
     const DepthMap& depth;
@@ -60,19 +61,10 @@ public:
     //! Whether there are four pixels around each place, between which vectors search.
     bool hasCells() const { return image.rows > 1 && image.cols > 1; }
 
-    //! The lowest and the highest value in a rectangle of pixels, of which the next ones within the image count if it
-    //! is outside; never too narrow.
-    void range(const Rect& area, float& low, float& high) const;
-
-    //! Those of the whole image.
-    void range(float& low, float& high) const
-    {
-        low = lowest;
-        high = highest;
-    }
-
-    //! A limit to the difference between neighbouring pixels, across plus down, in such a rectangle.
-    float steepest(const Rect& area) const;
+    //! Of the values in a rectangle.
+    DepthRange range(const Rect& area) const { return ranges.of(area); }
+    //! Of all values.
+    const DepthRange& range() const { return ranges.ofAll(); }
 
     /** The value at a place.
 
@@ -93,14 +85,9 @@ public:
     }
 
 private:
-    enum { BLOCK = 8 };
-
-    void findRanges();
-    Rect blocksOf(const Rect& area) const;
-
     Mat1f image;
-    Mat1f lows, highs, steps; // of blocks; steps also to the next block
-    float lastX, lastY, lowest, highest;
+    DepthRanges ranges;
+    float lastX, lastY;
 };
 
 }} // namespace cv::rsackermann

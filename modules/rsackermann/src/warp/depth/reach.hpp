@@ -69,8 +69,10 @@ bool narrowReach(const PlaceOf& placeOf, const InverseDepthImage& depths, float&
             longest = std::max(longest, std::max(std::abs(near.x - far.x), std::abs(near.y - far.y)));
         }
         const float pixelsPerDepth = high > low ? longest / (high - low) : 0;
-        depths.range(reach.area(), low, high);
-        stretch = pixelsPerDepth * depths.steepest(reach.area());
+        const DepthRange range = depths.range(reach.area());
+        low = range.low;
+        high = range.high;
+        stretch = pixelsPerDepth * range.steepest;
     }
     return true;
 }
@@ -80,9 +82,9 @@ inline void narrowReach(const DepthPatch& patch, const Rect& part, const Inverse
                         float& high, float& stretch)
 {
     const auto curveAt = [&](int k) {
-        return CubicCurve(patch, part.tl() + Point(k % 2 * part.width, k / 2 * part.height));
+        return SquareCurve(patch, part.tl() + Point(k % 2 * part.width, k / 2 * part.height));
     };
-    const CubicCurve curves[] = {curveAt(0), curveAt(1), curveAt(2), curveAt(3)};
+    const SquareCurve curves[] = {curveAt(0), curveAt(1), curveAt(2), curveAt(3)};
     narrowReach(
         [&](int k, float inverseDepth, Point2f& place) {
             place = curves[k].at(inverseDepth);
@@ -97,8 +99,9 @@ inline void narrowReach(const DepthPatch& patch, const Rect& part, const Inverse
 inline bool findReach(const DepthPlaces& places, const InverseDepthImage& depths, const Point2d& corner,
                       const Size& size, float& low, float& high, float& stretch)
 {
-    depths.range(low, high);
-    Rectifier::Guess guess;
+    low = depths.range().low;
+    high = depths.range().high;
+    DepthPlaces::Guess guess;
     return narrowReach(
         [&](int k, float inverseDepth, Point2f& place) {
             Point2d exact;

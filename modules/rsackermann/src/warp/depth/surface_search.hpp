@@ -50,6 +50,9 @@ class SurfaceSearch
 public:
     typedef typename Places::Number Number;
 
+    //! Each halves the step between two surfaces at least: 0.002 pixels are left.
+    static const int ITERATIONS = 8;
+
     //! @param low, high inverse depths between which all surfaces are that the pixel could show.
     SurfaceSearch(const Depths& depths_, const Places& places_, const Number& low_, const Number& high_)
         : depths(depths_), places(places_), low(low_), high(high_)
@@ -62,14 +65,15 @@ public:
     }
 
     /** Finds the inverse depth of what the pixel shows, or of the surface behind.
+    @param iterations at most.
     @return 0, or by how many pixels the surfaces between which the curve passes are displaced against each other: if
     these are more than LARGEST_STRETCH the pixel isn't seen. */
-    Number find(Number& depth) const
+    Number find(Number& depth, int iterations = ITERATIONS) const
     {
         Number front = high, back = low, error = FLT_MAX;
         nextBehind(front, back);
         depth = front;
-        for (int i = 0; i < ITERATIONS && isAnyTrue(error > TOLERANCE); i++)
+        for (int i = 0; i < iterations && isAnyTrue(error > TOLERANCE); i++)
         {
             const Number middle = 0.5f * (front + back), value = surfaceAt(middle),
                          next = smaller(larger(value, back), front), again = surfaceAt(next);
@@ -87,7 +91,7 @@ public:
 
 private:
     static constexpr float STEP = 0.5f, TOLERANCE = 1e-4f; // pixels
-    static const int ITERATIONS = 12, MOST_STEPS = 4096;
+    static const int MOST_STEPS = 4096;
 
     Number surfaceAt(const Number& depth) const
     {

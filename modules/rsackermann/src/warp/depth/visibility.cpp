@@ -19,14 +19,13 @@ static const int SMALLEST = 8; // pixels of blocks that aren't divided any more
 // A square around the places inside of the other image, in which the others count as on its border.
 Rect Visibility::placesOf(const DepthPatch& own, const Point& first, const Rect& block) const
 {
-    float low, high;
-    depths.range(block, low, high);
+    const DepthRange range = depths.range(block);
     Reach reach;
     for (int k = 0; k < 4; k++)
     {
-        const CubicCurve curve(own, block.tl() - first + Point(k % 2 * block.width, k / 2 * block.height));
-        reach.add(curve.at(low));
-        reach.add(curve.at(high));
+        const SquareCurve curve(own, block.tl() - first + Point(k % 2 * block.width, k / 2 * block.height));
+        reach.add(curve.at(range.low));
+        reach.add(curve.at(range.high));
     }
     return reach.square(lastX, lastY);
 }
@@ -75,8 +74,8 @@ void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile) co
             if (!(place.x >= 0 && place.y >= 0 && place.x <= lastX && place.y <= lastY) ||
                 !findReach(back, depths, place, Size(), low, high, stretch))
                 continue;
-            const CubicCurve curve(back, place, low, high);
-            SurfaceSearch<CubicCurve, InverseDepthImage>(depths, curve, low, high).find(depth);
+            const SquareCurve curve(back, place, low, high);
+            SurfaceSearch<SquareCurve, InverseDepthImage>(depths, curve, low, high).find(depth);
             const bool found = back.find(place, depth, shown);
             const Point2d away = shown - Point2d(pixel);
             if (!found || std::max(std::abs(away.x), std::abs(away.y)) > DISTANCE)

@@ -31,8 +31,8 @@ DepthVariable::DepthVariable(const Point2d& pixel, double lowest, double highest
     const double root = bendAt(pixel, lowest, highest, places), from = lowest / (1 - root * lowest),
                  to = highest / (1 - root * highest);
     bend = float(root);
-    low = float(from);
-    scale = float((DepthPatch::NODES - 1) / (to - from));
+    middle = float((from + to) / 2);
+    scale = float(2 / (to - from));
 }
 
 // Between opposite corners.
@@ -51,46 +51,82 @@ static bool isSmooth(const Rect& square, double inverseDepth, const DepthPlaces&
 
 bool DepthPatch::fit(const Rect& square, double lowest, double highest, const DepthPlaces& places)
 {
-    const double step = square.width / (NODES - 1.);
     const Point2d first = square.tl();
-    variable = DepthVariable(first + 1.5 * step * Point2d(1, 1), lowest, highest, places);
+    variable = DepthVariable(first + 0.5 * square.width * Point2d(1, 1), lowest, highest, places);
 
     if (places.hasKnots() && !isSmooth(square, lowest, places))
         return false;
-    double valuesX[NODES][NODES][NODES], valuesY[NODES][NODES][NODES]; // [power or depth][row][column]
-    Rectifier::Guess guess;
+    DepthPlaces::Guess guess;
+    return interpolate(first, square.width, places, guess) && addBend(first, square.width, places, guess) &&
+           isExact(first, square.width / (NODES - 1.), places);
+}
+
+// Of a polynomial of degree 2, of which 3 x 3 values are given, the others of NODES x NODES.
+static void extend(double values[DepthPatch::NODES][DepthPatch::NODES])
+{
+    for (int m = 0; m < 3; m++)
+        values[m][3] = 3 * (values[m][2] - values[m][1]) + values[m][0];
+    for (int n = 0; n < DepthPatch::NODES; n++)
+        values[3][n] = 3 * (values[2][n] - values[1][n]) + values[0][n];
+}
+
+// From the middle depth to the nearest one.
+bool DepthPatch::interpolate(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess)
+{
+    const double step = size / (NODES - 1), middle = variable.inverseDepth(0), nearest = variable.inverseDepth(1);
+    double x0[NODES][NODES], y0[NODES][NODES], x1[NODES][NODES], y1[NODES][NODES]; // [row][column]
     for (int m = 0; m < NODES; m++)
-        for (int n = 0; n < NODES; n++)
+        for (int i = 0; i < NODES; i++)
         {
-            Point2d p[NODES];
-            for (int i = 0; i < NODES; i++)
-            {
-                const int k = n % 2 ? NODES - 1 - i : i; // on from where the last pixel ended
-                if (!places.find(first + step * Point2d(n, m), variable.inverseDepth(k), p[k], guess))
-                    return false;
-            }
-            Bicubic::interpolate(1, p[0].x, p[1].x, p[2].x, p[3].x);
-            Bicubic::interpolate(1, p[0].y, p[1].y, p[2].y, p[3].y);
-            for (int k = 0; k < NODES; k++)
-            {
-                valuesX[k][m][n] = p[k].x;
-                valuesY[k][m][n] = p[k].y;
-            }
+            const int n = m % 2 ? NODES - 1 - i : i; // on from where the last row ended
+            const Point2d pixel = first + Point2d(n * step, m * step);
+            Point2d place, near;
+            if (!places.find(pixel, middle, place, guess) || !places.find(pixel, nearest, near, guess))
+                return false;
+            x0[m][n] = place.x;
+            y0[m][n] = place.y;
+            x1[m][n] = near.x - place.x;
+            y1[m][n] = near.y - place.y;
         }
-    for (int k = 0; k < NODES; k++)
-    {
-        x[k] = Bicubic(valuesX[k], step);
-        y[k] = Bicubic(valuesY[k], step);
-    }
-    return isExact(first, step, places);
+    x[0] = Bicubic(x0, step);
+    y[0] = Bicubic(y0, step);
+    x[1] = Bicubic(x1, step);
+    y[1] = Bicubic(y1, step);
+    return true;
+}
+
+// What is left at the farthest depth belongs to v (v - 1) / 2, which vanishes at the other two.
+bool DepthPatch::addBend(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess)
+{
+    const int nodes = NODES - 1;
+    const double step = size / (nodes - 1), farthest = variable.inverseDepth(-1);
+    double leftX[NODES][NODES], leftY[NODES][NODES];
+    for (int m = 0; m < nodes; m++)
+        for (int n = 0; n < nodes; n++)
+        {
+            const Point2d pixel(n * step, m * step);
+            Point2d place;
+            if (!places.find(first + pixel, farthest, place, guess))
+                return false;
+            const Point2d left = (place - at(pixel, -1)) / 2;
+            leftX[m][n] = left.x;
+            leftY[m][n] = left.y;
+        }
+    extend(leftX);
+    extend(leftY);
+    x[2] = Bicubic(leftX, step);
+    y[2] = Bicubic(leftY, step);
+    x[1].subtract(x[2]);
+    y[1].subtract(y[2]);
+    return true;
 }
 
 // At pixels and depths at which the error is nearly as large as anywhere (MapPatch::check).
 bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& places) const
 {
-    const double depths[] = {0.38, 2.62};
+    const double depths[] = {-0.8, 0.8};
     const int checks = places.hasKnots() ? MapPatch::CHECKS_WITH_KNOTS : MapPatch::CHECKS;
-    Rectifier::Guess guess;
+    DepthPlaces::Guess guess;
     for (int i = 0; i < checks * 2; i++)
     {
         const Point2d check = MapPatch::check(i / 2, step);
@@ -106,7 +142,7 @@ bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& p
 Point2d DepthPatch::at(const Point2d& pixel, double depth) const
 {
     Point2d place;
-    for (int k = NODES - 1; k >= 0; k--)
+    for (int k = POWERS - 1; k >= 0; k--)
         place = place * depth + Point2d(x[k].at(pixel.x, pixel.y), y[k].at(pixel.x, pixel.y));
     return place;
 }

@@ -10,35 +10,41 @@
 
 namespace cv { namespace rsackermann {
 
-/** The variable of a patch that stands for the inverse depth u: u / (1 - bend u), scaled to 0 ... 3.
+/** The variable of a patch that stands for the inverse depth u: u / (1 - bend u), scaled to -1 ... 1.
 
 A place is a quotient of linear functions of u. If bend is the root of its denominator it is linear in the variable.
 */
 struct DepthVariable
 {
-    float bend, low, scale;
+    float bend, middle, scale;
 
-    DepthVariable() : bend(0), low(0), scale(1) {}
+    DepthVariable() : bend(0), middle(0), scale(1) {}
     //! For the inverse depths of a range at a pixel.
     DepthVariable(const Point2d& pixel, double lowest, double highest, const DepthPlaces& places);
 
-    float at(float inverseDepth) const { return (inverseDepth / (1 - bend * inverseDepth) - low) * scale; }
+    float at(float inverseDepth) const { return (inverseDepth / (1 - bend * inverseDepth) - middle) * scale; }
 
     //! The inverse of at().
     double inverseDepth(double value) const
     {
-        const double v = low + value / scale;
+        const double v = middle + value / scale;
         return v / (1 + bend * v);
     }
 };
 
-//! A square part of a map at all depths of a range: a polynomial of degree 3 in column, row and a variable of the
-//! depth.
+/** A square part of a map at all depths of a range: a polynomial in column, row and a variable of the depth.
+
+By the depth a place moves by a few pixels only, and nearly evenly in the variable: two powers of it are enough, and the
+coefficient of the second one is small.
+*/
 struct DepthPatch
 {
-    enum { NODES = Bicubic::NODES };
+    enum { NODES = Bicubic::NODES, POWERS = 3 };
 
-    Bicubic x[NODES], y[NODES]; //!< of the powers of the variable
+    //! In columns and rows, of the coefficient of a power of the variable.
+    static constexpr int degree(int power) { return power < 2 ? NODES - 1 : NODES - 2; }
+
+    Bicubic x[POWERS], y[POWERS]; //!< of the powers of the variable
     DepthVariable variable;
 
     /** Interpolates the exact places; false if the error is too large or a place doesn't exist.
@@ -47,6 +53,8 @@ struct DepthPatch
     bool fit(const Rect& square, double lowest, double highest, const DepthPlaces& places);
 
 private:
+    bool interpolate(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess);
+    bool addBend(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess);
     bool isExact(const Point2d& first, double step, const DepthPlaces& places) const;
     Point2d at(const Point2d& pixel, double depth) const;
 };

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../opencv_versions.hpp"
+#include "../../prefetch.hpp"
 #include "opencv2/imgproc.hpp"
 #include "depth_patch.hpp"
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
@@ -141,9 +142,15 @@ void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, 
 void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
                         float* y, size_t step)
 {
+    const int rowsAhead = 4; // of the map, which are far from each other in memory: else writing waits for them
     const PackVariable variable(patch.variable);
     for (int row = 0; row < size.height; row++, depths += depthStep, x += step, y += step)
     {
+        if (row + rowsAhead < size.height)
+        {
+            prefetchRow(x + rowsAhead * step, size.width * sizeof(float));
+            prefetchRow(y + rowsAhead * step, size.width * sizeof(float));
+        }
         const RowDepthPatch places(patch, row);
         for (int i = 0; i < size.width; i += Pack::COUNT)
         {

@@ -17,27 +17,38 @@ typedef PackOf<float> Pack;
 
 // A polynomial along one row. Next to the terms that are constant along the row the rest is small: single precision
 // takes no more from it than from the coordinate.
-struct RowCubic
+template <int DEGREE>
+struct RowPolynomial
 {
-    float c[Bicubic::NODES];
+    float c[DEGREE + 1];
 
-    RowCubic() {}
-    RowCubic(const Bicubic& bicubic, double row) { bicubic.alongRow(row, c); }
+    RowPolynomial() {}
+    RowPolynomial(const Bicubic& bicubic, double row) { bicubic.alongRow<DEGREE>(row, c); }
 };
 
-struct PackCubic
+template <int DEGREE>
+struct PackPolynomial
 {
-    Pack c[Bicubic::NODES];
+    Pack c[DEGREE + 1];
 
-    PackCubic() {}
-    explicit PackCubic(const RowCubic& p)
+    PackPolynomial() {}
+    explicit PackPolynomial(const RowPolynomial<DEGREE>& p)
     {
-        for (int n = 0; n < Bicubic::NODES; n++)
+        for (int n = 0; n <= DEGREE; n++)
             c[n] = p.c[n];
     }
 
-    Pack at(const Pack& x) const { return multiplyAdd(multiplyAdd(multiplyAdd(c[3], x, c[2]), x, c[1]), x, c[0]); }
+    Pack at(const Pack& x) const
+    {
+        Pack v = c[DEGREE];
+        for (int n = DEGREE - 1; n >= 0; n--)
+            v = multiplyAdd(v, x, c[n]);
+        return v;
+    }
 };
+
+typedef RowPolynomial<Bicubic::NODES - 1> RowCubic;
+typedef PackPolynomial<Bicubic::NODES - 1> PackCubic;
 
 inline Pack columnsFrom(int first)
 {
@@ -45,61 +56,73 @@ inline Pack columnsFrom(int first)
     return Pack::load(column) + float(first);
 }
 
-// The polynomials of a patch along one row, one for each power of the depth.
+// The coefficients of the powers of the depth along one row.
 struct RowDepthPatch
 {
-    enum { NODES = DepthPatch::NODES };
-
-    RowCubic x[NODES], y[NODES];
+    RowPolynomial<DepthPatch::degree(0)> x0, y0;
+    RowPolynomial<DepthPatch::degree(1)> x1, y1;
+    RowPolynomial<DepthPatch::degree(2)> x2, y2;
 
     RowDepthPatch(const DepthPatch& patch, double row)
+        : x0(patch.x[0], row), y0(patch.y[0], row), x1(patch.x[1], row), y1(patch.y[1], row), x2(patch.x[2], row),
+          y2(patch.y[2], row)
     {
-        for (int k = 0; k < NODES; k++)
-        {
-            x[k] = RowCubic(patch.x[k], row);
-            y[k] = RowCubic(patch.y[k], row);
-        }
     }
 };
 
-// A patch for pixels anywhere in it, to single precision.
+// A polynomial in column and row, to single precision.
+template <int DEGREE>
+struct FloatBicubic
+{
+    RowPolynomial<DEGREE> c[DEGREE + 1];
+
+    explicit FloatBicubic(const Bicubic& bicubic)
+    {
+        for (int m = 0; m <= DEGREE; m++)
+            std::copy(bicubic.c[m], bicubic.c[m] + DEGREE + 1, c[m].c);
+    }
+
+    Pack at(const Pack& column, const Pack& row) const
+    {
+        PackPolynomial<DEGREE> along;
+        for (int m = 0; m <= DEGREE; m++)
+            along.c[m] = PackPolynomial<DEGREE>(c[m]).at(column);
+        return along.at(row);
+    }
+};
+
+// A patch for pixels anywhere in it.
 struct FloatDepthPatch
 {
-    enum { NODES = DepthPatch::NODES };
-
-    RowCubic x[NODES][NODES], y[NODES][NODES]; // [power of the depth][power of the row]
+    FloatBicubic<DepthPatch::degree(0)> x0, y0;
+    FloatBicubic<DepthPatch::degree(1)> x1, y1;
+    FloatBicubic<DepthPatch::degree(2)> x2, y2;
 
     explicit FloatDepthPatch(const DepthPatch& patch)
+        : x0(patch.x[0]), y0(patch.y[0]), x1(patch.x[1]), y1(patch.y[1]), x2(patch.x[2]), y2(patch.y[2])
     {
-        for (int k = 0; k < NODES; k++)
-            for (int m = 0; m < NODES; m++)
-            {
-                std::copy(patch.x[k].c[m], patch.x[k].c[m] + NODES, x[k][m].c);
-                std::copy(patch.y[k].c[m], patch.y[k].c[m] + NODES, y[k][m].c);
-            }
     }
 };
 
 struct PackVariable
 {
-    Pack bend, low, scale;
+    Pack bend, middle, scale;
 
-    explicit PackVariable(const DepthVariable& v) : bend(v.bend), low(v.low), scale(v.scale) {}
+    explicit PackVariable(const DepthVariable& v) : bend(v.bend), middle(v.middle), scale(v.scale) {}
 
-    Pack at(const Pack& inverseDepth) const { return (inverseDepth / (1.f - bend * inverseDepth) - low) * scale; }
+    Pack at(const Pack& inverseDepth) const { return (inverseDepth / (1.f - bend * inverseDepth) - middle) * scale; }
 
     // Newton's step from a value towards that of an inverse depth which grows at a rate with it, with one division.
     Pack step(const Pack& value, const Pack& inverseDepth, const Pack& rate) const
     {
         const Pack divisor = 1.f - bend * inverseDepth, square = divisor * divisor;
-        return (scale * (inverseDepth * divisor - low * square) - value * square) / (square - scale * rate);
+        return (scale * (inverseDepth * divisor - middle * square) - value * square) / (square - scale * rate);
     }
 };
 
 // The places of a pack of pixels.
 struct PackCurve
 {
-    enum { NODES = DepthPatch::NODES };
     typedef Pack Number;
 
     struct Place
@@ -107,35 +130,39 @@ struct PackCurve
         Pack x, y;
     };
 
-    PackCubic x, y;
+    PackPolynomial<DepthPatch::POWERS - 1> x, y;
     const PackVariable& variable;
 
     PackCurve(const RowDepthPatch& row, const PackVariable& variable_, const Pack& column) : variable(variable_)
     {
-        for (int k = 0; k < NODES; k++)
-        {
-            x.c[k] = PackCubic(row.x[k]).at(column);
-            y.c[k] = PackCubic(row.y[k]).at(column);
-        }
+        x.c[0] = PackPolynomial<DepthPatch::degree(0)>(row.x0).at(column);
+        y.c[0] = PackPolynomial<DepthPatch::degree(0)>(row.y0).at(column);
+        x.c[1] = PackPolynomial<DepthPatch::degree(1)>(row.x1).at(column);
+        y.c[1] = PackPolynomial<DepthPatch::degree(1)>(row.y1).at(column);
+        x.c[2] = PackPolynomial<DepthPatch::degree(2)>(row.x2).at(column);
+        y.c[2] = PackPolynomial<DepthPatch::degree(2)>(row.y2).at(column);
     }
 
     PackCurve(const FloatDepthPatch& patch, const PackVariable& variable_, const Pack& column, const Pack& row)
         : variable(variable_)
     {
-        for (int k = 0; k < NODES; k++)
-        {
-            PackCubic alongX, alongY;
-            for (int m = 0; m < NODES; m++)
-            {
-                alongX.c[m] = PackCubic(patch.x[k][m]).at(column);
-                alongY.c[m] = PackCubic(patch.y[k][m]).at(column);
-            }
-            x.c[k] = alongX.at(row);
-            y.c[k] = alongY.at(row);
-        }
+        x.c[0] = patch.x0.at(column, row);
+        y.c[0] = patch.y0.at(column, row);
+        x.c[1] = patch.x1.at(column, row);
+        y.c[1] = patch.y1.at(column, row);
+        x.c[2] = patch.x2.at(column, row);
+        y.c[2] = patch.y2.at(column, row);
     }
 
     Place of(const Pack& value) const { return Place{x.at(value), y.at(value)}; }
+
+    // With the rates at which it moves with the value.
+    Place of(const Pack& value, Place& rates) const
+    {
+        const Pack alongX = multiplyAdd(value, x.c[2], x.c[1]), alongY = multiplyAdd(value, y.c[2], y.c[1]);
+        rates = Place{multiplyAdd(value, x.c[2], alongX), multiplyAdd(value, y.c[2], alongY)};
+        return Place{multiplyAdd(value, alongX, x.c[0]), multiplyAdd(value, alongY, y.c[0])};
+    }
 
     Place at(const Pack& inverseDepth) const { return of(variable.at(inverseDepth)); }
 };

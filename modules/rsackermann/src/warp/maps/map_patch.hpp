@@ -32,11 +32,23 @@ struct Bicubic
             interpolate(step, c[0][n], c[1][n], c[2][n], c[3][n]);
     }
 
-    //! The coefficients of the powers of the column in a row.
-    void alongRow(double row, float cubic[NODES]) const
+    void subtract(const Bicubic& other)
     {
-        for (int n = 0; n < NODES; n++)
-            cubic[n] = float(c[0][n] + row * (c[1][n] + row * (c[2][n] + row * c[3][n])));
+        for (int i = 0; i < NODES * NODES; i++)
+            c[i / NODES][i % NODES] -= other.c[i / NODES][i % NODES];
+    }
+
+    //! The coefficients of the powers of the column in a row, of which those above the degree vanish.
+    template <int DEGREE>
+    void alongRow(double row, float (&polynomial)[DEGREE + 1]) const
+    {
+        for (int n = 0; n <= DEGREE; n++)
+        {
+            double v = c[DEGREE][n];
+            for (int m = DEGREE - 1; m >= 0; m--)
+                v = v * row + c[m][n];
+            polynomial[n] = float(v);
+        }
     }
 
     double at(double column, double row) const

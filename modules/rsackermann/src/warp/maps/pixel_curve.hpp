@@ -12,43 +12,40 @@ namespace cv { namespace rsackermann {
 
 // The curve of places that one pixel may show, for SurfaceSearch.
 
-//! A polynomial of degree 3 in the inverse depth.
-class CubicCurve
+//! A polynomial of degree 2 in the variable of a depth.
+class SquareCurve
 {
 public:
     typedef float Number;
 
     //! @param pixel from the first one of the patch.
-    CubicCurve(const DepthPatch& patch, const Point2d& pixel) : variable(patch.variable)
+    SquareCurve(const DepthPatch& patch, const Point2d& pixel) : variable(patch.variable)
     {
-        for (int k = 0; k < NODES; k++)
+        for (int k = 0; k < DepthPatch::POWERS; k++)
             c[k] = Point2d(patch.x[k].at(pixel.x, pixel.y), patch.y[k].at(pixel.x, pixel.y));
     }
 
-    //! Through the exact places of a pixel at four depths of a range; those that don't exist are far outside.
-    CubicCurve(const DepthPlaces& places, const Point2d& pixel, double lowest, double highest)
+    //! Through the exact places of a pixel at three depths of a range; those that don't exist are far outside.
+    SquareCurve(const DepthPlaces& places, const Point2d& pixel, double lowest, double highest)
         : variable(pixel, lowest, highest, places)
     {
-        Point2d p[NODES];
-        for (int k = 0; k < NODES; k++)
-            if (!places.find(pixel, variable.inverseDepth(k), p[k]))
+        Point2d p[DepthPatch::POWERS];
+        for (int k = 0; k < DepthPatch::POWERS; k++)
+            if (!places.find(pixel, variable.inverseDepth(k - 1), p[k]))
                 p[k] = Point2d(FAR_OUTSIDE, FAR_OUTSIDE);
-        Bicubic::interpolate(1, p[0].x, p[1].x, p[2].x, p[3].x);
-        Bicubic::interpolate(1, p[0].y, p[1].y, p[2].y, p[3].y);
-        for (int k = 0; k < NODES; k++)
-            c[k] = p[k];
+        c[0] = p[1];
+        c[1] = (p[2] - p[0]) / 2;
+        c[2] = (p[2] + p[0]) / 2 - p[1];
     }
 
     Point2f at(float inverseDepth) const
     {
         const float depth = variable.at(inverseDepth);
-        return c[0] + depth * (c[1] + depth * (c[2] + depth * c[3]));
+        return c[0] + depth * (c[1] + depth * c[2]);
     }
 
 private:
-    enum { NODES = DepthPatch::NODES };
-
-    Point2f c[NODES];
+    Point2f c[DepthPatch::POWERS];
     DepthVariable variable;
 };
 

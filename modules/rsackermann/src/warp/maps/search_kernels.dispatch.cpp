@@ -10,12 +10,6 @@
 
 namespace cv { namespace rsackermann {
 
-void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
-                      float* x, float* y, size_t step)
-{
-    CV_CPU_DISPATCH(searchDepthPatch, (patch, depths, start, first, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
-}
-
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
                     const Size& size, float* x, float* y, size_t step, Mat1b mask)
 {

@@ -11,16 +11,11 @@
 
 namespace cv { namespace rsackermann {
 
-/** A part of a patch with the inverse depths of the other image, which differ so little that a pixel shows one surface
-only.
+/** A part of a patch with the inverse depths of the other image, in which there are several surfaces, each pixel of its
+own.
 @param depths all of the other image, at least 2 x 2.
-@param start a depth in the middle of all that can be met.
-@param first, size the pixels of the square. */
-void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
-                      float* x, float* y, size_t step);
-
-/** The same where there are several surfaces, each pixel of its own.
 @param low, high inverse depths between which they are.
+@param first, size the pixels of the square.
 @param mask of these pixels, in which those are marked that the other image doesn't show; or empty. */
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
                     const Size& size, float* x, float* y, size_t step, Mat1b mask);

@@ -6,6 +6,7 @@
 #include "quarters.hpp"
 #include "../depth/reach.hpp"
 #include "../depth/surface_search.hpp"
+#include "newton_kernels.hpp"
 #include "search_kernels.hpp"
 #include "pixel_curve.hpp"
 #include "depth_tiles.hpp"
