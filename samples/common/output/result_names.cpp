@@ -39,3 +39,9 @@ void checkResult(const std::string& path, bool isReplaced)
 }
 
 } // namespace rsackermann_samples
+    for (size_t end = path.rfind('/'); end != std::string::npos && end > 0; end = path.rfind('/', end - 1))
+    {
+        const std::string folder = path.substr(0, end);
+        if (cv::utils::fs::exists(folder) && !cv::utils::fs::isDirectory(folder))
+            throw InputError(path + " can't be written: " + folder + " is no folder");
+    }
