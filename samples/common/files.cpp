@@ -61,6 +61,10 @@ cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
         throw InputError("the image is of type " + cv::typeToString(image.type()) +
                          "; only 8 and 16 bits without a sign are supported");
     if (exif)
+    const int longest = 32766; // of cv::remap
+    if (std::max(image.cols, image.rows) > longest)
+        throw InputError(cv::format("the image has %d x %d pixels; up to %d along each side are supported", image.cols,
+                                    image.rows, longest));
         *exif = exifOf(bytes);
     return image;
 }

@@ -13,7 +13,7 @@
 namespace rsackermann_samples {
 
 /** Reads an image of 8 or 16 bits as it is stored (depth, channels, sensor rows). Throws InputError if it is missing,
-damaged, cut short or of another kind.
+damaged, cut short, larger than cv::remap takes or of another kind.
 @param exif receives the image's Exif data, see exifOf(). */
 cv::Mat readImage(const std::string& path, std::vector<uchar>* exif = nullptr);
 
