@@ -52,11 +52,11 @@ struct Task
 
     std::string outputOf(const std::string& input) const
     {
-        return resultPath(output, isResultFolder(output, inputs.single), fileName(input));
+        return resultPath(output, isResultFolder(output, inputs.single, "output"), fileName(input));
     }
     std::string depthOf(const std::string& input) const
     {
-        return resultPath(depth, isResultFolder(depth, inputs.single), stem(input) + ".tiff");
+        return resultPath(depth, isResultFolder(depth, inputs.single, "depth_output"), stem(input) + ".tiff");
     }
 };
 

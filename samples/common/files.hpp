@@ -54,6 +54,9 @@ std::string fileName(const std::string& path);
 std::string stem(const std::string& path);
 //! The extension with its dot, in lower case; empty if there is none.
 std::string extension(const std::string& path);
+//! Whether a file is a video, by the extension of its name.
+bool isVideo(const std::string& path);
+
 } // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_FILES_HPP

@@ -204,9 +204,9 @@ Job readJob(const Options& options)
     job.depth = DepthSource(options, job.inputs);
     if (job.linesGiven)
         job.lines = readSegments(options.inputFile("lines"));
-    job.outputIsFolder = isResultFolder(job.output, job.inputs.single);
-    job.overlayIsFolder = isResultFolder(job.overlay, job.inputs.single);
-    job.mapsIsFolder = isResultFolder(job.maps, job.inputs.single) || (!job.maps.empty() && hasVideo(job.inputs));
+    job.outputIsFolder = isResultFolder(job.output, job.inputs.single, "output");
+    job.overlayIsFolder = isResultFolder(job.overlay, job.inputs.single, "overlay");
+    job.mapsIsFolder = isResultFolder(job.maps, job.inputs.single && !hasVideo(job.inputs), "maps");
     if (options.given("log"))
         checkLog(job.log, job.inputs, "rsackermann_correct");
     checkTargets(options, job);
