@@ -52,11 +52,11 @@ struct Task
 
     std::string outputOf(const std::string& input) const
     {
-        return resultPath(output, isResultFolder(output, inputs.single), fileName(input));
+        return resultPath(output, isResultFolder(output, inputs.single, "output"), fileName(input));
     }
     std::string depthOf(const std::string& input) const
     {
-        return resultPath(depth, isResultFolder(depth, inputs.single), stem(input) + ".tiff");
+        return resultPath(depth, isResultFolder(depth, inputs.single, "depth_output"), stem(input) + ".tiff");
     }
 };
 
@@ -71,7 +71,7 @@ Task readTask(const Options& options)
     task.camera = readCameraOptions(options);
     task.prior = readPriorOptions(options);
     if (options.given("wall"))
-        task.params.estimator.wallDistance = options.number("wall", 0, 1e5, false);
+        task.params.estimator.wallDistance = options.positive("wall", 1e5);
     task.kind = options.choice("depth_kind", {"relative", "metric"}) == 0 ? DEPTH_RELATIVE : DEPTH_METRIC;
     task.output = options.outputFile("output");
     task.depth = options.given("depth_output") ? options.outputFile("depth_output") : "";

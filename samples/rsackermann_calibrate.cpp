@@ -7,6 +7,7 @@
 #include "calibrate/drive_reader.hpp"
 #include "camera_file.hpp"
 #include "estimator_options.hpp"
+#include "files.hpp"
 #include "gyro_file.hpp"
 #include "log_use.hpp"
 #include "output/interrupt.hpp"

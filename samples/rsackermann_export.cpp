@@ -15,7 +15,9 @@
 #include "output/atomic_file.hpp"
 #include "output/output_plan.hpp"
 #include "output/result_names.hpp"
+#include "opencv2/rsackermann/warp.hpp"
 
+#include <map>
 #include <set>
 
 namespace {
@@ -62,13 +64,23 @@ cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const s
     return settings.makeCamera(size);
 }
 
-// Before anything is written.
+// Before anything is written. A point is as good as a map to show whether the motion can be followed.
 void checkFrames(const Options& options, const cv::rsackermann::RollingShutterCamera& camera,
                  const std::vector<MotionFrame>& frames)
 {
+    const auto generator = cv::rsackermann::WarpMapGenerator::create(camera);
     for (const MotionFrame& frame : frames)
     {
-        frame.cameraOf(camera);
+        generator->setCamera(frame.cameraOf(camera));
+        try
+        {
+            cv::Mat place;
+            generator->distortPoints(frame.motion, std::vector<cv::Point2d>(1), place);
+        }
+        catch (const cv::Exception& e)
+        {
+            throw InputError(frame.name() + ": " + e.err);
+        }
         for (const char* name : {"stmap", "mesh"})
             if (frame.isDepthUsed && options.given(name))
                 throw InputError(frame.name() + " was corrected with a depth, which the report doesn't have: --" +
@@ -122,6 +134,35 @@ void checkTargets(const Options& options, const std::vector<MotionFrame>& frames
     plan.removeLeftovers();
 }
 
+typedef std::map<std::string, std::string> Texts; // by their paths
+
+// What the files are made from is read, and may be refused, before any of them is written.
+Texts textsOf(const Options& options, const cv::rsackermann::RollingShutterCamera& camera,
+              const std::vector<MotionFrame>& frames, const cv::Size& nodes)
+{
+    Texts texts;
+    if (options.given("gcsv"))
+        texts[options.text("gcsv")] = gyroLogText(camera, frames);
+    if (options.given("row_poses"))
+        texts[options.text("row_poses")] = rowPosesText(camera, frames);
+    if (options.given("tracks"))
+        texts[options.text("tracks_output")] = correctTracks(options.text("tracks"), camera, frames);
+    if (options.given("points"))
+        texts[options.text("points_output")] = cloudInRawImages(options.text("points"), camera, frames);
+    if (options.given("mesh"))
+        texts[options.text("mesh")] = warpMeshText(camera, frames, nodes.width, nodes.height);
+    return texts;
+}
+
+// All of them or none.
+void writeTexts(const Texts& texts)
+{
+    AtomicFiles files;
+    for (const auto& text : texts)
+        files.add(text.first).write(text.second.data(), text.second.size());
+    files.commit();
+}
+
 int run(const Options& options)
 {
     options.refuseArguments();
@@ -144,20 +185,11 @@ int run(const Options& options)
     checkResults(options);
     checkTargets(options, frames);
     checkFrames(options, camera, frames);
-    if (options.given("gcsv"))
-        writeFile(options.text("gcsv"), gyroLogText(camera, frames));
-    if (options.given("row_poses"))
-        writeFile(options.text("row_poses"), rowPosesText(camera, frames));
+    writeTexts(textsOf(options, camera, frames, nodes));
     if (options.given("colmap"))
         writeColmap(options.text("colmap"), camera, frames);
     if (options.given("stmap"))
         writeStMaps(options.text("stmap"), format, camera, frames);
-    if (options.given("tracks"))
-        writeFile(options.text("tracks_output"), correctTracks(options.text("tracks"), camera, frames));
-    if (options.given("points"))
-        writeFile(options.text("points_output"), cloudInRawImages(options.text("points"), camera, frames));
-    if (options.given("mesh"))
-        writeFile(options.text("mesh"), warpMeshText(camera, frames, nodes.width, nodes.height));
     return 0;
 }
 

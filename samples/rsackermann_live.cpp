@@ -168,7 +168,7 @@ int run(const Options& options)
     const int frames = options.integer("frames", 0, INT_MAX);
     RollingShutterCorrector::Params params;
     if (options.given("wall"))
-        params.estimator.wallDistance = options.number("wall", 0, 1e5, false);
+        params.estimator.wallDistance = options.positive("wall", 1e5);
 
     if (options.given("picture"))
         checkPicture(options);

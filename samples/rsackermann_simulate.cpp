@@ -88,7 +88,7 @@ CameraSettings readSettings(const Options& options, const cv::Size& size, double
     CameraSettings s;
     s.size = size;
     s.calibrated = true;
-    const double focal = options.given("focal") ? options.number("focal", 0, 1e7, false) : defaultFocal;
+    const double focal = options.given("focal") ? options.positive("focal", 1e7) : defaultFocal;
     s.K = cv::Matx33d(focal, 0, (size.width - 1) / 2., 0, focal, (size.height - 1) / 2., 0, 0, 1);
     if (options.given("lens"))
         s.lens = options.numbers("lens");
@@ -96,15 +96,15 @@ CameraSettings readSettings(const Options& options, const cv::Size& size, double
         throw UsageError("option --lens: there are 4, 5 or 8 coefficients");
     s.scan = options.choice("scan", SCAN_WORDS);
     if (options.given("line_delay"))
-        s.lineDelay = options.number("line_delay", 0, cv::rsackermann::LONGEST_READ_OUT, false);
+        s.lineDelay = options.positive("line_delay", cv::rsackermann::LONGEST_READ_OUT);
     else
-        s.readOut = options.given("readout") ? options.number("readout", 0, cv::rsackermann::LONGEST_READ_OUT, false)
-                                             : 0.4 / 30;
-    s.reference = options.text("reference");
+        s.readOut =
+            options.given("readout") ? options.positive("readout", cv::rsackermann::LONGEST_READ_OUT) : 0.4 / 30;
+    s.reference = readReference(options);
     s.roll = options.number("roll", -89, 89);
     s.pitch = options.number("pitch", -89, 89);
     s.heading = options.number("heading", -180, 180);
-    s.height = options.number("height", 0, 1000, false);
+    s.height = options.positive("height", 1000);
     return s;
 }
 
@@ -146,7 +146,7 @@ Truth readTruthOptions(const Options& options, const CameraSettings& settings)
 street::SimulatedGyro readGyroOptions(const Options& options, unsigned seed)
 {
     street::SimulatedGyro gyro;
-    gyro.rate = options.number("gyro_rate", 0, 1e5, false);
+    gyro.rate = options.positive("gyro_rate", 1e5);
     gyro.noise = options.number("gyro_noise", 0, 100) * DEGREE;
     gyro.bias = cv::Vec3d::all(options.number("gyro_bias", -100, 100) * DEGREE);
     gyro.delay = options.number("gyro_delay", -1e6, 1e6);

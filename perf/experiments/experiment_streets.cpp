@@ -65,7 +65,7 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
     else if (knowledge.rollNoise > 0)
         setGravitySigma(knowledge.rollNoise, params);
     if (options.given("usual_yaw_rate"))
-        params.priorYawRate = options.number("usual_yaw_rate", 0, 1e4, false) * DEGREE;
+        params.priorYawRate = options.positive("usual_yaw_rate", 1e4) * DEGREE;
     experiment.segments.verticalsOnly = options.flag("only_verticals");
     experiment.segments.exact = options.flag("exact_segments");
     experiment.floorSamples = options.integer("floor", 0, 1000);

@@ -84,8 +84,7 @@ int run(const Options& options)
     options.refuseArguments();
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
-    const double roll = options.number("roll", 0, 45, false) * DEGREE,
-                 extent = options.number("extent", 0, 170, false) * DEGREE;
+    const double roll = options.positive("roll", 45) * DEGREE, extent = options.positive("extent", 170) * DEGREE;
     const int steps = options.integer("steps", 1, 1000);
 
     const cv::Size size(640, 380);

@@ -90,6 +90,14 @@ bool isCameraGiven(const Options& options)
     return false;
 }
 
+std::string readReference(const Options& options)
+{
+    const std::string reference = options.text("reference");
+    if (reference != "first" && reference != "middle" && reference != "last")
+        parseNumber(reference, "option --reference (first, middle, last or a line's number)", -1e9, 1e9);
+    return reference;
+}
+
 CameraSettings readCameraOptions(const Options& options)
 {
     CameraSettings s;
@@ -100,23 +108,21 @@ CameraSettings readCameraOptions(const Options& options)
         readCameraFile(options.inputFile("camera"), s);
     }
     if (options.given("focal"))
-        s.focal = options.number("focal", 0, 1e7, false);
+        s.focal = options.positive("focal", 1e7);
     if (options.given("focal_sigma"))
-        s.focalSigma = options.number("focal_sigma", 0, 1e7, false);
+        s.focalSigma = options.positive("focal_sigma", 1e7);
     if (options.given("line_delay") && options.given("readout"))
         throw UsageError("--line_delay and --readout exclude each other");
     if (options.given("line_delay") || options.given("readout"))
     {
-        s.lineDelay = options.given("line_delay") ? options.number("line_delay", 0, LONGEST_READ_OUT, false) : 0;
-        s.readOut = options.given("readout") ? options.number("readout", 0, LONGEST_READ_OUT, false) : 0;
+        s.lineDelay = options.given("line_delay") ? options.positive("line_delay", LONGEST_READ_OUT) : 0;
+        s.readOut = options.given("readout") ? options.positive("readout", LONGEST_READ_OUT) : 0;
         s.lineDelaySigma = 0;
     }
     if (options.given("scan"))
         s.scan = options.choice("scan", SCAN_WORDS);
     if (options.given("reference"))
-        s.reference = options.text("reference");
-    if (s.reference != "first" && s.reference != "middle" && s.reference != "last")
-        parseNumber(s.reference, "option --reference (first, middle, last or a line's number)");
+        s.reference = readReference(options);
     if (options.given("roll"))
     {
         s.roll = options.number("roll", -89, 89);
@@ -133,7 +139,7 @@ CameraSettings readCameraOptions(const Options& options)
         s.headingSigma = 0;
     }
     if (options.given("height"))
-        s.height = options.number("height", 0, 1000, false);
+        s.height = options.positive("height", 1000);
     return s;
 }
 

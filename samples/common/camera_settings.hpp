@@ -49,6 +49,9 @@ extern const char* const CAMERA_KEYS;
 //! Whether an option for the camera is given.
 bool isCameraGiven(const Options& options);
 
+//! The value of --reference: a word, or a number that an image's line may have.
+std::string readReference(const Options& options);
+
 //! Reads --camera and the other options for a camera, which go before the file.
 CameraSettings readCameraOptions(const Options& options);
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <sys/stat.h>
 
@@ -60,6 +61,10 @@ cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
     if (image.depth() != CV_8U && image.depth() != CV_16U)
         throw InputError("the image is of type " + cv::typeToString(image.type()) +
                          "; only 8 and 16 bits without a sign are supported");
+    const int longest = 32766; // of cv::remap
+    if (std::max(image.cols, image.rows) > longest)
+        throw InputError(cv::format("the image has %d x %d pixels; up to %d along each side are supported", image.cols,
+                                    image.rows, longest));
     if (exif)
         *exif = exifOf(bytes);
     return image;
@@ -144,6 +149,13 @@ std::string extension(const std::string& path)
     std::string result = dot == std::string::npos ? "" : name.substr(dot);
     std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return char(std::tolower(c)); });
     return result;
+}
+
+bool isVideo(const std::string& path)
+{
+    static const std::set<std::string> known = {".mp4", ".avi",  ".mov",  ".mkv", ".m4v",
+                                                ".mpg", ".mpeg", ".webm", ".wmv", ".mjpeg"};
+    return known.count(extension(path)) > 0;
 }
 
 } // namespace rsackermann_samples

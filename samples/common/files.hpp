@@ -13,7 +13,7 @@
 namespace rsackermann_samples {
 
 /** Reads an image of 8 or 16 bits as it is stored (depth, channels, sensor rows). Throws InputError if it is missing,
-damaged, cut short or of another kind.
+damaged, cut short, larger than cv::remap takes or of another kind.
 @param exif receives the image's Exif data, see exifOf(). */
 cv::Mat readImage(const std::string& path, std::vector<uchar>* exif = nullptr);
 
@@ -54,6 +54,9 @@ std::string fileName(const std::string& path);
 std::string stem(const std::string& path);
 //! The extension with its dot, in lower case; empty if there is none.
 std::string extension(const std::string& path);
+//! Whether a file is a video, by the extension of its name.
+bool isVideo(const std::string& path);
+
 } // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_FILES_HPP

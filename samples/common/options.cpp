@@ -87,6 +87,14 @@ double parseNumber(const std::string& text, const std::string& source)
     return value;
 }
 
+double parseNumber(const std::string& text, const std::string& source, double low, double high)
+{
+    const double value = parseNumber(text, source);
+    if (value < low || value > high)
+        throw UsageError(source + ": " + text + " is not from " + printed(low) + " to " + printed(high));
+    return value;
+}
+
 int parseInteger(const std::string& text, const std::string& source, int low, int high)
 {
     const double value = parseNumber(text, source);
@@ -156,18 +164,9 @@ std::string Options::outputFile(const std::string& name) const
     return path;
 }
 
-double Options::number(const std::string& name) const
+double Options::number(const std::string& name, double low, double high) const
 {
-    return parseNumber(text(name), "option --" + name);
-}
-
-double Options::number(const std::string& name, double low, double high, bool inclusive) const
-{
-    const double value = number(name);
-    if (value < low || value > high || (!inclusive && value == low))
-        throw UsageError("option --" + name + ": " + text(name) + " is not " + (inclusive ? "from " : "above ") +
-                         printed(low) + (inclusive ? " to " : " and up to ") + printed(high));
-    return value;
+    return parseNumber(text(name), "option --" + name, low, high);
 }
 
 int Options::integer(const std::string& name, int low, int high) const

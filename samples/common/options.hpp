@@ -29,6 +29,8 @@ struct InputError : std::runtime_error
 
 //! A number that fills the whole text; throws UsageError which names its source otherwise.
 double parseNumber(const std::string& text, const std::string& source);
+//! A number in [low, high].
+double parseNumber(const std::string& text, const std::string& source, double low, double high);
 //! A whole number in [low, high].
 int parseInteger(const std::string& text, const std::string& source, int low, int high);
 //! The position of a word among the words.
@@ -57,9 +59,10 @@ public:
     std::string outputFile(const std::string& name) const;
     //! The files of inputFile() so far.
     const std::set<std::string>& inputFiles() const { return inputFiles_; }
-    double number(const std::string& name) const;
-    //! A number in (low, high], or [low, high] if the lower limit is inclusive.
-    double number(const std::string& name, double low, double high, bool inclusive = true) const;
+    //! A number in [low, high].
+    double number(const std::string& name, double low, double high) const;
+    //! A number in [1e-9, high]: none that is used is nearer to 0, and the library refuses some that are.
+    double positive(const std::string& name, double high) const { return number(name, 1e-9, high); }
     int integer(const std::string& name, int low, int high) const;
     std::vector<double> numbers(const std::string& name) const;
     bool flag(const std::string& name) const;

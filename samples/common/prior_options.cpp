@@ -27,7 +27,7 @@ void readMeasurement(const Options& options, const std::string& name, double def
     if (options.given(name))
     {
         value = options.number(name, -limit, limit) * unit;
-        sigma = (options.given(sigmaName) ? options.number(sigmaName, 0, limit, false) : defaultSigma) * unit;
+        sigma = (options.given(sigmaName) ? options.positive(sigmaName, limit) : defaultSigma) * unit;
     }
     else if (options.given(sigmaName))
         throw UsageError("--" + sigmaName + " needs --" + name);

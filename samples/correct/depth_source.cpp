@@ -63,9 +63,9 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
     meaning_.camera = options.choice("depth_camera", {"raw", "corrected"}) == 0 ? cv::rsackermann::DEPTH_RAW
                                                                                 : cv::rsackermann::DEPTH_CORRECTED;
     if (options.given("depth_scale"))
-        meaning_.scale = options.number("depth_scale", 0, 1e6, false);
+        meaning_.scale = options.positive("depth_scale", 1e6);
     if (options.given("baseline"))
-        meaning_.baseline = options.number("baseline", 0, 1e3, false);
+        meaning_.baseline = options.positive("baseline", 1e3);
     if ((meaning_.kind == DepthMeaning::DISPARITY) != options.given("baseline"))
         throw UsageError("--depth_kind=disparity and --baseline need each other");
     if (meaning_.kind == DepthMeaning::RELATIVE &&

@@ -164,7 +164,6 @@ std::vector<std::string> expand(const std::string& argument, InputList& list)
 InputList listInputs(const std::vector<std::string>& arguments)
 {
     InputList list;
-    list.single = arguments.size() == 1 && !fs::isDirectory(arguments[0]) && fs::exists(arguments[0]);
     const auto add = [&list](const std::string& name, const std::string& error) {
         list.inputs.push_back(Input{name, int(list.inputs.size()), error});
     };
@@ -181,6 +180,7 @@ InputList listInputs(const std::vector<std::string>& arguments)
         {
             add(argument, e.what());
         }
+    list.single = arguments.size() == 1 && list.inputs.size() == 1 && list.inputs[0].name == arguments[0];
     return list;
 }
 
@@ -191,13 +191,6 @@ std::vector<std::string> filesOf(const InputList& inputs)
         if (input.isFile())
             files.push_back(input.name);
     return files;
-}
-
-bool isVideo(const std::string& path)
-{
-    static const std::vector<std::string> known = {".mp4", ".avi",  ".mov",  ".mkv", ".m4v",
-                                                   ".mpg", ".mpeg", ".webm", ".wmv", ".mjpeg"};
-    return isOneOf(extension(path), known);
 }
 
 void keepShard(InputList& inputs, int shard, int count)

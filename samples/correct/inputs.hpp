@@ -27,7 +27,7 @@ struct InputList
     std::vector<Input> inputs;
     std::vector<std::string> lists;    //!< files whose lines are among the inputs
     std::vector<std::string> warnings; //!< of what folders hold besides
-    bool single;                       //!< there is one argument and it is the name of a file
+    bool single;                       //!< there is one argument, and it is the name of a file, or of nothing
 };
 
 /** Lists the files: an argument is an image, a video, a directory (its images, by name), a printf pattern as
@@ -36,9 +36,6 @@ InputList listInputs(const std::vector<std::string>& arguments);
 
 //! All files that are read for the inputs.
 std::vector<std::string> filesOf(const InputList& inputs);
-
-//! Whether a file is a video, by the extension of its name.
-bool isVideo(const std::string& path);
 
 //! Keeps every count-th input, beginning with the shard-th, which is 1 for the first one.
 void keepShard(InputList& inputs, int shard, int count);

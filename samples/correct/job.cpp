@@ -62,9 +62,9 @@ void readEstimator(const Options& options, AckermannEstimator::Params& params)
     params.detector = readDetector(options);
     params.seed = options.integer("seed", 0, INT_MAX);
     if (options.given("wall"))
-        params.wallDistance = options.number("wall", 0, 1e5, false);
+        params.wallDistance = options.positive("wall", 1e5);
     if (options.given("usual_yaw_rate"))
-        params.priorYawRate = options.number("usual_yaw_rate", 0, 1e4, false) * DEGREE;
+        params.priorYawRate = options.positive("usual_yaw_rate", 1e4) * DEGREE;
     params.scaleFromRoad = options.flag("scale_from_road");
 }
 
@@ -204,9 +204,9 @@ Job readJob(const Options& options)
     job.depth = DepthSource(options, job.inputs);
     if (job.linesGiven)
         job.lines = readSegments(options.inputFile("lines"));
-    job.outputIsFolder = isResultFolder(job.output, job.inputs.single);
-    job.overlayIsFolder = isResultFolder(job.overlay, job.inputs.single);
-    job.mapsIsFolder = isResultFolder(job.maps, job.inputs.single) || (!job.maps.empty() && hasVideo(job.inputs));
+    job.outputIsFolder = isResultFolder(job.output, job.inputs.single, "output");
+    job.overlayIsFolder = isResultFolder(job.overlay, job.inputs.single, "overlay");
+    job.mapsIsFolder = isResultFolder(job.maps, job.inputs.single && !hasVideo(job.inputs), "maps");
     if (options.given("log"))
         checkLog(job.log, job.inputs, "rsackermann_correct");
     checkTargets(options, job);

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "log_use.hpp"
+#include "files.hpp"
 #include "options.hpp"
 #include "prior_options.hpp"
 #include "units.hpp"

@@ -4,6 +4,7 @@
 
 #include "program.hpp"
 #include "camera_file.hpp"
+#include "camera_settings.hpp"
 #include "options.hpp"
 
 namespace opencv_test { namespace {
@@ -95,6 +96,46 @@ TEST(CameraFiles, shutter_and_mounting)
     const rsackermann_samples::CameraSettings upwards =
         read(std::string(ROS) + "scan: bottom_to_top\nreference: last\n");
     EXPECT_EQ(0, upwards.makeCamera(upwards.size).referenceRow);
+}
+
+// What an option says is exact, and of all else the file's standard deviation stays.
+TEST(CameraFiles, options_replace_values_and_their_sigmas)
+{
+    using rsackermann_samples::CameraSettings;
+    const TemporaryFolder folder;
+    const std::string file = "--camera=" + (folder / "camera.yml");
+    writeContent(folder / "camera.yml", std::string(OPENCV_YAML) +
+                                            "line_delay: 3.5e-5\nroll: 1.5\npitch: -2\nheading: 90\nroll_sigma: 0.1\n"
+                                            "pitch_sigma: 0.2\nheading_sigma: 0.3\nline_delay_sigma: 1e-6\n");
+    const struct
+    {
+        const char *option, *value;
+        double CameraSettings::*setting;
+        double CameraSettings::*sigma;
+    } options[] = {{"roll", "1", &CameraSettings::roll, &CameraSettings::rollSigma},
+                   {"pitch", "2", &CameraSettings::pitch, &CameraSettings::pitchSigma},
+                   {"heading", "3", &CameraSettings::heading, &CameraSettings::headingSigma},
+                   {"line_delay", "0.00004", &CameraSettings::lineDelay, &CameraSettings::lineDelaySigma},
+                   {"readout", "0.01", &CameraSettings::readOut, &CameraSettings::lineDelaySigma}};
+    const auto settingsWith = [&](const std::string& option) {
+        std::vector<const char*> arguments = {"program", file.c_str()};
+        if (!option.empty())
+            arguments.push_back(option.c_str());
+        return rsackermann_samples::readCameraOptions(
+            rsackermann_samples::Options(int(arguments.size()), arguments.data(), rsackermann_samples::CAMERA_KEYS));
+    };
+    const CameraSettings ofFile = settingsWith("");
+    for (const auto& given : options)
+    {
+        SCOPED_TRACE(given.option);
+        const CameraSettings s = settingsWith(std::string("--") + given.option + "=" + given.value);
+        EXPECT_EQ(std::stod(given.value), s.*given.setting);
+        for (const auto& other : options)
+        {
+            EXPECT_GT(ofFile.*other.sigma, 0);
+            EXPECT_EQ(other.sigma == given.sigma ? 0 : ofFile.*other.sigma, s.*other.sigma) << other.option;
+        }
+    }
 }
 
 TEST(CameraFiles, fisheye)

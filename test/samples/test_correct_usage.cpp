@@ -83,6 +83,14 @@ const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--out
                                                        {"--readout=30", "--readout"}, // milliseconds
                                                        {"--scan=sideways", "sideways"},
                                                        {"--reference=half", "half"},
+                                                       {"--reference=1e40", "option --reference"},
+                                                       {"--reference=-1e10", "-1e10 is not from"},
+                                                       {"--focal=1e-40", "option --focal"},
+                                                       {"--focal_sigma=1e-40", "option --focal_sigma"},
+                                                       {"--readout=1e-40", "option --readout"},
+                                                       {"--height=1e-40", "option --height"},
+                                                       {"--wall=1e-40", "option --wall"},
+                                                       {"--usual_yaw_rate=1e-40", "option --usual_yaw_rate"},
                                                        {"--roll=1,5", "--roll"},
                                                        {"--roll=180", "--roll"},
                                                        {"--pitch=90", "--pitch"},
@@ -191,6 +199,39 @@ TEST(CorrectUsage, something_to_read_and_something_to_write)
     EXPECT_EQ(2, correct({}).exitCode);
     EXPECT_EQ(2, correct({"--report=-"}).exitCode);
     EXPECT_EQ(2, correct({streetFolder() + "/rolling.png"}).exitCode);
+}
+
+// A name that can only be meant for one result makes no folder.
+TEST(CorrectUsage, several_inputs_and_a_name_for_one_result)
+{
+    const TemporaryFolder in, out;
+    for (const char* name : {"0.png", "1.png"})
+        cv::imwrite(in / name, cv::Mat(48, 64, CV_8U, cv::Scalar(7)));
+    writeContent(in / "list.txt", (in / "0.png") + "\n");
+    writeContent(out / "existing", "");
+    const std::pair<const char*, const char*> names[] = {
+        {"output", "one.png"}, {"output", "one.mp4"},    {"output", "one.yml"}, {"output", "existing"},
+        {"overlay", "o.TIFF"}, {"overlay", "new/o.jpg"}, {"maps", "m.yml.gz"},  {"maps", "m.xml"}};
+    const Arguments several[] = {{in / "0.png", in / "1.png"}, {in.path()}, {in / "%d.png"}, {"@" + (in / "list.txt")}};
+    for (const auto& named : names)
+        for (const Arguments& inputs : several)
+        {
+            const std::string option = std::string("--") + named.first;
+            const Outcome outcome = correct(inputs + Arguments{option + "=" + (out / named.second)});
+            SCOPED_TRACE(option + " " + named.second + " " + inputs[0] + ": " + outcome.messages);
+            EXPECT_EQ(2, outcome.exitCode);
+            for (const std::string& part : {"option " + option, std::string(named.second), std::string("a folder")})
+                EXPECT_NE(std::string::npos, outcome.messages.find(part)) << part;
+            EXPECT_EQ(std::vector<std::string>{"existing"}, namesIn(out.path()));
+        }
+    // Those that are meant for folders do.
+    cv::utils::fs::createDirectories(out / "there.png");
+    for (const char* folder : {"new", "new.d/", "v1.2", "x.png/", "there.png"})
+    {
+        const Outcome outcome = correct({in.path(), "--output=" + (out / folder)});
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ((std::vector<std::string>{"0.png", "1.png"}), namesIn(out / folder)) << folder;
+    }
 }
 
 TEST(CorrectUsage, lines_are_for_one_input)

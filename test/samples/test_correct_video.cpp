@@ -218,6 +218,7 @@ TEST_F(CorrectVideo, missing_maps_are_made)
 
 TEST_F(CorrectVideo, maps_of_each_frame)
 {
+    EXPECT_EQ(2, correct(arguments() + Arguments{"--maps=" + (out_ / "maps.yml.gz")}).exitCode);
     ASSERT_EQ(0, correct(arguments() + Arguments{"--maps=" + (out_ / "maps")}).exitCode);
     EXPECT_EQ((std::vector<std::string>{"drive_000000.yml.gz", "drive_000001.yml.gz", "drive_000002.yml.gz",
                                         "drive_000003.yml.gz"}),

@@ -1058,6 +1058,55 @@ TEST_F(Export, results_that_exist)
     }
 }
 
+// Of each kind that reads, and whatever is in the way: no other result is there either.
+TEST_F(Export, no_result_beside_an_error)
+{
+    writeContent(folder / "points.csv", "file,x,y\nrolling.png,1,near\n");
+    writeContent(folder / "cloud.csv", "file,x,y,z\nother.png,1,2,9\n");
+    writeContent(folder / "none.csv", "");
+    writeContent(folder / "in_the_way", "");
+    const json good = lineOfReport(truth, "street/rolling.png");
+    const auto with = [&](const char* key, const json& value) {
+        json line = good;
+        line[key] = value;
+        return line;
+    };
+    const std::string out = folder / "out/";
+    const struct
+    {
+        json second; // line of the report
+        Arguments options;
+        const char* reason;
+    } cases[] = {
+        {good, {"--tracks=" + (folder / "points.csv"), "--tracks_output=" + out + "tracks.csv"}, "points.csv, line 2"},
+        {good, {"--tracks=" + (folder / "none.csv"), "--tracks_output=" + out + "tracks.csv"}, "none.csv"},
+        {good, {"--points=" + (folder / "cloud.csv"), "--points_output=" + out + "u.csv"}, "cloud.csv, line 2"},
+        {good, {"--gcsv=" + out + "gyro.gcsv"}, "the time of"},
+        {good, {"--stmap=" + (folder / "in_the_way")}, "in_the_way is no folder"},
+        {good, {"--mesh=" + (folder / "in_the_way/mesh.json")}, "in_the_way is no folder"},
+        {with("alpha", 1e200), {}, "second.png: motion.alpha is 1e+200"},
+        {with("relief", {{"columns", 4}, {"values", std::vector<double>(16)}, {"area", {0, 0, 0, 1}}}),
+         {},
+         "second.png: motion.offsetArea"},
+        {with("rotation_curve", {{0, 0, 0}}), {}, "second.png: motion.rotationCurve"}};
+    for (const auto& c : cases)
+    {
+        SCOPED_TRACE(c.reason);
+        json second = c.second;
+        second["input"] = "street/second.png";
+        writeContent(folder / "report.jsonl", good.dump() + "\n" + second.dump() + "\n");
+        Arguments arguments = {"--report=" + (folder / "report.jsonl"), "--camera=" + streetFolder() + "/camera.yml",
+                               "--colmap=" + out + "colmap", "--row_poses=" + out + "poses.json"};
+        for (const char* option : {"--mesh=", "--stmap="})
+            if (c.options.empty() || c.options[0].find(option) != 0)
+                arguments.push_back(option + out + "more");
+        const Outcome outcome = exportMotion(arguments + c.options);
+        EXPECT_NE(0, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find(c.reason)) << outcome.messages;
+        EXPECT_FALSE(cv::utils::fs::exists(out));
+    }
+}
+
 TEST_F(Export, usage)
 {
     const std::string motion = "--motion=" + (folder / "motion.yml"),

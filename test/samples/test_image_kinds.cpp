@@ -113,6 +113,29 @@ TEST(ImageKinds, float_is_refused)
     EXPECT_EQ(1, correct({folder / "in.tiff", "--report=-"}).exitCode);
 }
 
+// By the programs, for the limit of cv::remap.
+TEST(ImageKinds, very_long_is_refused)
+{
+    const TemporaryFolder folder;
+    for (const cv::Size& size : {cv::Size(32767, 2), cv::Size(2, 32767), cv::Size(32766, 2)})
+    {
+        SCOPED_TRACE(size);
+        cv::imwrite(folder / "in.png", cv::Mat(size, CV_8U, cv::Scalar(7)));
+        const bool isTaken = size.width == 32766;
+        for (const Outcome& outcome :
+             {correct({folder / "in.png", "--output=" + (folder / "out.png"), "--overwrite"}),
+              simulate({"--image=" + (folder / "in.png"), "--output=" + (folder / "out"), "--overwrite"})})
+        {
+            EXPECT_EQ(isTaken ? 0 : 1, outcome.exitCode) << outcome.messages;
+            const std::string reason =
+                folder / cv::format("in.png: the image has %d x %d pixels; up to 32766 along each side are supported",
+                                    size.width, size.height);
+            EXPECT_EQ(!isTaken, outcome.messages.find(reason) != std::string::npos) << outcome.messages;
+        }
+        EXPECT_EQ(isTaken, cv::utils::fs::exists(folder / "out.png"));
+    }
+}
+
 TEST(ImageKinds, cmyk_is_refused)
 {
     const TemporaryFolder folder;

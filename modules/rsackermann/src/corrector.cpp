@@ -267,7 +267,7 @@ public:
     {
         CV_INSTRUMENT_REGION();
         const bool isTracked = params.sequence && params.trackPoints;
-        checkRemapped(src, "src", generator->getCamera().imageSize);
+        checkSource(src);
         if (isTracked)
             checkImage(src, "src");
         checkOutputs(src, dst, mask);
@@ -283,7 +283,7 @@ public:
                            const DepthMap& depth) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        checkRemapped(src, "src", generator->getCamera().imageSize);
+        checkSource(src);
         checkMotion(motion);
         checkOutputs(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
@@ -341,6 +341,17 @@ private:
         sigmas.bias = params.gyroBiasSigma;
         sigmas.scale = params.gyroScaleSigma;
         sequence.gyro.setSigmas(sigmas);
+    }
+
+    // Of an image in which nothing is looked for.
+    void checkSource(InputArray src) const
+    {
+        checkRemapped(src, "src", generator->getCamera().imageSize);
+        const bool isWide = params.interpolation == INTER_CUBIC || params.interpolation == INTER_LANCZOS4;
+        if (isWide && src.channels() > 4) // refused by cv::remap, whether or not this image needs it
+            CV_Error(Error::StsBadArg, format("src has %d channels; up to 4 are expected if params.interpolation is "
+                                              "INTER_CUBIC (%d) or INTER_LANCZOS4 (%d)",
+                                              src.channels(), INTER_CUBIC, INTER_LANCZOS4));
     }
 
     // The mask is written before the image is read.

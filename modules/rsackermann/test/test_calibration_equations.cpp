@@ -206,11 +206,14 @@ struct Recording
                                       f.time, f.interval);
     }
 
-    MountFit fit()
+    //! @param known multiplies what is known of the mount beforehand.
+    MountFit fit(double known = 1) { return fitMount(camera, frames, known * sigmaBefore(), suspension); }
+
+    static MountVector sigmaBefore()
     {
         MountVector sigma;
         sigma << 0.05, 0.05, 0.09, 0.3, 0.3;
-        return fitMount(camera, frames, sigma, suspension);
+        return sigma;
     }
 
     //! Median distance of points from where they should be, across the way of their depth.
@@ -288,6 +291,72 @@ TEST_P(CalibrationEquations, tilts_are_linked)
             const FrameVector &now = frames[k].value, &before = frames[k - 1].value;
             EXPECT_NEAR(now[FLOW_ROLL_BEFORE], now[SEQUENCE_ROLL] - before[SEQUENCE_ROLL], 0.02 * degree) << k;
             EXPECT_NEAR(now[FLOW_PITCH_BEFORE], now[SEQUENCE_PITCH] - before[SEQUENCE_PITCH], 0.02 * degree) << k;
+        }
+}
+
+// Between two parts of a drive frames may be missing, or may show nothing: what the suspension lets expect is the same.
+TEST_P(CalibrationEquations, frames_that_show_nothing)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const int count = 24, first = 8, last = 11; // of those that are missing
+    Recording all(MODES[GetParam()], count);
+    all.suspension.sigma = 0.05 * degree;
+    Recording missing = all, empty = all;
+    missing.frames.erase(missing.frames.begin() + first, missing.frames.begin() + last + 1);
+    for (int k = first; k <= last; k++)
+    {
+        CalibrationFrame& frame = empty.frames[k];
+        frame.before -= 0.1 * INTERVAL; // it doesn't follow, and nothing follows it
+        frame.time -= 0.05 * INTERVAL;
+        frame.bearings.clear();
+        frame.verticals.clear();
+        frame.value.setZero();
+        std::copy(frame.expected, frame.expected + SCENE_VALUES, frame.value.data());
+    }
+    const MountFit a = missing.fit(), b = empty.fit();
+    EXPECT_NEAR(1, b.turningSigma / a.turningSigma, 1e-3);
+    double largest = 0;
+    for (int k = 0; k < count; k++)
+        if (k < first || k > last)
+        {
+            const FrameVector &one = missing.frames[k < first ? k : k - (last - first + 1)].value,
+                              &other = empty.frames[k].value;
+            for (const int i : {SEQUENCE_ROLL, SEQUENCE_PITCH})
+                largest = std::max(largest, std::abs(one[i] - other[i]) / degree);
+        }
+    RecordProperty("ratio", format("%.6f", b.turningSigma / a.turningSigma));
+    RecordProperty("largest", format("%.6f", largest));
+    EXPECT_LT(largest, 1e-3);
+}
+
+// Frames that don't differ show nothing of how frames scatter: the information of their weights counts as that of four
+// frames more. What is known beforehand is never lost by it.
+TEST_P(CalibrationEquations, frames_that_are_all_the_same)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Recording recording(MODES[GetParam()], 2);
+    const CalibrationFrame frame = recording.frames[1];
+    const auto copies = [&](int count) {
+        recording.frames.assign(size_t(count), frame);
+        for (int k = 0; k < count; k++)
+            recording.frames[k].drive = k;
+    };
+    const int few = 8, many = 32;
+    copies(few);
+    const MountFit a = recording.fit(100);
+    copies(many);
+    const MountFit b = recording.fit(100);
+    const double expected = double(few) * (few + 4) / (many * (many + 4));
+    RecordProperty("ratio",
+                   format("%.4f of %.4f", std::pow(b.sigma[MOUNT_HEADING] / a.sigma[MOUNT_HEADING], 2), expected));
+    EXPECT_NEAR(1, std::pow(b.sigma[MOUNT_HEADING] / a.sigma[MOUNT_HEADING], 2) / expected, 0.15);
+    for (const int count : {few, many})
+        for (const double known : {1e-4, 1e-2, 1.})
+        {
+            copies(count);
+            const MountFit fit = recording.fit(known);
+            for (int i = MOUNT_HEADING; i < MOUNT_VALUES; i++)
+                EXPECT_LT(fit.sigma[i], known * Recording::sigmaBefore()[i] * (1 + 1e-6)) << i << ", " << known;
         }
 }
 

@@ -48,6 +48,40 @@ TEST(RSAckermann_CorrectorImageArguments, every_type_at_every_entry)
     checkEveryType(camera, entries(camera));
 }
 
+// Of cv::remap, whether or not the image is copied since there is nothing to correct.
+TEST(RSAckermann_CorrectorImageArguments, channels_of_each_interpolation)
+{
+    const Size size(61, 47);
+    for (const int interpolation : {INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4})
+        for (const int channels : {4, 5})
+        {
+            SCOPED_TRACE(testing::Message() << interpolation << ", " << channels << " channels");
+            if (channels == 5 && interpolation != INTER_CUBIC && interpolation != INTER_LANCZOS4)
+                continue; // depends on the version of OpenCV
+            RollingShutterCorrector::Params params;
+            params.interpolation = interpolation;
+            const Ptr<RollingShutterCorrector> corrector =
+                RollingShutterCorrector::create(RollingShutterCamera::fromFocal(size), params);
+            const GuardedImage guarded(size, CV_8UC(channels));
+            const Entry entries[] = {{"correctWithSegments", false,
+                                      [&](InputArray src) {
+                                          Mat dst;
+                                          corrector->correctWithSegments(src, Mat(0, 4, CV_32F), dst);
+                                      }},
+                                     {"correctWithMotion, a copy", false,
+                                      [&](InputArray src) {
+                                          Mat dst;
+                                          corrector->correctWithMotion(src, AckermannMotion(), dst);
+                                      }},
+                                     {"correctWithMotion", false, [&](InputArray src) {
+                                          Mat dst;
+                                          corrector->correctWithMotion(src, exampleMotion(), dst);
+                                      }}};
+            for (const Entry& entry : entries)
+                EXPECT_EQ(channels == 4, isAccepted(entry, guarded.image)) << entry.name;
+        }
+}
+
 TEST(RSAckermann_CorrectorImageArguments, every_form_at_every_entry)
 {
     const RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(61, 47));

@@ -331,17 +331,19 @@ TEST(RSAckermann_CorrectorState, clock_that_is_set_back_begins_another_sequence)
 }
 
 // One that is taken long after shows another scene.
-TEST(RSAckermann_CorrectorState, next_frame_that_is_too_late)
+// An image that isn't later, or only by what times are rounded, is none after it, nor is one that is much later.
+TEST(RSAckermann_CorrectorState, next_frame_at_another_time)
 {
     const Sequence s;
-    for (const bool isNear : {false, true})
+    for (const double next : {-INTERVAL, 0., 5e-5, INTERVAL, 1.5})
     {
+        SCOPED_TRACE(next);
         const Ptr<Corrector> with = createCorrector(s.camera, CARRIED), without = createCorrector(s.camera, CARRIED);
         with->setTimestamp(0);
         without->setTimestamp(0);
-        with->setNextFrame(s.frame(1), isNear ? INTERVAL : 1.5);
+        with->setNextFrame(s.frame(1), next);
         const AckermannMotion expected = correctFrame(*without, s, 0), motion = correctFrame(*with, s, 0);
-        if (isNear)
+        if (next == INTERVAL)
             EXPECT_NE(expected.alpha, motion.alpha);
         else
             expectSame(expected, motion);

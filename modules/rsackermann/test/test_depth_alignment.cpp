@@ -18,11 +18,12 @@ struct PostsInStreet
 {
     //! @param focal pixels. @param looksDown known pitch of the camera.
     explicit PostsInStreet(RNG& rng, double direction = 1, double heading = 0, double focal = 700, double looksDown = 0,
-                           double lineDelay = 80e-6)
+                           double lineDelay = 80e-6, double referenceRow = 189.5)
         : camera(RollingShutterCamera::fromFocal(Size(640, 380), focal))
     {
         const double wall = heading == 0 ? 5 : 25;
         camera.lineDelay = lineDelay;
+        camera.referenceRow = referenceRow;
         camera.height = 1.3;
         camera.heading = heading;
         params.gravitySigma = (heading == 0 ? 0.3 : 1) * CV_PI / 180;
@@ -165,6 +166,36 @@ TEST(RSAckermann_DepthAlignment, finds_scale_and_shift)
         EXPECT_LT(motion.expectedResidual, 0.5 * motion.expectedRaw) << round;
         EXPECT_LT(motion.probabilityWorse, 0.1) << round;
     }
+}
+
+// Without values from elsewhere the verticals show yaw rate and scale, whichever way the car goes and whichever row is
+// the reference.
+TEST(RSAckermann_DepthAlignment, verticals_show_the_motion)
+{
+    RNG rng(11);
+    for (const double direction : {1., -1.})
+        for (const double reference : {0., 189.5, 379.})
+        {
+            SCOPED_TRACE(testing::Message() << direction << " " << reference);
+            const int rounds = 6;
+            double scale = 0;
+            for (int round = 0; round < rounds; round++)
+            {
+                PostsInStreet s(rng, direction, 0, 700, 0, 160e-6, reference);
+                s.params.gravitySigma = s.params.vehiclePitchSigma = 1e-4;
+                s.camera.setRollPitch(s.roll, s.pitch);
+                s.prior.yawRate = s.yawRate + 0.3;
+                s.prior.yawRateSigma = 1;
+                DepthMap depth = s.relative(rng);
+                AckermannMotion motion = s.motion;
+                ASSERT_TRUE(s.align(depth, motion));
+                const double unit = s.camera.secondsPerUnitTime();
+                EXPECT_NEAR(s.yawRate, 2 * motion.alpha / unit, 0.03);
+                scale += motion.roadSlope / (s.speed * unit / s.camera.height) / rounds;
+            }
+            RecordProperty("scale", format("%.4f", scale));
+            EXPECT_NEAR(1, scale, 0.02);
+        }
 }
 
 // A camera that looks sideways sees the roll of the car as its own pitch.

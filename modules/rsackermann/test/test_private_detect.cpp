@@ -215,4 +215,38 @@ TEST(RSAckermann_PrivateDetect, pieces_move_to_their_edge)
                     }
 }
 
+// A piece is moved where its edge is, or not at all: not to one that passes by, crosses it, or is in a few rows only.
+TEST(RSAckermann_PrivateDetect, pieces_without_an_edge_stay)
+{
+    for (const double away : {0., 1.5, 2.5, 4., 6., 9.})
+        for (const double turned : {0., 0.02, 0.05, 0.1, 0.2, 0.4})
+            for (const int rows : {12, 40, 160})
+                for (const double blur : {0.8, 2.})
+                    for (const bool isTransposed : {false, true})
+                    {
+                        SCOPED_TRACE(testing::Message()
+                                     << away << " " << turned << " " << rows << " " << blur << " " << isTransposed);
+                        const CurvedEdge edge = {"", 160.3, 0.1, 0, 0, 240, true};
+                        Mat image = edge.draw(120, blur);
+                        cv::rsackermann::EdgePiece p, before;
+                        p.first = 120 - rows / 2;
+                        p.last = 120 + rows / 2;
+                        p.rises = true;
+                        p.curvature = 0;
+                        p.slope = edge.slope + turned;
+                        p.middle = edge.at(120) + away;
+                        before = p;
+                        if (isTransposed)
+                            image = image.t();
+                        cv::rsackermann::EdgeFit(cv::rsackermann::EdgeImage(image, isTransposed)).move(0, p);
+                        double error = 0, moved = 0;
+                        for (double row = p.first; row <= p.last; row++)
+                        {
+                            error = std::max(error, std::abs(edge.at(row) - p.column(row)));
+                            moved = std::max(moved, std::abs(before.column(row) - p.column(row)));
+                        }
+                        EXPECT_LT(std::min(error, moved), 0.3);
+                    }
+}
+
 }} // namespace opencv_test::

@@ -568,6 +568,28 @@ TEST(RSAckermann_Sequence, measurement_is_weighed)
     EXPECT_EQ(same.value[SEQUENCE_SPEED], state.value[SEQUENCE_SPEED]);
 }
 
+// Each of the values that a prior may have, alone or beside the others.
+TEST(RSAckermann_Sequence, given_values_are_measurements)
+{
+    for (int which = 1; which < 8; which++)
+    {
+        MotionPrior prior;
+        prior.yawRate = 0.2;
+        prior.speed = -7;
+        prior.wallDirection = 0.1;
+        prior.yawRateSigma = which & 1 ? 0.03 : 0;
+        prior.speedSigma = which & 2 ? 1 : 0;
+        prior.wallDirectionSigma = which & 4 ? 0.02 : 0;
+        SequenceState state(driveCamera(), AckermannEstimator::Params()), expected = state;
+        state.measure(prior);
+        expected.measure(SEQUENCE_YAW_RATE, prior.yawRate, prior.yawRateSigma);
+        expected.measure(SEQUENCE_SPEED, prior.speed, prior.speedSigma);
+        expected.measure(SEQUENCE_DIRECTION, prior.wallDirection, prior.wallDirectionSigma);
+        EXPECT_LT(cv::norm(expected.value - state.value, NORM_INF), 1e-9) << which;
+        EXPECT_LT(cv::norm(expected.covariance - state.covariance, NORM_INF), 1e-9) << which;
+    }
+}
+
 TEST(RSAckermann_Sequence, state_is_a_motion)
 {
     RNG rng(9);

@@ -17,6 +17,7 @@ using simulation::Simulator;
 
 const double INTERVAL = 0.05;
 const int FRAMES = 4;
+const double GYRO_END = 0.9; // seconds until which there are samples
 
 struct Setting
 {
@@ -197,7 +198,7 @@ Ptr<RollingShutterCorrector> createCorrector(const Setting& s, const Twin& twin,
     if (source != GYRO)
         return corrector;
     Mat times, rates;
-    for (double t = -0.2; t < 1; t += 0.004)
+    for (double t = -0.2; t < GYRO_END + 0.1; t += 0.004)
     {
         const Vec3d shaken = s.shakingAt(t);
         times.push_back(t);
@@ -398,23 +399,38 @@ TEST_P(SequenceModes, another_street_before)
     }
 }
 
-// In the dark the motion is expected for a second. A clock that is set back begins another sequence.
+// In the dark the motion is expected for a second, and its turns are those of a gyro if there is one. A clock that is
+// set back begins another sequence.
 TEST_P(SequenceModes, dark_and_again)
 {
     SCOPED_TRACE(MODES[GetParam()].name);
     const Mat dark(setting.camera.imageSize, CV_8U, Scalar(0));
-    const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING);
-    std::vector<AckermannMotion> first;
-    for (int i = 0; i < FRAMES; i++)
-        first.push_back(correctFrame(*corrector, frames, i, NOTHING));
-    Mat corrected;
-    for (const double after : {0.4, 0.9, 1.1, 1.9})
+    const double unit = setting.camera.secondsPerUnitTime();
+    for (const int source : {NOTHING, GYRO})
     {
-        corrector->setTimestamp((FRAMES - 1) * INTERVAL + after);
-        EXPECT_EQ(after < 1 ? MOTION_OK : MOTION_TOO_FEW_SEGMENTS, corrector->correct(dark, corrected).status) << after;
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), source);
+        std::vector<AckermannMotion> first;
+        for (int i = 0; i < FRAMES; i++)
+            first.push_back(correctFrame(*corrector, frames, i, source));
+        Mat corrected;
+        for (const double after : {0.4, 0.9, 1.1, 1.9})
+        {
+            SCOPED_TRACE(testing::Message() << NAMES[source] << " " << after);
+            const double seconds = (FRAMES - 1) * INTERVAL + after;
+            corrector->setTimestamp(seconds);
+            const AckermannMotion m = corrector->correct(dark, corrected);
+            EXPECT_EQ(after < 1 ? MOTION_OK : MOTION_TOO_FEW_SEGMENTS, m.status);
+            EXPECT_EQ(after < 1, m.wallOffset != 0 || m.wallSlope != 0); // of what was seen before
+            if (source != GYRO || seconds > GYRO_END)
+                continue;
+            const Vec3d rate = setting.shakingAt(seconds) * unit;
+            EXPECT_NEAR((setting.metric.yawRate + setting.yawChange * seconds) * unit / 2, m.alpha, 0.02 * unit / 2);
+            EXPECT_NEAR(rate[0], m.rollRate, 0.01 * unit);
+            EXPECT_NEAR(rate[1], m.pitchRate, 0.01 * unit);
+        }
+        for (int i = 0; i < FRAMES; i++)
+            expectSame(first[i], correctFrame(*corrector, frames, i, source));
     }
-    for (int i = 0; i < FRAMES; i++)
-        expectSame(first[i], correctFrame(*corrector, frames, i, NOTHING));
 }
 
 // How far the scene seems to move, and how well that is known, doesn't depend on its scale.
@@ -472,6 +488,41 @@ TEST_P(SequenceModes, single_image_within)
     EXPECT_NEAR(truth.alpha, expected.alpha, 3 * std::sqrt(seen.covariance(0, 0)));
     for (int i = 1; i < 4; i++)
         EXPECT_EQ(0, expected.covariance(0, i)) << i;
+}
+
+// Given values near which there is no motion are contradicted, and the frames go on without them. Of one wall, beyond a
+// bonnet and sideways enough points agree with another motion, which is contradicted only.
+TEST_P(SequenceModes, given_values_that_nothing_fits)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const MetricMotion& metric = setting.metric;
+    const bool hasWalls = metric.leftDistance > 0 && metric.rightDistance > 0,
+               mayFollow = !hasWalls || setting.bonnet > 0 || setting.camera.heading < -0.5;
+    for (const bool isYawGiven : {false, true})
+    {
+        const Ptr<RollingShutterCorrector> plain = createCorrector(setting, Twin(), NOTHING),
+                                           misled = createCorrector(setting, Twin(), NOTHING);
+        MotionPrior prior;
+        prior.speed = (isYawGiven ? 8 : -3) * metric.speed;
+        prior.speedSigma = 0.01;
+        prior.yawRate = 2;
+        prior.yawRateSigma = isYawGiven ? 0.001 : 0;
+        for (int i = 0; i < FRAMES; i++)
+        {
+            SCOPED_TRACE(testing::Message() << isYawGiven << " " << i);
+            if (i > 1)
+                misled->setPrior(prior);
+            const AckermannMotion expected = correctFrame(*plain, frames, i, NOTHING),
+                                  m = correctFrame(*misled, frames, i, NOTHING);
+            EXPECT_EQ(i > 1, m.contradictsPrior);
+            if (i > 1 && mayFollow)
+                continue;
+            EXPECT_EQ(expected.status, m.status);
+            EXPECT_NEAR(expected.alpha, m.alpha, 0.01 * std::abs(expected.alpha));
+            EXPECT_NEAR(expected.roadSlope, m.roadSlope, 0.01 * std::abs(expected.roadSlope));
+            EXPECT_NEAR(expected.wallOffset, m.wallOffset, 0.01 * std::abs(expected.roadSlope));
+        }
+    }
 }
 
 // Without a gravity it is the gyro and what is given that know the yaw rate of a single image, each by its weight.
@@ -545,14 +596,14 @@ TEST(RSAckermann_SequenceModes, two_sources_of_a_yaw_rate)
     const Mat segments = simulation::randomSegments(Simulator::fromMetric(s.camera, 0.3, 9, 4, 5, 0.08),
                                                     simulation::SegmentOptions(), rng)
                              .ends;
-    double variance[4] = {0};
+    double variance[4] = {0}, yawRate[4] = {0};
     for (int i = 1; i < 4; i++)
     {
         const bool hasGyro = (i & 1) != 0, isGiven = (i & 2) != 0;
         const Ptr<RollingShutterCorrector> corrector = createCorrector(s, Twin(), hasGyro ? GYRO : NOTHING);
         MotionPrior prior;
-        prior.yawRate = 0.3;
-        prior.yawRateSigma = isGiven ? 0.02 : 0;
+        prior.yawRate = 0.36; // that of the gyro is 0.3
+        prior.yawRateSigma = isGiven ? 0.05 : 0;
         corrector->setPrior(prior);
         corrector->setTimestamp(0.1);
         Mat corrected;
@@ -560,8 +611,10 @@ TEST(RSAckermann_SequenceModes, two_sources_of_a_yaw_rate)
             corrector->correctWithSegments(Mat(s.camera.imageSize, CV_8U, Scalar(0)), segments, corrected);
         ASSERT_EQ(MOTION_OK, m.status);
         variance[i] = m.metricCovariance(s.camera)(0, 0);
+        m.yawRate(s.camera, yawRate[i]);
     }
     EXPECT_NEAR(1, (1 / variance[1] + 1 / variance[2]) * variance[3], 0.1);
+    EXPECT_NEAR((yawRate[1] / variance[1] + yawRate[2] / variance[2]) * variance[3], yawRate[3], 0.01);
 }
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, SequenceModes, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));

@@ -354,6 +354,34 @@ TEST(RSAckermann_RowRates, of_a_gyro_are_those_of_its_frame)
     }
 }
 
+// They replace the yaw rate of the frame, as well as it is known then, but not what it has to do with other values.
+TEST(RSAckermann_RowRates, of_a_gyro_in_the_state)
+{
+    SequenceState state(simulation::paperCamera(), AckermannEstimator::Params());
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+        for (int j = 0; j < i; j++)
+            state.covariance(i, j) = state.covariance(j, i) =
+                (i + j) % 3 * 0.3 * std::sqrt(state.covariance(i, i) * state.covariance(j, j));
+    const SequenceState before = state;
+    MeasuredTurns measured;
+    measured.yaw.value = 0.3;
+    measured.yaw.sigma = 0.01;
+    RowRates rates;
+    rates.set(measured);
+    rates.toState(state);
+    EXPECT_EQ(0.3, state.value[SEQUENCE_YAW_RATE]);
+    EXPECT_NEAR(0.01, std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)), 1e-9);
+    const auto correlation = [](const SequenceState& s, int i, int j) {
+        return s.covariance(i, j) / std::sqrt(s.covariance(i, i) * s.covariance(j, j));
+    };
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+        for (int j = 0; j < SEQUENCE_VALUES; j++)
+            EXPECT_NEAR(correlation(before, i, j), correlation(state, i, j), 1e-9) << i << " " << j;
+    SequenceVector others = state.value;
+    others[SEQUENCE_YAW_RATE] = before.value[SEQUENCE_YAW_RATE];
+    EXPECT_EQ(before.value, others);
+}
+
 // The variance of a yaw rate is that of its means between frames, half of it between two neighbours.
 TEST(RSAckermann_RowRates, of_a_yaw_rate_that_changes)
 {

@@ -115,6 +115,31 @@ TEST(RSAckermann_WarpPoints, have_places_where_pixels_of_maps_have)
             }
 }
 
+// Without a motion a depth means nothing, whatever values the motion has.
+TEST(RSAckermann_WarpPoints, depths_without_a_motion)
+{
+    RNG rng(22);
+    RollingShutterCamera camera = lensCamera(0);
+    mountAtRandom(camera, rng);
+    AckermannMotion motion = randomMotion(camera, rng);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    const Mat pixels = randomPixels(camera.imageSize, 50, rng), depths(50, 1, CV_64F, Scalar(6));
+    for (const int status : {MOTION_OK, MOTION_NOT_SIGNIFICANT, MOTION_NOT_OBSERVABLE})
+    {
+        motion.status = status;
+        if (status != MOTION_OK) // no metres
+            motion.wallDistance = camera.height = 0;
+        generator->setCamera(camera);
+        Mat with, without;
+        generator->correctPoints(motion, pixels, with, depths);
+        generator->correctPoints(motion, pixels, without);
+        EXPECT_EQ(status == MOTION_OK, cvtest::norm(with, without, NORM_INF) > 1e-6) << status;
+        generator->distortPoints(motion, pixels, with, depths);
+        generator->distortPoints(motion, pixels, without);
+        EXPECT_EQ(status == MOTION_OK, cvtest::norm(with, without, NORM_INF) > 1e-6) << status;
+    }
+}
+
 // In each direction of the shutter, with rows that tilt in each way, and with another camera matrix.
 TEST_P(WarpPoints, agree_with_the_simulator)
 {

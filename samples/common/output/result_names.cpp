@@ -6,12 +6,32 @@
 #include "files.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include "opencv2/imgcodecs.hpp"
 
 namespace rsackermann_samples {
 
-bool isResultFolder(const std::string& target, bool isSingle)
+// Whether a name is that of a result in a file.
+static bool isNamedLikeFile(const std::string& path)
 {
-    return !target.empty() && (!isSingle || target.back() == '/' || cv::utils::fs::isDirectory(target));
+    const std::string format = extension(path);
+    for (const char* maps : {".gz", ".yml", ".yaml", ".xml", ".json"})
+        if (format == maps)
+            return true;
+    return isVideo(path) || cv::haveImageWriter(path);
+}
+
+bool isResultFolder(const std::string& target, bool isSingle, const std::string& option)
+{
+    if (target.empty())
+        return false;
+    if (target.back() == '/' || cv::utils::fs::isDirectory(target))
+        return true;
+    const bool isFile = cv::utils::fs::exists(target);
+    if (!isSingle && (isFile || isNamedLikeFile(target)))
+        throw UsageError("option --" + option + ": " + target + " is " + (isFile ? "a file" : "named like a file") +
+                         ", and several results need a folder: one that exists, or a name that ends with / or has no "
+                         "extension of a file");
+    return !isSingle;
 }
 
 std::string resultPath(const std::string& target, bool isFolder, const std::string& name)
@@ -36,6 +56,12 @@ void checkResult(const std::string& path, bool isReplaced)
         throw InputError(path + " is a pipe or a device, which no result replaces");
     if (!isReplaced && cv::utils::fs::exists(path))
         throw InputError(path + " exists (--overwrite replaces it)");
+    for (size_t end = path.rfind('/'); end != std::string::npos && end > 0; end = path.rfind('/', end - 1))
+    {
+        const std::string folder = path.substr(0, end);
+        if (cv::utils::fs::exists(folder) && !cv::utils::fs::isDirectory(folder))
+            throw InputError(path + " can't be written: " + folder + " is no folder");
+    }
 }
 
 } // namespace rsackermann_samples

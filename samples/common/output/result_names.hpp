@@ -9,8 +9,10 @@
 
 namespace rsackermann_samples {
 
-//! Whether results go to a folder of that name: they do if there are several, or if the name is that of a folder.
-bool isResultFolder(const std::string& target, bool isSingle);
+/** Whether results go to a folder of that name: they do if there are several, or if the name is that of a folder.
+@param option that has the name, for the message: throws UsageError if there are several and the name is that of a file.
+*/
+bool isResultFolder(const std::string& target, bool isSingle, const std::string& option);
 
 //! Where a result goes; empty if it isn't wanted.
 //! @param name without folders, for a result in a folder.

@@ -95,7 +95,7 @@ std::vector<Deviation> deviationsOf(const RollingShutterCamera& camera, const st
         const Point2d planes = residual.residualOf(bearings[i], values, view, &change);
         change *= ray[2];
         const double slope = norm(change);
-        if (!(slope > 0) || FlowResidual::isBehind(planes))
+        if (!(slope > 0)) // nor of a point that would be behind
             continue;
         const Deviation d = {toPlace(ray), change.dot(planes) / slope, change.cross(planes) / slope, slope};
         deviations.push_back(d);

@@ -197,8 +197,9 @@ public:
                                             const DepthMap& depth = DepthMap()) = 0;
 
     /** @brief Corrects an image with segments that were found elsewhere.
-    @param src raw image of the camera's size, of any type that cv::remap takes; of a type for the detection, as in
-    correct(), if points are tracked (Params::sequence and Params::trackPoints).
+    @param src raw image of the camera's size, of any type that cv::remap takes, with up to 4 channels for INTER_CUBIC
+    and INTER_LANCZOS4 (Params::interpolation); of a type for the detection, as in correct(), if points are tracked
+    (Params::sequence and Params::trackPoints).
     @param segments as in AckermannEstimator::estimate.
     @param dst corrected image, as in correct().
     @param mask as in correct().
@@ -210,7 +211,7 @@ public:
                                                         const DepthMap& depth = DepthMap()) = 0;
 
     /** @brief Corrects an image with a given motion. It isn't a frame of the sequence, see skipFrame().
-    @param src raw image of the camera's size, of any type that cv::remap takes.
+    @param src raw image of the camera's size, of any type that cv::remap takes, as in correctWithSegments().
     @param motion the motion; if its status isn't #MOTION_OK only the lens is corrected.
     @param dst corrected image, as in correct().
     @param mask as in correct().
