@@ -25,6 +25,16 @@ static inline void prefetchRow(const void* first, size_t bytes)
         prefetch(static_cast<const char*>(first) + i);
 }
 
+//! Of both parts of a map, some rows below the present one of a tile: writing there would wait for it.
+static inline void prefetchMap(const float* x, const float* y, const Size& size, int row, size_t step)
+{
+    const int rowsAhead = 4;
+    if (row + rowsAhead >= size.height)
+        return;
+    prefetchRow(x + rowsAhead * step, size.width * sizeof(float));
+    prefetchRow(y + rowsAhead * step, size.width * sizeof(float));
+}
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_PREFETCH_HPP

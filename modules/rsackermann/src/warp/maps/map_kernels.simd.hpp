@@ -113,6 +113,8 @@ void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, i
                      float* y, size_t step)
 {
     for (int row = 0; row < size.height; row++, x += step, y += step)
+    {
+        prefetchMap(x, y, size, row, step);
         for (int column = 0; column < size.width;)
         {
             const int plane = nearestPlane(depths, count, column, row);
@@ -120,6 +122,7 @@ void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, i
             evaluateRun(patches[plane], row, column, end, size.width, x, y);
             column = end;
         }
+    }
 }
 
 void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
@@ -128,6 +131,7 @@ void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, 
     AutoBuffer<RowPatch, 4> rows(count);
     for (int row = 0; row < size.height; row++, x += step, y += step)
     {
+        prefetchMap(x, y, size, row, step);
         if (count == 1)
         {
             evaluateRun(patches[0], row, 0, size.width, size.width, x, y);
@@ -142,15 +146,10 @@ void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, 
 void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
                         float* y, size_t step)
 {
-    const int rowsAhead = 4; // of the map, which are far from each other in memory: else writing waits for them
     const PackVariable variable(patch.variable);
     for (int row = 0; row < size.height; row++, depths += depthStep, x += step, y += step)
     {
-        if (row + rowsAhead < size.height)
-        {
-            prefetchRow(x + rowsAhead * step, size.width * sizeof(float));
-            prefetchRow(y + rowsAhead * step, size.width * sizeof(float));
-        }
+        prefetchMap(x, y, size, row, step);
         const RowDepthPatch places(patch, row);
         for (int i = 0; i < size.width; i += Pack::COUNT)
         {

@@ -153,7 +153,6 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
                       float* x, float* y, size_t step)
 {
     const int steps = 2;
-    const int rowsAhead = 4;    // of the map: else writing waits for them
     const float enough = 1e-3f; // pixels that a step moves a place: what is left is less than the half of it
     const PackDepths other(image);
     const PackVariable variable(patch.variable);
@@ -165,11 +164,7 @@ void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, 
     for (int row = 0; row < size.height; row++, x += step, y += step)
     {
         const RowDepthPatch places(patch, first.y + row);
-        if (row + rowsAhead < size.height)
-        {
-            prefetchRow(x + rowsAhead * step, size.width * sizeof(float));
-            prefetchRow(y + rowsAhead * step, size.width * sizeof(float));
-        }
+        prefetchMap(x, y, size, row, step);
         for (int i = 0; i < columns; i += RowOfDepths::MOST)
         {
             pixels.start(depths.data() + i, growths.data() + i, std::min(columns - i, int(RowOfDepths::MOST)));
