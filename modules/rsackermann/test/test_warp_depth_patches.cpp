@@ -19,7 +19,7 @@ class RoughPlaces CV_FINAL : public DepthPlaces
 public:
     explicit RoughPlaces(const DepthPlaces& places_) : places(places_) {}
 
-    bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Rectifier::Guess& guess) const CV_OVERRIDE
+    bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const CV_OVERRIDE
     {
         return places.find(pixel, inverseDepth, place, guess);
     }
