@@ -44,6 +44,41 @@ Mat1f boxesBeforeWall(const Size& size)
     return depths;
 }
 
+//! A surface that comes nearer and recedes within a patch.
+Mat1f waves(const Size& size)
+{
+    Mat1f depths(size);
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++)
+            depths(y, x) = float(6 + 1.5 * std::sin(x / 15.) * std::cos(y / 20.));
+    return depths;
+}
+
+// Newton's steps have to reach what each pixel's own search does, from whatever depth they start.
+TEST(RSAckermann_WarpDepthPatches, of_waves)
+{
+    RollingShutterCamera camera(Size(320, 240), Matx33d(300, 0, 155, 0, 310, 115, 0, 0, 1));
+    camera.lineDelay = 0.03 / 240;
+    const DepthMap depth(waves(camera.imageSize), DEPTH_RAW);
+    const AckermannMotion motion = motionFromMetric(camera, 0.5, 25, 4, 5, 0.02);
+    const double way = 25 * camera.secondsPerUnitTime();
+    const ShutterGeometry shutter(camera, motion);
+    const RectifyPlaces places(shutter, camera.cameraMatrix, way, true, 20, 1e-6);
+    const RoughPlaces rough(places);
+    const InverseDepthImage depths(depth, shutter, camera.cameraMatrix, way, 1);
+    Mat map1[2], map2[2], distance;
+    for (int k = 0; k < 2; k++)
+    {
+        MapWriter writer(camera.imageSize, camera.imageSize, CV_32FC1, map1[k], map2[k], noArray());
+        fillByOtherDepth(k == 0 ? static_cast<const DepthPlaces&>(places) : rough, depths, writer);
+    }
+    for (const Mat* maps : {map1, map2})
+    {
+        cv::absdiff(maps[0], maps[1], distance);
+        EXPECT_EQ(0, countNonZero(distance > 5e-4));
+    }
+}
+
 // Depths of either camera, maps of either direction, cars that go either way.
 TEST(RSAckermann_WarpDepthPatches, are_as_good_as_pixels)
 {

@@ -152,7 +152,7 @@ private:
 void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, const Point& first, const Size& size,
                       float* x, float* y, size_t step)
 {
-    const int steps = 2;
+    const int steps = 4;
     const float enough = 1e-3f; // pixels that a step moves a place: what is left is less than the half of it
     const PackDepths other(image);
     const PackVariable variable(patch.variable);
