@@ -206,16 +206,11 @@ double yawSigmaOf(const RowRates& rates)
     return 2 * std::sqrt(motion.covariance(0, 0)) / unit;
 }
 
-RowTurn& turn(SequenceFit& fit, int value)
-{
-    return fit.turns[value - FLOW_PITCH_BEFORE];
-}
-
 SequenceFit turnsToNextFrame(double pitch, double roll)
 {
     SequenceFit fit{SequenceState(simulation::paperCamera(), AckermannEstimator::Params())};
-    turn(fit, FLOW_PITCH_AFTER).angle = pitch;
-    turn(fit, FLOW_ROLL_AFTER).angle = roll;
+    fit.after.pitch.angle = pitch;
+    fit.after.roll.angle = roll;
     return fit;
 }
 
@@ -262,10 +257,10 @@ TEST(RSAckermann_RowRates, first_changes_are_as_large_as_other_rates)
 TEST(RSAckermann_RowRates, forward_and_backward)
 {
     SequenceFit fit{SequenceState(simulation::paperCamera(), AckermannEstimator::Params())};
-    turn(fit, FLOW_PITCH_BEFORE).angle = 0.01;
-    turn(fit, FLOW_PITCH_AFTER).angle = -0.03; // counted from the later frame
-    turn(fit, FLOW_ROLL_BEFORE).angle = -0.02;
-    turn(fit, FLOW_ROLL_AFTER).angle = 0.04;
+    fit.before.pitch.angle = 0.01;
+    fit.after.pitch.angle = -0.03; // counted from the later frame
+    fit.before.roll.angle = -0.02;
+    fit.after.roll.angle = 0.04;
     RowRates forward, backward;
     forward.update(fit, 0.1, 0.2);
     backward.update(fit, -0.2, -0.1);
@@ -292,22 +287,29 @@ TEST(RSAckermann_RowRates, shown_forward_and_backward)
     {
         RNG rng(4);
         RowRates forward, backward, without;
-        double distance = 0, last = 0;
+        double distance = 0, last = 0, errorOfYaw = 0, errorOfMeans = 0;
         for (int i = 0; i < 60; i++)
         {
             SequenceFit before(state), after(state);
             const double rate = rng.gaussian(0.1), mean = (rate + last) / 2, change = rate - last,
                          nextRate = rng.gaussian(0.1), nextMean = (rate + nextRate) / 2;
             last = rate;
-            turn(before, FLOW_PITCH_BEFORE).angle = mean * INTERVAL;
-            turn(before, FLOW_PITCH_BEFORE).change = turn(after, FLOW_PITCH_AFTER).change = change;
-            turn(after, FLOW_PITCH_AFTER).angle = -mean * INTERVAL;
-            turn(before, FLOW_PITCH_AFTER).angle = -nextMean * next;
-            turn(before, FLOW_PITCH_AFTER).change = turn(after, FLOW_PITCH_BEFORE).change = rate - nextRate;
-            turn(after, FLOW_PITCH_BEFORE).angle = nextMean * next;
+            before.before.pitch.angle = mean * INTERVAL;
+            before.before.pitch.change = after.after.pitch.change = change;
+            after.after.pitch.angle = -mean * INTERVAL;
+            before.after.pitch.angle = -nextMean * next;
+            before.after.pitch.change = after.before.pitch.change = rate - nextRate;
+            after.before.pitch.angle = nextMean * next;
+            // The same of yaw, of which the state has the mean.
+            const double yaw = next > 0 ? mean + (nextMean - mean) / 2.5 : mean, turned = mean - yaw;
+            before.values[SEQUENCE_YAW_RATE] = after.values[SEQUENCE_YAW_RATE] = yaw;
+            before.before.yaw.angle = turned * INTERVAL;
+            after.after.yaw.angle = -turned * INTERVAL;
+            before.before.yaw.change = after.after.yaw.change = change;
+            before.after.yaw.change = after.before.yaw.change = rate - nextRate;
             SequenceFit still = before;
-            for (RowTurn& t : still.turns)
-                t.change = 0;
+            for (NeighbourTurns* turns : {&still.before, &still.after})
+                turns->yaw.change = turns->pitch.change = turns->roll.change = 0;
             forward.update(before, INTERVAL, next);
             backward.update(after, -INTERVAL, -next);
             without.update(still, INTERVAL, next);
@@ -318,8 +320,16 @@ TEST(RSAckermann_RowRates, shown_forward_and_backward)
             EXPECT_NEAR(a.pitchRate, b.pitchRate, 1e-12) << i;
             EXPECT_NEAR(a.pitchRateSigma, b.pitchRateSigma, 1e-12) << i;
             distance = std::max(distance, std::abs(a.pitchRate - c.pitchRate));
+            SequenceState ofForward(state), ofBackward(state);
+            ofForward.value[SEQUENCE_YAW_RATE] = ofBackward.value[SEQUENCE_YAW_RATE] = yaw;
+            forward.addShownYaw(ofForward);
+            backward.addShownYaw(ofBackward);
+            EXPECT_NEAR(ofForward.value[SEQUENCE_YAW_RATE], ofBackward.value[SEQUENCE_YAW_RATE], 1e-12) << i;
+            errorOfYaw += std::pow(ofForward.value[SEQUENCE_YAW_RATE] - rate, 2);
+            errorOfMeans += std::pow(yaw - rate, 2);
         }
         EXPECT_GT(distance, 0.005) << next;
+        EXPECT_LT(errorOfYaw, 0.8 * errorOfMeans) << next;
     }
 }
 

@@ -31,8 +31,7 @@ enum {
     FLOW_PITCH_AFTER,
     FLOW_ROLL_AFTER,
     FLOW_YAW_CHANGE, //!< rad/s^2
-    FLOW_VALUES,
-    FLOW_TURNS = FLOW_YAW_CHANGE - FLOW_PITCH_BEFORE
+    FLOW_VALUES
 };
 
 typedef Vec<double, SEQUENCE_VALUES> SequenceVector;

@@ -100,42 +100,52 @@ public:
     static bool allows(const Unknowns&) { return true; }
 
     // The state isn't asked: a scene that isn't made of planes looks to it as if rates changed.
-    void measureTurns(const Unknowns& u, RowTurn* turns) const
+    void measureTurns(const Unknowns& u, NeighbourTurns& before, NeighbourTurns& after) const
     {
-        enum { UNKNOWNS = 2 * FLOW_TURNS };
+        enum { AXES = 3, OF_ONE = 2 * AXES, UNKNOWNS = 2 * OF_ONE }; // angles and then changes, of both neighbours
         NormalEquations<UNKNOWNS> equations;
-        const auto expect = [&](int unknown, double value, double sigma) {
-            equations.information(unknown, unknown) = 1 / (sigma * sigma);
-            equations.gradient[unknown] = value / (sigma * sigma);
-        };
+        const auto firstOf = [](const TrackedBearing& s) { return s.pitch == FLOW_PITCH_BEFORE ? 0 : int(OF_ONE); };
+        const auto intervalOf = [&](const TrackedBearing& s) { return (s.timeNow - s.timeOther) * unit; };
         for (const TrackedBearing& s : bearings)
-            for (int turn : {s.pitch, s.roll})
+        {
+            const double interval = intervalOf(s), angles[AXES] = {0, u[s.pitch], u[s.roll]};
+            for (int i = 0; i < AXES; i++)
             {
-                const int k = 2 * (turn - FLOW_PITCH_BEFORE);
-                expect(k, u[turn], TURN_SIGMA);
+                const int k = firstOf(s) + i;
+                const double weight = 1 / (TURN_SIGMA * TURN_SIGMA);
+                equations.information(k, k) = weight;
+                equations.gradient[k] = weight * angles[i];
                 // Rates that don't depend on each other.
-                expect(k + 1, 0, std::sqrt(2.) * TURN_SIGMA / ((s.timeNow - s.timeOther) * unit));
+                equations.information(k + AXES, k + AXES) = weight * interval * interval / 2;
             }
+        }
         rsackermann::addPoints<UNKNOWNS>(
             bearings, pointWeights, 1,
             [&](const TrackedBearing& s, Eigen::Matrix<double, UNKNOWNS, 2>& J) {
                 FlowGradient byValues;
                 const Point2d r = residual.evaluate(s, u.data(), byValues.data());
+                const int first = firstOf(s);
                 J.setZero();
-                for (int turn : {s.pitch, s.roll})
-                {
-                    const int k = 2 * (turn - FLOW_PITCH_BEFORE);
-                    J.row(k) = byValues.row(turn);
-                    J.row(k + 1) = s.timeNow * unit * byValues.row(turn);
-                }
+                J.row(first) = byValues.row(SEQUENCE_YAW_RATE) / intervalOf(s);
+                J.row(first + 1) = byValues.row(s.pitch);
+                J.row(first + 2) = byValues.row(s.roll);
+                for (int i = first; i < first + AXES; i++)
+                    J.row(i + AXES) = s.timeNow * unit * J.row(i);
                 return r;
             },
             equations);
         const NormalEquations<UNKNOWNS>::Vector step = -(scaledInverse(equations.symmetric()) * equations.gradient);
-        for (int i = 0; i < FLOW_TURNS; i++)
+        for (int k = 0; k < UNKNOWNS; k += OF_ONE)
         {
-            turns[i].angle = u[FLOW_PITCH_BEFORE + i] + step[2 * i];
-            turns[i].change = step[2 * i + 1];
+            NeighbourTurns& turns = k == 0 ? before : after;
+            const double angles[AXES] = {0, u[k == 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER],
+                                         u[k == 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER]};
+            RowTurn* const all[AXES] = {&turns.yaw, &turns.pitch, &turns.roll};
+            for (int i = 0; i < AXES; i++)
+            {
+                all[i]->angle = angles[i] + step[k + i];
+                all[i]->change = step[k + AXES + i];
+            }
         }
     }
 
@@ -242,7 +252,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
         expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
     }
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
-    problem.measureTurns(best.at, fit.turns);
+    problem.measureTurns(best.at, fit.before, fit.after);
     const FlowEquations::Matrix covariance = scaledInverse(best.equations.symmetric());
     std::copy(best.at.data(), best.at.data() + SEQUENCE_VALUES, fit.state.value.val);
     Eigen::Map<StateMatrix>(fit.state.covariance.val) =

@@ -66,6 +66,21 @@ void RateProcess::add(double rate, double shownChange, double interval)
     known = std::min(known + 1, 2);
 }
 
+double RateProcess::beyondLast() const
+{
+    return trust() * change / 2;
+}
+
+double RateProcess::beyondMeans(double changeToNext, double share) const
+{
+    return trust() * (change + share * (changeToNext - meanShown() - change)) / 2;
+}
+
+double RateProcess::wandering() const
+{
+    return pairs > 0 ? std::sqrt(changes / pairs / 2 * unseen()) : 0;
+}
+
 void RateProcess::expectChange(double square)
 {
     if (pairs > 0)
@@ -81,10 +96,9 @@ InstantRate RateProcess::now() const
     InstantRate result;
     if (count > 0 && known > 0)
     {
-        const double byMeans = (past[0] + predict()) / 2, byRows = past[0] + change / 2, share = trust(),
-                     variance = changes / pairs;
-        result.value = byMeans + share * (byRows - byMeans);
-        result.sigma = std::sqrt((1 - share) * (variance + errors / count) / 4 + share * variance / 8);
+        const double byMeans = (past[0] + predict()) / 2, seen = trust(), variance = changes / pairs;
+        result.value = byMeans + seen * (past[0] - byMeans) + beyondLast();
+        result.sigma = std::sqrt((1 - seen) * (variance + errors / count) / 4 + seen * variance / 8);
     }
     return result;
 }
@@ -94,9 +108,9 @@ InstantRate RateProcess::now(double next, double shownChange, double share) cons
     InstantRate result;
     if (known > 0)
     {
-        const double difference = next - past[0], changeToNext = shownChange - meanShown(), seen = trust();
-        result.value = past[0] + share * difference + seen * (change + share * (changeToNext - change)) / 2;
-        result.sigma = std::sqrt((changes + difference * difference) / (pairs + 1) * (1 - 0.75 * seen)) / 2;
+        const double difference = next - past[0];
+        result.value = past[0] + share * difference + beyondMeans(shownChange, share);
+        result.sigma = std::sqrt((changes + difference * difference) / (pairs + 1) * unseen()) / 2;
     }
     return result;
 }
@@ -108,18 +122,20 @@ void RowRates::update(const SequenceFit& fit, double before, double after)
     // Turns are counted from a frame to one that was taken later.
     const bool backward = before < 0;
     const double past = std::abs(before), future = std::abs(after), share = past / (past + future);
-    const auto follow = [&](RateProcess& process, const RowTurn& ofBefore, const RowTurn& ofAfter) {
-        const RowTurn &last = backward ? ofAfter : ofBefore, &next = backward ? ofBefore : ofAfter;
-        const int sign = backward ? -1 : 1;
-        process.add(sign * last.angle / past, last.change, before);
-        return after != 0 ? process.now(-sign * next.angle / future, next.change, share) : process.now();
+    const NeighbourTurns &last = backward ? fit.after : fit.before, &next = backward ? fit.before : fit.after;
+    const int sign = backward ? -1 : 1;
+    const auto follow = [&](RateProcess& process, const RowTurn& ofLast, const RowTurn& ofNext) {
+        process.add(sign * ofLast.angle / past, ofLast.change, before);
+        return after != 0 ? process.now(-sign * ofNext.angle / future, ofNext.change, share) : process.now();
     };
-    pitchNow = follow(pitch, fit.turn(FLOW_PITCH_BEFORE), fit.turn(FLOW_PITCH_AFTER));
-    rollNow = follow(roll, fit.turn(FLOW_ROLL_BEFORE), fit.turn(FLOW_ROLL_AFTER));
+    pitchNow = follow(pitch, last.pitch, next.pitch);
+    rollNow = follow(roll, last.roll, next.roll);
 
-    yaw.add(fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2, 0, before);
+    yaw.add(fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before,
+            last.yaw.change, before);
+    yawBeyond.value = after != 0 ? yaw.beyondMeans(next.yaw.change, share) : yaw.beyondLast();
     // The fit has met the next frame, too: of the mean of both sides it is half the variance.
-    yawSigma = yaw.wandering() * (after != 0 ? std::sqrt(0.5) : 1);
+    yawBeyond.sigma = yaw.wandering() * (after != 0 ? std::sqrt(0.5) : 1);
 }
 
 void RowRates::interrupt()
@@ -129,7 +145,7 @@ void RowRates::interrupt()
     yaw.interrupt();
     pitchNow = rollNow = InstantRate();
     curve.release();
-    yawSigma = 0;
+    yawBeyond = InstantRate();
     isMeasured = false;
 }
 
@@ -138,9 +154,9 @@ void RowRates::interrupt()
 void RowRates::begin(const SequenceFit& fit, double after)
 {
     interrupt();
-    const double ofPitch = fit.turn(FLOW_PITCH_AFTER).angle / after, ofRoll = fit.turn(FLOW_ROLL_AFTER).angle / after;
+    const double ofPitch = fit.after.pitch.angle / after, ofRoll = fit.after.roll.angle / after;
     yaw.expectChange(ofPitch * ofPitch + ofRoll * ofRoll);
-    yawSigma = yaw.wandering();
+    yawBeyond.sigma = yaw.wandering();
 }
 
 void RowRates::set(const MeasuredTurns& measured)
@@ -149,7 +165,7 @@ void RowRates::set(const MeasuredTurns& measured)
     rollNow = measured.roll;
     yawNow = measured.yaw;
     curve = measured.curve;
-    yawSigma = 0;
+    yawBeyond = InstantRate();
     isMeasured = true;
 }
 
@@ -174,7 +190,7 @@ void RowRates::toMotion(double unit, AckermannMotion& motion) const
     motion.pitchRateSigma = pitchNow.sigma * unit;
     motion.rollRateSigma = rollNow.sigma * unit;
     motion.rotationCurve = curve;
-    const double sigma = yawSigma * unit / 2;
+    const double sigma = yawBeyond.sigma * unit / 2;
     motion.covariance(0, 0) += sigma * sigma;
 }
 

@@ -54,12 +54,19 @@ public:
     @param share of the difference to the last mean that has passed. */
     InstantRate now(double next, double change, double share) const;
 
-    //! Standard deviation of the rate at the present frame about the last mean.
-    double wandering() const { return pairs > 0 ? std::sqrt(changes / pairs / 2) : 0; }
+    //! By how much the rate at the present frame is above the last mean, as rows show.
+    double beyondLast() const;
+
+    //! The same above the mean of both sides.
+    double beyondMeans(double changeToNext, double share) const;
+
+    //! Standard deviation of the rate at the present frame about the last mean, with what rows show.
+    double wandering() const;
 
 private:
     double predict() const;
     double trust() const;
+    double unseen() const { return 1 - 0.75 * trust(); } // share of the variance about means
     double meanShown() const;
 
     Matx22d products;         // of the two means before
@@ -84,7 +91,7 @@ struct MeasuredTurns
 class RowRates
 {
 public:
-    RowRates() : yawSigma(0), isMeasured(false) {}
+    RowRates() : isMeasured(false) {}
 
     /** Goes on to a frame.
     @param before seconds from the frame before; negative if that was taken later.
@@ -101,6 +108,9 @@ public:
     //! Of the present frame, by a gyro.
     void set(const MeasuredTurns& measured);
 
+    //! Adds to the yaw rate by how much that of the instant is above the mean.
+    void addShownYaw(SequenceState& state) const { state.value[SEQUENCE_YAW_RATE] += yawBeyond.value; }
+
     //! Sets the yaw rate that a gyro has measured.
     void toState(SequenceState& state) const;
 
@@ -112,8 +122,8 @@ public:
 private:
     RateProcess pitch, roll, yaw;
     InstantRate pitchNow, rollNow, yawNow;
+    InstantRate yawBeyond; // than that of the fit
     Mat curve;
-    double yawSigma;
     bool isMeasured; // yawNow
 };
 

@@ -287,6 +287,8 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     motion.candidates = int(verticals.size());
     AckermannMotion found = motion;
     SequenceFit fit = fit_;
+    if (!(prior.yawRateSigma > 0) || motion.contradictsPrior) // what is given is that of the instant
+        rates.addShownYaw(fit.state);
     rates.toState(fit.state);
     fit.state.toMotion(camera.secondsPerUnitTime(), found);
     rates.toMotion(camera.secondsPerUnitTime(), found);
