@@ -143,6 +143,12 @@ void SequenceEstimator::turnAlone(double seconds, AckermannMotion& motion) const
     motion.model = MODEL_1LA;
 }
 
+// What is given, unless it contradicts what is seen.
+static MotionPrior usable(const MotionPrior& prior, const AckermannMotion& compared)
+{
+    return compared.contradictsPrior ? MotionPrior() : prior;
+}
+
 // Returns whether there were points to go by.
 bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
@@ -184,27 +190,34 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     for (size_t i = 0; i < verticals.size(); i++)
         labels.at<uchar>(verticals[i].index) = SEGMENT_OUTLIER;
     motion = compared;
-    report(last, verticals, prior, motion, labels);
+    report(last, verticals, usable(prior, compared), motion, labels);
     const std::vector<TrackedBearing>& fine = features.fineBearings;
     if (motion.status == MOTION_OK)
         fitOffset(camera, fine.size() < LEAST_POINTS ? features.bearings : fine, last.values, motion);
     return true;
 }
 
-// Goes by the frames alone if no motion is near what is given. Returns whether they show one of this scene.
+// Goes by the frames alone if no motion is near what is given, or they contradict it. Returns whether they show one of
+// this scene.
 bool SequenceEstimator::update(const MotionPrior& prior, AckermannMotion& motion)
 {
     SequenceFit alone(unaided.state);
-    const bool isSeen = isAided && unaided.update(features, camera, params, alone);
-    if (!filter.update(features, camera, params, last))
+    const bool isSeen = isAided && unaided.update(features, camera, params, alone),
+               isNear = filter.update(features, camera, params, last);
+    if (!isSeen)
+        return isNear;
+    compareWithSeen(alone, prior, motion);
+    if (!isNear || motion.contradictsPrior)
     {
-        if (!isSeen)
-            return false;
         filter = unaided;
         last = alone;
     }
-    if (!isSeen)
-        return true;
+    return true;
+}
+
+void SequenceEstimator::compareWithSeen(const SequenceFit& alone, const MotionPrior& prior,
+                                        AckermannMotion& motion) const
+{
     if (prior.yawRateSigma > 0)
         alone.state.seen(SEQUENCE_YAW_RATE, motion.seenYawRate, motion.seenYawRateSigma);
     if (prior.speedSigma > 0)
@@ -212,7 +225,6 @@ bool SequenceEstimator::update(const MotionPrior& prior, AckermannMotion& motion
     AckermannMotion seenMotion;
     alone.state.toMotion(camera.secondsPerUnitTime(), seenMotion);
     compareWithGiven(prior, alone.moves && showsOtherDirection(seenMotion, prior), motion);
-    return true;
 }
 
 // From the turns to the neighbours in which points are seen, if one of them is the frame before.
@@ -287,7 +299,7 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     motion.candidates = int(verticals.size());
     AckermannMotion found = motion;
     SequenceFit fit = fit_;
-    if (!(prior.yawRateSigma > 0) || motion.contradictsPrior) // what is given is that of the instant
+    if (!(prior.yawRateSigma > 0)) // what is given is that of the instant
         rates.addShownYaw(fit.state);
     rates.toState(fit.state);
     fit.state.toMotion(camera.secondsPerUnitTime(), found);
@@ -324,9 +336,14 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
     rates.interrupt();
     useGyro();
     SequenceFit expected = last;
-    expected.state = filter.state;
+    expected.state = unaided.state;
     AckermannMotion result;
-    report(expected, std::vector<UprightSegment>(), prior, result, labels);
+    if (isAided)
+        compareWithSeen(expected, prior, result);
+    if (result.contradictsPrior)
+        filter = unaided;
+    expected.state = filter.state;
+    report(expected, std::vector<UprightSegment>(), usable(prior, result), result, labels);
     if (result.status != MOTION_OK)
         return;
     result.candidates = motion.candidates;

@@ -51,6 +51,7 @@ private:
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     bool update(const MotionPrior& prior, AckermannMotion& motion);
+    void compareWithSeen(const SequenceFit& alone, const MotionPrior& prior, AckermannMotion& motion) const;
     AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
     AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);

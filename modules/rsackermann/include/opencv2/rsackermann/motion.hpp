@@ -192,10 +192,9 @@ public:
     //! Whether roll and yaw rate can't be distinguished: the uncertainty of the roll decides that of the yaw rate
     CV_PROP_RW bool rollYawAmbiguous;
 
-    /** Whether the image contradicts a given value: with a given yaw rate or speed (MotionPrior) the estimate goes
-    where the value is, and this tells that the image without the value is more than three standard deviations of both
-    away from it, or shows the other direction. With frames that a sequence tracks it is the frames so far, and if no
-    motion is near what is given they alone are the estimate. */
+    /** Whether the image contradicts a given value: without it the estimate is more than three standard deviations of
+    both away from it, or shows the other direction. With a given yaw rate or speed (MotionPrior) the estimate of a
+    single image goes where the value is all the same; a sequence goes on without what its frames so far contradict. */
     CV_PROP_RW bool contradictsPrior;
     //! Yaw rate in radians per second that the image shows without the given one
     CV_PROP_RW double seenYawRate;
