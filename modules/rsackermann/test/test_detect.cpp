@@ -414,16 +414,19 @@ TEST_P(Detectors, minimum_length)
     Mat all, lengthy, none;
     detectSegments(image, all, GetParam(), 0);
     detectSegments(image, lengthy, GetParam(), 100);
-    detectSegments(image, none, GetParam(), 1000);
     EXPECT_GE(all.rows, lengthy.rows);
     EXPECT_GE(lengthy.rows, 2);
     for (int i = 0; i < lengthy.rows; i++)
         EXPECT_GE(std::hypot(lengthy.at<float>(i, 2) - lengthy.at<float>(i, 0),
                              lengthy.at<float>(i, 3) - lengthy.at<float>(i, 1)),
                   100);
-    EXPECT_EQ(0, none.rows);
-    EXPECT_EQ(4, none.cols);
-    EXPECT_EQ(CV_32FC1, none.type());
+    for (const double tooLong : {1000., DBL_MAX})
+    {
+        detectSegments(image, none, GetParam(), tooLong);
+        EXPECT_EQ(0, none.rows);
+        EXPECT_EQ(4, none.cols);
+        EXPECT_EQ(CV_32FC1, none.type());
+    }
 }
 
 TEST_P(Detectors, tiny_images)

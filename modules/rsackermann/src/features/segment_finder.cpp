@@ -187,6 +187,7 @@ void SegmentFinder::find(InputArray image_, int detector, double minLength, Outp
 {
     checkArguments(image_, detector, minLength);
     const Mat image = image_.getMat();
+    minLength = std::min(minLength, double(image.rows) + image.cols); // no segment is as long
     found.clear();
     prepare(image);
     if (image.rows >= MIN_DETECTOR_SIZE && image.cols >= MIN_DETECTOR_SIZE)
