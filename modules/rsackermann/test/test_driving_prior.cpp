@@ -191,7 +191,7 @@ TEST(RSAckermann_DrivingPrior, speed)
     // The expected speed costs nothing, another one its logarithm over the standard deviation of speed and wall.
     Jet r[DrivingPrior::MAX_RESIDUALS];
     const DrivingPrior drive = makeDrive(camera);
-    ASSERT_EQ(3, drive.evaluate(movingModel(2 * drive.expectedScaledSpeed(), 0), MotionHypothesis(MODEL_4LA, 1), r));
+    ASSERT_EQ(4, drive.evaluate(movingModel(2 * drive.expectedScaledSpeed(), 0), MotionHypothesis(MODEL_4LA, 1), r));
     EXPECT_NEAR(std::log(2.) / scaledSpeedSigma(WALL_SIGMA), r[1].value, 1e-6);
     // The error of a given speed has nothing to do with walls.
     const DrivingPrior given = makeDrive(camera, givenSpeed(12, 6));
@@ -200,7 +200,7 @@ TEST(RSAckermann_DrivingPrior, speed)
     // With two walls the distance of both, in the mean of the logarithms, is what is expected.
     Model m = movingModel(drive.expectedScaledSpeed() * 4, 0);
     m[P_LAMBDA] = 1. / 16;
-    ASSERT_EQ(4, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
+    ASSERT_EQ(5, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
     EXPECT_NEAR(0, r[1].value, 1e-6);
     // If speed and wall are given both are measured.
     m = movingModel(13 * unit / 5, 0);

@@ -50,7 +50,8 @@ TEST(RSAckermann_DrivingPrior, reverse_has_its_probability)
     forward[P_B] = back[P_B] = terms.expectedScaledSpeed();
     const MotionHypothesis hypothesis(MODEL_3LA, 1);
     // A cost is minus twice the logarithm of a probability.
-    EXPECT_NEAR(-2 * std::log(0.003), costOf(terms, back, hypothesis) - costOf(terms, forward, hypothesis), 1e-9);
+    EXPECT_NEAR(-2 * std::log(0.003 / 0.997), costOf(terms, back, hypothesis) - costOf(terms, forward, hypothesis),
+                1e-9);
 }
 
 // Without the distance of a wall the speed is known but for a scale: its direction is as probable as the sign.

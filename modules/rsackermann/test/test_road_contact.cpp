@@ -57,8 +57,8 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
         AckermannEstimator::Params params;
         params.scaleFromRoad = true;
         params.gravitySigma = 0;
-        params.reverseProbability = 1; // as usual as forward
-        MotionPrior prior;             // verticals alone say little of the vanishing point, and with it of the distance
+        params.reverseProbability = 0.5; // as usual as forward
+        MotionPrior prior; // verticals alone say little of the vanishing point, and with it of the distance
         prior.wallDirectionSigma = 0.005;
         const AckermannMotion motion = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
         ASSERT_EQ(MOTION_OK, motion.status);

@@ -43,7 +43,7 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     : given_(prior, camera, params.wallDistance), logRatioSigma(params.priorWallRatioLogSigma),
       heading_(camera.heading), headingSigma(params.wallDeviationSigma), height(camera.height),
       speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation), standing(params.standingProbability),
-      reversePenalty(-2 * std::log(params.reverseProbability))
+      reverse(params.reverseProbability)
 {
     const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
@@ -115,7 +115,7 @@ Jet DrivingPrior::speedResidual(const Model& model, const MotionHypothesis& hypo
 double DrivingPrior::directionPenalty(int direction, const MotionHypothesis& hypothesis) const
 {
     if (!speedIsGiven() || !hypothesis.translates())
-        return direction < 0 ? reversePenalty : 0;
+        return direction == 0 ? 0 : -2 * std::log(std::max(direction < 0 ? reverse : 1 - reverse, DBL_MIN));
     if (scaledSpeedIsGiven())
         return 0;
     const double farthest = 30; // sigmas, beyond which the probability is 0 to a double

@@ -7,6 +7,7 @@
 
 #include "../features/upright_segment.hpp"
 #include "../motion/compensation.hpp"
+#include "../motion/contradiction.hpp"
 #include "../motion/sequence_values.hpp"
 #include "jet.hpp"
 
@@ -104,8 +105,13 @@ public:
     bool scaledSpeedIsGiven() const { return given_.scaledSpeedSigma > 0; }
     //! Scaled speed sqrt(B^2 + D^2) that is to be expected.
     double expectedScaledSpeed() const;
-    //! The direction of a given speed: 1 or -1; 0: none is given.
-    int givenDirection() const { return speedIsGiven() ? (given_.speed < 0 ? -1 : 1) : 0; }
+    //! The direction of a given speed: 1 or -1; 0: it isn't known.
+    int givenDirection() const
+    {
+        return speedIsGiven() && std::abs(given_.speed) > CONTRADICTION * given_.speedSigma
+                   ? (given_.speed < 0 ? -1 : 1)
+                   : 0;
+    }
     //! Distance of the left (or only) wall over the height of the camera.
     double roadRatio() const { return ratio; }
 
@@ -134,7 +140,7 @@ private:
     double height, ratio, logHeightSigma;
     double speedWallCorrelation; // of the logarithms: drivers slow down where walls are near
     double standing;             // probability
-    double reversePenalty;       // cost of driving backward
+    double reverse;              // probability of driving backward
     bool roadRatioIsGiven;
     bool roadIsSeen;
 };

@@ -55,10 +55,27 @@ struct Heading
     bool looksAlong() const { return std::abs(c) > 0.5; }
 };
 
-//! Whether a motion has one wall, to the right of the direction of travel.
+//! Whether the first wall of a motion is to the right of the direction of travel.
+inline bool isFirstWallRight(const Model& m, const Heading& heading)
+{
+    return m.direction * (m[P_B] * heading.c + m[P_D] * heading.s) < 0;
+}
+
 inline bool hasRightWallOnly(const Model& m, const Heading& heading)
 {
-    return m[P_LAMBDA] == 0 && m.direction * (m[P_B] * heading.c + m[P_D] * heading.s) < 0;
+    return m[P_LAMBDA] == 0 && isFirstWallRight(m, heading);
+}
+
+//! The same motion with the left one of two walls as the first.
+inline Model withLeftWallFirst(Model m, const Heading& heading)
+{
+    if (m[P_LAMBDA] > 0 && isFirstWallRight(m, heading))
+    {
+        m[P_B] *= -m[P_LAMBDA];
+        m[P_D] *= -m[P_LAMBDA];
+        m[P_LAMBDA] = 1 / m[P_LAMBDA];
+    }
+    return m;
 }
 
 /** The exact motion at one row time (doc/theory.md, "Motion"). T is double or a vector of them.

@@ -49,6 +49,8 @@ struct NormalEquations
     {
         const double squared = r.squaredNorm(), weight = loss.slope(squared);
         cost += loss.cost(squared);
+        if (gradient.size() == 0)
+            return; // Eigen would take the address of a first element
         information.template selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
         gradient += weight * (J * r);
     }

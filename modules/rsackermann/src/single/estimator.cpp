@@ -103,7 +103,7 @@ void AckermannEstimatorImpl::compareWithSeen(RefinementProblem& problem, const M
         neutral.params.priorYawRate = std::max(params.priorYawRate, std::abs(prior.yawRate));
     if (prior.speedSigma > 0)
     {
-        neutral.params.reverseProbability = 1;
+        neutral.params.reverseProbability = 0.5;
         neutral.params.priorSpeed = std::max(std::abs(prior.speed), prior.speedSigma);
     }
     AckermannMotion seen;

@@ -255,17 +255,23 @@ void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, doub
         return;
     const Component c = {fit.model, hypothesis, fit.covariance, logWeight};
     components.push_back(c);
-    largest_ = std::max(largest_, logWeight);
+    largest = std::max(largest, logWeight);
+}
+
+double MotionMixture::logSum() const
+{
+    double sum = 0;
+    for (const Component& c : components)
+        sum += std::exp(c.logWeight - largest);
+    return largest + std::log(sum);
 }
 
 std::vector<double> MotionMixture::probabilities() const
 {
-    double sum = 0;
-    std::vector<double> probability(components.size());
-    for (size_t i = 0; i < components.size(); i++)
-        sum += probability[i] = std::exp(components[i].logWeight - largest_);
-    for (size_t i = 0; i < components.size(); i++)
-        probability[i] /= sum;
+    const double all = logSum();
+    std::vector<double> probability;
+    for (const Component& c : components)
+        probability.push_back(std::exp(c.logWeight - all));
     return probability;
 }
 

@@ -9,8 +9,6 @@
 
 namespace cv { namespace rsackermann {
 
-const double NEGLIGIBLE = 1e-4; //!< probability of a motion that doesn't count
-
 /** The motions that are possible with their weights, and the correction that is decided upon (doc/theory.md,
 "Posterior"). */
 class MotionMixture
@@ -18,7 +16,7 @@ class MotionMixture
 public:
     //! @param harmAversion_ weight of the displacement by which an image is expected to become worse.
     MotionMixture(const DisplacementField& field_, const DrivingPrior& prior_, double harmAversion_)
-        : field(field_), prior(prior_), harmAversion(harmAversion_), largest_(-DBL_MAX)
+        : field(field_), prior(prior_), harmAversion(harmAversion_), largest(-DBL_MAX)
     {
     }
 
@@ -28,8 +26,8 @@ public:
     //! @param hypothesis whose unknowns the model has; the others are 0.
     void add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight);
 
-    //! The largest logarithm of a weight.
-    double largest() const { return largest_; }
+    //! Logarithm of the sum of the weights.
+    double logSum() const;
 
     /** The correction with the least expected residual and harm.
 
@@ -51,7 +49,7 @@ private:
     const DisplacementField& field;
     const DrivingPrior& prior;
     const double harmAversion;
-    double largest_;
+    double largest;
     RoadLimit limit;
     std::vector<Component> components;
 };

@@ -9,33 +9,19 @@
 #include "lo_ransac.hpp"
 #include "motion_mixture.hpp"
 #include "slant_noise.hpp"
+#include "yaw_sweep.hpp"
 
 namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
 static const double DEPENDENCE_OF_OTHERS = 3;       // over that of the verticals
 static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion that isn't known
-static const double FIRST_STEP = 0.7;               // of the sweep over the yaw rate, in sigmas
-static const double STEP_GROWTH = 1.25;
 
 namespace {
 
 const Fit& cheapest(const std::vector<Fit>& fits)
 {
     return *std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
-}
-
-// Refinements of one minimum end within a small part of its width from each other, wherever they started.
-bool isSameMinimum(const Fit& a, const Fit& b)
-{
-    const double part = 0.1;
-    for (int i = 0; i < PARAMETERS; i++)
-    {
-        const double difference = a.model.value[i] - b.model.value[i];
-        if (!(difference * difference <= part * part * a.covariance(i, i)))
-            return false;
-    }
-    return a.model.direction == b.model.direction;
 }
 
 // A motion hypothesis with the logarithm of its prior probability, given that the camera moves.
@@ -50,7 +36,7 @@ struct WeighedHypothesis
 
     void addMinimum(const Fit& fit)
     {
-        const auto isSame = [&](const Fit& other) { return isSameMinimum(other, fit); };
+        const auto isSame = [&](const Fit& other) { return isAt(other, fit.model); };
         if (fit.cost < DBL_MAX && std::none_of(minima.begin(), minima.end(), isSame))
             minima.push_back(fit);
     }
@@ -113,8 +99,8 @@ private:
         {
             const int motion = model == MODEL_3LA ? MODEL_3LA : MODEL_4LA;
             all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), 1 - 2 * UNUSUAL));
-            if (walls == 2)
-                all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), UNUSUAL));
+            if (walls == 2) // or one, on either side
+                all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), UNUSUAL / 2));
         }
         if (model == MODEL_AUTO || model == MODEL_1LA)
             all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), UNUSUAL / 2));
@@ -142,9 +128,7 @@ private:
         for (int direction = 1; direction >= -1; direction -= 2)
             for (int i = 0; i < 2; i++)
             {
-                // One start is enough for a rare direction.
-                if ((prior.givenDirection() != 0 && direction != prior.givenDirection()) ||
-                    (direction < 0 && prior.givenDirection() == 0 && i != 1))
+                if (prior.givenDirection() != 0 && direction != prior.givenDirection())
                     continue;
                 const double speed = direction * factors[i] * prior.expectedScaledSpeed();
                 m[P_B] = speed * problem.heading.c;
@@ -193,11 +177,6 @@ private:
         return std::min(std::max(alphas[alphas.size() / 2], -limit), limit);
     }
 
-    bool isAllowed(const MotionHypothesis& hypothesis, const Model& model) const
-    {
-        return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
-    }
-
     // Each start, and another one from there in the direction of the street.
     std::vector<Fit> allowedStarts(const MotionHypothesis& hypothesis) const
     {
@@ -209,7 +188,7 @@ private:
             Fit fit(hypothesis);
             fit.model = models[i / ways];
             if ((i % ways == 0 || startFromStreetDirection(problem, hypothesis, fit.model)) &&
-                isAllowed(hypothesis, fit.model))
+                isAllowed(problem, hypothesis, fit.model))
                 allowed.push_back(fit);
         }
         return allowed;
@@ -296,18 +275,6 @@ private:
         return cost;
     }
 
-    // Laplace's approximation of the contribution of a fit at one yaw rate.
-    double logEvidence(const Fit& fit, const MotionHypothesis& hypothesis) const
-    {
-        double volume = logVolume(fit) - prior.logVolume(hypothesis);
-        // In the logarithms of the wall's scaled speed and of the ratio, and in the azimuth.
-        if (hypothesis.translates())
-            volume -= 2 * std::log(std::hypot(fit.model[P_B], fit.model[P_D]));
-        if (hypothesis.walls == 2)
-            volume -= std::log(fit.model[P_LAMBDA]);
-        return volume - fit.cost / 2;
-    }
-
     // As the best of the motions along walls shows it.
     RoadLimit roadLimit(const std::vector<WeighedHypothesis>& moving) const
     {
@@ -337,8 +304,8 @@ private:
             Fit fit = rest;
             fit.refine(other);
             const double likelihood = ownNoiseOf(Slants(other, fit.model, false)) + logJacobian;
-            logWeights[i] = logEvidence(fit, fit.hypothesis) + (likelihood - ownNoise) / dependence + prior.logRest() -
-                            OTHER_LENSES[i] * OTHER_LENSES[i] / 2;
+            logWeights[i] = logEvidence(problem, fit, fit.hypothesis) + (likelihood - ownNoise) / dependence +
+                            prior.logRest() - OTHER_LENSES[i] * OTHER_LENSES[i] / 2;
         });
         for (double logWeight : logWeights)
             mixture.add(rest, rest.hypothesis, logWeight);
@@ -355,110 +322,47 @@ private:
         const double tilts = problem.gravitySigma * problem.vehiclePitchSigma,
                      otherCost = rest.cost - costOf(ofRest) / dependence;
         mixture.add(unseen, unseen.hypothesis,
-                    std::log(UNUSUAL * UNUSUAL * tilts) - otherCost / 2 +
+                    std::log(UNUSUAL * tilts) - otherCost / 2 +
                         (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
     }
 
     double logWeight(const Fit& fit, double logPrior) const
     {
-        return logEvidence(fit, fit.hypothesis) + logNoise(fit) + logPrior;
+        return logEvidence(problem, fit, fit.hypothesis) + logNoise(fit) + logPrior;
     }
 
-    // Motions at several yaw rates, with the logarithms of their densities and of the part of the yaw rates that each
-    // stands for.
-    struct Swept
-    {
-        std::vector<Fit> fits;
-        std::vector<double> logDensity, logWidth;
-    };
-
-    // Each is swept over the yaw rate, if it has one and isn't improbable against the others.
+    // Each minimum is swept over the yaw rate, if it has one and isn't improbable against the others.
     void addMoving(const std::vector<WeighedHypothesis>& moving)
     {
-        std::vector<double> logWeights(moving.size(), -DBL_MAX);
-        double largest = mixture.largest();
-        for (size_t i = 0; i < moving.size(); i++)
-            if (!moving[i].minima.empty())
-            {
-                logWeights[i] = logWeight(cheapest(moving[i].minima), moving[i].logPrior);
-                largest = std::max(largest, logWeights[i]);
-            }
-        std::vector<Swept> swept(moving.size());
-        forEachInParallel(int(moving.size()), [&](int i) {
-            if (moving[i].hypothesis.turns() && logWeights[i] > largest + std::log(NEGLIGIBLE))
-                swept[i] = sweep(cheapest(moving[i].minima));
+        const int count = int(moving.size());
+        std::vector<std::vector<double>> logWeights(moving.size()); // of the minima
+        forEachInParallel(count, [&](int i) {
+            for (const Fit& fit : moving[i].minima)
+                logWeights[i].push_back(logWeight(fit, moving[i].logPrior));
         });
-        for (size_t i = 0; i < moving.size(); i++)
+        double least = mixture.logSum();
+        for (const std::vector<double>& ofHypothesis : logWeights)
+            for (const double weight : ofHypothesis)
+                least = std::max(least, weight);
+        least += 2 * std::log(NEGLIGIBLE); // a valley may hold more than its bottom says
+        std::vector<std::vector<YawSweep>> valleys(moving.size());
+        forEachInParallel(count, [&](int i) {
+            for (size_t k = 0; k < logWeights[i].size() && moving[i].hypothesis.turns(); k++)
+                if (logWeights[i][k] > least && !contain(valleys[i], moving[i].minima[k]))
+                    valleys[i].push_back(YawSweep(problem, moving[i].minima[k], valleys[i]));
+        });
+        for (int i = 0; i < count; i++)
         {
             const MotionHypothesis& hypothesis = moving[i].hypothesis;
-            if (!hypothesis.turns() && !moving[i].minima.empty())
-                mixture.add(cheapest(moving[i].minima), hypothesis, logWeights[i]);
-            if (swept[i].fits.empty())
-                continue;
-            const double logShared = moving[i].logPrior + logNoise(cheapest(swept[i].fits));
-            for (size_t k = 0; k < swept[i].fits.size(); k++)
-                mixture.add(swept[i].fits[k], hypothesis, swept[i].logDensity[k] + swept[i].logWidth[k] + logShared);
-        }
-    }
-
-    // To both sides of a fit. If one of the motions fits better there may be another minimum.
-    Swept sweep(const Fit& fit) const
-    {
-        const Swept swept = sweepFrom(fit);
-        const Fit& best = cheapest(swept.fits);
-        if (!(best.cost < fit.cost - NEGLIGIBLE))
-            return swept;
-        Fit other = fit;
-        other.model = best.model;
-        other.refine(problem);
-        return other.cost < fit.cost - NEGLIGIBLE ? sweepFrom(other) : swept;
-    }
-
-    // Until motions are improbable.
-    Swept sweepFrom(const Fit& fit) const
-    {
-        const MotionHypothesis pinned(fit.hypothesis.translates() ? MODEL_3LA : MODEL_NONE, fit.hypothesis.walls);
-        const double variance = fit.covariance(P_ALPHA, P_ALPHA),
-                     sigma = variance > 0 ? std::sqrt(variance) : prior.alphaScale();
-        const double first = std::min(FIRST_STEP * sigma, 0.5 * prior.alphaScale());
-        Swept swept;
-        Fit middle(pinned);
-        middle.model = fit.model;
-        double highest = addPinned(fit.hypothesis, first, middle, swept);
-        for (int side = -1; side <= 1; side += 2)
-        {
-            Fit last = middle;
-            for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha;
-                 step *= STEP_GROWTH, offset += step)
+            for (const YawSweep& valley : valleys[i])
             {
-                Model next = last.model;
-                for (int i = 0; i < PARAMETERS && variance > 0; i++)
-                    next.value[i] += side * step * fit.covariance(i, P_ALPHA) / variance;
-                if (!isAllowed(fit.hypothesis, next))
-                    next = last.model;
-                next[P_ALPHA] = fit.model[P_ALPHA] + side * offset;
-                if (!problem.limits.allow(next))
-                    break;
-                last.model = next;
-                const double added = addPinned(fit.hypothesis, (1 + STEP_GROWTH) / 2 * step, last, swept);
-                highest = std::max(highest, added);
-                if (added < highest + std::log(NEGLIGIBLE))
-                    break;
+                const double logShared = moving[i].logPrior + logNoise(cheapest(valley.fits));
+                for (size_t k = 0; k < valley.fits.size(); k++)
+                    mixture.add(valley.fits[k], hypothesis, valley.logMasses[k] + logShared);
             }
+            for (size_t k = 0; k < logWeights[i].size() && !hypothesis.turns(); k++)
+                mixture.add(moving[i].minima[k], hypothesis, logWeights[i][k]);
         }
-        return swept;
-    }
-
-    // Refines and adds the motion at the yaw rate of a fit. Returns the logarithm of its density.
-    double addPinned(const MotionHypothesis& hypothesis, double width, Fit& fit, Swept& swept) const
-    {
-        const int iterations = 8;
-        fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
-        const double density = logEvidence(fit, hypothesis) + prior.logYawDensity(fit.model[P_ALPHA]);
-        swept.fits.push_back(fit);
-        swept.logDensity.push_back(density);
-        swept.logWidth.push_back(std::log(width));
-        return density;
     }
 
     RefinementProblem& problem;

@@ -213,6 +213,7 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
 void Fit::refine(const RefinementProblem& problem, double farthest)
 {
     const int iterations = 30;
+    model = withLeftWallFirst(model, problem.heading); // two names of one motion would count twice
     cost = rsackermann::refine(problem, hypothesis, ALL_SEGMENTS, iterations, model, &covariance, farthest);
 }
 

@@ -13,6 +13,8 @@
 
 namespace cv { namespace rsackermann {
 
+const double NEGLIGIBLE = 1e-4; //!< probability of a motion that doesn't count
+
 //! The data of the refinement.
 struct RefinementProblem
 {

@@ -1,0 +1,130 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "yaw_sweep.hpp"
+#include <Eigen/Cholesky>
+
+namespace cv { namespace rsackermann {
+
+// doc/theory.md, "Posterior", has the reasons.
+static const double FIRST_STEP = 0.7; // in sigmas
+static const double STEP_GROWTH = 1.25;
+
+bool isAt(const Fit& fit, const Model& model)
+{
+    typedef Eigen::Matrix<double, Eigen::Dynamic, 1, 0, PARAMETERS, 1> Vector;
+    typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, PARAMETERS, PARAMETERS> Matrix;
+    int free[PARAMETERS], n = 0;
+    for (int i = 0; i < PARAMETERS; i++)
+        if (fit.covariance(i, i) > 0)
+            free[n++] = i;
+    Vector distance(n);
+    Matrix correlation(n, n);
+    for (int i = 0; i < n; i++)
+    {
+        const double sigma = std::sqrt(fit.covariance(free[i], free[i]));
+        distance[i] = (model.value[free[i]] - fit.model.value[free[i]]) / sigma;
+        for (int j = 0; j < n; j++)
+            correlation(i, j) =
+                fit.covariance(free[i], free[j]) / (sigma * std::sqrt(fit.covariance(free[j], free[j])));
+    }
+    const double onePeak = 2; // sigmas between two normal distributions that have one peak together
+    return fit.model.direction == model.direction &&
+           (n == 0 || distance.dot(correlation.ldlt().solve(distance)) <= onePeak * onePeak);
+}
+
+bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model)
+{
+    return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
+}
+
+double logEvidence(const RefinementProblem& problem, const Fit& fit, const MotionHypothesis& hypothesis)
+{
+    double volume = logVolume(fit) - problem.prior->logVolume(hypothesis);
+    // In the logarithms of the wall's scaled speed and of the ratio, and in the azimuth.
+    if (hypothesis.translates())
+        volume -= 2 * std::log(std::hypot(fit.model[P_B], fit.model[P_D]));
+    if (hypothesis.walls == 2)
+        volume -= std::log(fit.model[P_LAMBDA]);
+    return volume - fit.cost / 2;
+}
+
+YawSweep::YawSweep(const RefinementProblem& problem, const Fit& minimum, const std::vector<YawSweep>& valleys)
+{
+    const MotionHypothesis& hypothesis = minimum.hypothesis;
+    const double scale = problem.prior->alphaScale(), variance = minimum.covariance(P_ALPHA, P_ALPHA),
+                 sigma = variance > 0 ? std::sqrt(variance) : scale;
+    const double first = std::min(FIRST_STEP * sigma, 0.5 * scale);
+    Fit middle(MotionHypothesis(hypothesis.translates() ? MODEL_3LA : MODEL_NONE, hypothesis.walls));
+    middle.model = minimum.model;
+    double highest = add(problem, hypothesis, first, middle);
+    for (int side = -1; side <= 1; side += 2)
+    {
+        Fit last = middle;
+        for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha;
+             step *= STEP_GROWTH, offset += step)
+        {
+            Model next = last.model;
+            for (int i = 0; i < PARAMETERS && variance > 0; i++)
+                next.value[i] += side * step * minimum.covariance(i, P_ALPHA) / variance;
+            if (!isAllowed(problem, hypothesis, next))
+                next = last.model;
+            next[P_ALPHA] = minimum.model[P_ALPHA] + side * offset;
+            if (!problem.limits.allow(next))
+                break;
+            last.model = next;
+            const double density = add(problem, hypothesis, (1 + STEP_GROWTH) / 2 * step, last);
+            if (contain(valleys, last))
+            {
+                fits.pop_back();
+                logMasses.pop_back();
+                break;
+            }
+            highest = std::max(highest, density);
+            if (density < highest + std::log(NEGLIGIBLE))
+                break;
+        }
+    }
+}
+
+// Refines the motion at the yaw rate of a fit. Returns the logarithm of its density.
+double YawSweep::add(const RefinementProblem& problem, const MotionHypothesis& hypothesis, double width, Fit& fit)
+{
+    const int iterations = 8;
+    fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
+    const double density = logEvidence(problem, fit, hypothesis) + problem.prior->logYawDensity(fit.model[P_ALPHA]);
+    fits.push_back(fit);
+    logMasses.push_back(density + std::log(width));
+    return density;
+}
+
+// Compared with what is between the next motions on both sides.
+bool YawSweep::contains(const Fit& fit) const
+{
+    const double alpha = fit.model[P_ALPHA];
+    const Fit *below = 0, *above = 0;
+    for (const Fit& f : fits)
+    {
+        const double other = f.model[P_ALPHA];
+        if (other <= alpha && (!below || other > below->model[P_ALPHA]))
+            below = &f;
+        if (other >= alpha && (!above || other < above->model[P_ALPHA]))
+            above = &f;
+    }
+    if (!below || !above)
+        return false;
+    const double range = above->model[P_ALPHA] - below->model[P_ALPHA],
+                 share = range > 0 ? (alpha - below->model[P_ALPHA]) / range : 0;
+    Fit between = share < 0.5 ? *below : *above;
+    between.model.value = (1 - share) * below->model.value + share * above->model.value;
+    return isAt(between, fit.model);
+}
+
+bool contain(const std::vector<YawSweep>& valleys, const Fit& fit)
+{
+    return std::any_of(valleys.begin(), valleys.end(), [&](const YawSweep& v) { return v.contains(fit); });
+}
+
+}} // namespace cv::rsackermann

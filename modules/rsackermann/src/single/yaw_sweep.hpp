@@ -1,0 +1,46 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_YAW_SWEEP_HPP
+#define OPENCV_RSACKERMANN_SRC_SINGLE_YAW_SWEEP_HPP
+
+#include "refinement.hpp"
+
+namespace cv { namespace rsackermann {
+
+//! Whether a model belongs to the peak of a fit: normal distributions about both would have one. What isn't free
+//! doesn't count.
+bool isAt(const Fit& fit, const Model& model);
+
+//! Whether a model is within the limits, and has verticals on each wall that would be seen.
+bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
+
+//! Logarithm of Laplace's approximation of the contribution of a fit, all unknowns of the hypothesis but the yaw rate
+//! being those of the fit (doc/theory.md, "Posterior").
+double logEvidence(const RefinementProblem& problem, const Fit& fit, const MotionHypothesis& hypothesis);
+
+//! The motions of a valley of the posterior: the best at each of several yaw rates (doc/theory.md, "Posterior").
+class YawSweep
+{
+public:
+    /** Goes from a minimum to both sides, until motions are improbable or in another valley.
+    @param valleys those that are known already. */
+    YawSweep(const RefinementProblem& problem, const Fit& minimum, const std::vector<YawSweep>& valleys);
+
+    //! Whether a motion lies on it.
+    bool contains(const Fit& fit) const;
+
+    std::vector<Fit> fits;
+    std::vector<double> logMasses; //!< of their densities, times the range of yaw rates that each stands for
+
+private:
+    double add(const RefinementProblem& problem, const MotionHypothesis& hypothesis, double width, Fit& fit);
+};
+
+//! Whether a motion is in one of some valleys.
+bool contain(const std::vector<YawSweep>& valleys, const Fit& fit);
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SINGLE_YAW_SWEEP_HPP
