@@ -53,7 +53,7 @@ class OptionEffects : public testing::Test
 protected:
     OptionEffects()
     {
-        simulate({"--output=" + (folder / "drive"), "--frames=3", "--speed=40", "--left=6", "--right=8", "--depth"});
+        simulate({"--output=" + (folder / "drive"), "--frames=3", "--speed=60", "--left=5", "--right=6", "--depth"});
         std::string lines;
         for (int x = 50; x < 600; x += 11)
             lines += cv::format("%d 100 %d 200\n", x, x + x % 7);
@@ -170,7 +170,7 @@ TEST_P(EachOptionEffects, of_rsackermann_correct)
         {"detector", "lsd", delay, CHANGES, CHANGES},
         {"detector", "lsd", delay + Arguments{"--lines=" + (folder / "lines.txt")}, REFUSED, NONE},
         {"lines", (folder / "lines.txt"), delay, CHANGES, REFUSED},
-        {"seed", "8", delay + Arguments{"--gravity_sigma=0"}, CHANGES, NONE},
+        {"seed", "10", delay + Arguments{"--gravity_sigma=0"}, CHANGES, NONE},
         {"seed", "5", delay, NONE, DOCUMENTED},
         {"threads", "1", delay, DOCUMENTED, DOCUMENTED},
         {"smooth", "", delay, NONE, NONE}, // the modes themselves

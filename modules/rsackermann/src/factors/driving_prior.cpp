@@ -190,7 +190,7 @@ double DrivingPrior::logRest() const
 {
     // A speed without the wall's distance isn't among the residuals.
     const double z = speedIsGiven() && !scaledSpeedIsGiven() ? given_.speed / given_.speedSigma : 0;
-    const double probability = yawRateIsGiven() || speedIsGiven() ? STANDING_IF_GIVEN * standing : standing;
+    const double probability = motionIsGiven() ? STANDING_IF_GIVEN * standing : standing;
     return std::log(probability / (1 - probability)) - 0.5 * z * z;
 }
 

@@ -103,6 +103,7 @@ public:
     bool yawRateIsGiven() const { return given_.alphaSigma > 0; }
     bool speedIsGiven() const { return given_.speedSigma > 0; }
     bool scaledSpeedIsGiven() const { return given_.scaledSpeedSigma > 0; }
+    bool motionIsGiven() const { return yawRateIsGiven() || speedIsGiven(); }
     //! Scaled speed sqrt(B^2 + D^2) that is to be expected.
     double expectedScaledSpeed() const;
     //! The direction of a given speed: 1 or -1; 0: it isn't known.

@@ -320,9 +320,11 @@ private:
         unseen.model[P_ALPHA] = prior.given().alpha;
         const Slants slants(problem, unseen.model, false), ofRest(problem, rest.model, false);
         const double tilts = problem.gravitySigma * problem.vehiclePitchSigma,
-                     otherCost = rest.cost - costOf(ofRest) / dependence;
+                     otherCost = rest.cost - costOf(ofRest) / dependence,
+                     probability =
+                         prior.motionIsGiven() ? UNUSUAL * UNUSUAL : UNUSUAL / 2; // a car's image shows a street
         mixture.add(unseen, unseen.hypothesis,
-                    std::log(UNUSUAL * tilts) - otherCost / 2 +
+                    std::log(probability * tilts) - otherCost / 2 +
                         (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
     }
 
