@@ -61,6 +61,7 @@ inline bool isFirstWallRight(const Model& m, const Heading& heading)
     return m.direction * (m[P_B] * heading.c + m[P_D] * heading.s) < 0;
 }
 
+//! Whether it is the only one, too.
 inline bool hasRightWallOnly(const Model& m, const Heading& heading)
 {
     return m[P_LAMBDA] == 0 && isFirstWallRight(m, heading);

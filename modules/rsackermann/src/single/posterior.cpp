@@ -29,7 +29,7 @@ struct WeighedHypothesis
 {
     MotionHypothesis hypothesis;
     double logPrior;
-    // Starts, and then all that they lead to: which is the least depends on the noise, which isn't known yet.
+    // Starts, and then all that they lead to.
     std::vector<Fit> minima;
 
     WeighedHypothesis(const MotionHypothesis& h, double prior) : hypothesis(h), logPrior(std::log(prior)) {}

@@ -217,23 +217,54 @@ void Fit::refine(const RefinementProblem& problem, double farthest)
     cost = rsackermann::refine(problem, hypothesis, ALL_SEGMENTS, iterations, model, &covariance, farthest);
 }
 
+namespace {
+
+// The unknowns that are free, with their standard deviations and correlations.
+struct FreeUnknowns
+{
+    typedef Eigen::Matrix<double, Eigen::Dynamic, 1, 0, PARAMETERS, 1> Vector;
+    typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, PARAMETERS, PARAMETERS> Matrix;
+
+    int index[PARAMETERS], count;
+    Vector sigma;
+    Matrix correlation;
+
+    explicit FreeUnknowns(const Fit& fit) : count(0)
+    {
+        for (int i = 0; i < PARAMETERS; i++)
+            if (fit.covariance(i, i) > 0)
+                index[count++] = i;
+        sigma.resize(count);
+        correlation.resize(count, count);
+        for (int i = 0; i < count; i++)
+            sigma[i] = std::sqrt(fit.covariance(index[i], index[i]));
+        for (int i = 0; i < count; i++)
+            for (int j = 0; j < count; j++)
+                correlation(i, j) = fit.covariance(index[i], index[j]) / (sigma[i] * sigma[j]);
+    }
+};
+
+} // namespace
+
 double logVolume(const Fit& fit)
 {
-    int free[PARAMETERS], n = 0;
-    for (int i = 0; i < PARAMETERS; i++)
-        if (fit.covariance(i, i) > 0)
-            free[n++] = i;
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, PARAMETERS, PARAMETERS> correlation(n, n);
-    double sum = 0;
-    for (int i = 0; i < n; i++)
+    const FreeUnknowns unknowns(fit);
+    return unknowns.sigma.array().log().sum() +
+           0.5 * std::log(std::max(unknowns.correlation.ldlt().vectorD().prod(), 1e-30));
+}
+
+bool isAt(const Fit& fit, const Model& model)
+{
+    const double onePeak = 2; // sigmas between two normal distributions that have one peak together
+    const FreeUnknowns unknowns(fit);
+    FreeUnknowns::Vector distance(unknowns.count);
+    for (int i = 0; i < unknowns.count; i++)
     {
-        const double variance = fit.covariance(free[i], free[i]);
-        sum += 0.5 * std::log(variance);
-        for (int j = 0; j < n; j++)
-            correlation(i, j) =
-                fit.covariance(free[i], free[j]) / std::sqrt(variance * fit.covariance(free[j], free[j]));
+        const int k = unknowns.index[i];
+        distance[i] = (model.value[k] - fit.model.value[k]) / unknowns.sigma[i];
     }
-    return sum + 0.5 * std::log(std::max(correlation.ldlt().vectorD().prod(), 1e-30));
+    return fit.model.direction == model.direction &&
+           (unknowns.count == 0 || distance.dot(unknowns.correlation.ldlt().solve(distance)) <= onePeak * onePeak);
 }
 
 }} // namespace cv::rsackermann

@@ -97,6 +97,10 @@ struct Fit
 //! Logarithm of the square root of the determinant of the covariance of the unknowns that are free.
 double logVolume(const Fit& fit);
 
+//! Whether a model belongs to the peak of a fit: normal distributions about both would have one. What isn't free
+//! doesn't count.
+bool isAt(const Fit& fit, const Model& model);
+
 /** The same image as if another lens had taken it (doc/theory.md, "Posterior").
 
 A ray at the tangent r from the optical axis of the assumed lens is at r (1 + distortion r^2): to first order the lens

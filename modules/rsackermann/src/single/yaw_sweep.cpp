@@ -4,36 +4,12 @@
 
 #include "../precomp.hpp"
 #include "yaw_sweep.hpp"
-#include <Eigen/Cholesky>
 
 namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Posterior", has the reasons.
 static const double FIRST_STEP = 0.7; // in sigmas
 static const double STEP_GROWTH = 1.25;
-
-bool isAt(const Fit& fit, const Model& model)
-{
-    typedef Eigen::Matrix<double, Eigen::Dynamic, 1, 0, PARAMETERS, 1> Vector;
-    typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, PARAMETERS, PARAMETERS> Matrix;
-    int free[PARAMETERS], n = 0;
-    for (int i = 0; i < PARAMETERS; i++)
-        if (fit.covariance(i, i) > 0)
-            free[n++] = i;
-    Vector distance(n);
-    Matrix correlation(n, n);
-    for (int i = 0; i < n; i++)
-    {
-        const double sigma = std::sqrt(fit.covariance(free[i], free[i]));
-        distance[i] = (model.value[free[i]] - fit.model.value[free[i]]) / sigma;
-        for (int j = 0; j < n; j++)
-            correlation(i, j) =
-                fit.covariance(free[i], free[j]) / (sigma * std::sqrt(fit.covariance(free[j], free[j])));
-    }
-    const double onePeak = 2; // sigmas between two normal distributions that have one peak together
-    return fit.model.direction == model.direction &&
-           (n == 0 || distance.dot(correlation.ldlt().solve(distance)) <= onePeak * onePeak);
-}
 
 bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model)
 {

@@ -9,10 +9,6 @@
 
 namespace cv { namespace rsackermann {
 
-//! Whether a model belongs to the peak of a fit: normal distributions about both would have one. What isn't free
-//! doesn't count.
-bool isAt(const Fit& fit, const Model& model);
-
 //! Whether a model is within the limits, and has verticals on each wall that would be seen.
 bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 
