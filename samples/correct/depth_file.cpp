@@ -5,6 +5,7 @@
 #include "depth_file.hpp"
 #include "files.hpp"
 #include "npy_file.hpp"
+#include "point_cloud.hpp"
 
 #include "opencv2/imgcodecs.hpp"
 #include "opencv2/imgproc.hpp"
@@ -40,11 +41,23 @@ cv::Mat valuesOf(const std::string& path)
     return values;
 }
 
+cv::rsackermann::DepthMap depthOfPoints(const std::string& path, const DepthMeaning& meaning,
+                                        const cv::rsackermann::RollingShutterCamera& camera)
+{
+    if (meaning.kind != DepthMeaning::METRIC)
+        throw InputError(path + ": points are metric, not of another --depth_kind");
+    cv::rsackermann::DepthMap depth = cv::rsackermann::DepthMap::fromPoints(readPointCloud(path), camera);
+    depth.scale = meaning.scale > 0 ? meaning.scale : 1;
+    return depth;
+}
+
 } // namespace
 
-cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning& meaning, const cv::Size& size,
-                                    double focal)
+cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning& meaning,
+                                    const cv::rsackermann::RollingShutterCamera& camera)
 {
+    if (extension(path) == ".csv")
+        return depthOfPoints(path, meaning, camera);
     const cv::Mat stored = namingFile(path, [](const std::string& name) { return valuesOf(name); });
     const bool isMetric = meaning.kind == DepthMeaning::METRIC, isRelative = meaning.kind == DepthMeaning::RELATIVE,
                isWhole = stored.depth() == CV_16U;
@@ -57,7 +70,8 @@ cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning&
     if (meaning.kind == DepthMeaning::DISPARITY)
     {
         // Disparities are in pixels of their own image.
-        const double units = focal * stored.cols / size.width * meaning.baseline / scale;
+        const double units =
+            camera.cameraMatrix(0, 0) * stored.cols / camera.imageSize.width * meaning.baseline / scale;
         cv::Mat1f disparities, metres(stored.size(), 0.f);
         values.convertTo(disparities, CV_32F);
         for (int y = 0; y < metres.rows; y++)
@@ -68,8 +82,8 @@ cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning&
         scale = 1;
     }
     // Between a near and a far surface there is nothing.
-    if (values.size() != size)
-        cv::resize(values, values, size, 0, 0, cv::INTER_NEAREST);
+    if (values.size() != camera.imageSize)
+        cv::resize(values, values, camera.imageSize, 0, 0, cv::INTER_NEAREST);
     return cv::rsackermann::DepthMap(values, meaning.camera, scale,
                                      isRelative ? cv::rsackermann::DEPTH_RELATIVE : cv::rsackermann::DEPTH_METRIC);
 }

@@ -23,13 +23,13 @@ struct DepthMeaning
     DepthMeaning() : kind(METRIC), camera(cv::rsackermann::DEPTH_RAW), scale(0), baseline(0) {}
 };
 
-/** Reads a depth from an image of 16 bits or of floating-point numbers with one channel, or a .npy file.
+/** Reads a depth from an image of 16 bits or of floating-point numbers with one channel, a .npy file, or a table of
+points (.csv) in the frame of the corrected camera.
 
 Throws InputError. Usual scales are 0.001 m and 1/256 px for whole numbers, 1 m and 1 px for others.
-@param size of the camera's image, to which other sizes are scaled.
-@param focal length in pixels of the camera's image, for a disparity. */
-cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning& meaning, const cv::Size& size,
-                                    double focal);
+@param camera to the size of whose image other sizes are scaled. */
+cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning& meaning,
+                                    const cv::rsackermann::RollingShutterCamera& camera);
 
 } // namespace rsackermann_samples
 

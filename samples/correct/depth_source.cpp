@@ -12,7 +12,7 @@ namespace rsackermann_samples {
 
 namespace {
 
-const char* const EXTENSIONS[] = {".png", ".tif", ".tiff", ".exr", ".npy"};
+const char* const EXTENSIONS[] = {".png", ".tif", ".tiff", ".exr", ".npy", ".csv"};
 
 // The file in a folder that has the name of an image, with an extension of its own.
 std::string fileIn(const std::string& folder, const std::string& image)

@@ -115,7 +115,7 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     prepare(image.size());
     DepthMap depth;
     if (!depthFile.empty())
-        depth = readDepth(depthFile, job_.depth.meaning(), camera_.imageSize, camera_.cameraMatrix(0, 0));
+        depth = readDepth(depthFile, job_.depth.meaning(), camera_);
     CorrectedFrame frame;
     FrameReport& report = frame.report;
     useFacts();

@@ -29,7 +29,7 @@ const char* const JOB_KEYS =
     "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it overrides "
     "the options}"
     "{depth      |        | depth of the images: a file, a folder with files of the images' names, or a printf pattern with "
-    "as many files as images; PNG of 16 bits, TIFF, EXR or .npy}"
+    "as many files as images; PNG of 16 bits, TIFF, EXR or .npy, or points in a table (.csv)}"
     "{depth_kind | metric | metric, disparity, which needs --baseline, or relative: inverse depth, larger where it is "
     "nearer, of unknown scale and shift}"
     "{depth_camera | raw  | camera of --depth: raw, or corrected (without lens, at the reference line)}"

@@ -86,16 +86,28 @@ WarpMapGenerator::Params StripWarp::coarse(const RollingShutterCamera& camera)
     return params;
 }
 
+// Of STEP x STEP pixels the first one that is known: of a few points none would be where the coarse pixels are.
+template <class Value>
+static cv::Mat firstKnown(const cv::Mat_<Value>& values)
+{
+    cv::Mat_<Value> kept((values.rows + STEP - 1) / STEP, (values.cols + STEP - 1) / STEP, Value(0));
+    for (int y = 0; y < values.rows; y++)
+        for (int x = 0; x < values.cols; x++)
+        {
+            Value& first = kept(y / STEP, x / STEP);
+            if (!(first > 0) && values(y, x) > 0 && values(y, x) <= FLT_MAX)
+                first = values(y, x);
+        }
+    return kept;
+}
+
 DepthMap StripWarp::coarse(const DepthMap& depth)
 {
     if (depth.empty() || depth.camera == DEPTH_RAW)
         return depth;
-    const cv::Mat& values = depth.values;
-    cv::Mat kept((values.rows + STEP - 1) / STEP, (values.cols + STEP - 1) / STEP, values.type());
-    for (int y = 0; y < kept.rows; y++)
-        for (int x = 0; x < kept.cols; x++)
-            values(cv::Rect(x * STEP, y * STEP, 1, 1)).copyTo(kept(cv::Rect(x, y, 1, 1)));
-    return DepthMap(kept, depth.camera, depth.scale);
+    const bool isWhole = depth.values.depth() == CV_16U;
+    return DepthMap(isWhole ? firstKnown<ushort>(depth.values) : firstKnown<float>(depth.values), depth.camera,
+                    depth.scale);
 }
 
 } // namespace rsackermann_samples

@@ -259,6 +259,52 @@ TEST_F(CorrectDepth, bad_files_are_named_and_others_processed)
     EXPECT_EQ(depth, contentOf(folder / "depth/good.png"));
 }
 
+// Points in the frame of the camera, one for each of some hundred pixels.
+TEST_F(CorrectDepth, of_points)
+{
+    const TemporaryFolder folder;
+    const cv::Mat1f depth = metres("global_depth.png");
+    cv::Matx33d matrix;
+    cv::FileStorage(street("camera.yml"), cv::FileStorage::READ)["camera_matrix"] >> matrix;
+    const cv::Matx33d inverse = matrix.inv();
+    cv::RNG rng(1);
+    std::string table = "file,x,y,z\n", millimetres = "z,x,y\n";
+    for (int i = 0; i < int(depth.total()) / 100; i++)
+    {
+        const cv::Point pixel(rng.uniform(0, depth.cols), rng.uniform(0, depth.rows));
+        const cv::Vec3d point = inverse * cv::Vec3d(pixel.x, pixel.y, 1) * depth(pixel);
+        table += cv::format("rolling.png,%.4f,%.4f,%.4f\n", point[0], point[1], point[2]);
+        if (i % 20 == 0)
+            millimetres += cv::format("%.1f,%.1f,%.1f\n", 1000 * point[2], 1000 * point[0], 1000 * point[1]);
+    }
+    const std::string cloud = folder / "cloud.csv", coarse = folder / "millimetres.csv";
+    writeContent(cloud, table);
+    writeContent(coarse, millimetres);
+    const double without = residual({});
+    EXPECT_LT(residual({"--depth=" + cloud}), 0.3 * without);
+    EXPECT_LT(residual({"--depth=" + coarse, "--depth_scale=0.001"}), 0.8 * without);
+    const Outcome unit = run({"--depth=" + coarse, "--report=-"});
+    EXPECT_NE(std::string::npos, unit.messages.find("in another unit")) << unit.messages;
+    EXPECT_NE(std::string::npos, unit.output.find("\"depth_used\":false"));
+
+    const struct
+    {
+        std::string content, message;
+    } bad[] = {{"x,y\n1,2\n", "a header with x, y and z is needed"},
+               {"x,y,z\n1,2,3\n1,2,far\n", "line 3"},
+               {"x,y,z\n1,2\n", "line 2"},
+               {"x,y,z,file\n1,2,3,a.png\n1,2,3,b.png\n", "each image has its own table"},
+               {"", "bad.csv"}};
+    for (const auto& entry : bad)
+    {
+        writeContent(folder / "bad.csv", entry.content);
+        const Outcome outcome = run({"--depth=" + (folder / "bad.csv"), "--report=-"});
+        EXPECT_EQ(1, outcome.exitCode) << entry.content;
+        EXPECT_NE(std::string::npos, outcome.messages.find(entry.message)) << outcome.messages;
+    }
+    EXPECT_EQ(1, run({"--depth=" + cloud, "--depth_kind=relative", "--report=-"}).exitCode);
+}
+
 TEST_F(CorrectDepth, patterns_have_a_file_for_each_image)
 {
     const TemporaryFolder folder;

@@ -124,13 +124,19 @@ INSTANTIATE_TEST_CASE_P(RSAckermann, WarpDepth,
 
 typedef testing::TestWithParam<std::tuple<int, bool>> WarpDepthMaps; // DepthCamera, whether to distort
 
+RollingShutterCamera paperCameraWithHeight()
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.height = 1.2;
+    return camera;
+}
+
 //! A camera and a motion with both walls and a road, and a depth with boxes in front of a plane.
 struct Boxes
 {
-    Boxes() : camera(simulation::paperCamera())
+    Boxes() : camera(paperCameraWithHeight())
     {
         camera.distCoeffs = {-0.2, 0.05, 1e-3, -1e-3, 0.01};
-        camera.height = 1.2;
         motion = motionFromMetric(camera, 0.5, 16, 2.5, 3, 0.02);
         values.create(camera.imageSize);
         for (int y = 0; y < values.rows; y++)
@@ -165,6 +171,71 @@ struct Result
         return std::max(difference(map1, other.map1, where), difference(map2, other.map2, where));
     }
 };
+
+TEST(RSAckermann_DepthMap, points_fill_the_pixels_that_show_them)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    RollingShutterCamera camera(Size(40, 30), Matx33d(20, 0, 19.5, 0, 20, 14.5, 0, 0, 1));
+    camera.distCoeffs = {-0.2, 0.05, 0, 0}; // not of the global-shutter camera
+    std::vector<Vec3f> points = {Vec3f(0.25f, 0.25f, 10),  Vec3f(0.3f, 0.3f, 8),   Vec3f(0.25f, 0.25f, 9), // one pixel
+                                 Vec3f(-1.99f, -1.49f, 2), Vec3f(2, 1.5f, 2.001f), // next to the image's corners
+                                 Vec3f(-2.01f, 0, 2),      Vec3f(0, 1.51f, 2),     Vec3f(0, 0, -3),
+                                 Vec3f(0, 0, 0),           Vec3f(0, 0, nan),       Vec3f(nan, 0, 5),
+                                 Vec3f(0, 0, infinite),    Vec3f(infinite, 0, 5)};
+    Mat1f expected(camera.imageSize, 0.f);
+    expected(15, 20) = 8;
+    expected(0, 0) = 2;
+    expected(29, 39) = 2.001f;
+    const DepthMap depth = DepthMap::fromPoints(points, camera);
+    EXPECT_EQ(DEPTH_CORRECTED, depth.camera);
+    EXPECT_EQ(DEPTH_METRIC, depth.kind);
+    EXPECT_EQ(0, cvtest::norm(expected, depth.values, NORM_INF));
+
+    const Mat rows = Mat(points).reshape(1);
+    Mat doubles;
+    rows.convertTo(doubles, CV_64F);
+    for (const Mat& same : {rows, doubles, Mat(Mat(points).t())})
+        EXPECT_EQ(0, cvtest::norm(expected, DepthMap::fromPoints(same, camera).values, NORM_INF));
+    EXPECT_EQ(0, countNonZero(DepthMap::fromPoints(std::vector<Vec3f>(), camera).values));
+    for (const Mat& wrong : {Mat(4, 2, CV_32F), Mat(4, 3, CV_32S), Mat(4, 3, CV_32FC2)})
+    {
+        try
+        {
+            DepthMap::fromPoints(wrong, camera);
+            ADD_FAILURE();
+        }
+        catch (const cv::Exception& e)
+        {
+            EXPECT_NE(String::npos, e.err.find("points is a 4 x")) << e.err;
+        }
+    }
+}
+
+// One pixel in a hundred is known: between them it is as if all were, where the scene is smooth.
+TEST_P(WarpDepthMaps, few_points)
+{
+    const int ofCamera = std::get<0>(GetParam());
+    const bool distort = std::get<1>(GetParam());
+    RNG rng(5);
+    const Scene scene(paperCameraWithHeight(), motionFromMetric(paperCameraWithHeight(), 0.5, 16, 2.5, 3, 0.02),
+                      Vec3d(0.03, 0.02, 0.15));
+    const DepthMap all = scene.depth(ofCamera);
+    DepthMap few(Mat(Mat1f(all.values.size(), 0.f)), ofCamera);
+    for (int i = 0; i < int(all.values.total()) / 100; i++)
+    {
+        const Point pixel(rng.uniform(0, all.values.cols), rng.uniform(0, all.values.rows));
+        few.values.at<float>(pixel) = all.values.at<float>(pixel);
+    }
+    const Result planes(scene.camera, distort, scene.motion, DepthMap()),
+        truth(scene.camera, distort, scene.motion, all), got(scene.camera, distort, scene.motion, few);
+    const Mat seen = truth.mask == MASK_SEEN;
+    const auto mean = [&](const Result& result) {
+        Mat distance;
+        magnitude(result.map1 - truth.map1, result.map2 - truth.map2, distance);
+        return cv::mean(distance, seen)[0];
+    };
+    EXPECT_LT(mean(got), 0.05 * mean(planes));
+}
 
 TEST_P(WarpDepthMaps, sixteen_bits_with_a_scale)
 {

@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_DEPTH_MAP_HPP
 #define OPENCV_RSACKERMANN_DEPTH_MAP_HPP
 
-#include "opencv2/core.hpp"
+#include "opencv2/rsackermann/camera.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -58,6 +58,18 @@ public:
     @param kind one of #DepthKind.
      */
     CV_WRAP explicit DepthMap(const Mat& values, int camera = DEPTH_RAW, double scale = 1, int kind = DEPTH_METRIC);
+
+    /** @brief A depth that is known where there are points: of a lidar, or of structure from motion.
+
+    One pixel in a hundred is nearly as good as all of them: between points the planes count, shifted towards what is
+    known around. Throws cv::Exception if the points are of another type or the camera is invalid.
+    @param points metres in the frame of the global-shutter camera, at the instant of its reference row (x to the right,
+    y down, z along the optical axis): N x 3 matrix, or N x 1 or 1 x N with three channels, CV_32F or CV_64F. The
+    nearest point of a pixel counts; one that isn't finite, in front of the camera and in its image doesn't.
+    @param camera whose matrix and image size are those of the global-shutter camera.
+    @return a metric depth of #DEPTH_CORRECTED, CV_32F; 0 where there is no point.
+     */
+    CV_WRAP static DepthMap fromPoints(InputArray points, const RollingShutterCamera& camera);
 
     //! Whether there are no values.
     CV_WRAP bool empty() const;

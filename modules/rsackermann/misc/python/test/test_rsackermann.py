@@ -249,6 +249,9 @@ class rsackermann_test(NewOpenCVTests):
         columns, rows, _ = generator.initRectifyMap(motion, depth=own)
         for point, place in zip(points.astype(int), raw):
             np.testing.assert_allclose((columns[point[1], point[0]], rows[point[1], point[0]]), place, atol=1e-3)
+        cloud = cv.rsackermann.DepthMap.fromPoints(np.array([[0., 0, 7], [0, 0, 5], [0, 0, -1]]), camera)
+        self.assertEqual((cloud.camera, cloud.values.shape, np.count_nonzero(cloud.values), cloud.values.max()),
+                         (cv.rsackermann.DEPTH_CORRECTED, metres.shape, 1, 5))
         for bad in [metres[1:], metres.astype(np.float64)]:
             with self.assertRaisesRegex(cv.error, 'depth.values'):
                 generator.initDistortMap(motion, depth=cv.rsackermann.DepthMap(bad))

@@ -15,6 +15,33 @@ DepthMap::DepthMap(const Mat& values_, int camera_, double scale_, int kind_)
 {
 }
 
+DepthMap DepthMap::fromPoints(InputArray points_, const RollingShutterCamera& camera)
+{
+    camera.check();
+    const Mat points = matrixOf(points_, "points");
+    const int count = points.empty() ? 0 : points.dims > 2 ? -1 : points.checkVector(3, -1, false);
+    if (count < 0 || (count > 0 && points.depth() != CV_32F && points.depth() != CV_64F))
+        CV_Error(Error::StsBadArg, format("points is a %d x %d matrix of %d dimensions and type %s; N x 3, or N x 1 "
+                                          "with three channels, CV_32F or CV_64F is expected",
+                                          points.rows, points.cols, points.dims, typeToString(points.type()).c_str()));
+    const Rect2d image(Point2d(), Size2d(camera.imageSize));
+    Mat1f values(camera.imageSize, 0.f);
+    Mat places;
+    points.convertTo(places, CV_64F);
+    places = places.reshape(3, count);
+    for (int i = 0; i < count; i++)
+    {
+        const Vec3d& place = places.at<Vec3d>(i);
+        const Vec3d ray = camera.cameraMatrix * (place / place[2]);
+        const Point2d pixel(ray[0] + 0.5, ray[1] + 0.5); // from the corner of its first pixel; or not finite
+        if (!(place[2] > 0 && place[2] <= FLT_MAX && image.contains(pixel)))
+            continue;
+        float& value = values(Point(int(pixel.x), int(pixel.y)));
+        value = value > 0 ? std::min(value, float(place[2])) : float(place[2]);
+    }
+    return DepthMap(values, DEPTH_CORRECTED);
+}
+
 bool DepthMap::empty() const
 {
     return values.empty();

@@ -12,21 +12,35 @@
 
 namespace cv { namespace rsackermann {
 
-// A grid of pixels of the image that a depth belongs to.
-static std::vector<Point> gridOf(const Size& size)
+// The first known pixel in each cell of a grid, and its inverse depth in 1/m.
+static void findKnown(const DepthMap& depth, std::vector<Point2d>& pixels, std::vector<float>& inverseDepths)
 {
-    const int across = 32, down = 24;
-    std::vector<Point> pixels;
-    for (int i = 0; i < down; i++)
-        for (int j = 0; j < across; j++)
-            pixels.push_back(Point((2 * j + 1) * size.width / (2 * across), (2 * i + 1) * size.height / (2 * down)));
-    return pixels;
+    const int across = 32, down = 24, width = depth.values.cols, height = depth.values.rows;
+    const GivenDepths given(depth, 0);
+    std::vector<float> row(width);
+    for (int cell = 0; cell < across * down; cell++)
+    {
+        const int i = cell / across, j = cell % across;
+        const Range columns(j * width / across, (j + 1) * width / across);
+        bool isFound = false;
+        for (int y = i * height / down; y < (i + 1) * height / down && !isFound; y++)
+        {
+            given.read(Point(columns.start, y), columns.size(), row.data());
+            const auto end = row.begin() + columns.size(),
+                       known = std::find_if(row.begin(), end, [](float inverse) { return inverse > 0; });
+            isFound = known != end;
+            if (isFound)
+            {
+                pixels.push_back(Point2d(double(columns.start + (known - row.begin())), y));
+                inverseDepths.push_back(*known);
+            }
+        }
+    }
 }
 
 static std::vector<Point2d> raysOf(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
-                                   const DepthMap& depth, const std::vector<Point>& grid)
+                                   const DepthMap& depth, const std::vector<Point2d>& pixels)
 {
-    const std::vector<Point2d> pixels(grid.begin(), grid.end());
     std::vector<Point2d> rays;
     if (depth.camera == DEPTH_RAW)
         undistortedRays(camera, pixels, rays);
@@ -52,17 +66,16 @@ bool isInAnotherUnit(const RollingShutterCamera& camera, const WarpMapGenerator:
     const double way = wayPerUnitTime(camera, motion);
     const Matx33d up = motion.uprightRotation(camera);
     const Scene scene(motion);
-    const GivenDepths given(depth, 0);
-    const std::vector<Point> grid = gridOf(depth.values.size());
-    const std::vector<Point2d> rays = raysOf(camera, params, depth, grid);
+    std::vector<Point2d> pixels;
+    std::vector<float> inverseDepths;
+    findKnown(depth, pixels, inverseDepths);
+    const std::vector<Point2d> rays = raysOf(camera, params, depth, pixels);
     std::vector<double> ratios; // of the given inverse depths to those of the planes
-    for (size_t i = 0; i < grid.size(); i++)
+    for (size_t i = 0; i < rays.size(); i++)
     {
-        float inverse;
-        given.read(grid[i], 1, &inverse);
         const double plane = scene.inverseDepth(up * Vec3d(rays[i].x, rays[i].y, 1));
-        if (inverse > 0 && plane * scene.direction > 0)
-            ratios.push_back(inverse * way / plane);
+        if (plane * scene.direction > 0)
+            ratios.push_back(inverseDepths[i] * way / plane);
     }
     if (ratios.empty())
         return false;
