@@ -1,6 +1,6 @@
 #!/bin/bash
-# Makes the pictures of the README, of theory.md and of the tutorials; needs gnuplot and graphviz. (Those of the results
-# are made by perf/experiments.)
+# Makes the pictures of the README, of theory.md and of the tutorials; needs gnuplot, graphviz and OpenCV's package for
+# Python. (Those of the results are made by perf/experiments.)
 # usage: make_images.sh BUILD_DIRECTORY, built with -DBUILD_PERF_TESTS=ON
 set -euo pipefail
 
@@ -38,6 +38,19 @@ uneven=$work/uneven
     --overlay="$uneven/overlay.png"
 "$programs/rsackermann_evaluate" --truth="$uneven/truth.json" --maps="$uneven/maps.yml" --report="$uneven/report.jsonl"
 gnuplot -c "$images/uneven_street.gp" "$uneven" "$images/../../modules/rsackermann/tutorials/correct_frame/images"
+
+# The tutorial on lidars: a camera that looks to the side.
+lidar=$work/lidar
+"$programs/rsackermann_simulate" --output="$lidar" --size=640x400 --focal=400 --readout=0.033 --speed=40 --yaw_rate=10 \
+    --heading=70 --left=7 --right=8 --stagger=1.5 --obstacles=20 --seed=5 --depth
+"$images/lidar_points.py" "$lidar"
+"$programs/rsackermann_correct" "$lidar/rolling.png" --camera="$lidar/camera.yml" --speed=40 --yaw_rate=10 \
+    --report="$lidar/report.jsonl"
+"$programs/rsackermann_export" --report="$lidar/report.jsonl" --camera="$lidar/camera.yml" --points="$lidar/cloud.csv" \
+    --points_output="$lidar/places.csv"
+"$images/lidar_points.py" "$lidar" --errors
+gnuplot -c "$images/lidar_points.gp" "$lidar" \
+    "$images/../../modules/rsackermann/tutorials/lidar_points/images/lidar_points.jpg"
 
 # The tutorial on one's own camera: streets with unknown roll, with a read-out of 25 ms, at 50 km/h and 15 deg/s.
 tilted=$work/tilted
