@@ -9,6 +9,7 @@
 
 #include "opencv2/imgcodecs.hpp"
 #include <cstdio>
+#include <memory>
 
 using namespace cv::rsackermann;
 using namespace experiments;
@@ -18,8 +19,9 @@ namespace {
 
 const char* const ABOUT =
     "Renders a drive (straight, a bend to and fro, a stop, a wall that ends, roll of the suspension) and measures what\n"
-    "the correction leaves, frame by frame alone and as a drive, against the true correspondence; and how much the\n"
-    "correction flickers. With --shake also by how much shaking alone moves the rows, and what is left with a gyro.\n"
+    "the correction leaves, frame by frame alone, as a drive, and with the next frame, against the true correspondence;\n"
+    "and how much the correction flickers. With --shake also by how much shaking alone moves the rows, and what is left with a gyro, as\n"
+    "well.\n"
     "usage: rsackermann_experiment_rendered_drive [--option=value]...\n";
 
 const char* const KEYS = "{help       |        | print this message}"
@@ -69,6 +71,22 @@ double displacementByShaking(const street::StreetRenderer& renderer, street::Str
         }
     return sum / std::max(count, 1);
 }
+
+// A frame of a drive, with what is true of it.
+struct Shot
+{
+    explicit Shot(street::RenderedDrive& drive)
+        : renderer(drive.next()), image(renderer.rollingShutter(2)), seconds(drive.seconds()), speed(drive.speed()),
+          yawRate(street::turnRates(drive.camera(), drive.yawRate())[1]),
+          shaken(displacementByShaking(renderer, drive.camera(), drive.street()))
+    {
+    }
+
+    street::StreetRenderer renderer;
+    cv::Mat image;
+    double seconds, speed, yawRate; // m/s, rad/s
+    double shaken;                  // pixels
+};
 
 // Adds what maps leave at the points of a grid.
 void measure(const street::StreetRenderer& renderer, const cv::Mat maps[2], Series& series)
@@ -163,41 +181,45 @@ int run(const Options& options)
     std::vector<cv::Ptr<RollingShutterCorrector>> correctors = {RollingShutterCorrector::create(camera, params)};
     params.sequence = true;
     correctors.push_back(RollingShutterCorrector::create(camera, params));
+    correctors.push_back(RollingShutterCorrector::create(camera, params));
     if (eye.shake.kind() != street::Shake::NONE)
     {
         correctors.push_back(RollingShutterCorrector::create(camera, params));
         addGyro(options, drive, frames / street::RenderedDrive::framesPerSecond(), *correctors.back());
     }
-    const char* const names[] = {"alone", "carried", "gyro"};
+    enum { ALONE, CARRIED, SMOOTH };
+    const char* const names[] = {"alone", "carried", "smooth", "gyro"};
     std::vector<Series> series(correctors.size());
     std::vector<double> shaken; // pixels
+    std::unique_ptr<Shot> next(new Shot(drive));
     for (int i = 0; i < frames; i++)
     {
-        const street::StreetRenderer renderer = drive.next();
-        const cv::Mat image = renderer.rollingShutter(2);
+        const std::unique_ptr<Shot> shot = std::move(next);
+        next.reset(i + 1 < frames ? new Shot(drive) : nullptr);
         if (options.given("save"))
-            cv::imwrite(options.text("save") + cv::format("/%03d.jpg", i), image);
-        const double trueYawRate = street::turnRates(drive.camera(), drive.yawRate())[1];
-        shaken.push_back(displacementByShaking(renderer, drive.camera(), drive.street()));
+            cv::imwrite(options.text("save") + cv::format("/%03d.jpg", i), shot->image);
+        shaken.push_back(shot->shaken);
         cv::Mat corrected, maps[2];
         for (size_t k = 0; k < correctors.size(); k++)
         {
-            if (k > 0)
-                correctors[k]->setTimestamp(drive.seconds());
-            const AckermannMotion motion = correctors[k]->correct(image, corrected);
+            if (k != ALONE)
+                correctors[k]->setTimestamp(shot->seconds);
+            if (k == SMOOTH && next)
+                correctors[k]->setNextFrame(next->image, next->seconds);
+            const AckermannMotion motion = correctors[k]->correct(shot->image, corrected);
             correctors[k]->getMaps(maps[0], maps[1]);
-            measure(renderer, maps, series[k]);
+            measure(shot->renderer, maps, series[k]);
             double yawRate = 0;
             if (motion.status == MOTION_OK && motion.yawRate(camera, yawRate))
             {
                 const double sigma = std::sqrt(motion.metricCovariance(camera)(0, 0));
-                series[k].yawRate.push_back(std::abs(yawRate - trueYawRate) / DEGREE);
-                series[k].within3 += std::abs(yawRate - trueYawRate) <= 3 * sigma;
+                series[k].yawRate.push_back(std::abs(yawRate - shot->yawRate) / DEGREE);
+                series[k].within3 += std::abs(yawRate - shot->yawRate) <= 3 * sigma;
             }
             if (!quiet)
                 std::printf(
                     "%3d %-7s speed %5.1f yaw rate %6.2f found %6.2f status %d raw %.3f left %.3f expected %.3f %.3f\n",
-                    i, names[k], drive.speed(), trueYawRate / DEGREE, yawRate / DEGREE, motion.status,
+                    i, names[k], shot->speed, shot->yawRate / DEGREE, yawRate / DEGREE, motion.status,
                     series[k].raw.back(), series[k].left.back(), motion.expectedRaw, motion.expectedResidual);
         }
     }
