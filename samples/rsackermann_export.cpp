@@ -34,7 +34,7 @@ const char* const KEYS =
     "{report        |       | report of rsackermann_correct}"
     "{motion        |       | instead of a report: file of cv::FileStorage with an AckermannMotion}"
     "{size          |       | WIDTHxHEIGHT of the images in pixels, if neither the camera file nor the report has it}"
-    "{row_poses     |       | JSON file: poses of the first and the last line of each frame}"
+    "{row_poses     |       | JSON file: poses of the first and the last line of each frame, and of lines between that shake}"
     "{colmap        |       | folder: cameras.txt and masks of the corrected images}"
     "{stmap         |       | folder: an STMap for each frame and direction, NAME.rectify and NAME.distort}"
     "{stmap_format  | png   | png (16 bits) or exr}"

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "row_poses.hpp"
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,8 @@ using namespace cv::rsackermann;
 namespace {
 
 typedef nlohmann::ordered_json Json;
+
+const double LARGEST_BEND = 0.01; // pixels by which lines may turn beyond what is interpolated between two poses
 
 // Names of gsplat's RollingShutterType and of 3DGUT's ShutterType, in the order of ScanDirection.
 const char* const SHUTTERS[] = {"ROLLING_TOP_TO_BOTTOM", "ROLLING_BOTTOM_TO_TOP", "ROLLING_LEFT_TO_RIGHT",
@@ -37,6 +40,11 @@ LengthUnit lengthUnit(const RollingShutterCamera& camera, const AckermannMotion&
     return {"camera_height", road};
 }
 
+double timeOf(const RollingShutterCamera& camera, double line)
+{
+    return camera.rowTime(cv::Point2d(line, line));
+}
+
 // The 4 x 4 matrix from the world, the camera frame at the reference line, to the camera frame at a row time.
 Json viewMatrix(const RollingShutterCamera& camera, const AckermannMotion& motion, double time, double scale)
 {
@@ -51,6 +59,33 @@ Json viewMatrix(const RollingShutterCamera& camera, const AckermannMotion& motio
     return rows;
 }
 
+// Pixels by which the line in the middle of two others is turned beyond their mean.
+double bendBetween(const RollingShutterCamera& camera, const AckermannMotion& motion, double from, double to)
+{
+    cv::Matx33d R[3];
+    cv::Vec3d T;
+    for (int i = 0; i < 3; i++)
+        motion.pose(camera, timeOf(camera, from + (to - from) * i / 2), R[i], T);
+    const cv::Matx33d beyond = R[1] - (R[0] + R[2]) * 0.5;
+    return cv::norm(beyond) / std::sqrt(2.) * std::max(camera.cameraMatrix(0, 0), camera.cameraMatrix(1, 1));
+}
+
+// Into how many equal parts a curve of rotations divides the read-out until they are straight: its knots to begin with.
+int straightParts(const RollingShutterCamera& camera, const AckermannMotion& motion, int first, int last)
+{
+    int parts = motion.rotationCurve.rows - 1;
+    for (; parts < std::abs(last - first); parts *= 2)
+    {
+        const double step = double(last - first) / parts;
+        double bend = 0;
+        for (int i = 0; i < parts; i++)
+            bend = std::max(bend, bendBetween(camera, motion, first + i * step, first + (i + 1) * step));
+        if (bend <= LARGEST_BEND)
+            break;
+    }
+    return parts;
+}
+
 } // namespace
 
 std::string rowPosesText(const RollingShutterCamera& camera, const std::vector<MotionFrame>& frames)
@@ -58,8 +93,6 @@ std::string rowPosesText(const RollingShutterCamera& camera, const std::vector<M
     const bool upwards = camera.scanDirection == SCAN_BOTTOM_TO_TOP || camera.scanDirection == SCAN_RIGHT_TO_LEFT;
     const int lines = camera.isRowShutter() ? camera.imageSize.height : camera.imageSize.width;
     const int first = upwards ? lines - 1 : 0, last = upwards ? 0 : lines - 1;
-    const double startTime = camera.rowTime(cv::Point2d(first, first)),
-                 endTime = camera.rowTime(cv::Point2d(last, last));
 
     Json json;
     json["width"] = camera.imageSize.width;
@@ -81,8 +114,15 @@ std::string rowPosesText(const RollingShutterCamera& camera, const std::vector<M
         frame["file"] = names[i];
         frame["moves"] = f.motion.status == MOTION_OK;
         frame["unit"] = unit.name;
-        frame["viewmat_start"] = viewMatrix(own, motion, startTime, unit.perUnit);
-        frame["viewmat_end"] = viewMatrix(own, motion, endTime, unit.perUnit);
+        frame["viewmat_start"] = viewMatrix(own, motion, timeOf(own, first), unit.perUnit);
+        frame["viewmat_end"] = viewMatrix(own, motion, timeOf(own, last), unit.perUnit);
+        const int parts = motion.rotationCurve.empty() ? 0 : straightParts(own, motion, first, last);
+        for (int k = 0; parts > 0 && k <= parts; k++)
+        {
+            const double line = first + double(last - first) * k / parts;
+            frame["viewmats"].push_back(
+                {{"line", line}, {"viewmat", viewMatrix(own, motion, timeOf(own, line), unit.perUnit)}});
+        }
         json["frames"].push_back(frame);
     }
     // A file's name needn't be valid UTF-8.

@@ -9,7 +9,8 @@
 
 namespace rsackermann_samples {
 
-//! Poses of the first and the last line of each frame as JSON; see doc/exports.md.
+//! Poses of the first and the last line of each frame as JSON, and of as many between as a curve of rotations needs;
+//! see doc/exports.md.
 std::string rowPosesText(const cv::rsackermann::RollingShutterCamera& camera, const std::vector<MotionFrame>& frames);
 
 } // namespace rsackermann_samples

@@ -124,6 +124,7 @@ TEST_F(Export, row_poses_are_the_views_at_the_first_and_the_last_line)
     EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
     EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
     EXPECT_GT(cv::norm(poseOf(frame["viewmat_end"]) - poseOf(frame["viewmat_start"])), 0.1);
+    EXPECT_FALSE(frame.contains("viewmats")); // one straight way
 }
 
 TEST_F(Export, row_poses_on_a_road_without_walls)
@@ -163,6 +164,56 @@ TEST_F(Export, row_poses_of_each_shutter)
         const json& frame = poses["frames"][0];
         EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, first)), 1e-9);
         EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, first + last)), 1e-9);
+    }
+}
+
+// An engine turns rows to and fro while they are read: each line is where it truly is between two of the poses.
+TEST_F(Export, row_poses_of_rows_that_shake)
+{
+    const double amplitude = 0.003; // radians about the x axis: 2.4 pixels
+    const auto angleAt = [&](double line) { return amplitude * std::sin(3 * CV_PI * line / (size().height - 1)); };
+    cv::rsackermann::AckermannMotion motion = rsackermann_samples::libraryMotion(truth.camera, truth.scene);
+    motion.rotationCurve = cv::Mat::zeros(17, 3, CV_64F);
+    for (int i = 0; i < 17; i++)
+        motion.rotationCurve.at<double>(i, 0) = angleAt((size().height - 1) * i / 16.);
+    {
+        cv::FileStorage fs(folder / "motion.yml", cv::FileStorage::WRITE);
+        motion.write(fs);
+    }
+    for (const bool isBackward : {false, true})
+    {
+        SCOPED_TRACE(isBackward);
+        write({"--row_poses=" + (folder / "poses.json"),
+               std::string("--scan=") + (isBackward ? "bottom_to_top" : "top_to_bottom")});
+        const json poses = json::parse(contentOf(folder / "poses.json")), frame = poses["frames"][0],
+                   views = frame["viewmats"];
+        ASSERT_GE(views.size(), 17u);
+        EXPECT_LE(views.size(), 65u);
+        EXPECT_EQ(poses["start_line"], views.front()["line"]);
+        EXPECT_EQ(frame["viewmat_start"], views.front()["viewmat"]);
+        EXPECT_EQ(poses["end_line"], views.back()["line"]);
+        EXPECT_EQ(frame["viewmat_end"], views.back()["viewmat"]);
+        const double first = views.front()["line"], step = views[1]["line"].get<double>() - first;
+        double largest = 0;
+        for (int line = 0; line < size().height; line++)
+        {
+            const double place = (line - first) / step;
+            const size_t i = std::min(size_t(place), views.size() - 2);
+            const Pose between =
+                poseOf(views[i]["viewmat"]) * (1 - (place - i)) + poseOf(views[i + 1]["viewmat"]) * (place - i);
+            const double sign = isBackward ? -1 : 1, reference = poses["reference_line"];
+            const double c = std::cos(angleAt(line)), s = std::sin(angleAt(line));
+            const cv::Matx33d turn(1, 0, 0, 0, c, s, 0, -s, c);
+            const Pose steady = viewAt(truth, truth.camera.reference + sign * (line - reference));
+            for (const cv::Vec4d& point : {cv::Vec4d(-2, -1, 5, 1), cv::Vec4d(0, 1, 7, 1), cv::Vec4d(2, 0, 5, 1)})
+            {
+                const cv::Vec4d got = between * point, level = steady * point;
+                const cv::Vec3d exact = turn * cv::Vec3d(level[0], level[1], level[2]);
+                largest = std::max(largest, truth.camera.fx * std::hypot(got[0] / got[2] - exact[0] / exact[2],
+                                                                         got[1] / got[2] - exact[1] / exact[2]));
+            }
+        }
+        EXPECT_LT(largest, 0.05);
     }
 }
 
