@@ -20,6 +20,7 @@ namespace {
 const double FASTEST = 1e3;    // rad/s, as the library accepts
 const double LATEST = 1e12;    // seconds
 const double GAP = 0.1;        // seconds without a sample
+const double RAREST = 0.5;     // seconds between samples; more of them are milliseconds or microseconds
 const double FULL_SCALE = 100; // deg/s, which the smallest range of usual gyros exceeds
 const int SATURATED = 3;       // samples in a row that have the largest value of all
 const char* const GCSV_TITLES[] = {"GYROFLOW IMU LOG", "CAMERA IMU LOG"};
@@ -28,7 +29,6 @@ struct Samples
 {
     std::vector<double> times;
     std::vector<cv::Vec3d> rates;
-    std::vector<int> lines;
 };
 
 std::string placeOf(const CsvTable& table, size_t row, const std::string& column, const std::string& path)
@@ -46,10 +46,52 @@ size_t columnOf(const CsvTable& table, const std::string& name, const std::strin
     return column;
 }
 
-/** Numbers of a time and three rates.
+// The largest rate again and again is the end of the gyro's range.
+void warnOfSaturation(const CsvTable& table, const Samples& samples, const std::string (&names)[4],
+                      const std::string& path, const std::string& program)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        double largest = FULL_SCALE * DEGREE;
+        for (const cv::Vec3d& rate : samples.rates)
+            largest = std::max(largest, std::abs(rate[k]));
+        int repeated = 0;
+        for (size_t i = 0; i < samples.rates.size() && repeated < SATURATED; i++)
+        {
+            repeated = std::abs(samples.rates[i][k]) == largest ? repeated + 1 : 0;
+            if (repeated == SATURATED)
+                std::cerr << program << ": " << placeOf(table, i, names[k + 1], path)
+                          << cv::format(": the gyro saturates at %g deg/s", largest / DEGREE) << std::endl;
+        }
+    }
+}
+
+void warnOfGaps(const CsvTable& table, const Samples& samples, const std::string& timeName, const std::string& path,
+                const std::string& program)
+{
+    size_t gaps = 0, first = 0;
+    double shortest = samples.times[1] - samples.times[0];
+    for (size_t i = 1; i < samples.times.size(); i++)
+    {
+        const double interval = samples.times[i] - samples.times[i - 1];
+        shortest = std::min(shortest, interval);
+        if (interval > GAP && gaps++ == 0)
+            first = i;
+    }
+    if (gaps == 0)
+        return;
+    const std::string warning =
+        shortest > RAREST
+            ? cv::format("no sample is less than %g s after the one before: times seem not to be in seconds", shortest)
+            : cv::format("%g s without a sample; frames in such gaps (%d) do without the gyro",
+                         samples.times[first] - samples.times[first - 1], int(gaps));
+    std::cerr << program << ": " << placeOf(table, first, timeName, path) << ": " << warning << std::endl;
+}
+
+/** Numbers of a time and three rates, with warnings of what is doubtful about them.
 @param names of the columns. @param scales seconds and rad/s of their units. */
 Samples readSamples(const CsvTable& table, const std::string (&names)[4], const double (&scales)[4],
-                    const std::string& path)
+                    const std::string& path, const std::string& program)
 {
     size_t columns[4];
     for (int k = 0; k < 4; k++)
@@ -71,45 +113,12 @@ Samples readSamples(const CsvTable& table, const std::string (&names)[4], const 
             throw UsageError(placeOf(table, i, names[0], path) + ": times must increase");
         samples.times.push_back(values[0]);
         samples.rates.push_back(cv::Vec3d(values[1], values[2], values[3]));
-        samples.lines.push_back(table.lines[i]);
     }
     if (samples.times.size() < 2)
         throw UsageError(path + ": there are fewer than two samples");
+    warnOfSaturation(table, samples, names, path, program);
+    warnOfGaps(table, samples, names[0], path, program);
     return samples;
-}
-
-// The largest rate again and again is the end of the gyro's range.
-void warnOfSaturation(const Samples& samples, const std::string& where)
-{
-    for (int k = 0; k < 3; k++)
-    {
-        double largest = FULL_SCALE * DEGREE;
-        for (const cv::Vec3d& rate : samples.rates)
-            largest = std::max(largest, std::abs(rate[k]));
-        int repeated = 0;
-        for (size_t i = 0; i < samples.rates.size(); i++)
-        {
-            repeated = std::abs(samples.rates[i][k]) == largest ? repeated + 1 : 0;
-            if (repeated < SATURATED)
-                continue;
-            std::cerr << where << ": line " << samples.lines[i] << ": the gyro saturates at "
-                      << cv::format("%g", largest / DEGREE) << " deg/s" << std::endl;
-            return;
-        }
-    }
-}
-
-void warnOfGaps(const Samples& samples, const std::string& where)
-{
-    size_t gaps = 0, first = 0;
-    for (size_t i = 1; i < samples.times.size(); i++)
-        if (samples.times[i] - samples.times[i - 1] > GAP && gaps++ == 0)
-            first = i;
-    if (gaps > 0)
-        std::cerr << where << ": line " << samples.lines[first]
-                  << cv::format(": %g s without a sample; frames in such gaps (%d) do without the gyro",
-                                samples.times[first] - samples.times[first - 1], int(gaps))
-                  << std::endl;
 }
 
 /** Gyroflow's axes, after its orientation string: x to the right, y up and z towards the viewer. A capital letter names
@@ -138,7 +147,7 @@ bool isGcsv(const std::vector<std::string>& header)
     return header.size() == 1 && (header[0] == GCSV_TITLES[0] || header[0] == GCSV_TITLES[1]);
 }
 
-Samples readGcsv(const CsvTable& whole, const std::string& path)
+Samples readGcsv(const CsvTable& whole, const std::string& path, const std::string& program)
 {
     double scales[4] = {1, 1, 1, 1};
     cv::Matx33d axes = axesOf("XYZ", path);
@@ -173,13 +182,13 @@ Samples readGcsv(const CsvTable& whole, const std::string& path)
     if (table.header.empty())
         throw UsageError(path + ": there is no line that begins with 't,'");
     const std::string names[4] = {"t", "gx", "gy", "gz"};
-    Samples samples = readSamples(table, names, scales, path);
+    Samples samples = readSamples(table, names, scales, path, program);
     for (cv::Vec3d& rate : samples.rates)
         rate = axes * rate;
     return samples;
 }
 
-Samples readColumns(const CsvTable& table, const std::string& path)
+Samples readColumns(const CsvTable& table, const std::string& path, const std::string& program)
 {
     // In the order of the camera's axes.
     const std::string names[4] = {"time_s", "pitch_rate_deg_s", "yaw_rate_deg_s", "roll_rate_deg_s"};
@@ -189,7 +198,7 @@ Samples readColumns(const CsvTable& table, const std::string& path)
             throw UsageError(cv::format("column %d of %s: '%s' is none of time_s, yaw_rate_deg_s, pitch_rate_deg_s, "
                                         "roll_rate_deg_s",
                                         int(i + 1), path.c_str(), table.header[i].c_str()));
-    Samples samples = readSamples(table, names, scales, path);
+    Samples samples = readSamples(table, names, scales, path, program);
     for (cv::Vec3d& rate : samples.rates)
         rate[0] = -rate[0]; // looking down is a turn against the x axis
     return samples;
@@ -218,10 +227,7 @@ GyroRecording readGyroOptions(const Options& options, const std::string& program
 GyroRecording readGyro(const std::string& path, const std::string& program)
 {
     const CsvTable table = readCsv(path, isGcsv);
-    const Samples samples = isGcsv(table.header) ? readGcsv(table, path) : readColumns(table, path);
-    const std::string where = program + ": " + path;
-    warnOfSaturation(samples, where);
-    warnOfGaps(samples, where);
+    const Samples samples = isGcsv(table.header) ? readGcsv(table, path, program) : readColumns(table, path, program);
     GyroRecording recording;
     recording.times = cv::Mat(samples.times, true);
     recording.rates = cv::Mat(samples.rates, true).reshape(1);

@@ -24,7 +24,8 @@ struct GyroRecording
 /** Reads a CSV file with the columns time_s, yaw_rate_deg_s (positive to the right), pitch_rate_deg_s (down) and
 roll_rate_deg_s (clockwise), or a log of Gyroflow (.gcsv), known by its first line.
 
-Throws UsageError with line and column for whatever isn't understood, and warns of samples that saturate and of gaps.
+Throws UsageError with line and column for whatever isn't understood, and warns with them of samples that saturate, of
+gaps and of times that seem not to be in seconds.
 @param program name in front of warnings. */
 GyroRecording readGyro(const std::string& path, const std::string& program);
 

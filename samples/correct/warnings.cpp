@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "warnings.hpp"
+#include "units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,16 +69,42 @@ void Warnings::addReference(const FrameReport& frame)
                        camera.referenceRow, last));
 }
 
+// How fast frames turn that do without the gyro, by their points and by it.
+void Warnings::compareGyro(const FrameReport& frame)
+{
+    const cv::rsackermann::AckermannMotion& motion = frame.motion;
+    const double *const first = job_.gyro.times.ptr<double>(0), *const end = first + job_.gyro.times.rows,
+                        *const after = std::lower_bound(first, end, frame.time);
+    double yawRate;
+    if (motion.status != cv::rsackermann::MOTION_OK || !motion.rotationCurve.empty() || std::isnan(frame.time) ||
+        after == end || !motion.yawRate(frame.camera, yawRate))
+        return;
+    const double unit = frame.camera.secondsPerUnitTime();
+    squaresOfPoints_ +=
+        std::pow(yawRate, 2) + std::pow(motion.pitchRate / unit, 2) + std::pow(motion.rollRate / unit, 2);
+    squaresOfGyro_ += cv::norm(job_.gyro.rates.row(int(after - first)), cv::NORM_L2SQR);
+}
+
+// The likely reason if it contradicts the images.
+std::string Warnings::doubtOfGyro() const
+{
+    const double power = std::log(squaresOfGyro_ / squaresOfPoints_) / 2 / std::log(1 / DEGREE);
+    if (std::abs(power) > 0.5 && std::abs(power) < 1.5)
+        return power > 0 ? "its rates seem to be degrees that are read as radians"
+                         : "its rates seem to be radians that are read as degrees";
+    return "its axes or clock may be others";
+}
+
 void Warnings::addGyro(const FrameReport& frame)
 {
     const cv::Mat& times = job_.gyro.times;
     if (times.empty())
         return;
+    compareGyro(frame);
     if (!job_.params.sequence && std::isnan(frame.time))
         warnOnce("--gyro has no effect on images without a time: give --log with the column time_s");
     else if (frame.isGyroWrong)
-        warnOnce("the images contradict the gyro, which isn't used where they do: its unit, axes or clock may be "
-                 "others");
+        warnOnce("the images contradict the gyro, which isn't used where they do: " + doubtOfGyro());
     else if (frame.motion.rotationCurve.empty() &&
              (frame.time < *times.ptr<double>(0) || frame.time > *times.ptr<double>(times.rows - 1)))
         warnOnce(

@@ -26,6 +26,8 @@ private:
     void addContradiction(const std::string& input, const std::vector<FrameReport>& frames);
     void addTimes(const std::string& input, const std::vector<FrameReport>& frames);
     void addReference(const FrameReport& frame);
+    void compareGyro(const FrameReport& frame);
+    std::string doubtOfGyro() const;
     void addGyro(const FrameReport& frame);
     void addDepth(const FrameReport& frame);
     void warn(const std::string& message);
@@ -34,6 +36,7 @@ private:
     const Job& job_;
     Progress& progress_;
     bool hasContradiction_ = false, hasGap_ = false;
+    double squaresOfPoints_ = 0, squaresOfGyro_ = 0;             // of the rates of frames, rad/s
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence
     std::set<std::string> given_;                                // warnings that hold for all inputs
 };

@@ -117,19 +117,46 @@ TEST_F(CorrectGyro, image_without_time)
     EXPECT_NE(std::string::npos, outcome.messages.find("--gyro has no effect on images without a time"));
 }
 
-// Gaps and saturated samples are reported with their line; a frame in a gap does without the gyro.
+// Gaps and saturated samples are reported with their line and column; a frame in a gap does without the gyro.
 TEST_F(CorrectGyro, warnings)
 {
     Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n0.9,1,2,3\n1.2,1,2,3\n");
     EXPECT_EQ(0, outcome.exitCode);
-    EXPECT_NE(std::string::npos, outcome.messages.find("line 3: 0.9 s without a sample")) << outcome.messages;
+    EXPECT_NE(std::string::npos,
+              outcome.messages.find("line 3 of " + (folder_ / "a.csv") + ", column time_s: 0.9 s without a sample"))
+        << outcome.messages;
     EXPECT_EQ(std::string::npos, outcome.output.find("\"ok\""));
-    outcome = run("a.csv", std::string(HEADER) + "0,1,250,3\n0.01,1,250,3\n0.02,1,250,3\n0.03,1,2,3\n");
+    outcome = run("a.csv", std::string(HEADER) + "0,1,250,300\n0.01,1,250,300\n0.02,1,250,300\n0.03,1,2,300\n");
     EXPECT_EQ(0, outcome.exitCode);
-    EXPECT_NE(std::string::npos, outcome.messages.find("line 4: the gyro saturates at 250 deg/s")) << outcome.messages;
+    for (const char* warning : {"column pitch_rate_deg_s: the gyro saturates at 250 deg/s",
+                                "column roll_rate_deg_s: the gyro saturates at 300 deg/s"})
+    {
+        EXPECT_NE(std::string::npos, outcome.messages.find("line 4 of " + (folder_ / "a.csv") + ", " + warning))
+            << outcome.messages;
+        EXPECT_EQ(outcome.messages.find(warning), outcome.messages.rfind(warning)) << outcome.messages; // once
+    }
     outcome = correct({folder_ / "dark.png", "--focal=500", "--report=-", "--gyro=" + (folder_ / "a.csv")});
     EXPECT_EQ(0, outcome.exitCode);
     EXPECT_NE(std::string::npos, outcome.messages.find("--gyro has no effect without")) << outcome.messages;
+    // The columns of a log are those of its own axes.
+    outcome = run("a.gcsv", "GYROFLOW IMU LOG\norientation,zxY\ngscale,0.0174532925199433\nt,gx,gy,gz\n"
+                            "0,1,250,3\n0.01,1,250,3\n0.02,1,250,3\n");
+    EXPECT_NE(std::string::npos, outcome.messages.find("line 7 of " + (folder_ / "a.gcsv") + ", column gy: the gyro"))
+        << outcome.messages;
+}
+
+TEST_F(CorrectGyro, times_in_another_unit)
+{
+    const Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n5,1,2,3\n10.1,1,2,3\n"),
+                  log = run("a.gcsv", "GYROFLOW IMU LOG\nt,gx,gy,gz\n0,0,0,0\n5000,0,0,0\n");
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("column time_s: no sample is less than 5 s after the one "
+                                                       "before: times seem not to be in seconds\n"))
+        << outcome.messages;
+    EXPECT_EQ(std::string::npos, outcome.messages.find("without a sample")) << outcome.messages;
+    EXPECT_NE(std::string::npos, log.messages.find("column t: no sample is less than 5000 s after the one before: "
+                                                   "times seem not to be in seconds\n"))
+        << log.messages;
 }
 
 // Of a clock with another origin nothing belongs to the image.

@@ -315,4 +315,37 @@ TEST_F(GyroOfDrive, clock_is_found_before_the_first_frame)
 #endif
 }
 
+// What is wrong is said as far as the rates of the points show it.
+TEST_F(GyroOfDrive, contradiction_has_a_reason)
+{
+    const struct
+    {
+        double factor;
+        bool isTurned;
+        const char* reason;
+    } cases[] = {{180 / CV_PI, false, "degrees that are read as radians"},
+                 {CV_PI / 180, false, "radians that are read as degrees"},
+                 {1, true, "its axes or clock may be others"}};
+    for (const auto& c : cases)
+    {
+        std::string wrong;
+        for (const std::string& line : linesOf(folder / "drive/gyro.csv"))
+        {
+            double time = 0, a = 0, b = 0, r = 0;
+            if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &a, &b, &r) != 4)
+                wrong += line + "\n";
+            else
+                wrong += cv::format("%.6f,%.9g,%.9g,%.9g\n", time, c.factor * (c.isTurned ? -b : a),
+                                    c.factor * (c.isTurned ? r : b), c.factor * (c.isTurned ? a : r));
+        }
+        writeContent(folder / "wrong.csv", wrong);
+        const Outcome outcome = correct(drive + Arguments{"--carry", "--camera=" + (folder / "drive/camera.yml"),
+                                                          "--report=-", "--gyro=" + (folder / "wrong.csv")});
+        EXPECT_EQ(0, outcome.exitCode);
+        const size_t at = outcome.messages.find("the images contradict the gyro");
+        EXPECT_NE(std::string::npos, outcome.messages.find(c.reason, at)) << outcome.messages;
+        EXPECT_EQ(at, outcome.messages.rfind("the images contradict the gyro")) << outcome.messages;
+    }
+}
+
 }} // namespace
