@@ -188,7 +188,7 @@ int run(const Options& options)
         std::cerr
             << "rsackermann_calibrate: the images contradict the gyro, which isn't used: its unit, axes or clock may "
                "be another, or it doesn't cover the drive\n";
-    writeCameraFile(task.output, settingsOf(calibration, task.camera));
+    writeCameraFile(task.output, settingsOf(calibration, task.camera.forSize(calibration.camera.imageSize)));
     return failures ? 1 : 0;
 }
 

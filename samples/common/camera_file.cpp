@@ -251,7 +251,12 @@ void readCameraFile(const std::string& path, CameraSettings& settings)
         else
             readYaml(text, settings);
         // A camera of any size shows whether the values make sense.
-        settings.makeCamera(settings.size.area() > 0 ? settings.size : cv::Size(640, 480)).check();
+        CameraSettings own = settings;
+        own.compatible.clear();
+        own.makeCamera(own.size.area() > 0 ? own.size : cv::Size(640, 480)).check();
+        for (const CompatibleSetting& setting : settings.compatible)
+            if (setting.refusal.empty())
+                settings.with(setting).makeCamera(setting.size).check();
     }
     catch (const UsageError& e)
     {

@@ -6,6 +6,7 @@
 #include "camera_file.hpp"
 #include "units.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rsackermann_samples {
@@ -46,13 +47,62 @@ cv::Matx33d scaledIntrinsics(cv::Matx33d K, double widthFactor, double heightFac
     return K;
 }
 
+namespace {
+
+bool haveSameShape(const cv::Size& a, const cv::Size& b)
+{
+    // Sizes are rounded to whole pixels, often even ones.
+    return std::abs(double(a.width) * b.height / (double(a.height) * b.width) - 1) <= 0.02;
+}
+
+} // namespace
+
+bool CameraSettings::hasLineDelay() const
+{
+    const auto isKnown = [](const CompatibleSetting& setting) { return setting.readOut > 0; };
+    return lineDelay > 0 || readOut > 0 || std::any_of(compatible.begin(), compatible.end(), isKnown);
+}
+
+CameraSettings CameraSettings::with(const CompatibleSetting& setting) const
+{
+    CameraSettings own = *this;
+    own.compatible.clear();
+    own.size = setting.size;
+    own.K = setting.K;
+    own.lens = setting.lens;
+    own.readOut = setting.readOut;
+    return own;
+}
+
+CameraSettings CameraSettings::forSize(const cv::Size& imageSize) const
+{
+    std::vector<CompatibleSetting> all(1, CompatibleSetting{size, K, lens, readOut, ""});
+    all.insert(all.end(), compatible.begin(), compatible.end());
+    const auto isSame = [&](const CompatibleSetting& s) { return s.size == imageSize; };
+    const auto isSimilar = [&](const CompatibleSetting& s) { return isScaled && haveSameShape(imageSize, s.size); };
+    auto chosen = std::find_if(all.begin(), all.end(), isSame);
+    if (chosen == all.end())
+        chosen = std::find_if(all.begin(), all.end(), isSimilar);
+    if (chosen == all.end())
+        return with(all[0]);
+    if (!chosen->refusal.empty())
+        throw InputError(cv::format("the camera file can't be used for images of %d x %d pixels: %s", imageSize.width,
+                                    imageSize.height, chosen->refusal.c_str()));
+    for (const CompatibleSetting& other : all)
+        if (other.size == chosen->size && other.refusal.empty() && other.readOut != chosen->readOut)
+            throw InputError(cv::format("the camera file has several read-out times for images of %d x %d pixels, %g "
+                                        "and %g s, by the frame rate: give --readout",
+                                        imageSize.width, imageSize.height, chosen->readOut, other.readOut));
+    return with(*chosen);
+}
+
 RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
 {
+    if (!compatible.empty())
+        return forSize(imageSize).makeCamera(imageSize);
     const double widthFactor = size.empty() ? 1 : double(imageSize.width) / size.width,
                  heightFactor = size.empty() ? 1 : double(imageSize.height) / size.height;
-    // Sizes are rounded to whole pixels, often even ones.
-    const double sameShape = 0.02;
-    if (isScaled ? std::abs(widthFactor / heightFactor - 1) > sameShape : !size.empty() && size != imageSize)
+    if (isScaled ? !haveSameShape(imageSize, size) : !size.empty() && size != imageSize)
         throw InputError(cv::format("the image has %d x %d pixels, but the camera file is for %d x %d%s",
                                     imageSize.width, imageSize.height, size.width, size.height,
                                     isScaled ? " and others of this shape" : ""));
@@ -118,6 +168,8 @@ CameraSettings readCameraOptions(const Options& options)
         s.lineDelay = options.given("line_delay") ? options.positive("line_delay", LONGEST_READ_OUT) : 0;
         s.readOut = options.given("readout") ? options.positive("readout", LONGEST_READ_OUT) : 0;
         s.lineDelaySigma = 0;
+        for (CompatibleSetting& setting : s.compatible)
+            setting.readOut = s.readOut;
     }
     if (options.given("scan"))
         s.scan = options.choice("scan", SCAN_WORDS);

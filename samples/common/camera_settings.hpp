@@ -10,6 +10,16 @@
 
 namespace rsackermann_samples {
 
+//! The calibration of images of another size than that of a camera's file.
+struct CompatibleSetting
+{
+    cv::Size size;
+    cv::Matx33d K;
+    std::vector<double> lens;
+    double readOut;      //!< seconds; 0: unknown
+    std::string refusal; //!< why such images can't be used; empty if they can
+};
+
 //! A camera as files and options describe it; values that depend on the image's size are left open until an image is
 //! there.
 struct CameraSettings
@@ -28,12 +38,23 @@ struct CameraSettings
     double height;               //!< metres; 0: unknown
     double rollSigma, pitchSigma, headingSigma, lineDelaySigma; //!< standard deviations in the same units; 0: not known
     double focalSigma;                                          //!< pixels; 0: not known
+    std::vector<CompatibleSetting> compatible;                  //!< with #isScaled
 
     CameraSettings();
 
     /** The camera for an image.
-    Throws InputError if the image hasn't the size of the calibration, or the shape if that is scaled. */
+    Throws InputError if the image hasn't the size of a calibration, or the shape if that is scaled. */
     cv::rsackermann::RollingShutterCamera makeCamera(const cv::Size& imageSize) const;
+
+    /** The same with the calibration that counts for images of a size, and no others: the first one of that size, else
+    the first one of that shape. Throws InputError if its images can't be used, or its read-out is ambiguous. */
+    CameraSettings forSize(const cv::Size& imageSize) const;
+
+    //! The same with one of the compatible calibrations, and no others.
+    CameraSettings with(const CompatibleSetting& setting) const;
+
+    //! Whether the time between two lines is known, of images of some size at least.
+    bool hasLineDelay() const;
 };
 
 /** The camera matrix of images that are scaled by factors for width and height: the centre of the first pixel is at 0,

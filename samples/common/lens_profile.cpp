@@ -17,6 +17,7 @@ namespace {
 typedef nlohmann::json Json;
 
 const double LARGEST = 65535;      // pixels, of most formats of images
+const double SAME_SHAPE = 0.001;   // by which factors of width and height differ, as in Gyroflow
 const double LEAST_STRETCH = 0.01; // Gyroflow takes less for a stretch that isn't given
 const char* const DIRECTIONS[] = {"TopToBottom", "BottomToTop", "LeftToRight", "RightToLeft"}; // as SCAN_WORDS
 
@@ -134,7 +135,8 @@ void readLens(const Fields& profile, CameraSettings& s)
     require(model == "opencv_fisheye" || model == "opencv_standard",
             "distortion_model " + model + " isn't known, only opencv_fisheye and opencv_standard are");
     const std::string digital = profile.word("digital_lens", "");
-    require(digital.empty(), "digital_lens " + digital + " isn't known: only lenses are undone, no other warps");
+    require(digital.empty(),
+            profile.nameOf("digital_lens") + " " + digital + " isn't known: only lenses are undone, no other warps");
     s.lensModel = model == "opencv_fisheye" ? LENS_FISHEYE : LENS_PINHOLE;
     const Fields params = profile.object("fisheye_params");
     s.lens = params.numbers("distortion_coeffs");
@@ -144,14 +146,20 @@ void readLens(const Fields& profile, CameraSettings& s)
                 (s.lensModel == LENS_FISHEYE ? "4 are expected" : "4, 5, 8 or 12 are expected"));
 }
 
-/** The camera matrix of the pixels of the file. Profiles of anamorphic lenses are calibrated with images that were
-stretched to the right shape. */
-void readIntrinsics(const Fields& profile, CameraSettings& s)
+cv::Size2d sizeOf(const Fields& object, const char* width, const char* height)
 {
-    const Fields dimension = profile.object("calib_dimension");
-    const cv::Size2d calibrated(lengthOf(dimension, "w"), lengthOf(dimension, "h"));
-    s.size = cv::Size(cvRound(calibrated.width / stretchOf(profile, "input_horizontal_stretch")),
-                      cvRound(calibrated.height / stretchOf(profile, "input_vertical_stretch")));
+    return cv::Size2d(lengthOf(object, width), lengthOf(object, height));
+}
+
+/** The camera matrix of the pixels of the file. Profiles of anamorphic lenses are calibrated with images that were
+stretched to the right shape.
+@param shown size of the images: of another shape than those of the calibration they are the middle of the sensor, else
+they have other pixels. */
+void readIntrinsics(const Fields& profile, const cv::Size2d& shown, CameraSettings& s)
+{
+    const cv::Size2d calibrated = sizeOf(profile.object("calib_dimension"), "w", "h");
+    s.size = cv::Size(cvRound(shown.width / stretchOf(profile, "input_horizontal_stretch")),
+                      cvRound(shown.height / stretchOf(profile, "input_vertical_stretch")));
     require(s.size.width >= 2 && s.size.height >= 2 && s.size.width <= LARGEST && s.size.height <= LARGEST,
             cv::format("input_horizontal_stretch and input_vertical_stretch make an image of %d x %d pixels",
                        s.size.width, s.size.height));
@@ -163,10 +171,18 @@ void readIntrinsics(const Fields& profile, CameraSettings& s)
         s.K(1, 2) = (calibrated.height - 1) / 2;
     }
     const double crop = profile.number("crop", 1);
-    require(crop > 0 && crop <= 100, cv::format("crop: %g is not above 0 and up to 100", crop));
+    require(crop > 0 && crop <= 100, profile.nameOf("crop") + cv::format(": %g is not above 0 and up to 100", crop));
     s.K(0, 0) /= crop;
     s.K(1, 1) /= crop;
-    s.K = scaledIntrinsics(s.K, s.size.width / calibrated.width, s.size.height / calibrated.height);
+    const double widthFactor = shown.width / calibrated.width, heightFactor = shown.height / calibrated.height;
+    if (std::abs(widthFactor - heightFactor) < SAME_SHAPE)
+        s.K = scaledIntrinsics(s.K, widthFactor, heightFactor);
+    else
+    {
+        s.K(0, 2) -= (calibrated.width - shown.width) / 2;
+        s.K(1, 2) -= (calibrated.height - shown.height) / 2;
+    }
+    s.K = scaledIntrinsics(s.K, s.size.width / shown.width, s.size.height / shown.height);
     s.calibrated = s.isScaled = true;
 }
 
@@ -175,12 +191,42 @@ void readShutter(const Fields& profile, CameraSettings& s)
     require(!profile.flag("global_shutter"), "global_shutter: there is no rolling shutter to be undone");
     const double seconds = profile.number("frame_readout_time", 0) / 1000;
     require(std::abs(seconds) <= LONGEST_READ_OUT,
-            cv::format("frame_readout_time: %g is not from %g to %g ms", seconds * 1000, -LONGEST_READ_OUT * 1000,
-                       LONGEST_READ_OUT * 1000));
+            profile.nameOf("frame_readout_time") + cv::format(": %g is not from %g to %g ms", seconds * 1000,
+                                                              -LONGEST_READ_OUT * 1000, LONGEST_READ_OUT * 1000));
     s.readOut = std::abs(seconds);
     const std::string direction =
         profile.word("frame_readout_direction", DIRECTIONS[seconds < 0 ? SCAN_BOTTOM_TO_TOP : SCAN_TOP_TO_BOTTOM]);
     s.scan = parseWord(direction, "frame_readout_direction", std::vector<std::string>(DIRECTIONS, DIRECTIONS + 4));
+}
+
+/** What an element of compatible_settings says of images of another size or mode; of the rest the profile counts.
+@param name of the element. */
+CompatibleSetting compatibleSetting(Json profile, const Json& element, const std::string& name)
+{
+    require(element.is_object(), name + " is not an object, but " + element.dump());
+    for (const char* key :
+         {"crop", "digital_lens", "frame_readout_time", "input_horizontal_stretch", "input_vertical_stretch"})
+        if (element.contains(key))
+            profile[key] = element.at(key);
+    if (element.contains("distortion_coeffs"))
+        profile["fisheye_params"]["distortion_coeffs"] = element.at("distortion_coeffs");
+    const Fields fields(profile, name + "."), own(element, name + ".");
+    const cv::Size2d shown =
+        own.has("width") ? sizeOf(own, "width", "height") : sizeOf(fields.object("calib_dimension"), "w", "h");
+    CameraSettings s;
+    readIntrinsics(fields, shown, s);
+    readShutter(fields, s);
+    CompatibleSetting setting = {s.size, s.K, {}, s.readOut, ""};
+    try
+    {
+        readLens(fields, s);
+        setting.lens = s.lens;
+    }
+    catch (const UsageError& e) // of other images it doesn't matter
+    {
+        setting.refusal = e.what();
+    }
+    return setting;
 }
 
 } // namespace
@@ -198,8 +244,17 @@ void readLensProfile(const std::string& text, CameraSettings& settings)
     const Json json = parse(text);
     const Fields profile(json, "");
     readLens(profile, settings);
-    readIntrinsics(profile, settings);
+    readIntrinsics(profile, sizeOf(profile.object("calib_dimension"), "w", "h"), settings);
     readShutter(profile, settings);
+    if (!profile.has("compatible_settings"))
+        return;
+    const Json& list = profile.at("compatible_settings");
+    require(list.is_array(), "compatible_settings is not a list, but " + list.dump());
+    Json rest = json;
+    rest.erase("compatible_settings");
+    for (const Json& element : list)
+        settings.compatible.push_back(
+            compatibleSetting(rest, element, cv::format("compatible_settings[%d]", int(settings.compatible.size()))));
 }
 
 } // namespace rsackermann_samples

@@ -13,7 +13,8 @@ namespace rsackermann_samples {
 bool isLensProfile(const std::string& text);
 
 /** Reads one of Gyroflow's lens profiles (JSON): lens, read-out time and scan direction for images of any size of its
-shape. Its compatible_settings and interpolations aren't used. Throws UsageError that names the field. */
+shape, and of its compatible_settings. Its interpolations (of zoom lenses) aren't used. Throws UsageError that names the
+field. */
 void readLensProfile(const std::string& text, CameraSettings& settings);
 
 } // namespace rsackermann_samples

@@ -77,7 +77,7 @@ MotionPrior readPrior(const Options& options, const Job& job)
 {
     const MotionPrior prior = readPriorOptions(options);
     const bool readsRows = job.camera.scan == SCAN_TOP_TO_BOTTOM || job.camera.scan == SCAN_BOTTOM_TO_TOP,
-               metric = readsRows && (job.camera.lineDelay > 0 || job.camera.readOut > 0);
+               metric = readsRows && job.camera.hasLineDelay();
     const std::string delay = readsRows ? "the line delay (--line_delay, --readout or in the camera file)"
                                         : "a sensor that reads rows (--scan)";
     if (job.params.sequence && !metric)

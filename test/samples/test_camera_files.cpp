@@ -388,6 +388,87 @@ TEST(CameraFiles, lens_profile_fields)
     }
 }
 
+// Of an action camera that reads all of its sensor, the middle of it, or every other pixel.
+const char* const GYROFLOW_MODES = R"({
+  "calib_dimension": {"w": 2704, "h": 2028}, "frame_readout_time": 16, "fisheye_params": {
+  "camera_matrix": [[1200, 0, 1340], [0, 1210, 1000], [0, 0, 1]], "distortion_coeffs": [0.03, 0.05, -0.04, 0.01]},
+  "compatible_settings": [
+    {"width": 2704, "height": 1520, "fps": 60},
+    {"width": 2704, "height": 1520, "fps": 30, "crop": 0.9},
+    {"width": 1920, "height": 1440, "frame_readout_time": 12, "distortion_coeffs": [0.02, 0.05, -0.04, 0.01]},
+    {"width": 2560, "height": 1200, "digital_lens": "gopro_superview"},
+    {"width": 1200, "height": 1200, "frame_readout_time": 9},
+    {"width": 1200, "height": 1200, "frame_readout_time": 8},
+    {"crop": 0.5, "identifier": "zoomed"}]
+})";
+
+// https://github.com/gyroflow/gyroflow: the first one of that size, else of that shape; another shape is a part of the
+// sensor, the same one other pixels.
+TEST(CameraFiles, lens_profile_of_several_modes)
+{
+    const rsackermann_samples::CameraSettings s = read(GYROFLOW_MODES);
+    const struct
+    {
+        cv::Size size;
+        cv::Matx33d K;
+        double readOut, lens;
+    } cases[] = {{{2704, 2028}, {1200, 0, 1351.5, 0, 1210, 1013.5, 0, 0, 1}, 0.016, 0.03},
+                 {{1352, 1014}, {600, 0, 675.5, 0, 605, 506.5, 0, 0, 1}, 0.016, 0.03},
+                 {{2704, 1520}, {1200, 0, 1351.5, 0, 1210, 759.5, 0, 0, 1}, 0.016, 0.03},
+                 {{1352, 760}, {600, 0, 675.5, 0, 605, 379.5, 0, 0, 1}, 0.016, 0.03},
+                 {{1920, 1440}, {1200 * 1920 / 2704., 0, 959.5, 0, 1210 * 1440 / 2028., 719.5, 0, 0, 1}, 0.012, 0.02}};
+    for (const auto& c : cases)
+    {
+        SCOPED_TRACE(c.size);
+        const cv::rsackermann::RollingShutterCamera camera = s.makeCamera(c.size);
+        EXPECT_LT(cv::norm(camera.cameraMatrix - c.K), 1e-9);
+        EXPECT_DOUBLE_EQ(c.readOut / c.size.height, camera.lineDelay);
+        EXPECT_EQ(c.lens, camera.distCoeffs[0]);
+        EXPECT_EQ(c.lens, s.forSize(c.size).lens[0]); // of rsackermann_calibrate
+    }
+    nlohmann::json asymmetrical = nlohmann::json::parse(GYROFLOW_MODES);
+    asymmetrical["asymmetrical"] = true;
+    EXPECT_LT(cv::norm(read(asymmetrical.dump()).makeCamera(cv::Size(2704, 1520)).cameraMatrix -
+                       cv::Matx33d(1200, 0, 1340, 0, 1210, 1000 - 254, 0, 0, 1)),
+              1e-9);
+}
+
+TEST(CameraFiles, modes_that_are_refused)
+{
+    const rsackermann_samples::CameraSettings s = read(GYROFLOW_MODES);
+    const std::pair<cv::Size, const char*> cases[] = {
+        {cv::Size(2560, 1200), "compatible_settings[3].digital_lens gopro_superview isn't known"},
+        {cv::Size(1200, 1200), "several read-out times for images of 1200 x 1200 pixels, 0.009 and 0.008 s"},
+        {cv::Size(600, 600), "several read-out times for images of 600 x 600"},
+        {cv::Size(500, 900), "but the camera file is for 2704 x 2028"}};
+    for (const auto& c : cases)
+    {
+        try
+        {
+            s.makeCamera(c.first);
+            ADD_FAILURE() << c.second;
+        }
+        catch (const rsackermann_samples::InputError& e)
+        {
+            EXPECT_NE(std::string::npos, std::string(e.what()).find(c.second)) << e.what();
+        }
+    }
+    // An option goes before all times of the file, also where the profile itself is one of several.
+    nlohmann::json profile = nlohmann::json::parse(GYROFLOW_MODES);
+    profile["compatible_settings"].push_back({{"frame_readout_time", 14}});
+    const TemporaryFolder folder;
+    writeContent(folder / "lens.json", profile.dump());
+    const std::string camera = "--camera=" + (folder / "lens.json");
+    for (const char* option : {"--readout=0.01", "--line_delay=0.00002"})
+        for (const cv::Size& size : {cv::Size(1200, 1200), cv::Size(2704, 2028)})
+        {
+            const char* const arguments[] = {"program", camera.c_str(), option};
+            const rsackermann_samples::Options options(3, arguments, rsackermann_samples::CAMERA_KEYS);
+            const rsackermann_samples::CameraSettings given = rsackermann_samples::readCameraOptions(options);
+            EXPECT_NEAR(option[2] == 'r' ? 0.01 / size.height : 0.00002, given.makeCamera(size).lineDelay, 1e-12);
+        }
+}
+
 // Each message names the file and the field.
 TEST(CameraFiles, lens_profiles_that_are_refused)
 {
@@ -422,6 +503,13 @@ TEST(CameraFiles, lens_profiles_that_are_refused)
         {profileWith("/input_vertical_stretch", {1}), "input_vertical_stretch: [1] is not a number"},
         {profileWith("/crop", 0), "crop: 0 is not above 0"},
         {profileWith("/asymmetrical", "yes"), "asymmetrical is neither true nor false"},
+        {profileWith("/compatible_settings", 7), "compatible_settings is not a list"},
+        {profileWith("/compatible_settings", {7}), "compatible_settings[0] is not an object"},
+        {profileWith("/compatible_settings", {{{"width", 640}}}), "compatible_settings[0].height is missing"},
+        {profileWith("/compatible_settings", {{{"crop", 0}}}), "compatible_settings[0].crop: 0 is not above 0"},
+        {profileWith("/compatible_settings", {{{"crop", 1e-200}}}), "camera.cameraMatrix"},
+        {profileWith("/compatible_settings", {{{"frame_readout_time", 1e6}}}),
+         "compatible_settings[0].frame_readout_time: 1e+06 is not from"},
         {overflow, "frame_readout_time: "},
         {notANumber, "camera_matrix: "},
         {std::string(GYROFLOW).substr(0, 300), "asymmetrical: "}};
@@ -454,6 +542,9 @@ TEST(CameraFiles, lens_profile_of_a_program)
     profile["input_horizontal_stretch"] = 1;
     profile["frame_readout_time"] = -40;
     writeContent(folder / "lens.json", profile.dump());
+    profile["calib_dimension"] = {{"w", 1920}, {"h", 1440}};
+    profile["compatible_settings"] = {{{"width", 1920}, {"height", 1140}}};
+    writeContent(folder / "modes.json", profile.dump());
     writeContent(folder / "camera.yml", "width: 640\nheight: 380\ndistortion_model: equidistant\n"
                                         "D: [0.25, -0.08, 0.22, -0.11]\n"
                                         "K: [816, 0, 319.5, 0, 816, 189.5, 0, 0, 1]\n"
@@ -461,10 +552,11 @@ TEST(CameraFiles, lens_profile_of_a_program)
     const std::string image = streetFolder() + "/rolling.png";
     for (const char* readOut : {"", "--readout=0.02"})
     {
-        nlohmann::json lines[2];
-        for (int k = 0; k < 2; k++)
+        const char* const files[] = {"camera.yml", "lens.json", "modes.json"};
+        nlohmann::json lines[3];
+        for (int k = 0; k < 3; k++)
         {
-            Arguments arguments = {image, "--camera=" + (folder / (k == 0 ? "lens.json" : "camera.yml")), "--report=-"};
+            Arguments arguments = {image, "--camera=" + (folder / files[k]), "--report=-"};
             if (*readOut)
                 arguments.push_back(readOut);
             const Outcome outcome = correct(arguments);
@@ -472,9 +564,10 @@ TEST(CameraFiles, lens_profile_of_a_program)
             lines[k] = nlohmann::json::parse(outcome.output);
         }
         EXPECT_EQ("ok", lines[0]["status"]);
-        EXPECT_NEAR(lines[1]["yaw_rate_deg_s"].get<double>(), lines[0]["yaw_rate_deg_s"].get<double>(), 1e-3);
-        EXPECT_NEAR(lines[1]["speed_km_h"].is_null() ? 0 : lines[1]["speed_km_h"].get<double>(),
-                    lines[0]["speed_km_h"].is_null() ? 0 : lines[0]["speed_km_h"].get<double>(), 1e-3);
+        for (const char* key : {"yaw_rate_deg_s", "speed_km_h"})
+            for (const nlohmann::json& line : lines)
+                EXPECT_NEAR(lines[0][key].is_null() ? 0 : lines[0][key].get<double>(),
+                            line[key].is_null() ? 0 : line[key].get<double>(), 1e-3);
     }
 }
 
