@@ -81,7 +81,7 @@ TEST_P(WarpDepth, equals_simulator)
     RNG rng(99);
     int compared = 0;
     double worst = 0;
-    for (int round = 0; round < 4; round++)
+    for (int round = 0; round < 5; round++)
     {
         RollingShutterCamera camera = lensCamera(std::get<0>(GetParam()));
         camera.height = 1.2;
@@ -89,8 +89,11 @@ TEST_P(WarpDepth, equals_simulator)
         camera.cameraMatrix(0, 2) -= 150;
         camera.cameraMatrix(1, 2) -= 70;
         mountAtRandom(camera, rng);
-        camera.scanDirection = round;
-        const Scene scene(camera, randomMotion(camera, rng), randomNormal(rng));
+        camera.scanDirection = round % 4;
+        AckermannMotion motion = randomMotion(camera, rng);
+        if (round == 4)
+            addRotationCurve(motion, 17, rng); // as many vectors as with a gyro
+        const Scene scene(camera, motion, randomNormal(rng));
         Mat columns, rows, mask;
         initMap(WarpMapGenerator::create(camera), distort, scene.motion, columns, rows, mask,
                 scene.depth(std::get<1>(GetParam())));
