@@ -121,8 +121,9 @@ Samples readSamples(const CsvTable& table, const std::string (&names)[4], const 
     return samples;
 }
 
-/** Gyroflow's axes, after its orientation string: x to the right, y up and z towards the viewer. A capital letter names
-the axis of the log that is one of them, a small one its opposite. */
+/** The camera's axes from those of a log. After its orientation string they are Gyroflow's
+(gyroflow-docs, logging/orientation.md): x up, y to the left and z backwards. A capital letter
+names the axis of the log that is one of them, a small one its opposite. */
 cv::Matx33d axesOf(const std::string& orientation, const std::string& place)
 {
     cv::Matx33d axes = cv::Matx33d::zeros(); // of the log to Gyroflow's
@@ -139,7 +140,7 @@ cv::Matx33d axesOf(const std::string& orientation, const std::string& place)
     if (orientation.size() != 3 || used.size() != 3)
         throw UsageError(place + ": '" + orientation +
                          "' is not X, Y and Z in some order, small letters for opposites");
-    return cv::Matx33d(1, 0, 0, 0, -1, 0, 0, 0, -1) * axes;
+    return cv::Matx33d(0, -1, 0, -1, 0, 0, 0, 0, -1) * axes;
 }
 
 bool isGcsv(const std::vector<std::string>& header)
@@ -149,8 +150,9 @@ bool isGcsv(const std::vector<std::string>& header)
 
 Samples readGcsv(const CsvTable& whole, const std::string& path, const std::string& program)
 {
-    double scales[4] = {1, 1, 1, 1};
-    cv::Matx33d axes = axesOf("XYZ", path);
+    // What Gyroflow takes for what isn't there.
+    double scales[4] = {0.001, 1, 1, 1};
+    cv::Matx33d axes = axesOf("xzY", path);
     CsvTable table;
     for (size_t i = 0; i < whole.rows.size(); i++)
     {

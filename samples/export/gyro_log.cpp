@@ -14,8 +14,9 @@ using namespace cv::rsackermann;
 
 namespace {
 
-// The axes are named as Gyroflow does: x to the right, y up and z towards the viewer, small letters for opposites.
-const char* const HEADER = "GYROFLOW IMU LOG\nversion,1.3\nid,rsackermann\norientation,Xyz\n"
+// Of the camera's axes (x to the right, y down, z ahead) Gyroflow wants those that point up, to the left and backwards,
+// small letters for opposites.
+const char* const HEADER = "GYROFLOW IMU LOG\nversion,1.3\nid,rsackermann\norientation,yxz\n"
                            "note,rates of frames\ntscale,1\ngscale,1\nascale,1\nt,gx,gy,gz\n";
 
 // The rate at which the camera turns at the reference line, from its poses just before and after.

@@ -62,18 +62,22 @@ TEST_F(CorrectGyro, both_formats)
                 log = "GYROFLOW IMU LOG\nversion,1.3\nid,a\norientation,XYZ\nnote\ntscale,0.001\ngscale,0.0174532925\n"
                       "ascale,1\nt,gx,gy,gz,ax,ay,az\n",
                 turned = "CAMERA IMU LOG\nversion,1.3\norientation,yXZ\ntscale,0.001\ngscale,0.0174532925\n"
-                         "t,gx,gy,gz\n";
+                         "t,gx,gy,gz\n",
+                bare = "GYROFLOW IMU LOG\ngscale,0.0174532925\nt,gx,gy,gz\n"; // in ms, its axes xzY
     for (int i = 0; i < 100; i++)
     {
         const double time = 0.5 + 0.01 * i;
         table += cv::format("%g,30,-20,10\n", time);
         other += cv::format("10,%g,-20,30\n", time);
-        log += cv::format("%d,20,-30,-10,0,0,0\n", int(1000 * time + 0.5));
-        turned += cv::format("%d,-30,-20,-10\n", int(1000 * time + 0.5));
+        // Upwards, to the left and backwards: -30, -20 and -10.
+        log += cv::format("%d,-30,-20,-10,0,0,0\n", int(1000 * time + 0.5));
+        turned += cv::format("%d,-20,30,-10\n", int(1000 * time + 0.5));
+        bare += cv::format("%d,30,-10,20\n", int(1000 * time + 0.5));
     }
     expectRates(run("gyro.csv", table), 30, -20, 10);
     expectRates(run("gyro.csv", other), 30, -20, 10);
     expectRates(run("gyro.gcsv", log), 30, -20, 10);
+    expectRates(run("gyro.gcsv", bare), 30, -20, 10);
     std::string later = HEADER; // by a minute
     for (int i = 0; i < 100; i++)
         later += cv::format("%g,30,-20,10\n", 60.5 + 0.01 * i);
@@ -148,7 +152,7 @@ TEST_F(CorrectGyro, warnings)
 TEST_F(CorrectGyro, times_in_another_unit)
 {
     const Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n5,1,2,3\n10.1,1,2,3\n"),
-                  log = run("a.gcsv", "GYROFLOW IMU LOG\nt,gx,gy,gz\n0,0,0,0\n5000,0,0,0\n");
+                  log = run("a.gcsv", "GYROFLOW IMU LOG\ntscale,1\nt,gx,gy,gz\n0,0,0,0\n5000,0,0,0\n");
     EXPECT_EQ(0, outcome.exitCode);
     EXPECT_NE(std::string::npos, outcome.messages.find("column time_s: no sample is less than 5 s after the one "
                                                        "before: times seem not to be in seconds\n"))
@@ -159,7 +163,6 @@ TEST_F(CorrectGyro, times_in_another_unit)
         << log.messages;
 }
 
-// Of a clock with another origin nothing belongs to the image.
 // Before the gyro as a whole is known to be wrong.
 TEST_F(CorrectGyro, contradicted_by_a_few_frames)
 {
@@ -184,6 +187,7 @@ TEST_F(CorrectGyro, contradicted_by_a_few_frames)
         << outcome.messages;
 }
 
+// Of a clock with another origin nothing belongs to the image.
 TEST_F(CorrectGyro, times_that_are_not_those_of_the_image)
 {
     const std::string samples = std::string(HEADER) + "5000,1,2,3\n5000.09,1,2,3\n";
