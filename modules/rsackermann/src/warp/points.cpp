@@ -11,22 +11,17 @@
 
 namespace cv { namespace rsackermann {
 
-// Depths in the unit of the motion: their inverses times the way per unit of row time.
-class InverseDepths
+static bool isKnown(const std::vector<double>& depths, size_t i)
 {
-public:
-    InverseDepths(const RollingShutterCamera& camera, const AckermannMotion& motion, const std::vector<double>& depths_)
-        : depths(depths_), way(depths.empty() || motion.status != MOTION_OK ? 0 : wayPerUnitTime(camera, motion))
-    {
-    }
+    return !depths.empty() && depths[i] > 0;
+}
 
-    bool known(size_t i) const { return !depths.empty() && depths[i] > 0; }
-    double operator[](size_t i) const { return way / depths[i]; }
-
-private:
-    const std::vector<double>& depths;
-    double way;
-};
+// What inverse depths are multiplied by to be in the unit of the motion.
+static double wayOf(const RollingShutterCamera& camera, const AckermannMotion& motion,
+                    const std::vector<double>& depths)
+{
+    return depths.empty() || motion.status != MOTION_OK ? 0 : wayPerUnitTime(camera, motion);
+}
 
 static void setPlace(const Point2d& point, Place& place)
 {
@@ -41,12 +36,12 @@ void correctPoints(const RollingShutterCamera& camera, const WarpMapGenerator::P
 {
     const ShutterGeometry shutter(camera, motion);
     const Distorter distorter(shutter);
-    const InverseDepths inverseDepths(camera, motion, depths);
+    const double way = wayOf(camera, motion, depths);
     places.assign(raw.size(), Place());
     for (size_t i = 0; i < raw.size(); i++)
     {
         Vec3d ray;
-        if (inverseDepths.known(i) ? distorter.solve(raw[i], inverseDepths[i], ray) : distorter.solve(raw[i], ray))
+        if (isKnown(depths, i) ? distorter.solve(raw[i], way / depths[i], ray) : distorter.solve(raw[i], ray))
             setPlace(pixelOf(matrix, ray), places[i]);
     }
 }
@@ -63,17 +58,17 @@ void distortPoints(const RollingShutterCamera& camera, const WarpMapGenerator::P
     // A point has a place if a pixel has: where a row time is hardly found more iterations would make a difference.
     const Rectifier asInMaps(shutter, params.maxIterations, params.tolerance),
         rectifier(shutter, manyIterations, std::min(fineTolerance, params.tolerance));
-    const InverseDepths inverseDepths(camera, motion, depths);
+    const double way = wayOf(camera, motion, depths);
     const Matx33d inverse = matrix.inv();
     places.assign(pixels.size(), Place());
     for (size_t i = 0; i < pixels.size(); i++)
     {
         const Vec3d ray = inverse * Vec3d(pixels[i].x, pixels[i].y, 1);
         const Vec3d b = shutter.up * ray;
-        const bool onPlane = !inverseDepths.known(i);
+        const bool onPlane = !isKnown(depths, i);
         Rectifier::Guess guess;
         Point2d raw;
-        const double w = onPlane ? shutter.inverseDepth(b) : inverseDepths[i];
+        const double w = onPlane ? shutter.inverseDepth(b) : way / depths[i];
         if (asInMaps.solve(ray, b, w, onPlane, guess, raw) && rectifier.solve(ray, b, w, onPlane, guess, raw))
             setPlace(raw, places[i]);
     }
