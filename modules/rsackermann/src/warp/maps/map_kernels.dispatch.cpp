@@ -33,11 +33,6 @@ void packFixedPoint(const float* x, const float* y, int width, short* whole, ush
     CV_CPU_DISPATCH(packFixedPoint, (x, y, width, whole, fraction), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void packInterleaved(const float* x, const float* y, int width, float* xy)
-{
-    CV_CPU_DISPATCH(packInterleaved, (x, y, width, xy), CV_CPU_DISPATCH_MODES_ALL);
-}
-
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask)
 {
     CV_CPU_DISPATCH(packMask, (x, y, width, low, highX, highY, mask), CV_CPU_DISPATCH_MODES_ALL);

@@ -32,9 +32,6 @@ void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t dep
 //! saturated.
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
 
-//! A row of coordinates in the format CV_32FC2.
-void packInterleaved(const float* x, const float* y, int width, float* xy);
-
 //! 0 in the mask unless low <= x <= highX and low <= y <= highY.
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
 

@@ -21,7 +21,6 @@ void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, 
 void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
                         float* y, size_t step);
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
-void packInterleaved(const float* x, const float* y, int width, float* xy);
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
@@ -184,21 +183,6 @@ void packFixedPoint(const float* x, const float* y, int width, short* whole, ush
         whole[2 * i] = saturate_cast<short>(ix >> INTER_BITS);
         whole[2 * i + 1] = saturate_cast<short>(iy >> INTER_BITS);
         fraction[i] = ushort((iy & (INTER_TAB_SIZE - 1)) * INTER_TAB_SIZE + (ix & (INTER_TAB_SIZE - 1)));
-    }
-}
-
-void packInterleaved(const float* x, const float* y, int width, float* xy)
-{
-    int i = 0;
-#if CV_SIMD
-    const int lanes = VTraits<v_float32>::vlanes();
-    for (; i <= width - lanes; i += lanes)
-        v_store_interleave(xy + 2 * i, vx_load(x + i), vx_load(y + i));
-#endif
-    for (; i < width; i++)
-    {
-        xy[2 * i] = x[i];
-        xy[2 * i + 1] = y[i];
     }
 }
 
