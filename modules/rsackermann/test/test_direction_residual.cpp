@@ -3,10 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_direction_residual.hpp"
 #include "test_simulator.hpp"
-
-// Internals of the library that it doesn't export.
-#include "../src/factors/segment_residuals.hpp"
 
 namespace opencv_test { namespace {
 

@@ -36,7 +36,7 @@ protected:
         return fit;
     }
 
-    void add(const Fit& fit, double probability) { mixture.add(fit, fit.hypothesis, 700 + std::log(probability)); }
+    void add(const Fit& fit, double probability) { mixture.add(fit, 700 + std::log(probability)); }
 
     //! Mean displacement by a yaw rate.
     double displacement(double alpha) const
@@ -88,7 +88,7 @@ TEST_F(MixtureOfMotions, of_one_wall_is_that_wall)
             {
                 Fit fit = moving(larger * B, 0);
                 fit.model.direction = direction;
-                walls.add(fit, fit.hypothesis, 0);
+                walls.add(fit, 0);
             }
             const Posterior best = walls.best();
             EXPECT_NEAR(1.01 * B, best.model[P_B], 0.011 * std::abs(B));
@@ -141,8 +141,8 @@ TEST_F(MixtureOfMotions, harm_is_weighed_against_the_residual)
         for (double rest = 0.05; rest < 1; rest += 0.1)
         {
             MotionMixture two(field, prior, aversions[k]);
-            two.add(Fit(MotionHypothesis(MODEL_NONE, 0)), MotionHypothesis(MODEL_NONE, 0), std::log(rest));
-            two.add(turning(0.04), turning(0.04).hypothesis, std::log(1 - rest));
+            two.add(Fit(MotionHypothesis(MODEL_NONE, 0)), std::log(rest));
+            two.add(turning(0.04), std::log(1 - rest));
             const Posterior best = two.best();
             const double raw = (1 - rest) * displacement(0.04);
             EXPECT_NEAR(raw, best.expectedRaw, 1e-5 * raw);
@@ -164,7 +164,7 @@ TEST_F(MixtureOfMotions, the_uncertain_road_is_expected)
     for (int i = P_B; i <= P_LAMBDA; i++)
         fit.covariance(i, i) = i == P_LAMBDA ? 0.01 : 0.0004;
     MotionMixture wide(field, prior, 0);
-    wide.add(fit, fit.hypothesis, 0);
+    wide.add(fit, 0);
     EXPECT_GT(wide.best().expectedResidual, 1.05 * exactWalls);
 }
 
@@ -185,10 +185,10 @@ TEST_F(MixtureOfMotions, in_a_mirror)
             twin.covariance(P_B + i, P_B + j) = mirrored.row(i).dot(mirrored.row(j));
         }
     const Fit rest(MotionHypothesis(MODEL_NONE, 0));
-    mixture.add(fit, fit.hypothesis, 0);
-    other.add(twin, twin.hypothesis, 0);
+    mixture.add(fit, 0);
+    other.add(twin, 0);
     for (MotionMixture* m : {&mixture, &other})
-        m->add(rest, rest.hypothesis, -1);
+        m->add(rest, -1);
     const Posterior best = mixture.best(), ofTwin = other.best();
     EXPECT_NEAR(best.expectedRaw, ofTwin.expectedRaw, 1e-4 * best.expectedRaw);
     EXPECT_NEAR(best.expectedResidual, ofTwin.expectedResidual, 1e-4 * best.expectedRaw);
@@ -226,9 +226,9 @@ TEST_F(MixtureOfMotions, the_faster_direction_decides)
 TEST_F(MixtureOfMotions, weights_that_are_none_do_not_count)
 {
     add(turning(0.01), 1);
-    mixture.add(turning(0.05), MotionHypothesis(MODEL_1LA, 0), NaN);
-    mixture.add(turning(0.05), MotionHypothesis(MODEL_1LA, 0), infinity);
-    mixture.add(turning(0.05), MotionHypothesis(MODEL_1LA, 0), -infinity);
+    mixture.add(turning(0.05), NaN);
+    mixture.add(turning(0.05), infinity);
+    mixture.add(turning(0.05), -infinity);
     EXPECT_NEAR(0.01, mixture.best().model[P_ALPHA], 1e-15);
 }
 

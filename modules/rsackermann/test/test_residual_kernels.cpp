@@ -21,6 +21,7 @@
 
 #include "../src/factors/segment_residuals.hpp"
 #include "../src/factors/segment_arrays.hpp"
+#include "test_direction_residual.hpp"
 
 namespace opencv_test { namespace {
 

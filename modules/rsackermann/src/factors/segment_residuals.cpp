@@ -20,16 +20,6 @@ double verticalResidual(const UprightSegment& c, const PreparedModel& model, int
     return residual.value;
 }
 
-double directionResidual(const UprightSegment& c, const PreparedModel& model, double* jacobian)
-{
-    const RotatedEnd<double> u(c.u[0], c.u[1], c.timeU, model), v(c.v[0], c.v[1], c.timeV, model);
-    const CompensatedEnd<double> a(u, model), b(v, model);
-    const DirectionTerms<double> residual(Chord<double>(a.x, a.y, b.x, b.y), model.streetX, model.streetZ);
-    if (jacobian)
-        residual.derivatives(u, v, a, b, model, true, jacobian);
-    return residual.value;
-}
-
 void compensateEnds(const UprightSegment& c, const PreparedModel& model, Point2d& u, Point2d& v)
 {
     const CompensatedEnd<double> a(RotatedEnd<double>(c.u[0], c.u[1], c.timeU, model), model);

@@ -24,16 +24,6 @@ inline double verticalResidual(const UprightSegment& candidate, const Model& mod
     return verticalResidual(candidate, PreparedModel(model, heading), wall, jacobian);
 }
 
-/** How far a segment that isn't vertical is from pointing along the street, or across it, whichever is nearer.
-
-Both ends are compensated on the plane on which they are seen; the distance between the line through them and the
-vanishing point on the horizon, (D, 0, B) along and (-B, 0, D) across the street, is expressed as the lateral distance
-between the ends for a focal length of 1 (doc/theory.md, "Estimation").
-
-@param jacobian receives, unless it is null, the derivatives by the parameters.
-*/
-double directionResidual(const UprightSegment& segment, const PreparedModel& model, double* jacobian);
-
 //! The ends of a segment as the global-shutter camera sees them.
 void compensateEnds(const UprightSegment& segment, const PreparedModel& model, Point2d& u, Point2d& v);
 

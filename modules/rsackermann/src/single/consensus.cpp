@@ -48,17 +48,6 @@ int CandidateConsensus::directionOf(const MinimalSolution& s, const VerticalSegm
     return s.wallOffset - s.wallSlope * u.column(s.wallSlope, s.wallOffset) > 0 ? 1 : -1;
 }
 
-// Two walls can be described in two ways; the left one is to the left of the vehicle's forward direction.
-static void nameWalls(const Heading& heading, Model& m)
-{
-    if (m[P_LAMBDA] > 0 && m.direction * (m[P_B] * heading.c + m[P_D] * heading.s) < 0)
-    {
-        m[P_B] *= -m[P_LAMBDA];
-        m[P_D] *= -m[P_LAMBDA];
-        m[P_LAMBDA] = 1 / m[P_LAMBDA];
-    }
-}
-
 int CandidateConsensus::generate(const int* sample, Model* models)
 {
     const int n = sampleSize();
@@ -82,7 +71,7 @@ int CandidateConsensus::generate(const int* sample, Model* models)
             m[P_B] = s.wallSlope;
             m[P_D] = s.wallOffset;
             m[P_LAMBDA] = s.wallRatio;
-            nameWalls(problem.heading, m);
+            m = withLeftWallFirst(m, problem.heading);
             if (!problem.limits.allow(m))
                 count--;
         }

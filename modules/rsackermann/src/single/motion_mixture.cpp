@@ -249,12 +249,11 @@ private:
 
 } // namespace
 
-void MotionMixture::add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight)
+void MotionMixture::add(const Fit& fit, double logWeight)
 {
     if (!(logWeight > -DBL_MAX && logWeight < DBL_MAX))
         return;
-    const Component c = {fit.model, hypothesis, fit.covariance, logWeight};
-    components.push_back(c);
+    components.push_back({fit, logWeight});
     largest = std::max(largest, logWeight);
 }
 
@@ -316,7 +315,7 @@ Posterior MotionMixture::best() const
     MotionSamples samples(field, prior, limit);
     for (size_t i = 0; i < components.size(); i++)
         if (probability[i] > NEGLIGIBLE)
-            samples.add(components[i].model, components[i].covariance, probability[i]);
+            samples.add(components[i].fit.model, components[i].fit.covariance, probability[i]);
     Correction correction = samples.middleOfMoving();
     correction = correction.scaled(bestFraction(samples, correction, harmAversion));
     const MotionSamples::Expectation expected = samples.expect(correction);
@@ -330,10 +329,10 @@ Posterior MotionMixture::best() const
     double translating[3] = {0, 0, 0};
     for (size_t i = 0; i < components.size(); i++)
     {
-        const Component& c = components[i];
-        const Vec<double, PARAMETERS> difference = c.model.value - result.model.value;
-        result.covariance += probability[i] * (c.covariance + difference * difference.t());
-        translating[c.hypothesis.walls] += c.hypothesis.translates() ? probability[i] : 0;
+        const Fit& fit = components[i].fit;
+        const Vec<double, PARAMETERS> difference = fit.model.value - result.model.value;
+        result.covariance += probability[i] * (fit.covariance + difference * difference.t());
+        translating[fit.hypothesis.walls] += fit.hypothesis.translates() ? probability[i] : 0;
     }
 
     result.hypothesis =

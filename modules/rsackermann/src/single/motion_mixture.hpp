@@ -23,8 +23,8 @@ public:
     //! Of the motions that are added from now on.
     void setRoadLimit(const RoadLimit& found) { limit = found; }
 
-    //! @param hypothesis whose unknowns the model has; the others are 0.
-    void add(const Fit& fit, const MotionHypothesis& hypothesis, double logWeight);
+    //! @param fit whose model has 0 for what isn't an unknown of its hypothesis.
+    void add(const Fit& fit, double logWeight);
 
     //! Logarithm of the sum of the weights.
     double logSum() const;
@@ -38,9 +38,7 @@ public:
 private:
     struct Component
     {
-        Model model;
-        MotionHypothesis hypothesis;
-        Matx<double, PARAMETERS, PARAMETERS> covariance;
+        Fit fit;
         double logWeight;
     };
 

@@ -78,7 +78,7 @@ public:
             return false;
         measureNoise(rest, moving);
         mixture.setRoadLimit(roadLimit(moving));
-        mixture.add(rest, rest.hypothesis, logWeight(rest, prior.logRest()));
+        mixture.add(rest, logWeight(rest, prior.logRest()));
         if (problem.distortionSigma > 0)
             addRestThroughOtherLenses(rest);
         // Who gives a speed and the distance of a wall knows of a street.
@@ -304,11 +304,11 @@ private:
             Fit fit = rest;
             fit.refine(other);
             const double likelihood = ownNoiseOf(Slants(other, fit.model, false)) + logJacobian;
-            logWeights[i] = logEvidence(problem, fit, fit.hypothesis) + (likelihood - ownNoise) / dependence +
-                            prior.logRest() - OTHER_LENSES[i] * OTHER_LENSES[i] / 2;
+            logWeights[i] = logEvidence(problem, fit) + (likelihood - ownNoise) / dependence + prior.logRest() -
+                            OTHER_LENSES[i] * OTHER_LENSES[i] / 2;
         });
         for (double logWeight : logWeights)
-            mixture.add(rest, rest.hypothesis, logWeight);
+            mixture.add(rest, logWeight);
     }
 
     // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known
@@ -323,14 +323,13 @@ private:
                      otherCost = rest.cost - costOf(ofRest) / dependence,
                      probability =
                          prior.motionIsGiven() ? UNUSUAL * UNUSUAL : UNUSUAL / 2; // a car's image shows a street
-        mixture.add(unseen, unseen.hypothesis,
-                    std::log(probability * tilts) - otherCost / 2 +
-                        (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
+        mixture.add(unseen, std::log(probability * tilts) - otherCost / 2 +
+                                (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
     }
 
     double logWeight(const Fit& fit, double logPrior) const
     {
-        return logEvidence(problem, fit, fit.hypothesis) + logNoise(fit) + logPrior;
+        return logEvidence(problem, fit) + logNoise(fit) + logPrior;
     }
 
     // Each minimum is swept over the yaw rate, if it has one and isn't improbable against the others.
@@ -355,15 +354,14 @@ private:
         });
         for (int i = 0; i < count; i++)
         {
-            const MotionHypothesis& hypothesis = moving[i].hypothesis;
             for (const YawSweep& valley : valleys[i])
             {
                 const double logShared = moving[i].logPrior + logNoise(cheapest(valley.fits));
                 for (size_t k = 0; k < valley.fits.size(); k++)
-                    mixture.add(valley.fits[k], hypothesis, valley.logMasses[k] + logShared);
+                    mixture.add(valley.fits[k], valley.logMasses[k] + logShared);
             }
-            for (size_t k = 0; k < logWeights[i].size() && !hypothesis.turns(); k++)
-                mixture.add(moving[i].minima[k], hypothesis, logWeights[i][k]);
+            for (size_t k = 0; k < logWeights[i].size() && !moving[i].hypothesis.turns(); k++)
+                mixture.add(moving[i].minima[k], logWeights[i][k]);
         }
     }
 

@@ -16,13 +16,13 @@ bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothe
     return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
 }
 
-double logEvidence(const RefinementProblem& problem, const Fit& fit, const MotionHypothesis& hypothesis)
+double logEvidence(const RefinementProblem& problem, const Fit& fit)
 {
-    double volume = logVolume(fit) - problem.prior->logVolume(hypothesis);
+    double volume = logVolume(fit) - problem.prior->logVolume(fit.hypothesis);
     // In the logarithms of the wall's scaled speed and of the ratio, and in the azimuth.
-    if (hypothesis.translates())
+    if (fit.hypothesis.translates())
         volume -= 2 * std::log(std::hypot(fit.model[P_B], fit.model[P_D]));
-    if (hypothesis.walls == 2)
+    if (fit.hypothesis.walls == 2)
         volume -= std::log(fit.model[P_LAMBDA]);
     return volume - fit.cost / 2;
 }
@@ -35,7 +35,7 @@ YawSweep::YawSweep(const RefinementProblem& problem, const Fit& minimum, const s
     const double first = std::min(FIRST_STEP * sigma, 0.5 * scale);
     Fit middle(MotionHypothesis(hypothesis.translates() ? MODEL_3LA : MODEL_NONE, hypothesis.walls));
     middle.model = minimum.model;
-    double highest = add(problem, hypothesis, first, middle);
+    double highest = add(problem, first, middle);
     for (int side = -1; side <= 1; side += 2)
     {
         Fit last = middle;
@@ -51,7 +51,7 @@ YawSweep::YawSweep(const RefinementProblem& problem, const Fit& minimum, const s
             if (!problem.limits.allow(next))
                 break;
             last.model = next;
-            const double density = add(problem, hypothesis, (1 + STEP_GROWTH) / 2 * step, last);
+            const double density = add(problem, (1 + STEP_GROWTH) / 2 * step, last);
             if (contain(valleys, last))
             {
                 fits.pop_back();
@@ -66,11 +66,11 @@ YawSweep::YawSweep(const RefinementProblem& problem, const Fit& minimum, const s
 }
 
 // Refines the motion at the yaw rate of a fit. Returns the logarithm of its density.
-double YawSweep::add(const RefinementProblem& problem, const MotionHypothesis& hypothesis, double width, Fit& fit)
+double YawSweep::add(const RefinementProblem& problem, double width, Fit& fit)
 {
     const int iterations = 8;
     fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
-    const double density = logEvidence(problem, fit, hypothesis) + problem.prior->logYawDensity(fit.model[P_ALPHA]);
+    const double density = logEvidence(problem, fit) + problem.prior->logYawDensity(fit.model[P_ALPHA]);
     fits.push_back(fit);
     logMasses.push_back(density + std::log(width));
     return density;

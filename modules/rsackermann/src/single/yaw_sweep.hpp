@@ -14,7 +14,7 @@ bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothe
 
 //! Logarithm of Laplace's approximation of the contribution of a fit, all unknowns of the hypothesis but the yaw rate
 //! being those of the fit (doc/theory.md, "Posterior").
-double logEvidence(const RefinementProblem& problem, const Fit& fit, const MotionHypothesis& hypothesis);
+double logEvidence(const RefinementProblem& problem, const Fit& fit);
 
 //! The motions of a valley of the posterior: the best at each of several yaw rates (doc/theory.md, "Posterior").
 class YawSweep
@@ -31,7 +31,7 @@ public:
     std::vector<double> logMasses; //!< of their densities, times the range of yaw rates that each stands for
 
 private:
-    double add(const RefinementProblem& problem, const MotionHypothesis& hypothesis, double width, Fit& fit);
+    double add(const RefinementProblem& problem, double width, Fit& fit);
 };
 
 //! Whether a motion is in one of some valleys.

@@ -76,13 +76,6 @@ public:
         return rotated;
     }
 
-    //! Inverse of toRolling() with rotateBack() already done.
-    static Vec3d moveBack(const Vec3d& a, double w, const RowMotion& m)
-    {
-        const double shift = m.tau * w;
-        return Vec3d(a[0] + shift * m.s2, a[1], a[2] + shift * m.c2);
-    }
-
     //! The raw pixel of a ray; false if there is none.
     bool project(const Vec3d& ray, Point2d& raw) const
     {
