@@ -17,11 +17,11 @@ VerticalSegment VerticalSegment::fromAzimuths(double azimuthU, double timeU, dou
     return s;
 }
 
-bool solveWalls(const Constraint& first, const Constraint& second, const Constraint* right, MinimalSolution& solution)
+bool solveWalls(const Constraint left[2], const Constraint* right, MinimalSolution& solution)
 {
     const double degenerate = 1e-10;
-    const Constraint n = first.cross(second); // parallel to (1, D, B)
-    if (!(n.e * n.e > degenerate * degenerate * first.length2() * second.length2()))
+    const Constraint n = left[0].cross(left[1]); // parallel to (1, D, B)
+    if (!(n.e * n.e > degenerate * degenerate * left[0].length2() * left[1].length2()))
         return false;
     const double B = n.b / n.e, D = n.d / n.e;
     solution.wallSlope = B;
@@ -56,7 +56,8 @@ bool solveWallsFromThree(const Constraint c[3], const Constraint* right, Minimal
             best = i;
         }
     }
-    return solveWalls(c[best], c[(best + 1) % 3], right, solution);
+    const Constraint left[] = {c[best], c[(best + 1) % 3]};
+    return solveWalls(left, right, solution);
 }
 
 // The side of the walls' vanishing point on which a bearing is seen, as the sign of its scaled inverse depth; 0 behind

@@ -7,6 +7,7 @@
 
 #include "opencv2/rsackermann/solvers.hpp"
 #include "../motion/compensation.hpp"
+#include <algorithm>
 
 namespace cv { namespace rsackermann {
 
@@ -63,16 +64,16 @@ inline double determinant(const Constraint& a, const Constraint& b, const Constr
     return a.dot(b.cross(c));
 }
 
-//! (B, D) from two constraints, and lambda from that of a segment on the right wall. Returns false if they are
-//! degenerate.
-bool solveWalls(const Constraint& first, const Constraint& second, const Constraint* right, MinimalSolution& solution);
+//! (B, D) from two constraints and, unless it is null, lambda from that of a segment on the right wall. Returns false
+//! if they are degenerate.
+bool solveWalls(const Constraint left[2], const Constraint* right, MinimalSolution& solution);
 
 //! lambda from (B, D) and the constraint of a segment on the right wall. Returns false if it is degenerate or not
 //! positive.
 bool solveRatio(const Constraint& right, MinimalSolution& solution);
 
 //! solveWalls() with the pair of three constraints that is farthest from being parallel.
-bool solveWallsFromThree(const Constraint constraints[3], const Constraint* right, MinimalSolution& solution);
+bool solveWallsFromThree(const Constraint left[3], const Constraint* right, MinimalSolution& solution);
 
 //! Whether the solution is within the limits.
 inline bool isWithinLimits(const MinimalSolution& s, const SolverOptions& options)
@@ -87,13 +88,17 @@ bool areOnWalls(const MinimalSolution& solution, const RotatedSegment* segments,
 
 /** The solutions at some alphas.
 @param segments two on the left (or only) wall and, if twoWalls, a third one on the right wall.
-@param solveAt makes the walls of a solution from the constraints of the segments at its alpha; false if there are none.
+@param solveAt makes the walls of a solution from the constraints of the segments at its alpha, as solveWalls() does;
+false if there are none.
 @return number of solutions.
 */
 template <class SolveAt>
 int solutionsAt(const double* alphas, int count, const VerticalSegment* segments, bool twoWalls,
                 const SolverOptions& options, const SolveAt& solveAt, MinimalSolution* solutions)
 {
+    const int n = twoWalls ? 3 : 2;
+    if (!std::all_of(segments, segments + n, isUsable))
+        return 0;
     const Heading heading(options.heading);
     int found = 0;
     for (int k = 0; k < count; k++)
@@ -102,12 +107,13 @@ int solutionsAt(const double* alphas, int count, const VerticalSegment* segments
         s.alpha = alphas[k];
         RotatedSegment rotated[3];
         Constraint constraints[3];
-        for (int i = 0; i < (twoWalls ? 3 : 2); i++)
+        for (int i = 0; i < n; i++)
         {
             rotated[i] = RotatedSegment(segments[i], s.alpha, heading);
             constraints[i] = rotated[i].constraint();
         }
-        if (solveAt(constraints, s) && isWithinLimits(s, options) && areOnWalls(s, rotated, 2, twoWalls))
+        if (solveAt(constraints, twoWalls ? constraints + 2 : 0, s) && isWithinLimits(s, options) &&
+            areOnWalls(s, rotated, 2, twoWalls))
             found++;
     }
     return found;

@@ -23,7 +23,7 @@ int solve3LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions
     }
     MinimalSolution& s = solutions[0];
     s.alpha = 0;
-    if (!solveWalls(constraints[0], constraints[1], twoWalls ? constraints + 2 : 0, s))
+    if (!solveWalls(constraints, twoWalls ? constraints + 2 : 0, s))
         return 0;
     return isWithinLimits(s, options) && areOnWalls(s, rotated, 2, twoWalls) ? 1 : 0;
 }

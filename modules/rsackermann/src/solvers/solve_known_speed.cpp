@@ -35,19 +35,12 @@ int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scale
 {
     if (!(scaledSpeed > 0) || cvIsInf(scaledSpeed))
         return 0;
-    const int n = twoWalls ? 3 : 2;
-    for (int i = 0; i < n; i++)
-        if (!isUsable(segments[i]))
-            return 0;
     enum { DEGREE = 8 };
     const Heading heading(options.heading);
     const SpeedExcess excess = {segments, heading, scaledSpeed};
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(excess, options.maxAlpha, alphas);
-    const auto solveAt = [twoWalls](const Constraint* c, MinimalSolution& s) {
-        return solveWalls(c[0], c[1], twoWalls ? c + 2 : 0, s);
-    };
-    return solutionsAt(alphas, found, segments, twoWalls, options, solveAt, solutions);
+    return solutionsAt(alphas, found, segments, twoWalls, options, solveWalls, solutions);
 }
 
 }} // namespace cv::rsackermann

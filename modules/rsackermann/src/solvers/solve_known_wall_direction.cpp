@@ -40,17 +40,18 @@ struct Disagreement
 } // namespace
 
 // The walls of two segments that agree, and the ratio from a third one.
-static bool solveSpeed(const Disagreement& d, const Constraint* constraints, bool twoWalls, MinimalSolution& solution)
+static bool solveSpeed(const Disagreement& d, const Constraint left[2], const Constraint* right,
+                       MinimalSolution& solution)
 {
-    const double standstill = 1e-6, q0 = d.q(constraints[0]), q1 = d.q(constraints[1]);
-    const double scaledSpeed = -(constraints[0].e * q0 + constraints[1].e * q1) / (q0 * q0 + q1 * q1);
+    const double standstill = 1e-6, q0 = d.q(left[0]), q1 = d.q(left[1]);
+    const double scaledSpeed = -(left[0].e * q0 + left[1].e * q1) / (q0 * q0 + q1 * q1);
     // Vertical lines that stay where they are show nothing of walls. Nor does a scaledSpeed that isn't finite.
     if (!(std::abs(scaledSpeed) > standstill))
         return false;
     solution.wallSlope = scaledSpeed * d.walls.c;
     solution.wallOffset = scaledSpeed * d.walls.s;
     solution.wallRatio = 0;
-    return !twoWalls || solveRatio(constraints[2], solution);
+    return !right || solveRatio(*right, solution);
 }
 
 // doc/theory.md, "Solvers": the alphas at which two segments agree on the scaledSpeed of (B, D).
@@ -59,10 +60,6 @@ int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, doub
 {
     if (cvIsNaN(azimuth) || cvIsInf(azimuth))
         return 0;
-    const int n = twoWalls ? 3 : 2;
-    for (int i = 0; i < n; i++)
-        if (!isUsable(segments[i]))
-            return 0;
     enum { DEGREE = 6 };
     const Heading heading(options.heading), walls(azimuth);
     const Disagreement disagreement = {segments, heading, walls};
@@ -70,8 +67,8 @@ int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, doub
         return 0;
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(disagreement, options.maxAlpha, alphas);
-    const auto solveAt = [&](const Constraint* constraints, MinimalSolution& s) {
-        return solveSpeed(disagreement, constraints, twoWalls, s);
+    const auto solveAt = [&](const Constraint* left, const Constraint* right, MinimalSolution& s) {
+        return solveSpeed(disagreement, left, right, s);
     };
     return solutionsAt(alphas, found, segments, twoWalls, options, solveAt, solutions);
 }

@@ -13,21 +13,7 @@ int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls, double alp
 {
     if (cvIsNaN(alpha) || cvIsInf(alpha))
         return 0;
-    const Heading heading(options.heading);
-    RotatedSegment rotated[3];
-    Constraint constraints[3];
-    for (int i = 0; i < (twoWalls ? 3 : 2); i++)
-    {
-        if (!isUsable(segments[i]))
-            return 0;
-        rotated[i] = RotatedSegment(segments[i], alpha, heading);
-        constraints[i] = rotated[i].constraint();
-    }
-    MinimalSolution& s = solutions[0];
-    s.alpha = alpha;
-    if (!solveWalls(constraints[0], constraints[1], twoWalls ? constraints + 2 : 0, s))
-        return 0;
-    return isWithinLimits(s, options) && areOnWalls(s, rotated, 2, twoWalls) ? 1 : 0;
+    return solutionsAt(&alpha, 1, segments, twoWalls, options, solveWalls, solutions);
 }
 
 }} // namespace cv::rsackermann
