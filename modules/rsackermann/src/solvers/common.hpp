@@ -87,16 +87,17 @@ those on the left (or only) wall first, then, if twoWalls, one on the right wall
 bool areOnWalls(const MinimalSolution& solution, const RotatedSegment* segments, int left, bool twoWalls);
 
 /** The solutions at some alphas.
-@param segments two on the left (or only) wall and, if twoWalls, a third one on the right wall.
+@tparam LEFT number of segments on the left (or only) wall.
+@param segments those, and then, if twoWalls, one on the right wall.
 @param solveAt makes the walls of a solution from the constraints of the segments at its alpha, as solveWalls() does;
 false if there are none.
 @return number of solutions.
 */
-template <class SolveAt>
+template <int LEFT, class SolveAt>
 int solutionsAt(const double* alphas, int count, const VerticalSegment* segments, bool twoWalls,
                 const SolverOptions& options, const SolveAt& solveAt, MinimalSolution* solutions)
 {
-    const int n = twoWalls ? 3 : 2;
+    const int n = twoWalls ? LEFT + 1 : LEFT;
     if (!std::all_of(segments, segments + n, isUsable))
         return 0;
     const Heading heading(options.heading);
@@ -105,15 +106,15 @@ int solutionsAt(const double* alphas, int count, const VerticalSegment* segments
     {
         MinimalSolution& s = solutions[found];
         s.alpha = alphas[k];
-        RotatedSegment rotated[3];
-        Constraint constraints[3];
+        RotatedSegment rotated[LEFT + 1];
+        Constraint constraints[LEFT + 1];
         for (int i = 0; i < n; i++)
         {
             rotated[i] = RotatedSegment(segments[i], s.alpha, heading);
             constraints[i] = rotated[i].constraint();
         }
-        if (solveAt(constraints, twoWalls ? constraints + 2 : 0, s) && isWithinLimits(s, options) &&
-            areOnWalls(s, rotated, 2, twoWalls))
+        if (solveAt(constraints, twoWalls ? constraints + LEFT : 0, s) && isWithinLimits(s, options) &&
+            areOnWalls(s, rotated, LEFT, twoWalls))
             found++;
     }
     return found;

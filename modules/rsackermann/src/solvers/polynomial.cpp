@@ -15,14 +15,6 @@ static double evaluate(const double* c, int degree, double x)
     return value;
 }
 
-double slopeAt(const double* c, int degree, double x)
-{
-    double slope = degree * c[degree];
-    for (int i = degree - 1; i > 0; i--)
-        slope = slope * x + i * c[i];
-    return slope;
-}
-
 // In ascending order; of the two forms of a root the one without cancellation.
 static int quadraticRoots(const double* c, double low, double high, double* roots)
 {

@@ -20,9 +20,6 @@ that only touches zero has none and is left out.
 */
 int realRoots(const double* c, int degree, double low, double high, double* roots);
 
-//! Derivative of a polynomial of that degree at x.
-double slopeAt(const double* c, int degree, double x);
-
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_SOLVERS_POLYNOMIAL_HPP

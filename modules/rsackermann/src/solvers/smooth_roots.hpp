@@ -66,7 +66,8 @@ int smoothRoots(const Function& f, double limit, double roots[DEGREE])
     for (int i = 0; i < found; i++)
     {
         const double root = polish(f, limit, roots[i] * limit);
-        if (std::abs(root) <= limit) // not if it isn't finite
+        // Not if it isn't finite, or another one's.
+        if (std::abs(root) <= limit && (count == 0 || std::abs(root - roots[count - 1]) > 1e-9 * limit))
             roots[count++] = root;
     }
     return count;

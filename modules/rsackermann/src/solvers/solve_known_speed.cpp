@@ -40,7 +40,7 @@ int solveKnownSpeed(const VerticalSegment* segments, bool twoWalls, double scale
     const SpeedExcess excess = {segments, heading, scaledSpeed};
     double alphas[DEGREE];
     const int found = smoothRoots<DEGREE>(excess, options.maxAlpha, alphas);
-    return solutionsAt(alphas, found, segments, twoWalls, options, solveWalls, solutions);
+    return solutionsAt<2>(alphas, found, segments, twoWalls, options, solveWalls, solutions);
 }
 
 }} // namespace cv::rsackermann

@@ -70,7 +70,7 @@ int solveKnownWallDirection(const VerticalSegment* segments, bool twoWalls, doub
     const auto solveAt = [&](const Constraint* left, const Constraint* right, MinimalSolution& s) {
         return solveSpeed(disagreement, left, right, s);
     };
-    return solutionsAt(alphas, found, segments, twoWalls, options, solveAt, solutions);
+    return solutionsAt<2>(alphas, found, segments, twoWalls, options, solveAt, solutions);
 }
 
 }} // namespace cv::rsackermann

@@ -13,7 +13,7 @@ int solveKnownYawRate(const VerticalSegment* segments, bool twoWalls, double alp
 {
     if (cvIsNaN(alpha) || cvIsInf(alpha))
         return 0;
-    return solutionsAt(&alpha, 1, segments, twoWalls, options, solveWalls, solutions);
+    return solutionsAt<2>(&alpha, 1, segments, twoWalls, options, solveWalls, solutions);
 }
 
 }} // namespace cv::rsackermann
