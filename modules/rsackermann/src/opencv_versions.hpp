@@ -35,56 +35,23 @@ struct VTraits
     enum { max_nlanes = V::nlanes };
 };
 
-template <typename V>
-inline V v_add(const V& a, const V& b)
-{
-    return a + b;
-}
-template <typename V>
-inline V v_sub(const V& a, const V& b)
-{
-    return a - b;
-}
-template <typename V>
-inline V v_mul(const V& a, const V& b)
-{
-    return a * b;
-}
-template <typename V>
-inline V v_div(const V& a, const V& b)
-{
-    return a / b;
-}
-template <typename V>
-inline V v_and(const V& a, const V& b)
-{
-    return a & b;
-}
-template <typename V>
-inline V v_or(const V& a, const V& b)
-{
-    return a | b;
-}
-template <typename V>
-inline V v_lt(const V& a, const V& b)
-{
-    return a < b;
-}
-template <typename V>
-inline V v_gt(const V& a, const V& b)
-{
-    return a > b;
-}
-template <typename V>
-inline V v_ge(const V& a, const V& b)
-{
-    return a >= b;
-}
-template <typename V>
-inline V v_le(const V& a, const V& b)
-{
-    return a <= b;
-}
+#define RSACKERMANN_NAME_OPERATOR(name, op)                                                                            \
+    template <typename V>                                                                                              \
+    inline V name(const V& a, const V& b)                                                                              \
+    {                                                                                                                  \
+        return a op b;                                                                                                 \
+    }
+RSACKERMANN_NAME_OPERATOR(v_add, +)
+RSACKERMANN_NAME_OPERATOR(v_sub, -)
+RSACKERMANN_NAME_OPERATOR(v_mul, *)
+RSACKERMANN_NAME_OPERATOR(v_div, /)
+RSACKERMANN_NAME_OPERATOR(v_and, &)
+RSACKERMANN_NAME_OPERATOR(v_or, |)
+RSACKERMANN_NAME_OPERATOR(v_lt, <)
+RSACKERMANN_NAME_OPERATOR(v_gt, >)
+RSACKERMANN_NAME_OPERATOR(v_ge, >=)
+RSACKERMANN_NAME_OPERATOR(v_le, <=)
+#undef RSACKERMANN_NAME_OPERATOR
 
 CV_CPU_OPTIMIZATION_HAL_NAMESPACE_END
 } // namespace cv
