@@ -7,6 +7,16 @@
 
 #include "opencv2/core.hpp"
 
+//! Throws cv::Exception with a message, formatted as by cv::format, if an argument is bad. A macro: the exception has
+//! the function and the line.
+#define REJECT_IF(isBad, ...)                                                                                          \
+    do                                                                                                                 \
+    {                                                                                                                  \
+        if (isBad)                                                                                                     \
+            CV_Error(cv::Error::StsBadArg, cv::format(__VA_ARGS__));                                                   \
+    }                                                                                                                  \
+    while (false)
+
 namespace cv { namespace rsackermann {
 
 //! Of what a caller gives: its powers, and quotients of two of them, are finite.
@@ -15,33 +25,30 @@ const double LARGEST_VALUE = 1e30;
 //! Throws unless the value is finite, and not absurd.
 inline void checkFinite(double value, const char* name)
 {
-    if (!(std::abs(value) <= LARGEST_VALUE))
-        CV_Error(Error::StsBadArg,
-                 format("%s is %g; a finite number up to %g is expected", name, value, LARGEST_VALUE));
+    REJECT_IF(!(std::abs(value) <= LARGEST_VALUE), "%s is %g; a finite number up to %g is expected", name, value,
+              LARGEST_VALUE);
 }
 
 //! Throws unless the value is finite and greater than 0.
 inline void checkPositive(double value, const char* name)
 {
-    if (!(value >= 1 / LARGEST_VALUE && value <= LARGEST_VALUE))
-        CV_Error(Error::StsBadArg,
-                 format("%s is %g; a positive number up to %g is expected", name, value, LARGEST_VALUE));
+    REJECT_IF(!(value >= 1 / LARGEST_VALUE && value <= LARGEST_VALUE),
+              "%s is %g; a positive number up to %g is expected", name, value, LARGEST_VALUE);
 }
 
 //! Throws unless the value is finite and 0 or greater; 0 has the given meaning.
 inline void checkNotNegative(double value, const char* name, const char* meaningOfZero)
 {
-    if (value != 0 && !(value >= 1 / LARGEST_VALUE && value <= LARGEST_VALUE))
-        CV_Error(Error::StsBadArg, format("%s is %g; a positive number up to %g, or 0 for %s, is expected", name, value,
-                                          LARGEST_VALUE, meaningOfZero));
+    REJECT_IF(value != 0 && !(value >= 1 / LARGEST_VALUE && value <= LARGEST_VALUE),
+              "%s is %g; a positive number up to %g, or 0 for %s, is expected", name, value, LARGEST_VALUE,
+              meaningOfZero);
 }
 
 //! Throws unless the value is finite and within the limits, which belong to the range.
 inline void checkRange(double value, double low, double high, const char* name)
 {
     checkFinite(value, name);
-    if (value < low || value > high)
-        CV_Error(Error::StsBadArg, format("%s is %g; a number from %g to %g is expected", name, value, low, high));
+    REJECT_IF(value < low || value > high, "%s is %g; a number from %g to %g is expected", name, value, low, high);
 }
 
 //! Whether it is one matrix or a vector of elements, or nothing; lists of matrices are none.
@@ -56,20 +63,17 @@ inline bool isOneMatrix(const _InputArray& input)
 //! The matrix of an argument; throws if it isn't one.
 inline Mat matrixOf(InputArray input, const char* name)
 {
-    if (!isOneMatrix(input))
-        CV_Error(Error::StsBadArg, format("%s is a list of matrices or lists; one matrix is expected", name));
+    REJECT_IF(!isOneMatrix(input), "%s is a list of matrices or lists; one matrix is expected", name);
     return input.getMat();
 }
 
 //! Throws unless it is one image and, if a size is expected, has it.
 inline void checkImageSize(InputArray image, const char* name, const Size& expected)
 {
-    if (!isOneMatrix(image) || image.dims() > 2 || image.empty())
-        CV_Error(Error::StsBadArg,
-                 format("%s is empty or not one matrix of two dimensions; an image is expected", name));
-    if (expected != Size() && image.size() != expected)
-        CV_Error(Error::StsBadArg, format("%s is %d x %d; the camera's size %d x %d is expected", name, image.cols(),
-                                          image.rows(), expected.width, expected.height));
+    REJECT_IF(!isOneMatrix(image) || image.dims() > 2 || image.empty(),
+              "%s is empty or not one matrix of two dimensions; an image is expected", name);
+    REJECT_IF(expected != Size() && image.size() != expected, "%s is %d x %d; the camera's size %d x %d is expected",
+              name, image.cols(), image.rows(), expected.width, expected.height);
 }
 
 //! Throws unless segments and points can be looked for in an image.
@@ -77,9 +81,9 @@ inline void checkImage(InputArray image, const char* name, const Size& expected 
 {
     checkImageSize(image, name, expected);
     const int depth = image.depth(), channels = image.channels();
-    if ((depth != CV_8U && depth != CV_16U) || (channels != 1 && channels != 3 && channels != 4))
-        CV_Error(Error::StsBadArg, format("%s is of type %s; CV_8U or CV_16U with 1, 3 or 4 channels is expected", name,
-                                          typeToString(image.type()).c_str()));
+    REJECT_IF((depth != CV_8U && depth != CV_16U) || (channels != 1 && channels != 3 && channels != 4),
+              "%s is of type %s; CV_8U or CV_16U with 1, 3 or 4 channels is expected", name,
+              typeToString(image.type()).c_str());
 }
 
 //! Throws unless an image can be remapped.
@@ -87,9 +91,9 @@ inline void checkRemapped(InputArray image, const char* name, const Size& expect
 {
     checkImageSize(image, name, expected);
     const int depth = image.depth();
-    if (depth != CV_8U && depth != CV_16U && depth != CV_16S && depth != CV_32F && depth != CV_64F)
-        CV_Error(Error::StsBadArg, format("%s is of type %s; CV_8U, CV_16U, CV_16S, CV_32F or CV_64F is expected", name,
-                                          typeToString(image.type()).c_str()));
+    REJECT_IF(depth != CV_8U && depth != CV_16U && depth != CV_16S && depth != CV_32F && depth != CV_64F,
+              "%s is of type %s; CV_8U, CV_16U, CV_16S, CV_32F or CV_64F is expected", name,
+              typeToString(image.type()).c_str());
 }
 
 /** Throws unless an output can become a matrix of that size and type: it is one whose size and type aren't fixed to
@@ -123,8 +127,7 @@ inline bool areOneMatrix(const _InputArray& a, const _InputArray& b)
 //! Throws if an output would replace another argument that is still needed.
 inline void checkApart(const _InputArray& output, const char* name, const _InputArray& other, const char* otherName)
 {
-    if (areOneMatrix(output, other))
-        CV_Error(Error::StsBadArg, format("%s is the same matrix as %s; another one is expected", name, otherName));
+    REJECT_IF(areOneMatrix(output, other), "%s is the same matrix as %s; another one is expected", name, otherName);
 }
 
 }} // namespace cv::rsackermann

@@ -80,26 +80,22 @@ void RollingShutterCorrector::Params::check() const
 {
     estimator.check();
     warp.check();
-    if (interpolation != INTER_NEAREST && interpolation != INTER_LINEAR && interpolation != INTER_CUBIC &&
-        interpolation != INTER_LANCZOS4)
-        CV_Error(
-            Error::StsBadArg,
-            format(
-                "interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) "
-                "is expected",
-                interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4));
-    if (!(frameInterval > 0 && frameInterval <= 3600))
-        CV_Error(
-            Error::StsBadArg,
-            format("params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval));
+    REJECT_IF(interpolation != INTER_NEAREST && interpolation != INTER_LINEAR && interpolation != INTER_CUBIC &&
+                  interpolation != INTER_LANCZOS4,
+              "interpolation is %d; INTER_NEAREST (%d), INTER_LINEAR (%d), INTER_CUBIC (%d) or INTER_LANCZOS4 (%d) is "
+              "expected",
+              interpolation, INTER_NEAREST, INTER_LINEAR, INTER_CUBIC, INTER_LANCZOS4);
+    REJECT_IF(!(frameInterval > 0 && frameInterval <= 3600),
+              "params.frameInterval is %g; more than 0 and at most 3600 seconds are expected", frameInterval);
     checkPositive(gyroDelaySigma, "params.gyroDelaySigma");
     checkPositive(gyroAxesSigma, "params.gyroAxesSigma");
     checkPositive(gyroBiasSigma, "params.gyroBiasSigma");
     checkPositive(gyroScaleSigma, "params.gyroScaleSigma");
-    if (sequence && trackPoints && estimator.model != MODEL_AUTO)
-        CV_Error(Error::StsBadArg, format("params.estimator.model is %d; MODEL_AUTO (%d) is expected if points are "
-                                          "tracked from frame to frame (sequence and trackPoints)",
-                                          estimator.model, MODEL_AUTO));
+    REJECT_IF(
+        sequence && trackPoints && estimator.model != MODEL_AUTO,
+        "params.estimator.model is %d; MODEL_AUTO (%d) is expected if points are tracked from frame to frame (sequence "
+        "and trackPoints)",
+        estimator.model, MODEL_AUTO);
 }
 
 // Whether a camera at rest already gives the global-shutter image.
@@ -348,10 +344,11 @@ private:
     {
         checkRemapped(src, "src", generator->getCamera().imageSize);
         const bool isWide = params.interpolation == INTER_CUBIC || params.interpolation == INTER_LANCZOS4;
-        if (isWide && src.channels() > 4) // refused by cv::remap, whether or not this image needs it
-            CV_Error(Error::StsBadArg, format("src has %d channels; up to 4 are expected if params.interpolation is "
-                                              "INTER_CUBIC (%d) or INTER_LANCZOS4 (%d)",
-                                              src.channels(), INTER_CUBIC, INTER_LANCZOS4));
+        // Refused by cv::remap, whether or not this image needs it.
+        REJECT_IF(isWide && src.channels() > 4,
+                  "src has %d channels; up to 4 are expected if params.interpolation is INTER_CUBIC (%d) or "
+                  "INTER_LANCZOS4 (%d)",
+                  src.channels(), INTER_CUBIC, INTER_LANCZOS4);
     }
 
     // The mask is written before the image is read.
@@ -359,9 +356,9 @@ private:
     {
         const Size size = GlobalCamera(generator->getCamera(), params.warp).size;
         const int longest = std::max(std::max(src.cols(), src.rows()), std::max(size.width, size.height));
-        if (longest >= SHRT_MAX) // refused by cv::remap, whether or not this image needs it
-            CV_Error(Error::StsBadArg,
-                     format("src or dst has a side of %d pixels; up to %d are expected", longest, SHRT_MAX - 1));
+        // Refused by cv::remap, whether or not this image needs it.
+        REJECT_IF(longest >= SHRT_MAX, "src or dst has a side of %d pixels; up to %d are expected", longest,
+                  SHRT_MAX - 1);
         checkOutput(dst, "dst", size, src.type());
         if (mask.needed())
             checkOutput(mask, "mask", size, CV_8UC1);

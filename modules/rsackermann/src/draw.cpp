@@ -115,18 +115,14 @@ void drawMotion(InputOutputArray image_, InputArray segments_, InputArray labels
     camera.check();
     checkMotion(motion);
     Mat image = matrixOf(image_, "image");
-    if (image.type() != CV_8UC3 || image.size() != camera.imageSize)
-        CV_Error(Error::StsBadArg,
-                 format("image is a %d x %d matrix of type %s; CV_8UC3 of the camera's size %d x %d is expected",
-                        image.cols, image.rows, typeToString(image.type()).c_str(), camera.imageSize.width,
-                        camera.imageSize.height));
-    if (thickness < 1 || thickness > 255)
-        CV_Error(Error::StsBadArg, format("thickness is %d; 1 to 255 is expected", thickness));
+    REJECT_IF(image.type() != CV_8UC3 || image.size() != camera.imageSize,
+              "image is a %d x %d matrix of type %s; CV_8UC3 of the camera's size %d x %d is expected", image.cols,
+              image.rows, typeToString(image.type()).c_str(), camera.imageSize.width, camera.imageSize.height);
+    REJECT_IF(thickness < 1 || thickness > 255, "thickness is %d; 1 to 255 is expected", thickness);
     const Mat segments = segmentRows(segments_), labels = matrixOf(labels_, "labels");
-    if ((int)labels.total() != segments.rows || (segments.rows > 0 && labels.type() != CV_8U))
-        CV_Error(Error::StsBadArg,
-                 format("labels has %d elements of type %s; %d of CV_8U, one for each segment, are expected",
-                        (int)labels.total(), typeToString(labels.type()).c_str(), segments.rows));
+    REJECT_IF((int)labels.total() != segments.rows || (segments.rows > 0 && labels.type() != CV_8U),
+              "labels has %d elements of type %s; %d of CV_8U, one for each segment, are expected", (int)labels.total(),
+              typeToString(labels.type()).c_str(), segments.rows);
 
     if (motion.status == MOTION_OK && motion.roadSlope != 0)
     {

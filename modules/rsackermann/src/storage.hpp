@@ -5,6 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_STORAGE_HPP
 #define OPENCV_RSACKERMANN_SRC_STORAGE_HPP
 
+#include "checks.hpp"
 #include "opencv2/rsackermann/camera.hpp"
 
 namespace cv { namespace rsackermann {
@@ -31,9 +32,8 @@ void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& m
     if (node.empty())
         return;
     const Size stored = storedSize(node);
-    if (stored != Size(cols, rows))
-        CV_Error(Error::StsBadArg, format("%s is %d x %d; a matrix of %d x %d is expected", key, stored.height,
-                                          stored.width, rows, cols));
+    REJECT_IF(stored != Size(cols, rows), "%s is %d x %d; a matrix of %d x %d is expected", key, stored.height,
+              stored.width, rows, cols);
     cv::read(node, matrix, matrix);
 }
 
@@ -71,18 +71,15 @@ struct AlgorithmStorage
     static Ptr<Algorithm> load(const String& filename, const String& objname)
     {
         const FileStorage fs(filename, FileStorage::READ);
-        if (!fs.isOpened())
-            CV_Error(Error::StsBadArg,
-                     format("filename is \"%s\"; a file that save() has written is expected", filename.c_str()));
+        REJECT_IF(!fs.isOpened(), "filename is \"%s\"; a file that save() has written is expected", filename.c_str());
         const FileNode fn = objname.empty() ? fs.getFirstTopLevelNode() : fs[objname];
         const Ptr<Algorithm> algorithm = Algorithm::create(RollingShutterCamera::fromFocal(Size(1, 1)));
         checkState(fn, *algorithm);
-        if (!fn.isMap() || !fn["camera"].isMap())
-            CV_Error(
-                Error::StsBadArg,
-                format("objname is \"%s\"; the name that save() has given an object in \"%s\", or an empty one for the "
-                       "first object, is expected",
-                       objname.c_str(), filename.c_str()));
+        REJECT_IF(
+            !fn.isMap() || !fn["camera"].isMap(),
+            "objname is \"%s\"; the name that save() has given an object in \"%s\", or an empty one for the first "
+            "object, is expected",
+            objname.c_str(), filename.c_str());
         RollingShutterCamera camera;
         camera.read(fn["camera"]);
         algorithm->setCamera(camera);
@@ -102,9 +99,8 @@ private:
         const String expected = algorithm.getDefaultName(), stored = stated.isString() ? String(stated) : fn.name();
         // Other names of a node are of the user's choice.
         const bool isOfModule = stated.isString() || stored.compare(0, 12, "rsackermann_") == 0;
-        if (isOfModule && stored != expected)
-            CV_Error(Error::StsBadArg,
-                     format("the file holds a %s; a %s is expected", stored.c_str(), expected.c_str()));
+        REJECT_IF(isOfModule && stored != expected, "the file holds a %s; a %s is expected", stored.c_str(),
+                  expected.c_str());
         if (fn["format"].empty()) // the first key of what write() has written
             return;
         FileStorage whole(".yml", FileStorage::WRITE | FileStorage::MEMORY);
@@ -117,9 +113,8 @@ private:
         for (const String& key : whole.keys())
         {
             const FileNode node = stored[key];
-            if (node.empty() || node.isNone())
-                CV_Error(Error::StsBadArg, format("the file lacks %s%s; all that save() has written is expected",
-                                                  path.c_str(), key.c_str()));
+            REJECT_IF(node.empty() || node.isNone(), "the file lacks %s%s; all that save() has written is expected",
+                      path.c_str(), key.c_str());
             if (whole[key].isMap() && node.isMap())
                 checkKeys(node, whole[key], path + key + ".");
         }

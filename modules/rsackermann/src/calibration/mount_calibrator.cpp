@@ -53,8 +53,7 @@ AckermannEstimator::Params MountCalibrator::Params::getEstimatorParams() const
 void MountCalibrator::Params::check() const
 {
     estimator.check();
-    if (maxFrames < 100)
-        CV_Error(Error::StsBadArg, format("params.maxFrames is %d; a number of 100 or more is expected", maxFrames));
+    REJECT_IF(maxFrames < 100, "params.maxFrames is %d; a number of 100 or more is expected", maxFrames);
     checkPositive(tiltSigma, "params.tiltSigma");
     checkPositive(headingSigma, "params.headingSigma");
     checkPositive(lineDelaySigma, "params.lineDelaySigma");
@@ -109,11 +108,11 @@ public:
     void setCamera(const RollingShutterCamera& camera) CV_OVERRIDE
     {
         camera.check();
-        if (!camera.isRowShutter())
-            CV_Error(Error::StsBadArg,
-                     format("camera.scanDirection is %d; a shutter along the rows, SCAN_TOP_TO_BOTTOM (0) or "
-                            "SCAN_BOTTOM_TO_TOP (1), is expected",
-                            camera.scanDirection));
+        REJECT_IF(
+            !camera.isRowShutter(),
+            "camera.scanDirection is %d; a shutter along the rows, SCAN_TOP_TO_BOTTOM (0) or SCAN_BOTTOM_TO_TOP (1), "
+            "is expected",
+            camera.scanDirection);
         given = camera;
         removeFrames();
     }

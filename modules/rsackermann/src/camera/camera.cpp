@@ -44,9 +44,8 @@ RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, M
 
 RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double focal)
 {
-    if (!(focal >= 0) || cvIsInf(focal))
-        CV_Error(Error::StsBadArg,
-                 format("focal is %g; a positive number of pixels, or 0 for the default, is expected", focal));
+    REJECT_IF(!(focal >= 0) || cvIsInf(focal),
+              "focal is %g; a positive number of pixels, or 0 for the default, is expected", focal);
     const double relative = 0.9, relativeSigma = 0.2, unknownDistortion = 0.15; // of cameras in cars
     const double f = focal > 0 ? focal : relative * std::max(size.width, size.height);
     RollingShutterCamera camera(size, Matx33d(f, 0, (size.width - 1) / 2., 0, f, (size.height - 1) / 2., 0, 0, 1));
@@ -58,10 +57,8 @@ RollingShutterCamera RollingShutterCamera::fromFocal(const Size& size, double fo
 
 void RollingShutterCamera::setRollPitch(double roll, double pitch)
 {
-    if (!(std::abs(roll) < CV_PI / 2))
-        CV_Error(Error::StsBadArg, format("roll is %g rad; a value between -pi/2 and pi/2 is expected", roll));
-    if (!(std::abs(pitch) < CV_PI / 2))
-        CV_Error(Error::StsBadArg, format("pitch is %g rad; a value between -pi/2 and pi/2 is expected", pitch));
+    REJECT_IF(!(std::abs(roll) < CV_PI / 2), "roll is %g rad; a value between -pi/2 and pi/2 is expected", roll);
+    REJECT_IF(!(std::abs(pitch) < CV_PI / 2), "pitch is %g rad; a value between -pi/2 and pi/2 is expected", pitch);
     setGravity(Vec3d(std::sin(roll), std::cos(roll) * std::cos(pitch), std::sin(pitch)));
 }
 
@@ -69,10 +66,9 @@ void RollingShutterCamera::setGravity(const Vec3d& gravity)
 {
     const double length = norm(gravity);
     const double horizontal = std::hypot(gravity[0], gravity[1]);
-    if (!(length > 0) || cvIsInf(length) || horizontal < 1e-6 * length)
-        CV_Error(Error::StsBadArg,
-                 format("gravity is (%g, %g, %g); a finite vector that isn't parallel to the optical axis is expected",
-                        gravity[0], gravity[1], gravity[2]));
+    REJECT_IF(!(length > 0) || cvIsInf(length) || horizontal < 1e-6 * length,
+              "gravity is (%g, %g, %g); a finite vector that isn't parallel to the optical axis is expected",
+              gravity[0], gravity[1], gravity[2]);
     const Vec3d down = gravity * (1 / length);
     const Vec3d forward = normalize(Vec3d(0, 0, 1) - down * down[2]);
     const Vec3d right = down.cross(forward);
@@ -107,31 +103,24 @@ static void checkIntrinsics(const Matx33d& K)
 {
     const double largest = 1e9; // whose powers, and quotients with what is in an image, are finite
     for (int i = 0; i < 9; i++)
-        if (!(std::abs(K.val[i]) <= largest))
-            CV_Error(Error::StsBadArg,
-                     format("camera.cameraMatrix has the entry %g; pixels up to %g are expected", K.val[i], largest));
-    if (!(K(0, 0) >= 1 / largest) || !(K(1, 1) >= 1 / largest))
-        CV_Error(Error::StsBadArg,
-                 format("camera.cameraMatrix has focal lengths %g, %g; positive ones are expected", K(0, 0), K(1, 1)));
-    if (K(0, 1) != 0 || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1)
-        CV_Error(
-            Error::StsBadArg,
-            "camera.cameraMatrix has other entries than fx, fy, cx, cy and 1; a matrix (fx 0 cx; 0 fy cy; 0 0 1) is "
-            "expected");
+        REJECT_IF(!(std::abs(K.val[i]) <= largest),
+                  "camera.cameraMatrix has the entry %g; pixels up to %g are expected", K.val[i], largest);
+    REJECT_IF(!(K(0, 0) >= 1 / largest) || !(K(1, 1) >= 1 / largest),
+              "camera.cameraMatrix has focal lengths %g, %g; positive ones are expected", K(0, 0), K(1, 1));
+    REJECT_IF(K(0, 1) != 0 || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 || K(2, 2) != 1,
+              "camera.cameraMatrix has other entries than fx, fy, cx, cy and 1; a matrix (fx 0 cx; 0 fy cy; 0 0 1) is "
+              "expected");
 }
 
 static void checkLens(int lensModel, const std::vector<double>& coefficients)
 {
     const size_t n = coefficients.size();
-    if (lensModel != LENS_PINHOLE && lensModel != LENS_FISHEYE)
-        CV_Error(Error::StsBadArg,
-                 format("camera.lensModel is %d; LENS_PINHOLE (0) or LENS_FISHEYE (1) is expected", lensModel));
-    if (lensModel == LENS_FISHEYE && n != 0 && n != 4)
-        CV_Error(Error::StsBadArg,
-                 format("camera.distCoeffs has %d values; 0 or 4 are expected for LENS_FISHEYE", (int)n));
-    if (lensModel == LENS_PINHOLE && n != 0 && n != 4 && n != 5 && n != 8 && n != 12 && n != 14)
-        CV_Error(Error::StsBadArg,
-                 format("camera.distCoeffs has %d values; 0, 4, 5, 8, 12 or 14 are expected for LENS_PINHOLE", (int)n));
+    REJECT_IF(lensModel != LENS_PINHOLE && lensModel != LENS_FISHEYE,
+              "camera.lensModel is %d; LENS_PINHOLE (0) or LENS_FISHEYE (1) is expected", lensModel);
+    REJECT_IF(lensModel == LENS_FISHEYE && n != 0 && n != 4,
+              "camera.distCoeffs has %d values; 0 or 4 are expected for LENS_FISHEYE", (int)n);
+    REJECT_IF(lensModel == LENS_PINHOLE && n != 0 && n != 4 && n != 5 && n != 8 && n != 12 && n != 14,
+              "camera.distCoeffs has %d values; 0, 4, 5, 8, 12 or 14 are expected for LENS_PINHOLE", (int)n);
     for (size_t i = 0; i < n; i++)
         checkFinite(coefficients[i], "camera.distCoeffs");
 }
@@ -141,29 +130,25 @@ static void checkRotation(const Matx33d& R)
     for (int i = 0; i < 9; i++)
         checkFinite(R.val[i], "camera.uprightRotation");
     const double error = norm(R * R.t() - Matx33d::eye(), NORM_INF);
-    if (error > 1e-6 || determinant(R) < 0)
-        CV_Error(Error::StsBadArg,
-                 format("camera.uprightRotation is off a rotation by %g; a rotation matrix is expected", error));
+    REJECT_IF(error > 1e-6 || determinant(R) < 0,
+              "camera.uprightRotation is off a rotation by %g; a rotation matrix is expected", error);
 }
 
 void RollingShutterCamera::check() const
 {
     const int most = 65535; // what is kept for each row or column has to fit into memory
-    if (imageSize.width <= 0 || imageSize.height <= 0 || imageSize.width > most || imageSize.height > most)
-        CV_Error(Error::StsBadArg, format("camera.imageSize is %d x %d; a width and height of 1 to %d are expected",
-                                          imageSize.width, imageSize.height, most));
+    REJECT_IF(imageSize.width <= 0 || imageSize.height <= 0 || imageSize.width > most || imageSize.height > most,
+              "camera.imageSize is %d x %d; a width and height of 1 to %d are expected", imageSize.width,
+              imageSize.height, most);
     checkIntrinsics(cameraMatrix);
     checkLens(lensModel, distCoeffs);
-    if (scanDirection < SCAN_TOP_TO_BOTTOM || scanDirection > SCAN_RIGHT_TO_LEFT)
-        CV_Error(
-            Error::StsBadArg,
-            format("camera.scanDirection is %d; one of the ScanDirection values 0 to 3 is expected", scanDirection));
+    REJECT_IF(scanDirection < SCAN_TOP_TO_BOTTOM || scanDirection > SCAN_RIGHT_TO_LEFT,
+              "camera.scanDirection is %d; one of the ScanDirection values 0 to 3 is expected", scanDirection);
     checkNotNegative(lineDelay, "camera.lineDelay", "unknown");
     const int lines = isRowShutter() ? imageSize.height : imageSize.width;
-    if (lineDelay > LONGEST_READ_OUT / lines)
-        CV_Error(Error::StsBadArg,
-                 format("camera.lineDelay is %g s, %g s for %d lines; up to %g s for all of them is expected",
-                        lineDelay, lineDelay * lines, lines, LONGEST_READ_OUT));
+    REJECT_IF(lineDelay > LONGEST_READ_OUT / lines,
+              "camera.lineDelay is %g s, %g s for %d lines; up to %g s for all of them is expected", lineDelay,
+              lineDelay * lines, lines, LONGEST_READ_OUT);
     checkFinite(referenceRow, "camera.referenceRow");
     checkRotation(uprightRotation);
     checkFinite(heading, "camera.heading");

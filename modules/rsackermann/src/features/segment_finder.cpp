@@ -23,20 +23,18 @@ static double lsdScale(const Mat& image, bool isRefined)
 
 void checkDetector(int detector, const char* name)
 {
-    if (detector < DETECTOR_LSD || detector > DETECTOR_VERTICALS)
-        CV_Error(Error::StsBadArg,
-                 format("%s is %d; DETECTOR_LSD (0), DETECTOR_FLD (1), DETECTOR_EDLINES (2) or DETECTOR_VERTICALS (3) "
-                        "is expected",
-                        name, detector));
+    REJECT_IF(
+        detector < DETECTOR_LSD || detector > DETECTOR_VERTICALS,
+        "%s is %d; DETECTOR_LSD (0), DETECTOR_FLD (1), DETECTOR_EDLINES (2) or DETECTOR_VERTICALS (3) is expected",
+        name, detector);
 }
 
 static void checkArguments(InputArray image, int detector, double minLength)
 {
     checkImage(image, "image");
     checkDetector(detector, "detector");
-    if (!(minLength >= 0) || cvIsInf(minLength))
-        CV_Error(Error::StsBadArg,
-                 format("minLength is %g; a number of pixels that isn't negative is expected", minLength));
+    REJECT_IF(!(minLength >= 0) || cvIsInf(minLength),
+              "minLength is %g; a number of pixels that isn't negative is expected", minLength);
 }
 
 static double lengthOf(const Vec4f& s)

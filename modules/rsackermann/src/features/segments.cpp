@@ -15,11 +15,11 @@ Mat segmentRows(InputArray segments, const char* name)
         return Mat(0, 4, CV_64F);
     const bool fourColumns = in.channels() == 1 && in.cols == 4,
                fourChannels = in.channels() == 4 && (in.cols == 1 || in.rows == 1);
-    if ((in.depth() != CV_32F && in.depth() != CV_64F) || in.dims > 2 || (!fourColumns && !fourChannels))
-        CV_Error(Error::StsBadArg,
-                 format("%s is a %d x %d matrix of type %s; N x 4 with one channel or N x 1 with four channels, "
-                        "CV_32F or CV_64F, is expected",
-                        name, in.rows, in.cols, typeToString(in.type()).c_str()));
+    REJECT_IF(
+        (in.depth() != CV_32F && in.depth() != CV_64F) || in.dims > 2 || (!fourColumns && !fourChannels),
+        "%s is a %d x %d matrix of type %s; N x 4 with one channel or N x 1 with four channels, CV_32F or CV_64F, is "
+        "expected",
+        name, in.rows, in.cols, typeToString(in.type()).c_str());
     Mat rows;
     in.convertTo(rows, CV_64F);
     return rows.isContinuous() ? rows.reshape(1, (int)(rows.total() * rows.channels() / 4)) : rows;

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../checks.hpp"
 #include "metric_way.hpp"
 
 namespace cv { namespace rsackermann {
@@ -26,13 +27,10 @@ bool isMetric(const RollingShutterCamera& camera, const AckermannMotion& motion)
 
 double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion)
 {
-    if (!isMetric(camera, motion))
-        CV_Error(
-            Error::StsBadArg,
-            format("depths are given, but motion.wallDistance is %g m, and motion.roadSlope is %g with motion.scale %d "
-                   "and "
-                   "camera.height %g m; one of the two must give the speed",
-                   motion.wallDistance, motion.roadSlope, motion.scale, camera.height));
+    REJECT_IF(!isMetric(camera, motion),
+              "depths are given, but motion.wallDistance is %g m, and motion.roadSlope is %g with motion.scale %d and "
+              "camera.height %g m; one of the two must give the speed",
+              motion.wallDistance, motion.roadSlope, motion.scale, camera.height);
     if (!translates(motion))
         return 0;
     if (hasWallDistance(motion))

@@ -27,9 +27,7 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
 {
     camera.check();
     const double left = metric.leftDistance, right = metric.rightDistance;
-    if (!(camera.lineDelay > 0))
-        CV_Error(Error::StsBadArg,
-                 format("camera.lineDelay is %g s; metric values need a positive one", camera.lineDelay));
+    REJECT_IF(!(camera.lineDelay > 0), "camera.lineDelay is %g s; metric values need a positive one", camera.lineDelay);
     checkFinite(metric.yawRate, "metric.yawRate");
     checkFinite(metric.speed, "metric.speed");
     checkNotNegative(left, "metric.leftDistance", "no left wall");
@@ -157,10 +155,9 @@ static Mat readValues(const FileNode& fn, const char* key)
         return values;
     const Size stored = storedSize(node);
     const String type = node.isMap() ? String(node["dt"]) : String();
-    if (!Possible::isPossible(stored) || type != "d")
-        CV_Error(Error::StsBadArg,
-                 format("%s is %d x %d of type \"%s\"; %s of type \"d\" are expected", key, stored.height, stored.width,
-                        type.c_str(), Possible::possibleSizes().c_str()));
+    REJECT_IF(!Possible::isPossible(stored) || type != "d",
+              "%s is %d x %d of type \"%s\"; %s of type \"d\" are expected", key, stored.height, stored.width,
+              type.c_str(), Possible::possibleSizes().c_str());
     cv::read(node, values);
     return values;
 }

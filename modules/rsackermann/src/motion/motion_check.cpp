@@ -15,17 +15,13 @@ static void checkOffset(const AckermannMotion& motion)
     const Rect2d& area = motion.offsetArea;
     if (offset.empty())
         return;
-    if (offset.dims != 2 || offset.type() != CV_64FC1 || !InverseDepthOffset::isPossible(offset.size()))
-        CV_Error(Error::StsBadArg,
-                 format("motion.inverseDepthOffset is a %d x %d matrix of type %s; %s of type CV_64FC1 are expected",
-                        offset.rows, offset.cols, typeToString(offset.type()).c_str(),
-                        InverseDepthOffset::possibleSizes().c_str()));
-    if (!cv::checkRange(offset, true, 0, -LARGEST_VALUE, LARGEST_VALUE))
-        CV_Error(
-            Error::StsBadArg,
-            format("motion.inverseDepthOffset has values that aren't finite or beyond +-%g; finite ones up to it are "
-                   "expected",
-                   LARGEST_VALUE));
+    REJECT_IF(offset.dims != 2 || offset.type() != CV_64FC1 || !InverseDepthOffset::isPossible(offset.size()),
+              "motion.inverseDepthOffset is a %d x %d matrix of type %s; %s of type CV_64FC1 are expected", offset.rows,
+              offset.cols, typeToString(offset.type()).c_str(), InverseDepthOffset::possibleSizes().c_str());
+    REJECT_IF(
+        !cv::checkRange(offset, true, 0, -LARGEST_VALUE, LARGEST_VALUE),
+        "motion.inverseDepthOffset has values that aren't finite or beyond +-%g; finite ones up to it are expected",
+        LARGEST_VALUE);
     checkFinite(area.x, "motion.offsetArea.x");
     checkFinite(area.y, "motion.offsetArea.y");
     checkPositive(area.width, "motion.offsetArea.width");
@@ -34,19 +30,15 @@ static void checkOffset(const AckermannMotion& motion)
 
 static void checkWords(const AckermannMotion& motion)
 {
-    if (motion.status < MOTION_OK || motion.status > MOTION_NOT_OBSERVABLE)
-        CV_Error(Error::StsBadArg,
-                 format("motion.status is %d; one of the MotionStatus values 0 to 4 is expected", motion.status));
+    REJECT_IF(motion.status < MOTION_OK || motion.status > MOTION_NOT_OBSERVABLE,
+              "motion.status is %d; one of the MotionStatus values 0 to 4 is expected", motion.status);
     const int model = motion.model;
-    if (model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA && model != MODEL_4LA)
-        CV_Error(Error::StsBadArg,
-                 format("motion.model is %d; one of the MotionModel values 0, 1, 3 and 4 is expected", model));
-    if (motion.direction != 1 && motion.direction != -1)
-        CV_Error(Error::StsBadArg,
-                 format("motion.direction is %d; 1 (forward) or -1 (reverse) is expected", motion.direction));
-    if (motion.scale < SCALE_UNKNOWN || motion.scale > SCALE_SPEED)
-        CV_Error(Error::StsBadArg,
-                 format("motion.scale is %d; one of the MotionScale values 0 to 3 is expected", motion.scale));
+    REJECT_IF(model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA && model != MODEL_4LA,
+              "motion.model is %d; one of the MotionModel values 0, 1, 3 and 4 is expected", model);
+    REJECT_IF(motion.direction != 1 && motion.direction != -1,
+              "motion.direction is %d; 1 (forward) or -1 (reverse) is expected", motion.direction);
+    REJECT_IF(motion.scale < SCALE_UNKNOWN || motion.scale > SCALE_SPEED,
+              "motion.scale is %d; one of the MotionScale values 0 to 3 is expected", motion.scale);
 }
 
 void checkMotion(const AckermannMotion& motion)
@@ -60,9 +52,8 @@ void checkMotion(const AckermannMotion& motion)
                                  "pitchRate", "rollRate",  "rollCorrection", "pitchCorrection", "wallDistance"};
     const double largest = 1e150; // the walls' inverse depths, products of two of them, are finite
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
-        if (!(std::abs(values[i]) <= largest))
-            CV_Error(Error::StsBadArg, format("motion.%s is %g; a number from %g to %g is expected", names[i],
-                                              values[i], -largest, largest));
+        REJECT_IF(!(std::abs(values[i]) <= largest), "motion.%s is %g; a number from %g to %g is expected", names[i],
+                  values[i], -largest, largest);
 }
 
 }} // namespace cv::rsackermann

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../checks.hpp"
 #include "compensation.hpp"
 #include "row_tilt.hpp"
 
@@ -10,18 +11,14 @@ namespace cv { namespace rsackermann {
 
 void RotationCurve::check(const Mat& vectors)
 {
-    if (vectors.dims != 2 || vectors.type() != CV_64FC1 || !isPossible(vectors.size()))
-        CV_Error(Error::StsBadArg,
-                 format("motion.rotationCurve is a %d x %d matrix of type %s; %s of type CV_64FC1 are expected",
-                        vectors.rows, vectors.cols, typeToString(vectors.type()).c_str(), possibleSizes().c_str()));
+    REJECT_IF(vectors.dims != 2 || vectors.type() != CV_64FC1 || !isPossible(vectors.size()),
+              "motion.rotationCurve is a %d x %d matrix of type %s; %s of type CV_64FC1 are expected", vectors.rows,
+              vectors.cols, typeToString(vectors.type()).c_str(), possibleSizes().c_str());
     for (int i = 0; i < vectors.rows; i++)
     {
         const double angle = norm(Vec3d(vectors.ptr<double>(i)));
-        if (!(angle <= CV_PI))
-            CV_Error(Error::StsBadArg,
-                     format("row %d of motion.rotationCurve is a rotation by %g; at most pi, radians, "
-                            "is expected",
-                            i, angle));
+        REJECT_IF(!(angle <= CV_PI),
+                  "row %d of motion.rotationCurve is a rotation by %g; at most pi, radians, is expected", i, angle);
     }
 }
 

@@ -12,14 +12,13 @@ static const double GYRO_GAP = 0.1; // seconds without a sample: slower gyros do
 
 static void check(const Mat& times, const Mat& rates)
 {
-    if (!times.empty() && (times.type() != CV_64F || std::min(times.rows, times.cols) != 1))
-        CV_Error(Error::StsBadArg, format("times is %d x %d of type %s; N x 1 of type CV_64FC1 is expected", times.rows,
-                                          times.cols, typeToString(times.type()).c_str()));
-    if (!(times.empty() && rates.empty()) &&
-        (rates.type() != CV_64F || rates.cols != 3 || size_t(rates.rows) != times.total()))
-        CV_Error(Error::StsBadArg,
-                 format("rates is %d x %d of type %s; %d x 3 of type CV_64FC1 is expected", rates.rows, rates.cols,
-                        typeToString(rates.type()).c_str(), int(times.total())));
+    REJECT_IF(!times.empty() && (times.type() != CV_64F || std::min(times.rows, times.cols) != 1),
+              "times is %d x %d of type %s; N x 1 of type CV_64FC1 is expected", times.rows, times.cols,
+              typeToString(times.type()).c_str());
+    REJECT_IF(!(times.empty() && rates.empty()) &&
+                  (rates.type() != CV_64F || rates.cols != 3 || size_t(rates.rows) != times.total()),
+              "rates is %d x %d of type %s; %d x 3 of type CV_64FC1 is expected", rates.rows, rates.cols,
+              typeToString(rates.type()).c_str(), int(times.total()));
 }
 
 void GyroSamples::add(const Mat& times_, const Mat& rates)
@@ -33,9 +32,8 @@ void GyroSamples::add(const Mat& times_, const Mat& rates)
             checkRange(time[i], -1e12, 1e12, format("times[%d]", i).c_str());
         const bool isFirst = i == 0 && samples.empty();
         const double last = i > 0 ? time[i - 1] : isFirst ? 0 : lastTime();
-        if (!isFirst && !(time[i] > last))
-            CV_Error(Error::StsBadArg,
-                     format("times[%d] is %.9g; more than %.9g, the one before, is expected", i, time[i], last));
+        REJECT_IF(!isFirst && !(time[i] > last), "times[%d] is %.9g; more than %.9g, the one before, is expected", i,
+                  time[i], last);
         for (int k = 0; k < 3; k++)
             if (!(std::abs(rates.at<double>(i, k)) <= fastest()))
                 checkRange(rates.at<double>(i, k), -fastest(), fastest(), format("rates(%d, %d)", i, k).c_str());

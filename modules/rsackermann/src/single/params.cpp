@@ -10,8 +10,7 @@ namespace cv { namespace rsackermann {
 
 static void checkProbability(double value, const char* name)
 {
-    if (!(value > 0 && value < 1))
-        CV_Error(Error::StsBadArg, format("%s is %g; a number between 0 and 1 is expected", name, value));
+    REJECT_IF(!(value > 0 && value < 1), "%s is %g; a number between 0 and 1 is expected", name, value);
 }
 
 AckermannEstimator::Params::Params()
@@ -82,21 +81,17 @@ void AckermannEstimator::Params::read(const FileNode& fn)
 
 void AckermannEstimator::Params::check() const
 {
-    if (model != MODEL_AUTO && model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA && model != MODEL_4LA)
-        CV_Error(Error::StsBadArg,
-                 format("params.model is %d; one of the MotionModel values -1, 0, 1, 3, 4 is expected", model));
+    REJECT_IF(model != MODEL_AUTO && model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA &&
+                  model != MODEL_4LA,
+              "params.model is %d; one of the MotionModel values -1, 0, 1, 3, 4 is expected", model);
     checkDetector(detector, "params.detector");
     checkPositive(minLength, "params.minLength");
     checkPositive(maxSlant, "params.maxSlant");
     checkNotNegative(slantTolerance, "params.slantTolerance", "none");
-    if (minCandidates < 1)
-        CV_Error(Error::StsBadArg,
-                 format("params.minCandidates is %d; a number of 1 or more is expected", minCandidates));
+    REJECT_IF(minCandidates < 1, "params.minCandidates is %d; a number of 1 or more is expected", minCandidates);
     checkPositive(threshold, "params.threshold");
     checkProbability(confidence, "params.confidence");
-    if (maxIterations < 1)
-        CV_Error(Error::StsBadArg,
-                 format("params.maxIterations is %d; a number of 1 or more is expected", maxIterations));
+    REJECT_IF(maxIterations < 1, "params.maxIterations is %d; a number of 1 or more is expected", maxIterations);
     checkPositive(maxYawRate, "params.maxYawRate");
     checkPositive(maxSpeed, "params.maxSpeed");
     checkNotNegative(wallDistance, "params.wallDistance", "unknown");
@@ -109,19 +104,17 @@ void AckermannEstimator::Params::check() const
     checkPositive(priorSpeedLogSigma, "params.priorSpeedLogSigma");
     checkPositive(priorWallDistance, "params.priorWallDistance");
     checkPositive(priorWallDistanceLogSigma, "params.priorWallDistanceLogSigma");
-    if (!(std::abs(priorSpeedWallCorrelation) < 1))
-        CV_Error(Error::StsBadArg,
-                 format("params.priorSpeedWallCorrelation is %g; a number between -1 and 1 is expected",
-                        priorSpeedWallCorrelation));
+    REJECT_IF(!(std::abs(priorSpeedWallCorrelation) < 1),
+              "params.priorSpeedWallCorrelation is %g; a number between -1 and 1 is expected",
+              priorSpeedWallCorrelation);
     checkPositive(priorWallRatioLogSigma, "params.priorWallRatioLogSigma");
     checkPositive(priorReadoutTime, "params.priorReadoutTime");
     checkPositive(priorReadoutTimeLogSigma, "params.priorReadoutTimeLogSigma");
     checkPositive(priorHeight, "params.priorHeight");
     checkPositive(priorHeightLogSigma, "params.priorHeightLogSigma");
     checkProbability(standingProbability, "params.standingProbability");
-    if (!(reverseProbability > 0 && reverseProbability <= 1))
-        CV_Error(Error::StsBadArg, format("params.reverseProbability is %g; a number above 0 and up to 1 is expected",
-                                          reverseProbability));
+    REJECT_IF(!(reverseProbability > 0 && reverseProbability <= 1),
+              "params.reverseProbability is %g; a number above 0 and up to 1 is expected", reverseProbability);
     checkNotNegative(harmAversion, "params.harmAversion", "the residual alone");
 }
 

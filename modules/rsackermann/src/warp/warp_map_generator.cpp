@@ -35,53 +35,46 @@ static void checkNewCameraMatrix(const Matx33d& K)
 {
     if (K == Matx33d::zeros())
         return;
-    if (!cv::checkRange(K) || !(K(0, 0) > 0) || !(K(1, 1) > 0) || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 ||
-        K(2, 2) != 1)
-        CV_Error(
-            Error::StsBadArg,
-            format("newCameraMatrix is (%g %g %g; %g %g %g; %g %g %g); (fx s cx; 0 fy cy; 0 0 1) with positive focal "
-                   "lengths, or all 0, is expected",
-                   K.val[0], K.val[1], K.val[2], K.val[3], K.val[4], K.val[5], K.val[6], K.val[7], K.val[8]));
+    REJECT_IF(
+        !cv::checkRange(K) || !(K(0, 0) > 0) || !(K(1, 1) > 0) || K(1, 0) != 0 || K(2, 0) != 0 || K(2, 1) != 0 ||
+            K(2, 2) != 1,
+        "newCameraMatrix is (%g %g %g; %g %g %g; %g %g %g); (fx s cx; 0 fy cy; 0 0 1) with positive focal lengths, or "
+        "all 0, is expected",
+        K.val[0], K.val[1], K.val[2], K.val[3], K.val[4], K.val[5], K.val[6], K.val[7], K.val[8]);
 }
 
 static void checkSize(const Size& size)
 {
-    if (size != Size() && (size.width <= 0 || size.height <= 0))
-        CV_Error(Error::StsBadArg, format("newSize is %d x %d; a positive width and height, or 0 x 0, are expected",
-                                          size.width, size.height));
+    REJECT_IF(size != Size() && (size.width <= 0 || size.height <= 0),
+              "newSize is %d x %d; a positive width and height, or 0 x 0, are expected", size.width, size.height);
 }
 
 // The first and the last pixel of a row and of a column fix the focal lengths: they have to be two.
 static void checkSpan(const Size& size)
 {
-    if (size.width < 2 || size.height < 2)
-        CV_Error(
-            Error::StsBadArg,
-            format("newSize is %d x %d; at least 2 x 2 is expected, as the focal lengths follow from the distance of "
-                   "the outermost pixels",
-                   size.width, size.height));
+    REJECT_IF(size.width < 2 || size.height < 2,
+              "newSize is %d x %d; at least 2 x 2 is expected, as the focal lengths follow from the distance of the "
+              "outermost pixels",
+              size.width, size.height);
 }
 
 void WarpMapGenerator::Params::check() const
 {
     checkNewCameraMatrix(newCameraMatrix);
     checkSize(newSize);
-    if (maxIterations <= 0)
-        CV_Error(Error::StsBadArg, format("maxIterations is %d; a positive number is expected", maxIterations));
-    if (!(tolerance > 0) || !std::isfinite(tolerance))
-        CV_Error(Error::StsBadArg, format("tolerance is %g; a positive number of pixels is expected", tolerance));
+    REJECT_IF(maxIterations <= 0, "maxIterations is %d; a positive number is expected", maxIterations);
+    REJECT_IF(!(tolerance > 0) || !std::isfinite(tolerance), "tolerance is %g; a positive number of pixels is expected",
+              tolerance);
 }
 
 static int countPoints(const Mat& points)
 {
     const int count = points.dims > 2 ? -1 : points.checkVector(2, -1, false);
-    if (count < 0 || (points.depth() != CV_32F && points.depth() != CV_64F))
-        CV_Error(
-            Error::StsBadArg,
-            format(
-                "src is a %d x %d matrix of %d dimensions and type %s; N x 2, or N x 1 with two channels, CV_32F or CV_64F "
-                "is expected",
-                points.rows, points.cols, points.dims, typeToString(points.type()).c_str()));
+    REJECT_IF(
+        count < 0 || (points.depth() != CV_32F && points.depth() != CV_64F),
+        "src is a %d x %d matrix of %d dimensions and type %s; N x 2, or N x 1 with two channels, CV_32F or CV_64F is "
+        "expected",
+        points.rows, points.cols, points.dims, typeToString(points.type()).c_str());
     return count;
 }
 
@@ -99,14 +92,12 @@ static std::vector<double> toDepths(const Mat& depths, size_t count)
 {
     if (depths.empty())
         return std::vector<double>();
-    if ((depths.depth() != CV_32F && depths.depth() != CV_64F) || depths.dims > 2 ||
-        depths.total() * depths.channels() != count)
-        CV_Error(
-            Error::StsBadArg,
-            format("depths has %d values of type %s in %d dimensions for %d points; one CV_32F or CV_64F value for "
-                   "each, in two dimensions, is expected",
-                   (int)(depths.total() * depths.channels()), typeToString(depths.type()).c_str(), depths.dims,
-                   (int)count));
+    REJECT_IF(
+        (depths.depth() != CV_32F && depths.depth() != CV_64F) || depths.dims > 2 ||
+            depths.total() * depths.channels() != count,
+        "depths has %d values of type %s in %d dimensions for %d points; one CV_32F or CV_64F value for each, in two "
+        "dimensions, is expected",
+        (int)(depths.total() * depths.channels()), typeToString(depths.type()).c_str(), depths.dims, (int)count);
     Mat converted;
     depths.convertTo(converted, CV_64F);
     return converted.reshape(1, int(count));
@@ -187,8 +178,7 @@ public:
         CV_INSTRUMENT_REGION();
         checkMotion(motion);
         checkSize(newSize);
-        if (!(alpha >= 0 && alpha <= 1))
-            CV_Error(Error::StsBadArg, format("alpha is %g; a number from 0 to 1 is expected", alpha));
+        REJECT_IF(!(alpha >= 0 && alpha <= 1), "alpha is %g; a number from 0 to 1 is expected", alpha);
         const GlobalCamera global(camera, params);
         const Size size = newSize == Size() ? global.size : newSize;
         checkSpan(size);

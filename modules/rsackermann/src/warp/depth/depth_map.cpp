@@ -51,17 +51,15 @@ void DepthMap::check() const
 {
     if (empty())
         return;
-    if (values.dims != 2 || (values.type() != CV_32FC1 && values.type() != CV_16UC1))
-        CV_Error(Error::StsBadArg,
-                 format("depth.values has %d dimensions and is of type %s; a matrix of type CV_32FC1 or CV_16UC1 is "
-                        "expected",
-                        values.dims, typeToString(values.type()).c_str()));
-    if (camera != DEPTH_RAW && camera != DEPTH_CORRECTED)
-        CV_Error(Error::StsBadArg, format("depth.camera is %d; DEPTH_RAW (%d) or DEPTH_CORRECTED (%d) is expected",
-                                          camera, DEPTH_RAW, DEPTH_CORRECTED));
-    if (kind != DEPTH_METRIC && kind != DEPTH_RELATIVE)
-        CV_Error(Error::StsBadArg, format("depth.kind is %d; DEPTH_METRIC (%d) or DEPTH_RELATIVE (%d) is expected",
-                                          kind, DEPTH_METRIC, DEPTH_RELATIVE));
+    REJECT_IF(values.dims != 2 || (values.type() != CV_32FC1 && values.type() != CV_16UC1),
+              "depth.values has %d dimensions and is of type %s; a matrix of type CV_32FC1 or CV_16UC1 is expected",
+              values.dims, typeToString(values.type()).c_str());
+    REJECT_IF(camera != DEPTH_RAW && camera != DEPTH_CORRECTED,
+              "depth.camera is %d; DEPTH_RAW (%d) or DEPTH_CORRECTED (%d) is expected", camera, DEPTH_RAW,
+              DEPTH_CORRECTED);
+    REJECT_IF(kind != DEPTH_METRIC && kind != DEPTH_RELATIVE,
+              "depth.kind is %d; DEPTH_METRIC (%d) or DEPTH_RELATIVE (%d) is expected", kind, DEPTH_METRIC,
+              DEPTH_RELATIVE);
     checkPositive(scale, "depth.scale");
     checkFinite(shift, "depth.shift");
 }

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "../../checks.hpp"
 #include "../../motion/metric_way.hpp"
 #include "depth_tiles.hpp"
 
@@ -15,11 +16,9 @@ void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const
         return;
     const bool ofRaw = depth.camera == DEPTH_RAW;
     const Size expected = ofRaw ? camera.imageSize : GlobalCamera(camera, params).size;
-    if (depth.values.size() != expected)
-        CV_Error(Error::StsBadArg,
-                 format("depth.values is %d x %d; the size %d x %d of the %s camera's image is expected",
-                        depth.values.cols, depth.values.rows, expected.width, expected.height,
-                        ofRaw ? "raw" : "global-shutter"));
+    REJECT_IF(depth.values.size() != expected,
+              "depth.values is %d x %d; the size %d x %d of the %s camera's image is expected", depth.values.cols,
+              depth.values.rows, expected.width, expected.height, ofRaw ? "raw" : "global-shutter");
 }
 
 // Twice the way from the reference row to the farther end: what is nearer the camera would nearly reach.

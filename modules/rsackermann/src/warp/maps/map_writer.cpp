@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
+#include "../../checks.hpp"
 #include "map_kernels.hpp"
 #include "map_writer.hpp"
 #include "opencv2/rsackermann/depth_map.hpp"
@@ -14,9 +15,9 @@ int normalizedMapType(int m1type)
 {
     if (m1type <= 0)
         return CV_16SC2;
-    if (m1type != CV_32FC1 && m1type != CV_32FC2 && m1type != CV_16SC2)
-        CV_Error(Error::StsBadArg, format("m1type is %d; CV_32FC1 (%d), CV_32FC2 (%d) or CV_16SC2 (%d) is expected",
-                                          m1type, CV_32FC1, CV_32FC2, CV_16SC2));
+    REJECT_IF(m1type != CV_32FC1 && m1type != CV_32FC2 && m1type != CV_16SC2,
+              "m1type is %d; CV_32FC1 (%d), CV_32FC2 (%d) or CV_16SC2 (%d) is expected", m1type, CV_32FC1, CV_32FC2,
+              CV_16SC2);
     return m1type;
 }
 
