@@ -66,14 +66,10 @@ void RollingShutterCorrector::Params::read(const FileNode& fn)
 {
     estimator.read(fn["estimator"]);
     warp.read(fn["warp"]);
-    cv::read(fn["interpolation"], interpolation, interpolation);
-    cv::read(fn["sequence"], sequence, sequence);
-    cv::read(fn["track_points"], trackPoints, trackPoints);
-    cv::read(fn["frame_interval"], frameInterval, frameInterval);
-    cv::read(fn["gyro_delay_sigma"], gyroDelaySigma, gyroDelaySigma);
-    cv::read(fn["gyro_axes_sigma"], gyroAxesSigma, gyroAxesSigma);
-    cv::read(fn["gyro_bias_sigma"], gyroBiasSigma, gyroBiasSigma);
-    cv::read(fn["gyro_scale_sigma"], gyroScaleSigma, gyroScaleSigma);
+    readFields(fn, "interpolation", interpolation, "sequence", sequence, "track_points", trackPoints);
+    readFields(fn, "frame_interval", frameInterval, "gyro_delay_sigma", gyroDelaySigma);
+    readFields(fn, "gyro_axes_sigma", gyroAxesSigma, "gyro_bias_sigma", gyroBiasSigma);
+    readFields(fn, "gyro_scale_sigma", gyroScaleSigma);
 }
 
 void RollingShutterCorrector::Params::check() const

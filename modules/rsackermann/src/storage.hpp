@@ -22,6 +22,16 @@ inline Size storedSize(const FileNode& matrix)
     return stored;
 }
 
+inline void readFields(const FileNode&) {}
+
+//! Reads values by their keys; one keeps its value if there is none.
+template <class Value, class... Others>
+void readFields(const FileNode& fn, const char* key, Value& value, Others&&... others)
+{
+    cv::read(fn[key], value, value);
+    readFields(fn, others...);
+}
+
 /** Reads a matrix; it keeps its values if there is none. One of another size is refused before OpenCV takes the memory
 for the size that the file states, whatever elements there are.
 */

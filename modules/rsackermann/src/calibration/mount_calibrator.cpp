@@ -74,12 +74,9 @@ void MountCalibrator::Params::write(FileStorage& fs) const
 void MountCalibrator::Params::read(const FileNode& fn)
 {
     estimator.read(fn["estimator"]);
-    cv::read(fn["max_frames"], maxFrames, maxFrames);
-    cv::read(fn["tilt_sigma"], tiltSigma, tiltSigma);
-    cv::read(fn["heading_sigma"], headingSigma, headingSigma);
-    cv::read(fn["line_delay_sigma"], lineDelaySigma, lineDelaySigma);
-    cv::read(fn["suspension_sigma"], suspensionSigma, suspensionSigma);
-    cv::read(fn["suspension_time"], suspensionTime, suspensionTime);
+    readFields(fn, "max_frames", maxFrames, "tilt_sigma", tiltSigma, "heading_sigma", headingSigma);
+    readFields(fn, "line_delay_sigma", lineDelaySigma, "suspension_sigma", suspensionSigma);
+    readFields(fn, "suspension_time", suspensionTime);
 }
 
 namespace {

@@ -172,21 +172,15 @@ void RollingShutterCamera::write(FileStorage& fs) const
 
 void RollingShutterCamera::read(const FileNode& fn)
 {
-    cv::read(fn["image_width"], imageSize.width, imageSize.width);
-    cv::read(fn["image_height"], imageSize.height, imageSize.height);
+    readFields(fn, "image_width", imageSize.width, "image_height", imageSize.height);
     readMatrix(fn, "camera_matrix", cameraMatrix);
     if (!fn["distortion_coefficients"].empty())
         fn["distortion_coefficients"] >> distCoeffs;
-    cv::read(fn["lens_model"], lensModel, lensModel);
-    cv::read(fn["scan_direction"], scanDirection, scanDirection);
-    cv::read(fn["line_delay"], lineDelay, lineDelay);
-    cv::read(fn["reference_row"], referenceRow, referenceRow);
+    readFields(fn, "lens_model", lensModel, "scan_direction", scanDirection, "line_delay", lineDelay);
+    readFields(fn, "reference_row", referenceRow);
     readMatrix(fn, "upright_rotation", uprightRotation);
-    cv::read(fn["heading"], heading, heading);
-    cv::read(fn["height"], height, height);
-    cv::read(fn["focal_sigma"], focalSigma, focalSigma);
-    cv::read(fn["distortion_sigma"], distortionSigma, distortionSigma);
-    cv::read(fn["line_delay_sigma"], lineDelaySigma, lineDelaySigma);
+    readFields(fn, "heading", heading, "height", height, "focal_sigma", focalSigma);
+    readFields(fn, "distortion_sigma", distortionSigma, "line_delay_sigma", lineDelaySigma);
 }
 
 }} // namespace cv::rsackermann

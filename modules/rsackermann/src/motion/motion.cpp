@@ -172,38 +172,20 @@ static void readOffset(const FileNode& fn, Mat& offset, Rect2d& area)
 
 void AckermannMotion::read(const FileNode& fn)
 {
-    cv::read(fn["status"], status, status);
-    cv::read(fn["model"], model, model);
-    cv::read(fn["alpha"], alpha, alpha);
-    cv::read(fn["wall_slope"], wallSlope, wallSlope);
-    cv::read(fn["wall_offset"], wallOffset, wallOffset);
-    cv::read(fn["wall_ratio"], wallRatio, wallRatio);
-    cv::read(fn["road_slope"], roadSlope, roadSlope);
-    cv::read(fn["direction"], direction, direction);
-    cv::read(fn["pitch_rate"], pitchRate, pitchRate);
-    cv::read(fn["roll_rate"], rollRate, rollRate);
-    cv::read(fn["pitch_rate_sigma"], pitchRateSigma, pitchRateSigma);
-    cv::read(fn["roll_rate_sigma"], rollRateSigma, rollRateSigma);
-    cv::read(fn["roll_correction"], rollCorrection, rollCorrection);
-    cv::read(fn["pitch_correction"], pitchCorrection, pitchCorrection);
-    cv::read(fn["wall_distance"], wallDistance, wallDistance);
-    cv::read(fn["scale"], scale, scale);
-    cv::read(fn["expected_raw"], expectedRaw, expectedRaw);
-    cv::read(fn["expected_residual"], expectedResidual, expectedResidual);
-    cv::read(fn["probability_worse"], probabilityWorse, probabilityWorse);
+    readFields(fn, "status", status, "model", model, "alpha", alpha, "wall_slope", wallSlope);
+    readFields(fn, "wall_offset", wallOffset, "wall_ratio", wallRatio, "road_slope", roadSlope, "direction", direction);
+    readFields(fn, "pitch_rate", pitchRate, "roll_rate", rollRate, "pitch_rate_sigma", pitchRateSigma);
+    readFields(fn, "roll_rate_sigma", rollRateSigma, "roll_correction", rollCorrection);
+    readFields(fn, "pitch_correction", pitchCorrection, "wall_distance", wallDistance, "scale", scale);
+    readFields(fn, "expected_raw", expectedRaw, "expected_residual", expectedResidual);
+    readFields(fn, "probability_worse", probabilityWorse);
     readMatrix(fn, "covariance", covariance);
     readOffset(fn, inverseDepthOffset, offsetArea);
     if (!fn["pitch_rate"].empty() || !fn["rotation_curve"].empty())
         rotationCurve = readValues<RotationCurve>(fn, "rotation_curve");
-    cv::read(fn["roll_yaw_ambiguous"], rollYawAmbiguous, rollYawAmbiguous);
-    cv::read(fn["contradicts_prior"], contradictsPrior, contradictsPrior);
-    cv::read(fn["seen_yaw_rate"], seenYawRate, seenYawRate);
-    cv::read(fn["seen_yaw_rate_sigma"], seenYawRateSigma, seenYawRateSigma);
-    cv::read(fn["seen_speed"], seenSpeed, seenSpeed);
-    cv::read(fn["seen_speed_sigma"], seenSpeedSigma, seenSpeedSigma);
-    cv::read(fn["candidates"], candidates, candidates);
-    cv::read(fn["inliers"], inliers, inliers);
-    cv::read(fn["rms"], rms, rms);
+    readFields(fn, "roll_yaw_ambiguous", rollYawAmbiguous, "contradicts_prior", contradictsPrior);
+    readFields(fn, "seen_yaw_rate", seenYawRate, "seen_yaw_rate_sigma", seenYawRateSigma, "seen_speed", seenSpeed);
+    readFields(fn, "seen_speed_sigma", seenSpeedSigma, "candidates", candidates, "inliers", inliers, "rms", rms);
 }
 
 }} // namespace cv::rsackermann

@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../checks.hpp"
+#include "../storage.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -30,12 +31,8 @@ void MotionPrior::write(FileStorage& fs) const
 
 void MotionPrior::read(const FileNode& fn)
 {
-    cv::read(fn["speed"], speed, speed);
-    cv::read(fn["speed_sigma"], speedSigma, speedSigma);
-    cv::read(fn["yaw_rate"], yawRate, yawRate);
-    cv::read(fn["yaw_rate_sigma"], yawRateSigma, yawRateSigma);
-    cv::read(fn["wall_direction"], wallDirection, wallDirection);
-    cv::read(fn["wall_direction_sigma"], wallDirectionSigma, wallDirectionSigma);
+    readFields(fn, "speed", speed, "speed_sigma", speedSigma, "yaw_rate", yawRate, "yaw_rate_sigma", yawRateSigma);
+    readFields(fn, "wall_direction", wallDirection, "wall_direction_sigma", wallDirectionSigma);
 }
 
 }} // namespace cv::rsackermann

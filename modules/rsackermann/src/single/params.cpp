@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../checks.hpp"
+#include "../storage.hpp"
 #include "../features/detectors.hpp"
 
 namespace cv { namespace rsackermann {
@@ -45,38 +46,20 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
 
 void AckermannEstimator::Params::read(const FileNode& fn)
 {
-    cv::read(fn["model"], model, model);
-    cv::read(fn["detector"], detector, detector);
-    cv::read(fn["min_length"], minLength, minLength);
-    cv::read(fn["max_slant"], maxSlant, maxSlant);
-    cv::read(fn["slant_tolerance"], slantTolerance, slantTolerance);
-    cv::read(fn["min_candidates"], minCandidates, minCandidates);
-    cv::read(fn["threshold"], threshold, threshold);
-    cv::read(fn["confidence"], confidence, confidence);
-    cv::read(fn["max_iterations"], maxIterations, maxIterations);
-    cv::read(fn["seed"], seed, seed);
-    cv::read(fn["max_yaw_rate"], maxYawRate, maxYawRate);
-    cv::read(fn["max_speed"], maxSpeed, maxSpeed);
-    cv::read(fn["wall_distance"], wallDistance, wallDistance);
-    cv::read(fn["road_ratio"], roadRatio, roadRatio);
-    cv::read(fn["scale_from_road"], scaleFromRoad, scaleFromRoad);
-    cv::read(fn["gravity_sigma"], gravitySigma, gravitySigma);
-    cv::read(fn["vehicle_pitch_sigma"], vehiclePitchSigma, vehiclePitchSigma);
-    cv::read(fn["wall_deviation_sigma"], wallDeviationSigma, wallDeviationSigma);
-    cv::read(fn["prior_yaw_rate"], priorYawRate, priorYawRate);
-    cv::read(fn["prior_speed"], priorSpeed, priorSpeed);
-    cv::read(fn["prior_speed_log_sigma"], priorSpeedLogSigma, priorSpeedLogSigma);
-    cv::read(fn["prior_wall_distance"], priorWallDistance, priorWallDistance);
-    cv::read(fn["prior_wall_distance_log_sigma"], priorWallDistanceLogSigma, priorWallDistanceLogSigma);
-    cv::read(fn["prior_speed_wall_correlation"], priorSpeedWallCorrelation, priorSpeedWallCorrelation);
-    cv::read(fn["prior_wall_ratio_log_sigma"], priorWallRatioLogSigma, priorWallRatioLogSigma);
-    cv::read(fn["prior_readout_time"], priorReadoutTime, priorReadoutTime);
-    cv::read(fn["prior_readout_time_log_sigma"], priorReadoutTimeLogSigma, priorReadoutTimeLogSigma);
-    cv::read(fn["prior_height"], priorHeight, priorHeight);
-    cv::read(fn["prior_height_log_sigma"], priorHeightLogSigma, priorHeightLogSigma);
-    cv::read(fn["standing_probability"], standingProbability, standingProbability);
-    cv::read(fn["reverse_probability"], reverseProbability, reverseProbability);
-    cv::read(fn["harm_aversion"], harmAversion, harmAversion);
+    readFields(fn, "model", model, "detector", detector, "min_length", minLength, "max_slant", maxSlant);
+    readFields(fn, "slant_tolerance", slantTolerance, "min_candidates", minCandidates, "threshold", threshold);
+    readFields(fn, "confidence", confidence, "max_iterations", maxIterations, "seed", seed, "max_yaw_rate", maxYawRate);
+    readFields(fn, "max_speed", maxSpeed, "wall_distance", wallDistance, "road_ratio", roadRatio);
+    readFields(fn, "scale_from_road", scaleFromRoad, "gravity_sigma", gravitySigma);
+    readFields(fn, "vehicle_pitch_sigma", vehiclePitchSigma, "wall_deviation_sigma", wallDeviationSigma);
+    readFields(fn, "prior_yaw_rate", priorYawRate, "prior_speed", priorSpeed);
+    readFields(fn, "prior_speed_log_sigma", priorSpeedLogSigma, "prior_wall_distance", priorWallDistance);
+    readFields(fn, "prior_wall_distance_log_sigma", priorWallDistanceLogSigma);
+    readFields(fn, "prior_speed_wall_correlation", priorSpeedWallCorrelation);
+    readFields(fn, "prior_wall_ratio_log_sigma", priorWallRatioLogSigma, "prior_readout_time", priorReadoutTime);
+    readFields(fn, "prior_readout_time_log_sigma", priorReadoutTimeLogSigma, "prior_height", priorHeight);
+    readFields(fn, "prior_height_log_sigma", priorHeightLogSigma, "standing_probability", standingProbability);
+    readFields(fn, "reverse_probability", reverseProbability, "harm_aversion", harmAversion);
 }
 
 void AckermannEstimator::Params::check() const

@@ -25,10 +25,8 @@ void WarpMapGenerator::Params::write(FileStorage& fs) const
 void WarpMapGenerator::Params::read(const FileNode& fn)
 {
     readMatrix(fn, "new_camera_matrix", newCameraMatrix);
-    cv::read(fn["new_width"], newSize.width, newSize.width);
-    cv::read(fn["new_height"], newSize.height, newSize.height);
-    cv::read(fn["max_iterations"], maxIterations, maxIterations);
-    cv::read(fn["tolerance"], tolerance, tolerance);
+    readFields(fn, "new_width", newSize.width, "new_height", newSize.height, "max_iterations", maxIterations);
+    readFields(fn, "tolerance", tolerance);
 }
 
 static void checkNewCameraMatrix(const Matx33d& K)
