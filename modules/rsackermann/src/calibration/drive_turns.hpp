@@ -13,11 +13,9 @@ namespace cv { namespace rsackermann {
 //! What is between a gyro and a camera at the end of a drive.
 struct GyroOfDrive
 {
-    int frames; //!< whose rows it turns
+    int frames = 0; //!< whose rows it turns
     GyroAlignment alignment;
-    double delaySigma, scaleSigma;
-
-    GyroOfDrive() : frames(0), delaySigma(0), scaleSigma(0) {}
+    double delaySigma = 0, scaleSigma = 0;
 };
 
 /** Gives frames the turns of their rows, with the clock, axes and bias that the points of the seconds around them show.

@@ -16,7 +16,6 @@ static const double YAW_FREEDOM = 2; // of Student's t, the distribution of yaw 
 static const double STANDING_IF_GIVEN = 0.3;
 
 GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera, double wallDistance)
-    : GivenValues()
 {
     street = prior.wallDirection;
     streetSigma = prior.wallDirectionSigma;

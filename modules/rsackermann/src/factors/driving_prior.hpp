@@ -54,16 +54,12 @@ private:
 //! The values of a MotionPrior in the units of the estimation; a sigma of 0: not given.
 struct GivenValues
 {
-    double alpha, alphaSigma;
-    double speed, speedSigma;             // by the row time alone, in metres
-    double scaledSpeed, scaledSpeedSigma; // of sqrt(B^2 + D^2), signed; needs the wall's distance, too
-    double street, streetSigma;           // azimuth of the street
+    double alpha = 0, alphaSigma = 0;
+    double speed = 0, speedSigma = 0;             // by the row time alone, in metres
+    double scaledSpeed = 0, scaledSpeedSigma = 0; // of sqrt(B^2 + D^2), signed; needs the wall's distance, too
+    double street = 0, streetSigma = 0;           // azimuth of the street
 
-    GivenValues()
-        : alpha(0), alphaSigma(0), speed(0), speedSigma(0), scaledSpeed(0), scaledSpeedSigma(0), street(0),
-          streetSigma(0)
-    {
-    }
+    GivenValues() {}
     GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera, double wallDistance);
 };
 

@@ -16,10 +16,9 @@ namespace cv { namespace rsackermann {
 //! The unknowns of a refinement.
 struct FreeParameters
 {
-    int count;
+    int count = 0;
     int index[PARAMETERS];
 
-    FreeParameters() : count(0) {}
     void add(Parameter p) { index[count++] = p; }
     bool has(Parameter p) const { return std::find(index, index + count, int(p)) != index + count; }
     bool hasTilt() const { return has(P_ROLL) || has(P_PITCH); }
@@ -28,17 +27,11 @@ struct FreeParameters
 //! Robust cost and weighted normal equations of residuals in units of their standard deviations.
 struct ResidualSums
 {
-    double cost;
-    double weights, influence2, slopes;     // over the segments: weight, squared influence, slope of the influence
-    double gradient[PARAMETERS];            // in the order of FreeParameters
-    double hessian[PARAMETERS][PARAMETERS]; // lower triangle
-
-    ResidualSums() : cost(0), weights(0), influence2(0), slopes(0)
-    {
-        std::fill(gradient, gradient + PARAMETERS, 0.);
-        for (int i = 0; i < PARAMETERS; i++)
-            std::fill(hessian[i], hessian[i] + PARAMETERS, 0.);
-    }
+    double cost = 0;
+    double weights = 0, influence2 = 0,
+           slopes = 0;                           // over the segments: weight, squared influence, slope of the influence
+    double gradient[PARAMETERS] = {};            // in the order of FreeParameters
+    double hessian[PARAMETERS][PARAMETERS] = {}; // lower triangle
 };
 
 //! Adds the residuals of candidates for verticals (segment_residuals.hpp).

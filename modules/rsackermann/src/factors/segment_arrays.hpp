@@ -19,8 +19,6 @@ public:
     enum Field { U_X, U_Y, V_X, V_Y, TIME_U, TIME_V, SCALE, FIELDS };
     enum { MAX_LANES = 16 };
 
-    SegmentArrays() : count(0), padded(0) {}
-
     void assign(const std::vector<UprightSegment>& segments);
 
     /** Sets SCALE, by which a residual is to be multiplied: the focal length over the standard deviation.
@@ -36,7 +34,7 @@ public:
     const float* at(Field field, float) const { return rounded.data() + size_t(field) * padded; }
 
 private:
-    int count, padded;
+    int count = 0, padded = 0;
     std::vector<double> numbers;
     std::vector<float> rounded;
 };

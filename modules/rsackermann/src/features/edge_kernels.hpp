@@ -38,13 +38,12 @@ struct EdgeWindows
 {
     enum { PADDING = 16 };
 
-    int count;                 // a multiple of the padding
+    int count = 0;             // a multiple of the padding
     std::vector<uchar> pixels; // WINDOW_PIXELS of each row, in WINDOW_STRIDE bytes
     std::vector<float> first;  // from the expected edge to the place between the first two pixels
     std::vector<float> step;   // receives the sum of the weighed gradient; 0: there is no edge
     std::vector<float> centre; // receives its centre of gravity, from the expected edge
 
-    EdgeWindows() : count(0) {}
     void resize(int rows);
     //! Lets a row have no edge.
     void clear(int row);

@@ -19,9 +19,7 @@ struct ParabolaFit
 //! Weighed sums of places x at times t, of which those of any part of a sequence are a difference.
 struct ParabolaSums
 {
-    double n, t, tt, ttt, tttt, x, xt, xtt, xx;
-
-    ParabolaSums() : n(0), t(0), tt(0), ttt(0), tttt(0), x(0), xt(0), xtt(0), xx(0) {}
+    double n = 0, t = 0, tt = 0, ttt = 0, tttt = 0, x = 0, xt = 0, xtt = 0, xx = 0;
 
     void add(double time, double place, double weight)
     {

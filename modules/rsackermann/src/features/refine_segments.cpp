@@ -25,10 +25,8 @@ struct EdgePlaces
 {
     enum { CAPACITY = 64, LANES = 4 };
 
-    int count;
+    int count = 0;
     float along[CAPACITY], beside[CAPACITY], counts[CAPACITY];
-
-    EdgePlaces() : count(0) {}
 
     void push(float along_, float beside_)
     {

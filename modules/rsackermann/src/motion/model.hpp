@@ -25,9 +25,7 @@ enum Parameter {
 struct Model
 {
     Vec<double, PARAMETERS> value;
-    int direction; // sign of the scaled inverse depths; 0 if there is no translation
-
-    Model() : direction(0) {}
+    int direction = 0; // sign of the scaled inverse depths; 0 if there is no translation
 
     double operator[](Parameter p) const { return value[p]; }
     double& operator[](Parameter p) { return value[p]; }

@@ -30,10 +30,8 @@ struct MinimizerOptions
 
 struct MinimizerStats
 {
-    int steps;      // tried
-    bool converged; // whether another step would hardly gain
-
-    MinimizerStats() : steps(0), converged(false) {}
+    int steps = 0;          // tried
+    bool converged = false; // whether another step would hardly gain
 };
 
 /** Levenberg-Marquardt: Gauss-Newton steps, damped as long as they don't lower the cost.

@@ -13,10 +13,9 @@ namespace cv { namespace rsackermann {
 //! A turn from or to another frame whose rate may change.
 struct RowTurn
 {
-    double angle;  //!< of the reference row, radians; of yaw beyond that of the state
-    double change; //!< by how much faster the present frame turns than the other one, rad/s: later rows turn further
-
-    RowTurn() : angle(0), change(0) {}
+    double angle = 0; //!< of the reference row, radians; of yaw beyond that of the state
+    //! By how much faster the present frame turns than the other one, rad/s: later rows turn further.
+    double change = 0;
 };
 
 //! Those about all axes, as FLOW_PITCH_BEFORE and the others are counted.
@@ -28,17 +27,14 @@ struct NeighbourTurns
 //! The evidence of a frame of a sequence.
 struct SequenceFit
 {
-    SequenceState state;          //!< prediction and frame together
-    double values[FLOW_VALUES];   //!< state and turns
-    NeighbourTurns before, after; //!< the same turns, with their changes
-    bool moves;                   //!< whether the points rule out a camera at rest
-    double residual;              //!< of the points that agree, over their displacement in the raw image
-    double agreeing;              //!< share of the points that agree with the motion, without those on the car itself
+    SequenceState state;             //!< prediction and frame together
+    double values[FLOW_VALUES] = {}; //!< state and turns
+    NeighbourTurns before, after;    //!< the same turns, with their changes
+    bool moves = false;              //!< whether the points rule out a camera at rest
+    double residual = 1;             //!< of the points that agree, over their displacement in the raw image
+    double agreeing = 0; //!< share of the points that agree with the motion, without those on the car itself
 
-    explicit SequenceFit(const SequenceState& prediction)
-        : state(prediction), values(), moves(false), residual(1), agreeing(0)
-    {
-    }
+    explicit SequenceFit(const SequenceState& prediction) : state(prediction) {}
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to

@@ -48,12 +48,12 @@ struct TurnOfPoints
 //! What is between a gyro and the camera, as the points of a sequence show it.
 struct GyroAlignment
 {
-    double delay; //!< seconds by which the gyro's clock is ahead of the camera's
-    Vec3d turn;   //!< by which the gyro's axes differ from those of the camera, radians
-    Vec3d bias;   //!< rad/s that the gyro shows too little
-    double scale; //!< of what images show of pitch and yaw to what the gyro does: the true focal length over the given
+    double delay = 0; //!< seconds by which the gyro's clock is ahead of the camera's
+    Vec3d turn;       //!< by which the gyro's axes differ from those of the camera, radians
+    Vec3d bias;       //!< rad/s that the gyro shows too little
+    //! Of what images show of pitch and yaw to what the gyro does: the true focal length over the given.
+    double scale = 1;
 
-    GyroAlignment() : delay(0), scale(1) {}
     //! As the images show it, about the axes of the camera. @param angle that the gyro has turned in some seconds.
     Vec3d toCamera(const Vec3d& angle, double seconds) const
     {
@@ -65,9 +65,7 @@ struct GyroAlignment
 //! Standard deviations of the same before the points have shown anything.
 struct GyroSigmas
 {
-    double delay, axes, bias, scale;
-
-    GyroSigmas() : delay(0.02), axes(2 * CV_PI / 180), bias(1 * CV_PI / 180), scale(0.03) {}
+    double delay = 0.02, axes = 2 * CV_PI / 180, bias = 1 * CV_PI / 180, scale = 0.03;
 };
 
 //! Rates and their standard deviations about the axes of the camera, rad/s.

@@ -15,9 +15,7 @@ const double RATE_MEMORY = 10;
 //! A rate at one instant with its standard deviation, per second; 0: not known.
 struct InstantRate
 {
-    double value, sigma;
-
-    InstantRate() : value(0), sigma(0) {}
+    double value = 0, sigma = 0;
 };
 
 //! For which what is assumed of a whole drive counts beside what its frames show.
@@ -91,8 +89,6 @@ struct MeasuredTurns
 class RowRates
 {
 public:
-    RowRates() : isMeasured(false) {}
-
     /** Goes on to a frame.
     @param before seconds from the frame before; negative if that was taken later.
     @param after seconds to the frame after; 0: no points are seen in it. */
@@ -124,7 +120,7 @@ private:
     InstantRate pitchNow, rollNow, yawNow;
     InstantRate yawBeyond; // than that of the fit
     Mat curve;
-    bool isMeasured; // yawNow
+    bool isMeasured = false; // yawNow
 };
 
 }} // namespace cv::rsackermann

@@ -14,14 +14,12 @@ namespace cv { namespace rsackermann {
 struct Posterior
 {
     Model model;                                     //!< the correction with the smallest expected displacement
-    double G;                                        //!< slope of the road's scaled inverse depth
-    MotionHypothesis hypothesis;                     //!< of the model
+    double G = 0;                                    //!< slope of the road's scaled inverse depth
+    MotionHypothesis hypothesis = {MODEL_NONE, 0};   //!< of the model
     Matx<double, PARAMETERS, PARAMETERS> covariance; //!< mean square deviation from the model
     //! Mean displacement in pixels to be expected of the image as it is, and after the correction
-    double expectedRaw, expectedResidual;
-    double probabilityWorse; //!< that the correction leaves a larger displacement than there is
-
-    Posterior() : G(0), hypothesis(MODEL_NONE, 0), expectedRaw(0), expectedResidual(0), probabilityWorse(0) {}
+    double expectedRaw = 0, expectedResidual = 0;
+    double probabilityWorse = 0; //!< that the correction leaves a larger displacement than there is
 };
 
 /** Averages the correction over the motions that are possible, weighted by their probability (doc/theory.md,

@@ -22,30 +22,25 @@ struct RefinementProblem
     std::vector<UprightSegment> others;    // may point along the street or across it
     SegmentArrays verticalArrays, otherArrays;
     MotionLimits limits;
-    Matx33d uprightRotation; // of the camera
-    double distortionSigma;  // of its lens; 0: exact
-    Heading heading;
-    double focal;               // pixels
-    double sigma;               // pixels, of the residual of a vertical
-    double lean;                // radians, by which verticals of the scene lean, whatever their length
-    double directionSigma;      // pixels, of the residual of another segment
-    double lossScale;           // of the robust loss, in sigmas
-    bool noiseIsKnown;          // whether sigma, lean and lossScale are those that were measured
-    double verticalWeight;      // of the evidence of a vertical: below 1 if they err together
-    double otherWeight;         // the same for another segment
-    double roadRatio;           // distance of the left (or only) wall over the height of the camera
-    double gravitySigma;        // radians, of the vehicle's roll; 0: gravity is exact
-    double vehiclePitchSigma;   // radians, of its pitch
-    double streetDeviation;     // radians from the heading, standard deviation; 0: unknown
-    const DrivingPrior* prior;  // 0: none
-    double leftmost, rightmost; // upright bearings of the middle of the image's borders
+    Matx33d uprightRotation = Matx33d::eye(); // of the camera
+    double distortionSigma = 0;               // of its lens; 0: exact
+    Heading heading = 0;
+    double focal = 1;                   // pixels
+    double sigma = 1;                   // pixels, of the residual of a vertical
+    double lean = 0;                    // radians, by which verticals of the scene lean, whatever their length
+    double directionSigma = 1;          // pixels, of the residual of another segment
+    double lossScale = 1;               // of the robust loss, in sigmas
+    bool noiseIsKnown = false;          // whether sigma, lean and lossScale are those that were measured
+    double verticalWeight = 1;          // of the evidence of a vertical: below 1 if they err together
+    double otherWeight = 1;             // the same for another segment
+    double roadRatio = 1;               // distance of the left (or only) wall over the height of the camera
+    double gravitySigma = 0;            // radians, of the vehicle's roll; 0: gravity is exact
+    double vehiclePitchSigma = 0;       // radians, of its pitch
+    double streetDeviation = 0;         // radians from the heading, standard deviation; 0: unknown
+    const DrivingPrior* prior = 0;      // 0: none
+    double leftmost = 0, rightmost = 0; // upright bearings of the middle of the image's borders
 
-    explicit RefinementProblem(const MotionLimits& l)
-        : limits(l), uprightRotation(Matx33d::eye()), distortionSigma(0), heading(0), focal(1), sigma(1), lean(0),
-          directionSigma(1), lossScale(1), noiseIsKnown(false), verticalWeight(1), otherWeight(1), roadRatio(1),
-          gravitySigma(0), vehiclePitchSigma(0), streetDeviation(0), prior(0), leftmost(0), rightmost(0)
-    {
-    }
+    explicit RefinementProblem(const MotionLimits& l) : limits(l) {}
 
     //! Standard deviation of the roll about the optical axis, to which the vehicle's pitch adds if the camera looks to
     //! a side.

@@ -12,9 +12,8 @@ namespace cv { namespace rsackermann {
 //! A point and whether it has a place at all.
 struct Place
 {
-    Place() : exists(false) {}
     Point2d point;
-    bool exists;
+    bool exists = false;
 };
 
 /** Raw pixels to pixels of the global-shutter camera.

@@ -21,11 +21,10 @@ public:
     //! Where the fixed point of a neighbouring pixel was.
     struct Guess
     {
-        Guess() : valid(false), time(0), slope(0) {}
-        bool valid;
-        double time;  // fixed point
-        double slope; // derivative of the iterated function
-        Point2d rate; // that of the place
+        bool valid = false;
+        double time = 0;  // fixed point
+        double slope = 0; // derivative of the iterated function
+        Point2d rate;     // that of the place
     };
 
     //! @param tolerance pixels; the place is found when a step changes it by less.

@@ -47,7 +47,6 @@ namespace {
 
 struct Interval
 {
-    Interval() : low(DBL_MAX), high(-DBL_MAX) {}
     void add(double v)
     {
         low = std::min(low, v);
@@ -55,7 +54,7 @@ struct Interval
     }
     bool empty() const { return low > high; }
 
-    double low, high;
+    double low = DBL_MAX, high = -DBL_MAX;
 };
 
 // Focal length and principal point that map an interval to pixels 0 .. pixels - 1.

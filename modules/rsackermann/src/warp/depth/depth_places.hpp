@@ -23,10 +23,9 @@ public:
     //! What the search for one place leaves for the next one, of the same pixel or one nearby.
     struct Guess
     {
-        Guess() : hasView(false) {}
 
         Rectifier::Guess row;
-        bool hasView;
+        bool hasView = false;
         Point2d pixel; // of the view
         Distorter::View view;
     };

@@ -12,10 +12,8 @@ namespace cv { namespace rsackermann {
 //! Some values of an image.
 struct DepthRange
 {
-    float low, high;
-    float steepest; //!< the largest differences to a neighbour, across plus down
-
-    DepthRange() : low(FLT_MAX), high(-FLT_MAX), steepest(0) {}
+    float low = FLT_MAX, high = -FLT_MAX;
+    float steepest = 0; //!< the largest differences to a neighbour, across plus down
 
     void add(const DepthRange& other)
     {

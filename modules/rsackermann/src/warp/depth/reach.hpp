@@ -15,8 +15,6 @@ namespace cv { namespace rsackermann {
 class Reach
 {
 public:
-    Reach() : left(FLT_MAX), top(FLT_MAX), right(-FLT_MAX), bottom(-FLT_MAX) {}
-
     void add(const Point2f& place)
     {
         left = std::min(left, place.x);
@@ -43,7 +41,7 @@ public:
     }
 
 private:
-    float left, top, right, bottom;
+    float left = FLT_MAX, top = FLT_MAX, right = -FLT_MAX, bottom = -FLT_MAX;
 };
 
 /** Narrows the inverse depths of all surfaces that a block of pixels may show; false if one of its corners has no
