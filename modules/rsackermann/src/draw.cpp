@@ -32,14 +32,13 @@ static void drawLine(Mat& image, const Point2d& a, const Point2d& b, const Scala
 static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels, const RollingShutterCamera& camera,
                                          const AckermannMotion& motion)
 {
-    std::vector<Point2d> middles, rays;
+    std::vector<Point2d> middles;
     for (int i = 0; i < segments.rows; i++)
     {
         const double* s = segments.ptr<double>(i);
         middles.push_back(Point2d((s[0] + s[2]) / 2, (s[1] + s[3]) / 2));
     }
-    undistortedRays(camera, middles, rays);
-    const Matx33d up = motion.uprightRotation(camera);
+    const std::vector<Vec3d> rays = bearingsOf(camera, motion.uprightRotation(camera), middles);
     std::vector<double> w(middles.size(), 0.);
     for (size_t i = 0; i < w.size(); i++)
     {
@@ -48,9 +47,9 @@ static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels,
             continue;
         const double side = label == SEGMENT_LEFT_WALL ? 1 : -motion.wallRatio;
         const double B = side * motion.wallSlope, D = side * motion.wallOffset;
-        const Vec3d b = up * Vec3d(rays[i].x, rays[i].y, 1);
         const RowMotion row(motion.alpha, camera.heading, camera.rowTime(middles[i]));
-        const double depth = std::abs(D - B * RotatedBearing(HorizontalBearing(b[0], b[2]), row).column(B, D));
+        const double depth =
+            std::abs(D - B * RotatedBearing(HorizontalBearing(rays[i][0], rays[i][2]), row).column(B, D));
         w[i] = depth < DBL_MAX ? depth : 0;
     }
     return w;

@@ -139,12 +139,17 @@ bool unproject(const Lens<double>& lens, const Point2d& raw, Point2d& ray)
                                               : unprojectBrown(lens, raw, distorted, ray);
 }
 
-void undistortedRays(const RollingShutterCamera& camera, const std::vector<Point2d>& raw, std::vector<Point2d>& rays)
+std::vector<Vec3d> bearingsOf(const RollingShutterCamera& camera, const Matx33d& R, const std::vector<Point2d>& raw)
 {
     const Lens<double> lens(camera);
-    rays.resize(raw.size());
-    for (size_t i = 0; i < raw.size(); i++)
-        unproject(lens, raw[i], rays[i]);
+    std::vector<Vec3d> result;
+    for (const Point2d& pixel : raw)
+    {
+        Point2d ray;
+        unproject(lens, pixel, ray);
+        result.push_back(R * Vec3d(ray.x, ray.y, 1));
+    }
+    return result;
 }
 
 }} // namespace cv::rsackermann

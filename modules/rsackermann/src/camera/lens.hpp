@@ -105,8 +105,8 @@ bool unproject(const Lens<double>& lens, const Point2d& raw, Point2d& ray);
 //! Least depth of a direction that counts as ahead, of its length; and of a depth, of that at the reference row.
 const double IN_FRONT = 0.1;
 
-//! Raw pixels to undistorted rays (x, y, 1) of the camera frame; finite, but meaningless if the lens model has none.
-void undistortedRays(const RollingShutterCamera& camera, const std::vector<Point2d>& raw, std::vector<Point2d>& rays);
+//! Raw pixels to their undistorted rays (x, y, 1), rotated by R; finite, but meaningless if the lens model has none.
+std::vector<Vec3d> bearingsOf(const RollingShutterCamera& camera, const Matx33d& R, const std::vector<Point2d>& raw);
 
 }} // namespace cv::rsackermann
 

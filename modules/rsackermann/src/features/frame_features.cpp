@@ -14,17 +14,16 @@ void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair
     const double unit = camera.secondsPerUnitTime();
     if (!(unit > 0))
         return;
-    std::vector<Point2d> pixels, rays;
+    std::vector<Point2d> pixels;
     for (size_t i = 0; i < pairs.size(); i++)
     {
         pixels.push_back(pairs[i].other);
         pixels.push_back(pairs[i].now);
     }
-    undistortedRays(camera, pixels, rays);
+    const std::vector<Vec3d> rays = bearingsOf(camera, camera.uprightRotation, pixels);
     for (size_t i = 0; i < pairs.size(); i++)
     {
-        const Vec3d a = camera.uprightRotation * Vec3d(rays[2 * i].x, rays[2 * i].y, 1);
-        const Vec3d b = camera.uprightRotation * Vec3d(rays[2 * i + 1].x, rays[2 * i + 1].y, 1);
+        const Vec3d &a = rays[2 * i], &b = rays[2 * i + 1];
         if (!(a[2] > IN_FRONT && b[2] > IN_FRONT))
             continue;
         const TrackedBearing s = {Point2d(a[0] / a[2], a[1] / a[2]),

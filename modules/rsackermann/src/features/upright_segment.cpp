@@ -18,10 +18,10 @@ static bool isInImage(const double* segment, const Size& size)
     return true;
 }
 
-// The rays of the ends in the upright frame with z = 1. Returns false behind the camera.
-static bool uprightBearing(const Matx33d& upright, const Point2d& ray, Vec3d& bearing)
+// A ray in the upright frame with z = 1. Returns false behind the camera.
+static bool uprightBearing(const Matx33d& upright, const Vec3d& ray, Vec3d& bearing)
 {
-    bearing = upright * Vec3d(ray.x, ray.y, 1);
+    bearing = upright * ray;
     if (!(bearing[2] > 1e-3))
         return false;
     bearing *= 1 / bearing[2];
@@ -39,7 +39,7 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
 {
     verticals.clear();
     others.clear();
-    std::vector<Point2d> ends, rays;
+    std::vector<Point2d> ends;
     std::vector<int> indices;
     for (int i = 0; i < segments.rows; i++)
     {
@@ -51,7 +51,7 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
         ends.push_back(0.5 * (Point2d(s[0], s[1]) + Point2d(s[2], s[3])));
         indices.push_back(i);
     }
-    undistortedRays(camera, ends, rays);
+    const std::vector<Vec3d> rays = bearingsOf(camera, Matx33d::eye(), ends);
 
     const MotionLimits limits(camera, params);
     for (size_t k = 0; k < indices.size(); k++)

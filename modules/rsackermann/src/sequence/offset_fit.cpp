@@ -40,18 +40,16 @@ Rect2d seenArea(const RollingShutterCamera& camera, const Matx33d& upright)
 {
     const int steps = 16;
     const Point2d last(camera.imageSize.width - 1, camera.imageSize.height - 1);
-    std::vector<Point2d> border, rays;
+    std::vector<Point2d> border;
     for (int i = 0; i <= steps; i++)
     {
         const Point2d at = last * (double(i) / steps);
         const Point2d sides[] = {Point2d(at.x, 0), Point2d(at.x, last.y), Point2d(0, at.y), Point2d(last.x, at.y)};
         border.insert(border.end(), sides, sides + 4);
     }
-    undistortedRays(camera, border, rays);
     Point2d low(WIDEST, WIDEST), high = -low;
-    for (size_t i = 0; i < rays.size(); i++)
+    for (const Vec3d& ray : bearingsOf(camera, upright, border))
     {
-        const Vec3d ray = upright * Vec3d(rays[i].x, rays[i].y, 1);
         if (!isInFront(ray))
             continue;
         const Point2d p = toPlace(ray);

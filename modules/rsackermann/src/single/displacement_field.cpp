@@ -15,15 +15,15 @@ DisplacementField::DisplacementField(const RollingShutterCamera& camera, const s
     : headingSine(std::sin(camera.heading)), headingCosine(std::cos(camera.heading))
 {
     const Matx33d toImage = camera.cameraMatrix * camera.uprightRotation.t();
-    std::vector<Point2d> pixels, rays;
+    std::vector<Point2d> pixels;
     for (int i = 0; i < ROWS; i++)
         for (int j = 0; j < COLUMNS; j++)
             pixels.push_back(Point2d((j + 0.5) / COLUMNS * camera.imageSize.width - 0.5,
                                      (i + 0.5) / ROWS * camera.imageSize.height - 0.5));
-    undistortedRays(camera, pixels, rays);
+    const std::vector<Vec3d> rays = bearingsOf(camera, camera.uprightRotation, pixels);
     for (int k = 0; k < POINTS; k++)
     {
-        const Vec3d bearing = camera.uprightRotation * Vec3d(rays[k].x, rays[k].y, 1);
+        const Vec3d& bearing = rays[k];
         const double z = std::max(bearing[2], IN_FRONT); // never behind a camera that looks steeply up or down
         Point& p = points[k];
         p.pixel = pixels[k];

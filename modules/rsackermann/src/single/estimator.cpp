@@ -63,9 +63,7 @@ private:
 // The azimuth's tangent of a pixel, in the upright frame.
 static double uprightColumn(const RollingShutterCamera& camera, const Point2d& pixel)
 {
-    std::vector<Point2d> rays;
-    undistortedRays(camera, std::vector<Point2d>(1, pixel), rays);
-    const Vec3d bearing = camera.uprightRotation * Vec3d(rays[0].x, rays[0].y, 1);
+    const Vec3d bearing = bearingsOf(camera, camera.uprightRotation, {pixel})[0];
     return bearing[0] / bearing[2];
 }
 

@@ -44,14 +44,14 @@ double RelativeDepth::at(const Point2d& pixel) const
 void RelativeDepth::fitRoad(const RollingShutterCamera& camera, const Matx33d& up)
 {
     const double step = std::max(longerSide / 40, 1.), leastDown = 0.03;
-    std::vector<Point2d> pixels, rays, below; // y component of a ray, value
+    std::vector<Point2d> pixels, below; // y component of a ray, value
     for (double y = step / 2; y < camera.imageSize.height - 1; y += step)
         for (double x = step / 2; x < camera.imageSize.width - 1; x += step)
             pixels.push_back(Point2d(x, y));
-    undistortedRays(camera, pixels, rays);
+    const std::vector<Vec3d> rays = bearingsOf(camera, up, pixels);
     for (size_t i = 0; i < rays.size(); i++)
     {
-        const double down = (up * Vec3d(rays[i].x, rays[i].y, 1))[1], value = at(pixels[i]);
+        const double down = rays[i][1], value = at(pixels[i]);
         if (down > leastDown && std::isfinite(value))
             below.push_back(Point2d(down, value));
     }

@@ -38,21 +38,15 @@ static void findKnown(const DepthMap& depth, std::vector<Point2d>& pixels, std::
     }
 }
 
-static std::vector<Point2d> raysOf(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
-                                   const DepthMap& depth, const std::vector<Point2d>& pixels)
+static std::vector<Vec3d> raysOf(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+                                 const Matx33d& up, const DepthMap& depth, const std::vector<Point2d>& pixels)
 {
-    std::vector<Point2d> rays;
     if (depth.camera == DEPTH_RAW)
-        undistortedRays(camera, pixels, rays);
-    else
-    {
-        const Matx33d inverse = GlobalCamera(camera, params).matrix.inv();
-        for (const Point2d& p : pixels)
-        {
-            const Vec3d ray = inverse * Vec3d(p.x, p.y, 1);
-            rays.push_back(Point2d(ray[0], ray[1]));
-        }
-    }
+        return bearingsOf(camera, up, pixels);
+    const Matx33d toRay = up * GlobalCamera(camera, params).matrix.inv();
+    std::vector<Vec3d> rays;
+    for (const Point2d& p : pixels)
+        rays.push_back(toRay * Vec3d(p.x, p.y, 1));
     return rays;
 }
 
@@ -69,11 +63,11 @@ bool isInAnotherUnit(const RollingShutterCamera& camera, const WarpMapGenerator:
     std::vector<Point2d> pixels;
     std::vector<float> inverseDepths;
     findKnown(depth, pixels, inverseDepths);
-    const std::vector<Point2d> rays = raysOf(camera, params, depth, pixels);
+    const std::vector<Vec3d> rays = raysOf(camera, params, up, depth, pixels);
     std::vector<double> ratios; // of the given inverse depths to those of the planes
     for (size_t i = 0; i < rays.size(); i++)
     {
-        const double plane = scene.inverseDepth(up * Vec3d(rays[i].x, rays[i].y, 1));
+        const double plane = scene.inverseDepth(rays[i]);
         if (plane * scene.direction > 0)
             ratios.push_back(inverseDepths[i] * way / plane);
     }
