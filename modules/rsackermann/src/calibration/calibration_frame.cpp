@@ -158,9 +158,8 @@ void FrameProblem::addPointResiduals(const CalibrationFrame& frame, std::vector<
         const double length = norm(d);
         if (!(length > 0))
             continue;
-        const DepthResidual a = {std::abs(r.dot(d)) / length, length};
         across.push_back(std::abs(r.cross(d)) / length);
-        along.push_back(a);
+        along.push_back({std::abs(r.dot(d)) / length, length});
     }
 }
 
@@ -171,9 +170,8 @@ void FrameProblem::addSlantResiduals(const CalibrationFrame& frame, std::vector<
     for (size_t i = 0; i < frame.verticals.size(); i++)
     {
         const UprightSegment vertical = frame.rowTurns.removedFrom(frame.verticals[i], turningUnit);
-        const DepthResidual slant = {std::abs(slantInSigmas(vertical, model, focal, 0)),
-                                     slantByDepth(vertical, frame, model, byValues)};
-        slants.push_back(slant);
+        slants.push_back(
+            {std::abs(slantInSigmas(vertical, model, focal, 0)), slantByDepth(vertical, frame, model, byValues)});
     }
 }
 

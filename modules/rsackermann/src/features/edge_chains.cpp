@@ -132,8 +132,7 @@ private:
         if (unused == NONE)
         {
             unused = int(points.size());
-            const Point none = {0, 0, 0, NONE};
-            points.push_back(none);
+            points.push_back({0, 0, 0, NONE});
         }
         const int place = unused;
         Point& p = points[place];
@@ -169,8 +168,7 @@ private:
             while (i < kept && chains[i].column < e.column)
                 next.push_back(chains[i++]);
             const int point = addPoint(e, row, NONE);
-            const Chain c = {e.column, 0, 1, point, point, 0, NONE, e.step > 0};
-            next.push_back(c);
+            next.push_back({e.column, 0, 1, point, point, 0, NONE, e.step > 0});
         }
         if (next.empty())
             return;

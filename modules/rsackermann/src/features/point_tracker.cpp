@@ -112,8 +112,7 @@ void PointTracker::follow(const std::vector<Mat>& to, std::vector<PointPair>& pa
         // Texture in nearly one direction alone doesn't determine it.
         if (2 * norm(centre - Point2d(points[i])) > WINDOW || !inside.contains(centre))
             continue;
-        const PointPair pair = {other * scale + origin, centre * scale + origin};
-        pairs.push_back(pair);
+        pairs.push_back({other * scale + origin, centre * scale + origin});
     }
 }
 

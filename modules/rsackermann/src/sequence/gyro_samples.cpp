@@ -41,8 +41,7 @@ void GyroSamples::add(const Mat& times_, const Mat& rates)
     samples.reserve(samples.size() + size_t(rates.rows));
     for (int i = 0; i < rates.rows; i++)
     {
-        const Sample s = {time[i], Vec3d(rates.ptr<double>(i)), Vec3d(), Vec3d(), 0};
-        samples.push_back(s);
+        samples.push_back({time[i], Vec3d(rates.ptr<double>(i)), Vec3d(), Vec3d(), 0});
         // The one before has a neighbour now.
         for (size_t k = std::max<size_t>(samples.size(), 3) - 2; k < samples.size(); k++)
             integrate(k);

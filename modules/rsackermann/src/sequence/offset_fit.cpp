@@ -95,8 +95,7 @@ std::vector<Deviation> deviationsOf(const RollingShutterCamera& camera, const st
         const double slope = norm(change);
         if (!(slope > 0)) // nor of a point that would be behind
             continue;
-        const Deviation d = {toPlace(ray), change.dot(planes) / slope, change.cross(planes) / slope, slope};
-        deviations.push_back(d);
+        deviations.push_back({toPlace(ray), change.dot(planes) / slope, change.cross(planes) / slope, slope});
     }
     return deviations;
 }

@@ -56,8 +56,7 @@ public:
     void add(const UprightSegment& segment, double height)
     {
         const double lean = PRIOR_LEAN * norm(segment.u - segment.v), placed = 0.25 / focal; // by the detector
-        const DeepVertical v = {segment, height, std::hypot(lean, placed)};
-        verticals.push_back(v);
+        verticals.push_back({segment, height, std::hypot(lean, placed)});
     }
 
     bool empty() const { return verticals.empty(); }
