@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../parallel_loop.hpp"
+#include "parabola_fit.hpp"
 #include "refine_segments.hpp"
 
 namespace cv { namespace rsackermann {
@@ -19,25 +20,7 @@ enum { REACH = 3, INTENSITIES = 2 * REACH + 2, SLOPES = INTENSITIES - 1 };
 static const float END = REACH + 1.5f;
 static const float LONGEST_END = 0.15f; // of the length
 
-// Where along a segment, from -1 to 1, and how many pixels beside it the edge was found. Up to the next multiple of
-// LANES the arrays go on with places that don't count.
-struct EdgePlaces
-{
-    enum { CAPACITY = 64, LANES = 4 };
-
-    int count = 0;
-    float along[CAPACITY], beside[CAPACITY], counts[CAPACITY];
-
-    void push(float along_, float beside_)
-    {
-        if (count % LANES == 0)
-            for (int i = count; i < count + LANES; i++)
-                along[i] = beside[i] = counts[i] = 0;
-        along[count] = along_;
-        beside[count] = beside_;
-        counts[count++] = 1;
-    }
-};
+enum { MOST_PLACES = 64 };
 
 inline float bilinear(const Mat& gray, float x, float y)
 {
@@ -88,43 +71,23 @@ bool findEdge(const float slopes[SLOPES], float sign, float& beside)
     return sum >= least;
 }
 
-// The line beside = offset + slope along, fitted with weights that fall off with the distance (after Geman and
-// McClure).
-bool fitLine(const EdgePlaces& places, float& offset, float& slope)
+// The line through places along a segment, from -1 to 1, and beside it, fitted with weights that fall off with the
+// distance (after Geman and McClure). Returns false if there is none.
+bool fitLine(const Point2f* places, int count, ParabolaFit& line)
 {
-    const int lanes = EdgePlaces::LANES;
-    offset = slope = 0;
-    for (int i = 0; i < 5; i++)
+    line = ParabolaFit();
+    for (int i = 0; i < 5 && line.squares < DBL_MAX; i++)
     {
-        const float scale = i == 0 ? 0 : 1; // no weights at first, then those of a pixel
-        float s[lanes] = {}, sx[lanes] = {}, sy[lanes] = {}, sxx[lanes] = {}, sxy[lanes] = {};
-        for (int k = 0; k < places.count; k += lanes)
-            for (int j = 0; j < lanes; j++)
-            {
-                const float x = places.along[k + j], y = places.beside[k + j];
-                const float r = y - offset - slope * x, q = 1 + scale * r * r;
-                const float w = places.counts[k + j] / (q * q);
-                s[j] += w;
-                sx[j] += w * x;
-                sy[j] += w * y;
-                sxx[j] += w * x * x;
-                sxy[j] += w * x * y;
-            }
-        for (int j = 1; j < lanes; j++)
+        const double scale = i == 0 ? 0 : 1; // no weights at first, then those of a pixel
+        ParabolaSums sums;
+        for (int k = 0; k < count; k++)
         {
-            s[0] += s[j];
-            sx[0] += sx[j];
-            sy[0] += sy[j];
-            sxx[0] += sxx[j];
-            sxy[0] += sxy[j];
+            const double r = places[k].y - line.middle - line.slope * places[k].x, q = 1 + scale * r * r;
+            sums.add(places[k].x, places[k].y, 1 / (q * q));
         }
-        const float det = s[0] * sxx[0] - sx[0] * sx[0];
-        if (!(det > 1e-5f * s[0] * s[0]))
-            return false;
-        offset = (sy[0] * sxx[0] - sx[0] * sxy[0]) / det;
-        slope = (s[0] * sxy[0] - sx[0] * sy[0]) / det;
+        line = sums.fit(false);
     }
-    return true;
+    return line.squares < DBL_MAX;
 }
 
 void refine(const Mat& gray, int maxPlaces, bool usesEnds, Vec4f& segment)
@@ -137,7 +100,7 @@ void refine(const Mat& gray, int maxPlaces, bool usesEnds, Vec4f& segment)
     const Point2f along = (last - first) * (1 / length), normal(-along.y, along.x);
 
     const float inner = usesEnds ? 1 : 1 - 2 * std::min(END / length, LONGEST_END);
-    float slopes[EdgePlaces::CAPACITY][SLOPES], alongs[EdgePlaces::CAPACITY], total = 0;
+    float slopes[MOST_PLACES][SLOPES], alongs[MOST_PLACES], total = 0;
     int found = 0;
     for (int i = 0; i < count; i++)
     {
@@ -148,16 +111,18 @@ void refine(const Mat& gray, int maxPlaces, bool usesEnds, Vec4f& segment)
             total += slopes[found][k];
         found++;
     }
-    EdgePlaces places;
+    Point2f places[MOST_PLACES];
+    int edges = 0;
     for (int i = 0; i < found; i++)
     {
         float beside;
         if (findEdge(slopes[i], total < 0 ? -1.f : 1.f, beside))
-            places.push(alongs[i], beside);
+            places[edges++] = Point2f(alongs[i], beside);
     }
-    float offset, slope;
-    if (places.count * 2 < count || !fitLine(places, offset, slope) || std::abs(offset) + std::abs(slope) > REACH)
+    ParabolaFit line;
+    if (edges * 2 < count || !fitLine(places, edges, line) || std::abs(line.middle) + std::abs(line.slope) > REACH)
         return;
+    const float offset = float(line.middle), slope = float(line.slope);
     const Point2f newFirst = first + (offset - slope) * normal, newLast = last + (offset + slope) * normal;
     segment = Vec4f(newFirst.x, newFirst.y, newLast.x, newLast.y);
 }
@@ -173,7 +138,7 @@ void refineSegments(const Mat& gray, int steps, bool usesEnds, std::vector<Vec4f
         [&](int i) {
             for (int step = 1; step < steps; step++)
                 refine(gray, fewPlaces, usesEnds, segments[i]);
-            refine(gray, EdgePlaces::CAPACITY, usesEnds, segments[i]);
+            refine(gray, MOST_PLACES, usesEnds, segments[i]);
         },
         segments.size() / segmentsPerStripe);
 }
