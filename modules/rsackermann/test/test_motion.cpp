@@ -123,6 +123,32 @@ TEST(RSAckermann_Motion, metric_round_trip)
     }
 }
 
+TEST(RSAckermann_Motion, rows_that_pitch_and_roll_from_metric_values)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    MetricMotion metric;
+    EXPECT_EQ(MOTION_NOT_SIGNIFICANT, AckermannMotion::fromMetric(camera, metric).status);
+    metric.pitchRate = 0.3;
+    metric.rollRate = -0.2;
+    const AckermannMotion m = AckermannMotion::fromMetric(camera, metric);
+    EXPECT_EQ(MOTION_OK, m.status);
+    EXPECT_EQ(MODEL_1LA, m.model);
+    EXPECT_EQ(0, m.alpha);
+    // Of the camera at a row: the optical axis sinks with the pitch, the right sinks with the roll.
+    const double time = 0.01;
+    Matx33d R;
+    Vec3d place;
+    m.pose(camera, time, R, place);
+    EXPECT_NEAR(0.3 * time * camera.secondsPerUnitTime(), (R * Vec3d(0, 0, 1))[1], 1e-7);
+    EXPECT_NEAR(-0.2 * time * camera.secondsPerUnitTime(), (R * Vec3d(1, 0, 0))[1], 1e-7);
+    for (double MetricMotion::*rate : {&MetricMotion::pitchRate, &MetricMotion::rollRate})
+    {
+        MetricMotion bad;
+        bad.*rate = NaN;
+        EXPECT_THROW(AckermannMotion::fromMetric(camera, bad), cv::Exception);
+    }
+}
+
 // Against differences of the getters, for covariances of which no entry is special.
 TEST(RSAckermann_Motion, metric_covariance)
 {

@@ -21,7 +21,10 @@ AckermannMotion::AckermannMotion()
 {
 }
 
-MetricMotion::MetricMotion() : yawRate(0), speed(0), leftDistance(0), rightDistance(0), wallDirection(0) {}
+MetricMotion::MetricMotion()
+    : yawRate(0), pitchRate(0), rollRate(0), speed(0), leftDistance(0), rightDistance(0), wallDirection(0)
+{
+}
 
 AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, const MetricMotion& metric)
 {
@@ -29,6 +32,8 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
     const double left = metric.leftDistance, right = metric.rightDistance;
     REJECT_IF(!(camera.lineDelay > 0), "camera.lineDelay is %g s; metric values need a positive one", camera.lineDelay);
     checkFinite(metric.yawRate, "metric.yawRate");
+    checkFinite(metric.pitchRate, "metric.pitchRate");
+    checkFinite(metric.rollRate, "metric.rollRate");
     checkFinite(metric.speed, "metric.speed");
     checkNotNegative(left, "metric.leftDistance", "no left wall");
     checkNotNegative(right, "metric.rightDistance", "no right wall");
@@ -37,6 +42,8 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
     // doc/theory.md, "Depth": the wall along (sin, cos) of wallDirection has the normal (-cos, sin) on the left.
     AckermannMotion m;
     m.alpha = metric.yawRate * camera.secondsPerUnitTime() / 2;
+    m.pitchRate = metric.pitchRate * camera.secondsPerUnitTime();
+    m.rollRate = metric.rollRate * camera.secondsPerUnitTime();
     const double beta = metric.speed * camera.secondsPerUnitTime();
     m.direction = metric.speed < 0 ? -1 : 1;
     m.wallDistance = left > 0 ? left : right;
@@ -51,8 +58,8 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
         m.wallRatio = left / right;
     if (camera.height > 0)
         m.roadSlope = beta / camera.height;
-    m.model = metric.speed == 0 ? (metric.yawRate == 0 ? MODEL_NONE : MODEL_1LA)
-                                : (metric.yawRate == 0 ? MODEL_3LA : MODEL_4LA);
+    const bool turns = metric.yawRate != 0 || metric.pitchRate != 0 || metric.rollRate != 0;
+    m.model = metric.speed == 0 ? (turns ? MODEL_1LA : MODEL_NONE) : (metric.yawRate == 0 ? MODEL_3LA : MODEL_4LA);
     m.status = m.model == MODEL_NONE ? MOTION_NOT_SIGNIFICANT : MOTION_OK;
     return m;
 }

@@ -46,6 +46,8 @@ class CV_EXPORTS_W_SIMPLE MetricMotion
 public:
     CV_WRAP MetricMotion();          //!< a camera at rest, without walls
     CV_PROP_RW double yawRate;       //!< radians per second, positive if the car turns to the right
+    CV_PROP_RW double pitchRate;     //!< radians per second, positive if the camera looks further down
+    CV_PROP_RW double rollRate;      //!< radians per second, positive if it turns clockwise as seen from behind
     CV_PROP_RW double speed;         //!< metres per second, negative in reverse
     CV_PROP_RW double leftDistance;  //!< metres from the camera to the left wall; 0: no left wall
     CV_PROP_RW double rightDistance; //!< metres from the camera to the right wall; 0: no right wall
