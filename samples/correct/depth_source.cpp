@@ -7,6 +7,7 @@
 #include "options.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include <algorithm>
 
 namespace rsackermann_samples {
 
@@ -14,25 +15,19 @@ namespace {
 
 const char* const EXTENSIONS[] = {".png", ".tif", ".tiff", ".exr", ".npy", ".csv"};
 
-// The file in a folder that has the name of an image, with an extension of its own.
-std::string fileIn(const std::string& folder, const std::string& image)
+// The file in a folder that has this name and an extension of its own.
+std::string fileIn(const std::string& folder, const std::string& name)
 {
-    const std::string name = folder + (folder.back() == '/' ? "" : "/") + stem(image);
+    const std::string path = folder + (folder.back() == '/' ? "" : "/") + name;
     for (const char* format : EXTENSIONS)
-        if (cv::utils::fs::exists(name + format))
-            return name + format;
-    return name + EXTENSIONS[0];
+        if (cv::utils::fs::exists(path + format))
+            return path + format;
+    return path + EXTENSIONS[0];
 }
 
 std::vector<std::string> filesFor(const std::string& path, const InputList& inputs)
 {
     std::vector<std::string> files;
-    if (cv::utils::fs::isDirectory(path))
-    {
-        for (const Input& input : inputs.inputs)
-            files.push_back(fileIn(path, input.name));
-        return files;
-    }
     for (const Input& input : listInputs({path}).inputs)
     {
         if (!input.isFile())
@@ -56,9 +51,6 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
                 throw UsageError(std::string("--") + name + " needs --depth");
         return;
     }
-    for (const Input& input : inputs.inputs)
-        if (input.isFile() && isVideo(input.name))
-            throw UsageError("--depth is for images");
     meaning_.kind = DepthMeaning::Kind(options.choice("depth_kind", {"metric", "disparity", "relative"}));
     meaning_.camera = options.choice("depth_camera", {"raw", "corrected"}) == 0 ? cv::rsackermann::DEPTH_RAW
                                                                                 : cv::rsackermann::DEPTH_CORRECTED;
@@ -72,7 +64,40 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
         (options.given("depth_scale") || meaning_.camera != cv::rsackermann::DEPTH_RAW))
         throw UsageError("--depth_kind=relative is of the raw camera, and has no --depth_scale: it can't go with "
                          "--depth_camera=corrected or --depth_scale");
-    files_ = filesFor(options.inputFile("depth"), inputs);
+    const std::string path = options.inputFile("depth");
+    if (cv::utils::fs::isDirectory(path))
+        folder_ = path;
+    else
+        files_ = filesFor(path, inputs);
+    for (const Input& input : inputs.inputs)
+        if (!input.isFile() || !isVideo(input.name))
+        {
+            if (!folder_.empty())
+                files_.push_back(fileIn(path, stem(input.name)));
+        }
+        else if (folder_.empty())
+            throw UsageError("--depth of a video is a folder with a file for each frame: " + stem(input.name) +
+                             "_000000.png for the first one");
+        else
+        {
+            std::vector<cv::String> frames;
+            cv::utils::fs::glob(path, stem(input.name) + "_*", frames);
+            ofFrames_.insert(ofFrames_.end(), frames.begin(), frames.end());
+            files_.push_back("");
+        }
+}
+
+std::string DepthSource::fileOfFrame(const std::string& video, int frame) const
+{
+    return empty() ? "" : fileIn(folder_, stem(video) + cv::format("_%06d", frame));
+}
+
+std::vector<std::string> DepthSource::files() const
+{
+    std::vector<std::string> all = files_;
+    all.erase(std::remove(all.begin(), all.end(), ""), all.end());
+    all.insert(all.end(), ofFrames_.begin(), ofFrames_.end());
+    return all;
 }
 
 } // namespace rsackermann_samples

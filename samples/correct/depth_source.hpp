@@ -12,7 +12,7 @@ namespace rsackermann_samples {
 
 class Options;
 
-//! The depth files of a job: one for each image, or none.
+//! The depth files of a job: one for each image and each frame of a video, or none.
 class DepthSource
 {
 public:
@@ -25,10 +25,15 @@ public:
     const DepthMeaning& meaning() const { return meaning_; }
     //! The file that belongs to an input; it need not exist. Empty: there are no depths.
     std::string fileOf(const Input& input) const { return empty() ? "" : files_.at(size_t(input.number)); }
-    const std::vector<std::string>& files() const { return files_; }
+    //! That of a video's frame, whose number is counted from 0.
+    std::string fileOfFrame(const std::string& video, int frame) const;
+    //! All that may be read.
+    std::vector<std::string> files() const;
 
 private:
-    std::vector<std::string> files_; // by the number of the input
+    std::vector<std::string> files_; // by the number of the input; not of videos
+    std::vector<std::string> ofFrames_;
+    std::string folder_; // if it is one
     DepthMeaning meaning_;
 };
 

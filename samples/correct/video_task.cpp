@@ -130,7 +130,7 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
         const int number = reader.number();
         const NextFrame next = corrector.wantsNext() ? reader.next() : NextFrame();
         corrector.beginFrame(reader.facts());
-        CorrectedFrame frame = corrector.correct(reader.image(), next);
+        CorrectedFrame frame = corrector.correct(reader.image(), next, job.depth.fileOfFrame(input, number));
         addTo(output, targets.output, framesPerSecond, frame.image);
         addTo(overlay, targets.overlay, framesPerSecond, frame.overlay);
         if (!targets.maps.empty())

@@ -234,6 +234,36 @@ TEST_F(CorrectVideo, maps_of_each_frame)
     EXPECT_EQ(0, cv::norm(expected, got, cv::NORM_INF));
 }
 
+TEST_F(CorrectVideo, depth_of_each_frame)
+{
+    cv::utils::fs::createDirectories(in_ / "depth");
+    const auto depthOf = [this](int frame) { return in_ / cv::format("depth/drive_%06d.png", frame); };
+    for (int i = 0; i < FRAMES; i++)
+        cv::imwrite(depthOf(i), cv::Mat(streetImage().size(), CV_16U, cv::Scalar(4000 + 1000 * i)));
+    const Arguments all = arguments() + Arguments{"--speed=60", "--depth=" + (in_ / "depth")};
+    const Outcome outcome = correct(all + Arguments{"--maps=" + (out_ / "maps"), "--report=-"});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const std::vector<cv::Mat> frames = framesOf(video_);
+    for (int i = 0; i < FRAMES; i += 2) // the others show nothing
+    {
+        cv::imwrite(out_ / "frame.png", frames[i]);
+        const Outcome alone = correct({out_ / "frame.png", all[1], all[2], all[3], "--depth=" + depthOf(i),
+                                       "--maps=" + (out_ / "alone.yml.gz"), "--report=-", "--overwrite"});
+        EXPECT_NE(std::string::npos, alone.output.find("\"depth_used\":true"));
+        EXPECT_EQ(contentOf(out_ / "alone.yml.gz"), contentOf(out_ / cv::format("maps/drive_%06d.yml.gz", i)));
+    }
+
+    const std::string content = contentOf(depthOf(1));
+    EXPECT_EQ(2, correct(all + Arguments{"--report=" + depthOf(1), "--overwrite"}).exitCode);
+    EXPECT_EQ(content, contentOf(depthOf(1)));
+    EXPECT_EQ(2, correct(arguments() + Arguments{"--depth=" + depthOf(1), "--report=-"}).exitCode);
+    std::remove(depthOf(3).c_str());
+    const Outcome missing = correct(all + Arguments{"--output=" + (out_ / "out.avi")});
+    EXPECT_EQ(1, missing.exitCode);
+    EXPECT_NE(std::string::npos, missing.messages.find(depthOf(3))) << missing.messages;
+    EXPECT_FALSE(cv::utils::fs::exists(out_ / "out.avi"));
+}
+
 TEST_F(CorrectVideo, log_by_frame_and_by_time)
 {
     const Arguments plain = arguments() + Arguments{"--report=-"};
