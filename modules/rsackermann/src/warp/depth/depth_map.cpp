@@ -20,10 +20,10 @@ DepthMap DepthMap::fromPoints(InputArray points_, const RollingShutterCamera& ca
     camera.check();
     const Mat points = matrixOf(points_, "points");
     const int count = points.empty() ? 0 : points.dims > 2 ? -1 : points.checkVector(3, -1, false);
-    if (count < 0 || (count > 0 && points.depth() != CV_32F && points.depth() != CV_64F))
-        CV_Error(Error::StsBadArg, format("points is a %d x %d matrix of %d dimensions and type %s; N x 3, or N x 1 "
-                                          "with three channels, CV_32F or CV_64F is expected",
-                                          points.rows, points.cols, points.dims, typeToString(points.type()).c_str()));
+    REJECT_IF(count < 0 || (count > 0 && points.depth() != CV_32F && points.depth() != CV_64F),
+              "points is a %d x %d matrix of %d dimensions and type %s; N x 3, or N x 1 with three channels, CV_32F or "
+              "CV_64F is expected",
+              points.rows, points.cols, points.dims, typeToString(points.type()).c_str());
     const Rect2d image(Point2d(), Size2d(camera.imageSize));
     Mat1f values(camera.imageSize, 0.f);
     Mat places;
