@@ -68,15 +68,16 @@ RollingShutterCamera given(const RollingShutterCamera& truth, double delayRatio,
     return c;
 }
 
-MountCalibration calibrate(const RollingShutterCamera& known, StreetDrive street, const Gyro* gyro)
+//! @param began seconds of all clocks at the first frame.
+MountCalibration calibrate(const RollingShutterCamera& known, StreetDrive street, const Gyro* gyro, double began = 0)
 {
     const Ptr<MountCalibrator> calibrator = MountCalibrator::create(known);
     if (gyro)
-        calibrator->addGyro(gyro->times, gyro->rates);
+        calibrator->addGyro(Mat(gyro->times + began), gyro->rates);
     for (int i = 0; i < FRAMES; i++)
     {
         const StreetDrive::Frame f = street.frame(i * INTERVAL, INTERVAL);
-        calibrator->addPoints(f.points, f.segments, f.seconds);
+        calibrator->addPoints(f.points, f.segments, f.seconds + began);
     }
     return calibrator->calibrate();
 }
@@ -126,6 +127,20 @@ TEST(RSAckermann_CalibrationWithGyro, bends)
         EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03) << i;
         EXPECT_NEAR(truth.heading / degree, c.heading / degree, 0.1) << i;
     }
+}
+
+// Of which a double has a quarter of a microsecond.
+TEST(RSAckermann_CalibrationWithGyro, clocks_that_began_in_1970)
+{
+    const RollingShutterCamera truth = camera(0.025);
+    const StreetDrive street(truth, 0, 0, shaking(0.4 * degree), 83);
+    RNG rng(84);
+    const Gyro gyro(street, 0.01, rng);
+    const MountCalibration now = calibrate(given(truth, 0.7), street, &gyro),
+                           later = calibrate(given(truth, 0.7), street, &gyro, 1.7e9);
+    EXPECT_NEAR(1, later.lineDelay / now.lineDelay, 1e-3);
+    EXPECT_NEAR(1, later.lineDelaySigma / now.lineDelaySigma, 0.05);
+    EXPECT_NEAR(now.gyroDelay, later.gyroDelay, 1e-4);
 }
 
 // A gyro of another drive isn't used, and neither is one that was removed.

@@ -11,6 +11,8 @@
 namespace cv { namespace rsackermann {
 
 static const double STEP = std::sqrt(DBL_EPSILON); // of forward differences, radians or relative
+// Of the line delay where it chooses an instant of a curve of turns, which is smooth: an hour has 13 digits of it.
+static const double INSTANT_STEP = 1e-5;
 // Of the robust loss of slants, in sigmas. It is narrower than that of single frames: a line that leans does so in many
 // frames, and those of a street don't cancel.
 static const double LEANING_SCALE = 1;
@@ -187,13 +189,15 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
         const TrackedBearing back = frame.rowTurns.removedFrom(s, turningUnit), now = transformed(back, R, shift);
         Eigen::Matrix<double, FLOW_VALUES, 2> byValues;
         const Point2d r = residual.evaluate(now, u, byValues.data());
-        const auto slope = [&](const Point2d& there) {
-            return Eigen::RowVector2d((there.x - r.x) / STEP, (there.y - r.y) / STEP);
+        const auto slope = [&](const Point2d& there, double step = STEP) {
+            return Eigen::RowVector2d((there.x - r.x) / step, (there.y - r.y) / step);
         };
         Eigen::RowVector2d byTurning = Eigen::RowVector2d::Zero();
         if (frame.rowTurns.showDelay())
-            byTurning = slope(residual.evaluate(
-                transformed(frame.rowTurns.removedFrom(s, turningUnit * (1 + STEP)), R, shift), u, 0));
+            byTurning =
+                slope(residual.evaluate(
+                          transformed(frame.rowTurns.removedFrom(s, turningUnit * (1 + INSTANT_STEP)), R, shift), u, 0),
+                      INSTANT_STEP);
         J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)), byTurning,
             slope(perturbedDelay.evaluate(transformed(back, R, perturbedShift), u, 0));
         J.row(SEQUENCE_ROLL) = slope(residual.evaluate(transformed(back, rolled, shift), u, 0));
@@ -221,8 +225,8 @@ void FrameProblem::addVerticals(const CalibrationFrame& frame, const FrameVector
         J[DELAY_COLUMN] = byParameters[P_ALPHA] * motion[P_ALPHA];
         if (frame.rowTurns.showDelay())
         {
-            const UprightSegment perturbed = frame.rowTurns.removedFrom(seen, turningUnit * (1 + STEP));
-            J[DELAY_COLUMN] += (slantInSigmas(perturbed, model, focal, 0) - r) / STEP;
+            const UprightSegment perturbed = frame.rowTurns.removedFrom(seen, turningUnit * (1 + INSTANT_STEP));
+            J[DELAY_COLUMN] += (slantInSigmas(perturbed, model, focal, 0) - r) / INSTANT_STEP;
         }
         J[PASSING_COLUMN] = (slantInSigmas(c, perturbedDelayModel, focal, 0) - r) / STEP;
         return r;

@@ -131,13 +131,14 @@ public:
     {
         removeFrames();
         clearGyro();
+        hasOrigin = false;
     }
 
     bool addFrame(InputArray image, double seconds, const MotionPrior& prior) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
         checkImage(image, "image", given.imageSize);
-        check(seconds, prior);
+        seconds = sinceOrigin(seconds, prior);
         finder.find(image, params.estimator.detector, params.estimator.minLength, found);
         const GrayFrame frame(finder.reduced(), finder.reduction(), seconds);
         const bool isAdded =
@@ -149,7 +150,7 @@ public:
     bool addPoints(InputArray points, InputArray segments, double seconds, const MotionPrior& prior) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        check(seconds, prior);
+        seconds = sinceOrigin(seconds, prior);
         const Mat rows = segmentRows(points, "points"), segmentsOfFrame = segmentRows(segments);
         std::vector<PointPair> pairs;
         for (int i = 0; i < rows.rows; i++)
@@ -164,7 +165,10 @@ public:
 
     void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
     {
-        gyro.add(matrixOf(times, "times"), matrixOf(rates, "rates"));
+        const Mat seconds = matrixOf(times, "times");
+        if (seconds.type() == CV_64F && !seconds.empty())
+            setOrigin(seconds.at<double>(0));
+        gyro.add(seconds, matrixOf(rates, "rates"), origin);
     }
 
     void clearGyro() CV_OVERRIDE { gyro.clear(); }
@@ -215,10 +219,22 @@ private:
         filter.hasFrame = false;
     }
 
-    static void check(double seconds, const MotionPrior& prior)
+    // Times are differentiated by: of a clock that began long ago not enough digits would be left.
+    void setOrigin(double seconds)
+    {
+        if (!hasOrigin && std::abs(seconds) <= LARGEST_VALUE)
+        {
+            origin = seconds;
+            hasOrigin = true;
+        }
+    }
+
+    double sinceOrigin(double seconds, const MotionPrior& prior)
     {
         checkFinite(seconds, "seconds");
         prior.check();
+        setOrigin(seconds);
+        return seconds - origin;
     }
 
     bool isInImage(const Point2d& p) const
@@ -358,6 +374,8 @@ private:
     FrameFeatures features;
     Mat found;
 
+    double origin = 0; // of the times, seconds: the first one
+    bool hasOrigin = false;
     GyroSamples gyro;
     std::vector<CalibrationFrame> frames;
     std::vector<int> numbers; // of each frame's run

@@ -21,7 +21,7 @@ static void check(const Mat& times, const Mat& rates)
               typeToString(rates.type()).c_str(), int(times.total()));
 }
 
-void GyroSamples::add(const Mat& times_, const Mat& rates)
+void GyroSamples::add(const Mat& times_, const Mat& rates, double origin)
 {
     check(times_, rates);
     const Mat times = times_.isContinuous() ? times_ : times_.clone();
@@ -31,7 +31,7 @@ void GyroSamples::add(const Mat& times_, const Mat& rates)
         if (!(std::abs(time[i]) <= 1e12))
             checkRange(time[i], -1e12, 1e12, format("times[%d]", i).c_str());
         const bool isFirst = i == 0 && samples.empty();
-        const double last = i > 0 ? time[i - 1] : isFirst ? 0 : lastTime();
+        const double last = i > 0 ? time[i - 1] : isFirst ? 0 : lastTime() + origin;
         REJECT_IF(!isFirst && !(time[i] > last), "times[%d] is %.9g; more than %.9g, the one before, is expected", i,
                   time[i], last);
         for (int k = 0; k < 3; k++)
@@ -41,7 +41,7 @@ void GyroSamples::add(const Mat& times_, const Mat& rates)
     samples.reserve(samples.size() + size_t(rates.rows));
     for (int i = 0; i < rates.rows; i++)
     {
-        samples.push_back({time[i], Vec3d(rates.ptr<double>(i)), Vec3d(), Vec3d(), 0});
+        samples.push_back({time[i] - origin, Vec3d(rates.ptr<double>(i)), Vec3d(), Vec3d(), 0});
         // The one before has a neighbour now.
         for (size_t k = std::max<size_t>(samples.size(), 3) - 2; k < samples.size(); k++)
             integrate(k);

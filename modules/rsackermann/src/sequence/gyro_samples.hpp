@@ -21,7 +21,8 @@ public:
 
     //! @param times seconds, increasing, after those that are there: N x 1 or 1 x N, CV_64F. @param rates rad/s about
     //! x, y and z: N x 3, CV_64F. Throws cv::Exception if they are others, or faster than fastest().
-    void add(const Mat& times, const Mat& rates);
+    //! @param origin seconds that are taken off the times.
+    void add(const Mat& times, const Mat& rates, double origin = 0);
     void clear() { samples.clear(); }
     bool empty() const { return samples.empty(); }
     double lastTime() const { return samples.back().time; }
