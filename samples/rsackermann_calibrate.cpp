@@ -63,6 +63,7 @@ Task readTask(const Options& options)
     if (!options.given("output"))
         throw UsageError("--output is missing");
     task.camera = readCameraOptions(options);
+    task.camera.needsReadOut = false; // it is measured
     if (task.camera.scan == cv::rsackermann::SCAN_LEFT_TO_RIGHT ||
         task.camera.scan == cv::rsackermann::SCAN_RIGHT_TO_LEFT)
         throw UsageError("the lines of the sensor are columns of the image (scan): no vertical shows the motion");

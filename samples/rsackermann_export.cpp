@@ -53,7 +53,8 @@ cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const s
     const bool isOfReport = !frames.empty() && frames[0].hasCamera && !isCameraGiven(options) && !options.given("size");
     if (isOfReport)
         return frames[0].camera;
-    const CameraSettings settings = readCameraOptions(options);
+    CameraSettings settings = readCameraOptions(options);
+    settings.needsReadOut = false; // the report has it
     cv::Size size = options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : cv::Size();
     if (size.empty() && !frames.empty())
         size = frames[0].size;

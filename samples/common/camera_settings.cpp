@@ -34,7 +34,7 @@ const char* const CAMERA_KEYS =
 CameraSettings::CameraSettings()
     : calibrated(false), isScaled(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0),
       readOut(0), scan(SCAN_TOP_TO_BOTTOM), reference("middle"), roll(0), pitch(0), heading(0), height(0), rollSigma(0),
-      pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0)
+      pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0), needsReadOut(true)
 {
 }
 
@@ -71,12 +71,13 @@ CameraSettings CameraSettings::with(const CompatibleSetting& setting) const
     own.K = setting.K;
     own.lens = setting.lens;
     own.readOut = setting.readOut;
+    own.scan = setting.scan;
     return own;
 }
 
 CameraSettings CameraSettings::forSize(const cv::Size& imageSize) const
 {
-    std::vector<CompatibleSetting> all(1, CompatibleSetting{size, K, lens, readOut, ""});
+    std::vector<CompatibleSetting> all(1, CompatibleSetting{size, K, lens, readOut, scan, ""});
     all.insert(all.end(), compatible.begin(), compatible.end());
     const auto isSame = [&](const CompatibleSetting& s) { return s.size == imageSize; };
     const auto isSimilar = [&](const CompatibleSetting& s) { return isScaled && haveSameShape(imageSize, s.size); };
@@ -88,12 +89,23 @@ CameraSettings CameraSettings::forSize(const cv::Size& imageSize) const
     if (!chosen->refusal.empty())
         throw InputError(cv::format("the camera file can't be used for images of %d x %d pixels: %s", imageSize.width,
                                     imageSize.height, chosen->refusal.c_str()));
+    CameraSettings own = with(*chosen);
     for (const CompatibleSetting& other : all)
-        if (other.size == chosen->size && other.refusal.empty() && other.readOut != chosen->readOut)
+    {
+        if (other.size != chosen->size || !other.refusal.empty())
+            continue;
+        if (other.scan != chosen->scan)
+            throw InputError(cv::format("the camera file has several directions of the read-out for images of %d x %d "
+                                        "pixels: give --scan",
+                                        imageSize.width, imageSize.height));
+        if (other.readOut != chosen->readOut && needsReadOut)
             throw InputError(cv::format("the camera file has several read-out times for images of %d x %d pixels, %g "
                                         "and %g s, by the frame rate: give --readout",
                                         imageSize.width, imageSize.height, chosen->readOut, other.readOut));
-    return with(*chosen);
+        if (other.readOut != chosen->readOut)
+            own.readOut = 0;
+    }
+    return own;
 }
 
 RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
@@ -172,7 +184,11 @@ CameraSettings readCameraOptions(const Options& options)
             setting.readOut = s.readOut;
     }
     if (options.given("scan"))
+    {
         s.scan = options.choice("scan", SCAN_WORDS);
+        for (CompatibleSetting& setting : s.compatible)
+            setting.scan = s.scan;
+    }
     if (options.given("reference"))
         s.reference = readReference(options);
     if (options.given("roll"))

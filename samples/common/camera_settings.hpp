@@ -17,6 +17,7 @@ struct CompatibleSetting
     cv::Matx33d K;
     std::vector<double> lens;
     double readOut;      //!< seconds; 0: unknown
+    int scan;            //!< a cv::rsackermann::ScanDirection
     std::string refusal; //!< why such images can't be used; empty if they can
 };
 
@@ -39,6 +40,7 @@ struct CameraSettings
     double rollSigma, pitchSigma, headingSigma, lineDelaySigma; //!< standard deviations in the same units; 0: not known
     double focalSigma;                                          //!< pixels; 0: not known
     std::vector<CompatibleSetting> compatible;                  //!< with #isScaled
+    bool needsReadOut; //!< whether one that depends on more than the size is an error; it is unknown otherwise
 
     CameraSettings();
 
@@ -47,7 +49,7 @@ struct CameraSettings
     cv::rsackermann::RollingShutterCamera makeCamera(const cv::Size& imageSize) const;
 
     /** The same with the calibration that counts for images of a size, and no others: the first one of that size, else
-    the first one of that shape. Throws InputError if its images can't be used, or its read-out is ambiguous. */
+    the first one of that shape. Throws InputError if its images can't be used, or its shutter is ambiguous. */
     CameraSettings forSize(const cv::Size& imageSize) const;
 
     //! The same with one of the compatible calibrations, and no others.

@@ -46,22 +46,26 @@ size_t columnOf(const CsvTable& table, const std::string& name, const std::strin
     return column;
 }
 
-// The largest rate again and again is the end of the gyro's range.
+// The largest or the smallest rate again and again is an end of the gyro's range.
 void warnOfSaturation(const CsvTable& table, const Samples& samples, const std::string (&names)[4],
                       const std::string& path, const std::string& program)
 {
     for (int k = 0; k < 3; k++)
     {
-        double largest = FULL_SCALE * DEGREE;
+        double ends[] = {-FULL_SCALE * DEGREE, FULL_SCALE * DEGREE};
         for (const cv::Vec3d& rate : samples.rates)
-            largest = std::max(largest, std::abs(rate[k]));
+        {
+            ends[0] = std::min(ends[0], rate[k]);
+            ends[1] = std::max(ends[1], rate[k]);
+        }
         int repeated = 0;
         for (size_t i = 0; i < samples.rates.size() && repeated < SATURATED; i++)
         {
-            repeated = std::abs(samples.rates[i][k]) == largest ? repeated + 1 : 0;
+            const double rate = samples.rates[i][k];
+            repeated = rate == ends[0] || rate == ends[1] ? repeated + 1 : 0;
             if (repeated == SATURATED)
                 std::cerr << program << ": " << placeOf(table, i, names[k + 1], path)
-                          << cv::format(": the gyro saturates at %g deg/s", largest / DEGREE) << std::endl;
+                          << cv::format(": the gyro saturates at %g deg/s", std::abs(rate) / DEGREE) << std::endl;
         }
     }
 }

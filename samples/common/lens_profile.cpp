@@ -216,7 +216,7 @@ CompatibleSetting compatibleSetting(Json profile, const Json& element, const std
     CameraSettings s;
     readIntrinsics(fields, shown, s);
     readShutter(fields, s);
-    CompatibleSetting setting = {s.size, s.K, {}, s.readOut, ""};
+    CompatibleSetting setting = {s.size, s.K, {}, s.readOut, s.scan, ""};
     try
     {
         readLens(fields, s);

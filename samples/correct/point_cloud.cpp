@@ -7,6 +7,7 @@
 #include "options.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rsackermann_samples {
 
@@ -28,7 +29,10 @@ try
             throw InputError(source +
                              ": the points are of another file than those before; each image has its own table");
         for (int k = 0; k < 3; k++)
-            points(i, k) = parseNumber(table.rows[i][columns[k]], source);
+        {
+            const std::string& cell = table.rows[i][columns[k]];
+            points(i, k) = cell == "nan" || cell == "NaN" ? NAN : parseNumber(cell, source); // of organised clouds
+        }
     }
     return points;
 }

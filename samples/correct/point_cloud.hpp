@@ -10,8 +10,8 @@
 
 namespace rsackermann_samples {
 
-/** Points from a CSV table whose header has x, y and z (N x 3, CV_64F). Throws InputError with the line that isn't
-understood, and if the table is one of several images: if it has a column file with other names than one. */
+/** Points from a CSV table whose header has x, y and z (N x 3, CV_64F; nan is kept). Throws InputError with the line
+that isn't understood, and if the table is one of several images: if it has a column file with other names than one. */
 cv::Mat readPointCloud(const std::string& path);
 
 } // namespace rsackermann_samples

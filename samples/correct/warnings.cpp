@@ -92,7 +92,7 @@ std::string Warnings::doubtOfGyro() const
     if (std::abs(power) > 0.5 && std::abs(power) < 1.5)
         return power > 0 ? "its rates seem to be degrees that are read as radians"
                          : "its rates seem to be radians that are read as degrees";
-    return "its axes or clock may be others";
+    return "its axes or clock may be others, or --scan";
 }
 
 void Warnings::addGyro(const FrameReport& frame)

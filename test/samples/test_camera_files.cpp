@@ -426,6 +426,17 @@ TEST(CameraFiles, lens_profile_of_several_modes)
         EXPECT_EQ(c.lens, camera.distCoeffs[0]);
         EXPECT_EQ(c.lens, s.forSize(c.size).lens[0]); // of rsackermann_calibrate
     }
+    // The sign of a mode's time is the direction of its read-out.
+    nlohmann::json upwards = nlohmann::json::parse(GYROFLOW_MODES);
+    upwards["compatible_settings"][2]["frame_readout_time"] = -12;
+    EXPECT_EQ(cv::rsackermann::SCAN_BOTTOM_TO_TOP, read(upwards.dump()).makeCamera(cv::Size(1920, 1440)).scanDirection);
+    EXPECT_EQ(cv::rsackermann::SCAN_TOP_TO_BOTTOM, read(upwards.dump()).makeCamera(cv::Size(2704, 1520)).scanDirection);
+    upwards["compatible_settings"][4]["frame_readout_time"] = -8;
+    EXPECT_THROW(read(upwards.dump()).makeCamera(cv::Size(1200, 1200)), rsackermann_samples::InputError);
+    // Who measures the time doesn't need it.
+    rsackermann_samples::CameraSettings measured = s;
+    measured.needsReadOut = false;
+    EXPECT_EQ(0, measured.makeCamera(cv::Size(1200, 1200)).lineDelay);
     nlohmann::json asymmetrical = nlohmann::json::parse(GYROFLOW_MODES);
     asymmetrical["asymmetrical"] = true;
     EXPECT_LT(cv::norm(read(asymmetrical.dump()).makeCamera(cv::Size(2704, 1520)).cameraMatrix -

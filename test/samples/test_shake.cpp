@@ -325,7 +325,7 @@ TEST_F(GyroOfDrive, contradiction_has_a_reason)
         const char* reason;
     } cases[] = {{180 / CV_PI, false, "degrees that are read as radians"},
                  {CV_PI / 180, false, "radians that are read as degrees"},
-                 {1, true, "its axes or clock may be others"}};
+                 {1, true, "its axes or clock may be others, or --scan"}};
     for (const auto& c : cases)
     {
         std::string wrong;
