@@ -12,7 +12,7 @@ namespace cv { namespace rsackermann {
 
 static const double STEP = std::sqrt(DBL_EPSILON); // of forward differences, radians or relative
 // Of the line delay where it chooses an instant of a curve of turns, which is smooth: an hour has 13 digits of it.
-static const double INSTANT_STEP = 1e-5;
+static const double INSTANT_STEP = std::cbrt(DBL_EPSILON);
 // Of the robust loss of slants, in sigmas. It is narrower than that of single frames: a line that leans does so in many
 // frames, and those of a street don't cancel.
 static const double LEANING_SCALE = 1;
