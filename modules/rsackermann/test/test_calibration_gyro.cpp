@@ -129,6 +129,52 @@ TEST(RSAckermann_CalibrationWithGyro, bends)
     }
 }
 
+// Of a phone that somebody has put on a dashboard, in an uneven street with many wrong points. What is assumed of
+// cars doesn't hold back how it shakes.
+TEST(RSAckermann_CalibrationWithGyro, unknown_mount_among_wrong_points)
+{
+    for (int i = 0; i < 4; i++)
+    {
+        SCOPED_TRACE(i);
+        RNG rng(700 + i);
+        RollingShutterCamera truth = camera(0.03), known = given(truth, 0.8);
+        known.setRollPitch(0, 0);
+        known.heading = 0;
+        truth.setRollPitch(2 * degree, -2 * degree);
+        truth.heading = (i % 2 ? 4 : -4) * degree;
+        StreetDrive::Options options = shaking(0.4 * degree);
+        options.unevenness = 0.03;
+        options.outliers = 0.4;
+        options.segments = 0;
+        const StreetDrive street(truth, 2 * degree, -2 * degree, options, 90 + i);
+        const Gyro gyro(street, 0, rng);
+        const MountCalibration c = calibrate(known, street, &gyro);
+        EXPECT_GT(c.gyroFrames, FRAMES * 3 / 4);
+        ASSERT_TRUE(c.lineDelayObserved);
+        EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03);
+        ASSERT_TRUE(c.headingObserved);
+        EXPECT_NEAR(truth.heading / degree, c.heading / degree, 0.5);
+        EXPECT_NEAR(1, c.focalScale, 2 * c.focalScaleSigma);
+    }
+}
+
+// The turns that are compared with the gyro are about the axes of the camera as it is found.
+TEST(RSAckermann_CalibrationWithGyro, from_another_mount)
+{
+    const RollingShutterCamera truth = camera(0.03);
+    const StreetDrive street(truth, 1.2 * degree, -0.8 * degree, shaking(0.4 * degree), 95);
+    RNG rng(96);
+    const Gyro gyro(street, 0, rng);
+    const MountCalibration expected = calibrate(truth, street, &gyro);
+    for (double sign = -1; sign <= 1; sign += 2)
+    {
+        RollingShutterCamera known = truth;
+        known.setRollPitch((1.2 + 2 * sign) * degree, (-0.8 + 2 * sign) * degree);
+        const MountCalibration c = calibrate(known, street, &gyro);
+        EXPECT_NEAR(expected.lineDelay, c.lineDelay, 0.5 * c.lineDelaySigma) << sign;
+    }
+}
+
 // Of which a double has a quarter of a microsecond.
 TEST(RSAckermann_CalibrationWithGyro, clocks_that_began_in_1970)
 {

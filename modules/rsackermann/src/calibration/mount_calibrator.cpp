@@ -301,6 +301,10 @@ private:
             frame.expected[i] = expected.value[i];
             frame.sigma[i] = std::sqrt(expected.covariance(i, i));
         }
+        // Scenes start as they are expected: with an unknown heading the fit of a single frame can take a street for a
+        // facade across the way, from where no step leads back.
+        std::copy(frame.expected + SEQUENCE_DIRECTION, frame.expected + SCENE_VALUES,
+                  frame.value.data() + SEQUENCE_DIRECTION);
         return frame;
     }
 

@@ -52,7 +52,7 @@ public:
             problem.weigh(frames[k]);
             state.frames.push_back(frames[k].value);
         }
-        minimize(*this, MinimizerOptions(STEPS, 1e-4 * double(frames.size())), state, equations);
+        minimize(*this, MinimizerOptions(STEPS, 1e-5 * double(frames.size())), state, equations);
         mount = state.mount;
         for (size_t k = 0; k < frames.size(); k++)
             frames[k].value = state.frames[k];
@@ -180,9 +180,13 @@ private:
         static const int turns[] = {LINKED_ROLL_TURN, LINKED_PITCH_TURN};
         const FrameVector& now = state.frames[k];
         const double passed = passedBefore(k);
-        const double kept = std::exp(-passed / suspension.memory),
-                     inverse = 1 / (suspension.sigma * std::sqrt(-std::expm1(-2 * passed / suspension.memory)));
         const bool follows = k > 0 && frames[k].follows(frames[k - 1]);
+        // Of a turn that the points show counts what the suspension says of the mount alone: it would hold back the
+        // turn where something shakes faster than cars do.
+        const double kept = follows ? 0 : std::exp(-passed / suspension.memory),
+                     variance = follows ? 1 / std::tanh(passed / (2 * suspension.memory))
+                                        : -std::expm1(-2 * passed / suspension.memory),
+                     inverse = 1 / (suspension.sigma * std::sqrt(variance));
         for (int i = 0; i < 2; i++)
         {
             const double m = state.mount[MOUNTS[i]], a = now[SCENE_VALUES + TILTS[i]],
