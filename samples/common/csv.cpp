@@ -108,6 +108,47 @@ static void checkNames(const std::vector<std::string>& header, const std::string
                 cv::format("column %d of %s: '%s' is there twice", int(i + 1), path.c_str(), header[i].c_str()));
 }
 
+size_t CsvTable::find(const std::string& name) const
+{
+    return size_t(std::find(header.begin(), header.end(), name) - header.begin());
+}
+
+std::vector<size_t> CsvTable::columns(const std::vector<std::string>& names) const
+{
+    std::vector<size_t> found;
+    std::string words;
+    for (size_t i = 0; i < names.size(); i++)
+    {
+        found.push_back(find(names[i]));
+        words += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+    }
+    if (std::count(found.begin(), found.end(), header.size()) > 0)
+        throw UsageError(path + ": a header with " + words + " is needed");
+    return found;
+}
+
+std::string CsvTable::placeOf(size_t row, const std::string& column) const
+{
+    return cv::format("line %d of %s, column %s", lines[row], path.c_str(), column.c_str());
+}
+
+double CsvTable::number(size_t row, size_t column) const
+{
+    return parseNumber(rows[row][column], placeOf(row, header[column]));
+}
+
+void CsvTable::beginAt(size_t row)
+{
+    header = rows[row];
+    checkNames(header, path);
+    rows.erase(rows.begin(), rows.begin() + std::ptrdiff_t(row + 1));
+    lines.erase(lines.begin(), lines.begin() + std::ptrdiff_t(row + 1));
+    for (size_t i = 0; i < rows.size(); i++)
+        if (rows[i].size() != header.size())
+            throw UsageError(cv::format("line %d of %s: there are %d cells, but %d columns", lines[i], path.c_str(),
+                                        int(rows[i].size()), int(header.size())));
+}
+
 CsvTable readCsv(const std::string& path)
 {
     return readCsv(path, [](const std::vector<std::string>&) { return false; });
@@ -123,20 +164,19 @@ CsvTable readCsv(const std::string& path, bool (*isRagged)(const std::vector<std
         throw UsageError(path + " has a zero byte: it isn't a text");
     CsvReader reader(text, path);
     CsvTable table;
+    table.path = path;
     int line = 0;
-    if (!reader.next(table.header, line))
-        throw UsageError(path + " is empty");
-    const bool ragged = isRagged(table.header);
-    if (!ragged)
-        checkNames(table.header, path);
     for (std::vector<std::string> cells; reader.next(cells, line);)
     {
-        if (!ragged && cells.size() != table.header.size())
-            throw UsageError(cv::format("line %d of %s: there are %d cells, but %d columns", line, path.c_str(),
-                                        int(cells.size()), int(table.header.size())));
         table.rows.push_back(cells);
         table.lines.push_back(line);
     }
+    if (table.rows.empty())
+        throw UsageError(path + " is empty");
+    if (isRagged(table.rows[0]))
+        table.header = table.rows[0];
+    else
+        table.beginAt(0);
     return table;
 }
 

@@ -31,24 +31,9 @@ struct Samples
     std::vector<cv::Vec3d> rates;
 };
 
-std::string placeOf(const CsvTable& table, size_t row, const std::string& column, const std::string& path)
-{
-    return cv::format("line %d of %s, column %s", table.lines[row], path.c_str(), column.c_str());
-}
-
-size_t columnOf(const CsvTable& table, const std::string& name, const std::string& path)
-{
-    const size_t column = size_t(std::find(table.header.begin(), table.header.end(), name) - table.header.begin());
-    if (column == table.header.size())
-        throw UsageError(path + ": there is no column " + name);
-    if (std::count(table.header.begin(), table.header.end(), name) > 1)
-        throw UsageError(path + ": the column " + name + " is there twice");
-    return column;
-}
-
 // The largest or the smallest rate again and again is an end of the gyro's range.
 void warnOfSaturation(const CsvTable& table, const Samples& samples, const std::string (&names)[4],
-                      const std::string& path, const std::string& program)
+                      const std::string& program)
 {
     for (int k = 0; k < 3; k++)
     {
@@ -64,14 +49,13 @@ void warnOfSaturation(const CsvTable& table, const Samples& samples, const std::
             const double rate = samples.rates[i][k];
             repeated = rate == ends[0] || rate == ends[1] ? repeated + 1 : 0;
             if (repeated == SATURATED)
-                std::cerr << program << ": " << placeOf(table, i, names[k + 1], path)
+                std::cerr << program << ": " << table.placeOf(i, names[k + 1])
                           << cv::format(": the gyro saturates at %g deg/s", std::abs(rate) / DEGREE) << std::endl;
         }
     }
 }
 
-void warnOfGaps(const CsvTable& table, const Samples& samples, const std::string& timeName, const std::string& path,
-                const std::string& program)
+void warnOfGaps(const CsvTable& table, const Samples& samples, const std::string& timeName, const std::string& program)
 {
     size_t gaps = 0, first = 0;
     double shortest = samples.times[1] - samples.times[0];
@@ -89,39 +73,37 @@ void warnOfGaps(const CsvTable& table, const Samples& samples, const std::string
             ? cv::format("no sample is less than %g s after the one before: times seem not to be in seconds", shortest)
             : cv::format("%g s without a sample; frames in such gaps (%d) do without the gyro",
                          samples.times[first] - samples.times[first - 1], int(gaps));
-    std::cerr << program << ": " << placeOf(table, first, timeName, path) << ": " << warning << std::endl;
+    std::cerr << program << ": " << table.placeOf(first, timeName) << ": " << warning << std::endl;
 }
 
 /** Numbers of a time and three rates, with warnings of what is doubtful about them.
 @param names of the columns. @param scales seconds and rad/s of their units. */
 Samples readSamples(const CsvTable& table, const std::string (&names)[4], const double (&scales)[4],
-                    const std::string& path, const std::string& program)
+                    const std::string& program)
 {
-    size_t columns[4];
-    for (int k = 0; k < 4; k++)
-        columns[k] = columnOf(table, names[k], path);
+    const std::vector<size_t> columns = table.columns(std::vector<std::string>(names, names + 4));
     Samples samples;
     for (size_t i = 0; i < table.rows.size(); i++)
     {
         double values[4];
         for (int k = 0; k < 4; k++)
         {
-            const std::string place = placeOf(table, i, names[k], path), &cell = table.rows[i][columns[k]];
-            values[k] = parseNumber(cell, place) * scales[k];
+            values[k] = table.number(i, columns[size_t(k)]) * scales[k];
             const double limit = k == 0 ? LATEST : FASTEST;
             if (!(std::abs(values[k]) <= limit))
-                throw UsageError(place + cv::format(": %s is not from %g to %g", cell.c_str(), -limit / scales[k],
-                                                    limit / scales[k]));
+                throw UsageError(table.placeOf(i, names[k]) + cv::format(": %s is not from %g to %g",
+                                                                         table.rows[i][columns[size_t(k)]].c_str(),
+                                                                         -limit / scales[k], limit / scales[k]));
         }
         if (!samples.times.empty() && !(values[0] > samples.times.back()))
-            throw UsageError(placeOf(table, i, names[0], path) + ": times must increase");
+            throw UsageError(table.placeOf(i, names[0]) + ": times must increase");
         samples.times.push_back(values[0]);
         samples.rates.push_back(cv::Vec3d(values[1], values[2], values[3]));
     }
     if (samples.times.size() < 2)
-        throw UsageError(path + ": there are fewer than two samples");
-    warnOfSaturation(table, samples, names, path, program);
-    warnOfGaps(table, samples, names[0], path, program);
+        throw UsageError(table.path + ": there are fewer than two samples");
+    warnOfSaturation(table, samples, names, program);
+    warnOfGaps(table, samples, names[0], program);
     return samples;
 }
 
@@ -152,28 +134,17 @@ bool isGcsv(const std::vector<std::string>& header)
     return header.size() == 1 && (header[0] == GCSV_TITLES[0] || header[0] == GCSV_TITLES[1]);
 }
 
-Samples readGcsv(const CsvTable& whole, const std::string& path, const std::string& program)
+Samples readGcsv(CsvTable table, const std::string& program)
 {
     // What Gyroflow takes for what isn't there.
     double scales[4] = {0.001, 1, 1, 1};
-    cv::Matx33d axes = axesOf("xzY", path);
-    CsvTable table;
-    for (size_t i = 0; i < whole.rows.size(); i++)
+    cv::Matx33d axes = axesOf("xzY", table.path);
+    size_t i = 0;
+    for (; i < table.rows.size() && table.rows[i][0] != "t"; i++)
     {
-        const std::vector<std::string>& row = whole.rows[i];
-        if (!table.header.empty())
-        {
-            if (row.size() != table.header.size())
-                throw UsageError(cv::format("line %d of %s: there are %d cells, but %d columns", whole.lines[i],
-                                            path.c_str(), int(row.size()), int(table.header.size())));
-            table.rows.push_back(row);
-            table.lines.push_back(whole.lines[i]);
-            continue;
-        }
-        const std::string key = row[0], place = placeOf(whole, i, key, path);
-        if (key == "t")
-            table.header = row;
-        else if ((key == "tscale" || key == "gscale" || key == "orientation") && row.size() != 2)
+        const std::vector<std::string>& row = table.rows[i];
+        const std::string key = row[0], place = table.placeOf(i, key);
+        if ((key == "tscale" || key == "gscale" || key == "orientation") && row.size() != 2)
             throw UsageError(place + ": one value is expected");
         else if (key == "orientation")
             axes = axesOf(row[1], place);
@@ -185,16 +156,17 @@ Samples readGcsv(const CsvTable& whole, const std::string& path, const std::stri
             std::fill(scales + (key == "tscale" ? 0 : 1), scales + (key == "tscale" ? 1 : 4), scale);
         }
     }
-    if (table.header.empty())
-        throw UsageError(path + ": there is no line that begins with 't,'");
+    if (i == table.rows.size())
+        throw UsageError(table.path + ": there is no line that begins with 't,'");
+    table.beginAt(i);
     const std::string names[4] = {"t", "gx", "gy", "gz"};
-    Samples samples = readSamples(table, names, scales, path, program);
+    Samples samples = readSamples(table, names, scales, program);
     for (cv::Vec3d& rate : samples.rates)
         rate = axes * rate;
     return samples;
 }
 
-Samples readColumns(const CsvTable& table, const std::string& path, const std::string& program)
+Samples readColumns(const CsvTable& table, const std::string& program)
 {
     // In the order of the camera's axes.
     const std::string names[4] = {"time_s", "pitch_rate_deg_s", "yaw_rate_deg_s", "roll_rate_deg_s"};
@@ -203,8 +175,8 @@ Samples readColumns(const CsvTable& table, const std::string& path, const std::s
         if (std::find(names, names + 4, table.header[i]) == names + 4)
             throw UsageError(cv::format("column %d of %s: '%s' is none of time_s, yaw_rate_deg_s, pitch_rate_deg_s, "
                                         "roll_rate_deg_s",
-                                        int(i + 1), path.c_str(), table.header[i].c_str()));
-    Samples samples = readSamples(table, names, scales, path, program);
+                                        int(i + 1), table.path.c_str(), table.header[i].c_str()));
+    Samples samples = readSamples(table, names, scales, program);
     for (cv::Vec3d& rate : samples.rates)
         rate[0] = -rate[0]; // looking down is a turn against the x axis
     return samples;
@@ -233,7 +205,7 @@ GyroRecording readGyroOptions(const Options& options, const std::string& program
 GyroRecording readGyro(const std::string& path, const std::string& program)
 {
     const CsvTable table = readCsv(path, isGcsv);
-    const Samples samples = isGcsv(table.header) ? readGcsv(table, path, program) : readColumns(table, path, program);
+    const Samples samples = isGcsv(table.header) ? readGcsv(table, program) : readColumns(table, program);
     GyroRecording recording;
     recording.times = cv::Mat(samples.times, true);
     recording.rates = cv::Mat(samples.rates, true).reshape(1);

@@ -115,7 +115,7 @@ DriveLog::DriveLog(const std::string& path)
         FrameFacts facts;
         for (size_t k = 0; k < table.header.size(); k++)
         {
-            const std::string &name = table.header[k], &cell = table.rows[i][k], place = row + ", column " + name;
+            const std::string &name = table.header[k], &cell = table.rows[i][k], place = table.placeOf(i, name);
             if (name == "file")
                 key.first = cell;
             else if (name != "frame")
@@ -138,7 +138,7 @@ DriveLog::DriveLog(const std::string& path)
         if (std::isnan(facts.time))
             throw UsageError(row + ": there is neither a frame's name nor a time (columns file, frame, time_s)");
         if (!samples.empty() && !(facts.time > samples.back().time))
-            throw UsageError(row + ", column time_s: times must increase");
+            throw UsageError(table.placeOf(i, "time_s") + ": times must increase");
         samples.push_back(facts);
     }
 }

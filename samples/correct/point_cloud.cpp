@@ -6,7 +6,6 @@
 #include "csv.hpp"
 #include "options.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rsackermann_samples {
@@ -15,23 +14,20 @@ cv::Mat readPointCloud(const std::string& path)
 try
 {
     const CsvTable table = readCsv(path);
-    const auto column = [&table](const char* name) {
-        return size_t(std::find(table.header.begin(), table.header.end(), name) - table.header.begin());
-    };
-    const size_t columns[] = {column("x"), column("y"), column("z")}, file = column("file"), none = table.header.size();
-    if (std::count(columns, columns + 3, none) > 0)
-        throw InputError(path + ": a header with x, y and z is needed");
+    const std::vector<size_t> columns = table.columns({"x", "y", "z"});
+    const size_t file = table.find("file");
     cv::Mat1d points(int(table.rows.size()), 3);
-    for (int i = 0; i < points.rows; i++)
+    for (size_t i = 0; i < table.rows.size(); i++)
     {
-        const std::string source = path + cv::format(", line %d", table.lines[i]);
-        if (file != none && table.rows[i][file] != table.rows[0][file])
-            throw InputError(source +
+        const std::vector<std::string>& row = table.rows[i];
+        if (file != table.header.size() && row[file] != table.rows[0][file])
+            throw InputError(table.placeOf(i, "file") +
                              ": the points are of another file than those before; each image has its own table");
-        for (int k = 0; k < 3; k++)
+        for (size_t k = 0; k < 3; k++)
         {
-            const std::string& cell = table.rows[i][columns[k]];
-            points(i, k) = cell == "nan" || cell == "NaN" ? NAN : parseNumber(cell, source); // of organised clouds
+            const std::string& cell = row[columns[k]];
+            points(int(i), int(k)) = cell == "nan" || cell == "NaN" ? NAN // of organised clouds
+                                                                    : table.number(i, columns[k]);
         }
     }
     return points;

@@ -5,7 +5,6 @@
 #include "point_table.hpp"
 #include "options.hpp"
 
-#include <algorithm>
 #include <map>
 
 namespace rsackermann_samples {
@@ -69,44 +68,28 @@ private:
 
 PointTable::PointTable(const std::string& path, const std::vector<std::string>& needed,
                        const std::vector<MotionFrame>& frames)
-    : path_(path), table_(readCsv(path)), rows_(frames.size())
+    : table_(readCsv(path)), rows_(frames.size())
 {
     std::vector<std::string> all = needed;
     if (frames.size() != 1)
         all.push_back("file");
-    const auto isMissing = [this](const std::string& name) { return column(name) == table_.header.size(); };
-    if (std::any_of(all.begin(), all.end(), isMissing))
-    {
-        std::string words;
-        for (size_t i = 0; i < all.size(); i++)
-            words += (i == 0 ? "" : i + 1 < all.size() ? ", " : " and ") + all[i];
-        throw UsageError(path + ": a header with " + words + " is needed");
-    }
+    table_.columns(all); // are there
     const FrameNames names(frames);
     const size_t file = column("file");
     for (size_t i = 0; i < table_.rows.size(); i++)
-        rows_[file == table_.header.size() ? 0 : names.of(table_.rows[i][file], sourceOf(i))].push_back(i);
-}
-
-size_t PointTable::column(const std::string& name) const
-{
-    return size_t(std::find(table_.header.begin(), table_.header.end(), name) - table_.header.begin());
+        rows_[file == table_.header.size() ? 0 : names.of(table_.rows[i][file], table_.placeOf(i, "file"))].push_back(
+            i);
 }
 
 double PointTable::number(size_t row, size_t column) const
 {
-    return column == table_.header.size() || table_.rows[row][column].empty() ? 0 : numberThere(row, column);
-}
-
-double PointTable::numberThere(size_t row, size_t column) const
-{
-    return parseNumber(table_.rows[row][column], sourceOf(row));
+    return column == table_.header.size() || table_.rows[row][column].empty() ? 0 : table_.number(row, column);
 }
 
 size_t PointTable::addColumn(const std::string& name)
 {
     if (column(name) != table_.header.size())
-        throw UsageError(path_ + ": there is a column " + name + " already");
+        throw UsageError(table_.path + ": there is a column " + name + " already");
     table_.header.push_back(name);
     for (Cells& row : table_.rows)
         row.push_back("");
@@ -119,11 +102,6 @@ std::string PointTable::text() const
     for (const Cells& row : table_.rows)
         text += lineOf(row);
     return text;
-}
-
-std::string PointTable::sourceOf(size_t row) const
-{
-    return path_ + cv::format(", line %d", table_.lines[row]);
 }
 
 } // namespace rsackermann_samples

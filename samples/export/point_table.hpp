@@ -21,11 +21,11 @@ public:
     //! The rows of the points of a frame.
     const std::vector<size_t>& rowsOf(size_t frame) const { return rows_[frame]; }
     //! A column; as many as there are if none has the name.
-    size_t column(const std::string& name) const;
+    size_t column(const std::string& name) const { return table_.find(name); }
     //! A number; 0 if its cell is empty or there is no such column. Throws UsageError with the line.
     double number(size_t row, size_t column) const;
     //! The same of a cell that must not be empty.
-    double numberThere(size_t row, size_t column) const;
+    double numberThere(size_t row, size_t column) const { return table_.number(row, column); }
     //! Adds a column of empty cells; throws UsageError if there is one of this name.
     size_t addColumn(const std::string& name);
     void set(size_t row, size_t column, const std::string& cell) { table_.rows[row][column] = cell; }
@@ -33,9 +33,6 @@ public:
     std::string text() const;
 
 private:
-    std::string sourceOf(size_t row) const;
-
-    std::string path_;
     CsvTable table_;
     std::vector<std::vector<size_t>> rows_; // by frame
 };

@@ -98,7 +98,8 @@ TEST_F(CorrectGyro, what_isnt_understood_is_refused)
     expectRefused("a.csv", header + "0,1,2,3\n0,1,2,3\n", "times must increase");
     expectRefused("a.csv", header + "0,1,2\n", "there are 3 cells, but 4 columns");
     expectRefused("a.csv", "time_s,yaw_rate,pitch_rate_deg_s,roll_rate_deg_s\n0,1,2,3\n", "column 2");
-    expectRefused("a.csv", "time_s,yaw_rate_deg_s,pitch_rate_deg_s\n0,1,2\n", "no column roll_rate_deg_s");
+    expectRefused("a.csv", "time_s,yaw_rate_deg_s,pitch_rate_deg_s\n0,1,2\n",
+                  "a header with time_s, pitch_rate_deg_s, yaw_rate_deg_s and roll_rate_deg_s is needed");
     expectRefused("a.csv", "time_s,time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n0,0,1,2,3\n", "twice");
     expectRefused("a.gcsv", gcsv + "0,1,2,3\n1,1,2\n", "line 5");
     expectRefused("a.gcsv", gcsv + "0,1,2,3\n1,1,2,abc\n", "column gz");
@@ -107,7 +108,7 @@ TEST_F(CorrectGyro, what_isnt_understood_is_refused)
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale,0\nt,gx,gy,gz\n", "column tscale");
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale\nt,gx,gy,gz\n", "one value");
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale,1\n", "begins with 't,'");
-    expectRefused("a.gcsv", "GYROFLOW IMU LOG\nt,gx,gy\n0,1,2\n1,1,2\n", "no column gz");
+    expectRefused("a.gcsv", "GYROFLOW IMU LOG\nt,gx,gy\n0,1,2\n1,1,2\n", "a header with t, gx, gy and gz is needed");
 }
 
 // Without a time of the image nothing of the gyro belongs to it.

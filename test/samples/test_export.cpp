@@ -445,7 +445,7 @@ TEST_F(Export, points_of_several_frames)
     const std::pair<const char*, const char*> damaged[] = {
         {"x,y,z\n1,2,3\n", "a header with x, y, z and file"},
         {"file,x,y,z,u\n", "there is a column u already"},
-        {"file,x,y,z\nstill.png,1,,3\n", "cloud.csv, line 2"},
+        {"file,x,y,z\nstill.png,1,,3\n", "cloud.csv, column y"},
         {"file,x,y,z\nthird.png,1,2,3\n", "no motion of the file third.png"}};
     for (const std::pair<const char*, const char*>& table : damaged)
     {
@@ -1129,9 +1129,11 @@ TEST_F(Export, no_result_beside_an_error)
         Arguments options;
         const char* reason;
     } cases[] = {
-        {good, {"--tracks=" + (folder / "points.csv"), "--tracks_output=" + out + "tracks.csv"}, "points.csv, line 2"},
+        {good,
+         {"--tracks=" + (folder / "points.csv"), "--tracks_output=" + out + "tracks.csv"},
+         "points.csv, column y"},
         {good, {"--tracks=" + (folder / "none.csv"), "--tracks_output=" + out + "tracks.csv"}, "none.csv"},
-        {good, {"--points=" + (folder / "cloud.csv"), "--points_output=" + out + "u.csv"}, "cloud.csv, line 2"},
+        {good, {"--points=" + (folder / "cloud.csv"), "--points_output=" + out + "u.csv"}, "cloud.csv, column file"},
         {good, {"--gcsv=" + out + "gyro.gcsv"}, "the time of"},
         {good, {"--stmap=" + (folder / "in_the_way")}, "in_the_way is no folder"},
         {good, {"--mesh=" + (folder / "in_the_way/mesh.json")}, "in_the_way is no folder"},
