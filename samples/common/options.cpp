@@ -82,7 +82,9 @@ double parseNumber(const std::string& text, const std::string& source)
 {
     char* end = 0;
     const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end || std::isspace((unsigned char)text[0]) || !std::isfinite(value))
+    // Words and hexadecimal numbers aren't what a person means by one.
+    const bool isDecimal = text.find_first_not_of("+-.0123456789eE") == std::string::npos;
+    if (text.empty() || *end || !isDecimal || !std::isfinite(value))
         throw UsageError(source + ": '" + text + "' is not a number");
     return value;
 }

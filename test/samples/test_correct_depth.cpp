@@ -292,6 +292,8 @@ TEST_F(CorrectDepth, of_points)
         std::string content, message;
     } bad[] = {{"x,y\n1,2\n", "a header with x, y and z is needed"},
                {"x,y,z\n1,2,3\n1,2,far\n", "line 3"},
+               {"x,y,z\n1,0x2,3\n", "line 2 of " + (folder / "bad.csv") + ", column y: '0x2'"},
+               {"x,y,z\n1,2,inf\n", "line 2 of " + (folder / "bad.csv") + ", column z: 'inf'"},
                {"x,y,z\n1,2\n", "line 2"},
                {"x,y,z,file\n1,2,3,a.png\n1,2,3,b.png\n", "each image has its own table"},
                {"", "bad.csv"}};

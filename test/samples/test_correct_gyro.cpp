@@ -93,6 +93,7 @@ TEST_F(CorrectGyro, what_isnt_understood_is_refused)
     expectRefused("a.csv", header + "0,1,2,3\n1,1,x,3\n", "line 3");
     expectRefused("a.csv", header + "0,1,2,3\n1,1,x,3\n", "column pitch_rate_deg_s");
     expectRefused("a.csv", header + "0,1,2,3\n1,1,2,nan\n", "column roll_rate_deg_s");
+    expectRefused("a.csv", header + "0,1,2,3\n1,0x1,2,3\n", "column yaw_rate_deg_s: '0x1' is not a number");
     expectRefused("a.csv", header + "0,1,2,3\n1,1,2,1e9\n", "column roll_rate_deg_s: 1e9 is not from");
     expectRefused("a.csv", header + "0,1,2,3\n0,1,2,3\n", "line 3");
     expectRefused("a.csv", header + "0,1,2,3\n0,1,2,3\n", "times must increase");

@@ -74,6 +74,7 @@ const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--out
                                                        {"--focal", "--focal"},
                                                        {"--focal=nan", "nan"},
                                                        {"--focal=inf", "inf"},
+                                                       {"--focal=0x1f4", "0x1f4"},
                                                        {"--focal=0", "--focal"},
                                                        {"--focal=-816", "--focal"},
                                                        {"--seed=-1", "from 0 to 2147483647"},

@@ -351,6 +351,7 @@ TEST_F(Export, damaged_tracks_are_refused_with_their_line)
         {"x,z\n1,2\n", "a header with x and y"},
         {"x,y\n1,2\n1,2,3\n", "line 3"},
         {"x,y\n1,abc\n", "line 2"},
+        {"x,y\n1,0x2\n", "line 2 of " + (folder / "tracks.csv") + ", column y: '0x2'"},
         {"x,y,x\n1,2,3\n", "column 3"}, // which of both is one?
         {"file,x,y\nother.png,1,2\n", "no motion of the file other.png"},
         {"", "tracks.csv"}};
