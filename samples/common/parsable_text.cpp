@@ -4,9 +4,9 @@
 
 #include "parsable_text.hpp"
 #include "options.hpp"
+#include "text_file.hpp"
 
 #include <cctype>
-#include <fstream>
 #include <sstream>
 
 namespace rsackermann_samples {
@@ -62,14 +62,14 @@ void checkDocuments(const std::string& text)
 
 std::string readParsableText(const std::string& path)
 {
-    const std::streamoff largest = 1 << 20;
-    std::ifstream file(path.c_str(), std::ios::binary | std::ios::ate);
-    const std::streamoff size = file.tellg();
-    require(size >= 0, "can't be read");
-    require(size <= largest, "is larger than a megabyte");
-    std::string text(size_t(size), '\0');
-    file.seekg(0);
-    require(size == 0 || file.read(&text[0], size), "can't be read");
+    const std::streamsize largest = 1 << 20;
+    std::ifstream file = openText(path);
+    require(bool(file), "can't be read");
+    std::string text(size_t(largest) + 1, '\0');
+    file.read(&text[0], std::streamsize(text.size()));
+    require(!file.bad(), "can't be read");
+    require(file.gcount() <= largest, "is larger than a megabyte");
+    text.resize(size_t(file.gcount()));
     checkNesting(text);
     if (text.compare(0, 5, "%YAML") == 0)
         checkDocuments(text);

@@ -70,6 +70,19 @@ TEST_P(CameraFile, intrinsics)
 
 INSTANTIATE_TEST_CASE_P(Samples, CameraFile, testing::Values(OPENCV_YAML, OPENCV_XML, ROS, ROS_MESSAGE, KALIBR));
 
+// Editors put it before UTF-8.
+TEST(CameraFiles, mark_before_the_text)
+{
+    for (const char* content : {OPENCV_YAML, OPENCV_XML, ROS, ROS_MESSAGE, GYROFLOW, KALIBR})
+    {
+        const rsackermann_samples::CameraSettings plain = read(content),
+                                                  marked = read("\xEF\xBB\xBF" + std::string(content));
+        EXPECT_EQ(plain.K, marked.K) << content;
+        EXPECT_EQ(plain.lens, marked.lens) << content;
+        EXPECT_EQ(plain.readOut, marked.readOut) << content;
+    }
+}
+
 TEST(CameraFiles, shutter_and_mounting)
 {
     for (const char* content : {OPENCV_YAML, ROS})

@@ -261,7 +261,8 @@ TEST_F(InputsStay, folders_are_no_files)
 // Editors put it before UTF-8.
 TEST_F(InputsStay, texts_may_begin_with_a_mark)
 {
-    const std::set<std::string> texts = {"--log=", "--gyro=", "--lines=", "@", "--report=", "--tracks=", "--points="};
+    const std::set<std::string> texts = {
+        "--camera=", "--motion=", "--log=", "--gyro=", "--lines=", "@", "--report=", "--tracks=", "--points="};
     const std::string read = folder / "text.txt", written = folder / "new.yml";
     for (const Reads& reads : programs())
         for (const std::string& input : reads.inputs)
