@@ -11,6 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <vector>
 
 namespace rsackermann_samples {
@@ -139,11 +140,15 @@ Samples readGcsv(CsvTable table, const std::string& program)
     // What Gyroflow takes for what isn't there.
     double scales[4] = {0.001, 1, 1, 1};
     cv::Matx33d axes = axesOf("xzY", table.path);
+    std::map<std::string, int> lines; // of the keys
     size_t i = 0;
     for (; i < table.rows.size() && table.rows[i][0] != "t"; i++)
     {
         const std::vector<std::string>& row = table.rows[i];
         const std::string key = row[0], place = table.placeOf(i, key);
+        const int first = lines.insert(std::make_pair(key, table.lines[i])).first->second;
+        if (first != table.lines[i])
+            throw UsageError(place + cv::format(": it is there twice, in line %d as well", first));
         if ((key == "tscale" || key == "gscale" || key == "orientation") && row.size() != 2)
             throw UsageError(place + ": one value is expected");
         else if (key == "orientation")

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace rsackermann_samples {
 
@@ -28,14 +29,23 @@ void require(bool condition, const std::string& message)
 }
 
 // A number that no double holds and NaN, which isn't JSON, end the parser; the field is the last one that has begun.
+// Which of two fields of one name is meant nobody knows.
 Json parse(const std::string& text)
 {
     std::string field;
+    std::vector<std::set<std::string>> fields; // of the objects around
     try
     {
-        return Json::parse(text, [&field](int, Json::parse_event_t event, Json& value) {
-            if (event == Json::parse_event_t::key)
+        return Json::parse(text, [&](int, Json::parse_event_t event, Json& value) {
+            if (event == Json::parse_event_t::object_start)
+                fields.emplace_back();
+            else if (event == Json::parse_event_t::object_end)
+                fields.pop_back();
+            else if (event == Json::parse_event_t::key)
+            {
                 field = value.get<std::string>();
+                require(fields.back().insert(field).second, field + " is there twice");
+            }
             return true;
         });
     }

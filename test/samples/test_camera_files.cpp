@@ -534,6 +534,7 @@ TEST(CameraFiles, lens_profiles_that_are_refused)
         {profileWith("/compatible_settings", {{{"crop", 1e-200}}}), "camera.cameraMatrix"},
         {profileWith("/compatible_settings", {{{"frame_readout_time", 1e6}}}),
          "compatible_settings[0].frame_readout_time: 1e+06 is not from"},
+        {"{\"crop\": 1, " + std::string(GYROFLOW).substr(1), "crop is there twice"},
         {overflow, "frame_readout_time: "},
         {notANumber, "camera_matrix: "},
         {std::string(GYROFLOW).substr(0, 300), "asymmetrical: "}};

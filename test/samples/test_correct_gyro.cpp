@@ -107,6 +107,9 @@ TEST_F(CorrectGyro, what_isnt_understood_is_refused)
     expectRefused("a.gcsv", gcsv + "1,1,2,3\n0,1,2,3\n", "times must increase");
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\norientation,XYY\nt,gx,gy,gz\n", "line 2");
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale,0\nt,gx,gy,gz\n", "column tscale");
+    expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale,1\nnote,a\ntscale,0.001\nt,gx,gy,gz\n0,1,2,3\n1,1,2,3\n",
+                  "line 4 of " + (folder_ / "a.gcsv") + ", column tscale: it is there twice, in line 2 as well");
+    expectRefused("a.gcsv", "GYROFLOW IMU LOG\nt,gx,gy,gz,gx\n0,1,2,3,4\n1,1,2,3,4\n", "'gx' is there twice");
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale\nt,gx,gy,gz\n", "one value");
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\ntscale,1\n", "begins with 't,'");
     expectRefused("a.gcsv", "GYROFLOW IMU LOG\nt,gx,gy\n0,1,2\n1,1,2\n", "a header with t, gx, gy and gz is needed");
