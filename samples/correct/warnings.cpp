@@ -98,7 +98,8 @@ std::string Warnings::doubtOfGyro() const
 void Warnings::addGyro(const FrameReport& frame)
 {
     const cv::Mat& times = job_.gyro.times;
-    if (times.empty())
+    // Of images whose rows have no times the command line alone says it.
+    if (times.empty() || !frame.camera.isRowShutter() || !(frame.camera.secondsPerUnitTime() > 0))
         return;
     compareGyro(frame);
     if (!job_.params.sequence && std::isnan(frame.time))
@@ -112,8 +113,8 @@ void Warnings::addGyro(const FrameReport& frame)
                        "its clock is another",
                        *times.ptr<double>(0), *times.ptr<double>(times.rows - 1)));
     else if (frame.motion.rotationCurve.empty() && frame.motion.status == cv::rsackermann::MOTION_OK)
-        warnOnce(
-            "--gyro isn't used on images in its gaps, and where the points of the few images so far contradict it");
+        warnOnce(std::string("--gyro isn't used on images in its gaps") +
+                 (job_.params.sequence ? ", and where the points of the few images so far contradict it" : ""));
 }
 
 void Warnings::addDepth(const FrameReport& frame)

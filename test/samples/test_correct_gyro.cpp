@@ -157,6 +157,22 @@ TEST_F(CorrectGyro, warnings)
         << outcome.messages;
 }
 
+// Of a single image there are no others that could contradict the gyro, and without a line delay no row that it turns.
+TEST_F(CorrectGyro, single_image_in_a_gap)
+{
+    writeContent(folder_ / "a.csv", std::string(HEADER) + "0,1,2,3\n0.01,1,2,3\n2,1,2,3\n");
+    writeContent(folder_ / "log.csv", "file,time_s\nrolling.png,1\n");
+    const Arguments arguments = {streetFolder() + "/rolling.png", "--report=-", "--gyro=" + (folder_ / "a.csv"),
+                                 "--log=" + (folder_ / "log.csv")};
+    const std::string message = "--gyro isn't used on images in its gaps";
+    const Outcome timed = correct(arguments + Arguments{"--camera=" + streetFolder() + "/camera.yml"}),
+                  untimed = correct(arguments + Arguments{"--focal=816"});
+    EXPECT_NE(std::string::npos, timed.messages.find(message + "\n")) << timed.messages;
+    EXPECT_EQ(std::string::npos, timed.messages.find("few images")) << timed.messages;
+    EXPECT_NE(std::string::npos, untimed.messages.find("--gyro has no effect without")) << untimed.messages;
+    EXPECT_EQ(std::string::npos, untimed.messages.find(message)) << untimed.messages;
+}
+
 TEST_F(CorrectGyro, times_in_another_unit)
 {
     const Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n5,1,2,3\n10.1,1,2,3\n"),
