@@ -85,6 +85,8 @@ MotionPrior readPrior(const Options& options, const Job& job)
         warnUseless(job.smooth ? "--smooth" : "--carry", delay);
     if (!job.gyro.times.empty() && !metric)
         warnUseless("--gyro", delay);
+    if (options.given("depth") && !readsRows)
+        warnUseless("--depth", delay);
     if (options.given("speed") && !metric)
         warnUseless("--speed", delay);
     if (options.given("yaw_rate") && !metric)

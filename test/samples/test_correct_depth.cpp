@@ -341,6 +341,20 @@ TEST_F(CorrectDepth, is_not_replaced)
     }
 }
 
+// No motion is found in an image whose columns are read one after another; maps by depth with a given one are tested by
+// the module.
+TEST_F(CorrectDepth, of_a_sensor_that_reads_columns)
+{
+    const std::string depth = "--depth=" + street("rolling_depth.png"), warning = "--depth has no effect without a "
+                                                                                  "sensor that reads rows (--scan)";
+    const Outcome rows = run({depth, scale, "--report=-"}),
+                  columns = run({depth, scale, "--report=-", "--scan=left_to_right"});
+    EXPECT_EQ(0, columns.exitCode);
+    EXPECT_NE(std::string::npos, columns.output.find("\"depth_used\":false")) << columns.output;
+    EXPECT_NE(std::string::npos, columns.messages.find(warning)) << columns.messages;
+    EXPECT_EQ("", rows.messages);
+}
+
 TEST_F(CorrectDepth, needs_metres)
 {
     const Outcome outcome =
