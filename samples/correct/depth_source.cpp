@@ -7,7 +7,6 @@
 #include "options.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
-#include <algorithm>
 
 namespace rsackermann_samples {
 
@@ -70,34 +69,32 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
     else
         files_ = filesFor(path, inputs);
     for (const Input& input : inputs.inputs)
-        if (!input.isFile() || !isVideo(input.name))
-        {
-            if (!folder_.empty())
-                files_.push_back(fileIn(path, stem(input.name)));
-        }
-        else if (folder_.empty())
+    {
+        const bool isVideoFile = input.isFile() && isVideo(input.name);
+        if (isVideoFile && folder_.empty())
             throw UsageError("--depth of a video is a folder with a file for each frame: " + stem(input.name) +
                              "_000000.png for the first one");
-        else
+        if (isVideoFile)
         {
             std::vector<cv::String> frames;
-            cv::utils::fs::glob(path, stem(input.name) + "_*", frames);
-            ofFrames_.insert(ofFrames_.end(), frames.begin(), frames.end());
-            files_.push_back("");
+            cv::utils::fs::glob(folder_, stem(input.name) + "_*", frames);
+            files_.insert(files_.end(), frames.begin(), frames.end());
         }
+        else if (!folder_.empty())
+            files_.push_back(fileOf(input));
+    }
+}
+
+std::string DepthSource::fileOf(const Input& image) const
+{
+    if (!folder_.empty())
+        return fileIn(folder_, stem(image.name));
+    return files_.empty() ? "" : files_.at(size_t(image.number));
 }
 
 std::string DepthSource::fileOfFrame(const std::string& video, int frame) const
 {
-    return empty() ? "" : fileIn(folder_, stem(video) + cv::format("_%06d", frame));
-}
-
-std::vector<std::string> DepthSource::files() const
-{
-    std::vector<std::string> all = files_;
-    all.erase(std::remove(all.begin(), all.end(), ""), all.end());
-    all.insert(all.end(), ofFrames_.begin(), ofFrames_.end());
-    return all;
+    return folder_.empty() ? "" : fileIn(folder_, stem(video) + cv::format("_%06d", frame));
 }
 
 } // namespace rsackermann_samples

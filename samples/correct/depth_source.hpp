@@ -21,19 +21,17 @@ public:
     //! Reads the options --depth, --depth_kind, --depth_camera, --depth_scale and --baseline; throws UsageError.
     DepthSource(const Options& options, const InputList& inputs);
 
-    bool empty() const { return files_.empty(); }
     const DepthMeaning& meaning() const { return meaning_; }
-    //! The file that belongs to an input; it need not exist. Empty: there are no depths.
-    std::string fileOf(const Input& input) const { return empty() ? "" : files_.at(size_t(input.number)); }
+    //! The file that belongs to an image; it need not exist. Empty: there are no depths.
+    std::string fileOf(const Input& image) const;
     //! That of a video's frame, whose number is counted from 0.
     std::string fileOfFrame(const std::string& video, int frame) const;
     //! All that may be read.
-    std::vector<std::string> files() const;
+    const std::vector<std::string>& files() const { return files_; }
 
 private:
-    std::vector<std::string> files_; // by the number of the input; not of videos
-    std::vector<std::string> ofFrames_;
-    std::string folder_; // if it is one
+    std::string folder_;             // if it is one
+    std::vector<std::string> files_; // by the number of the input if it isn't
     DepthMeaning meaning_;
 };
 
