@@ -289,6 +289,8 @@ void Batch::finish(Outcome& outcome)
     {
         lines.push_back(reportLine(frame));
         largest_ = std::max(largest_, frame.camera.imageSize.area());
+        if (!frame.error.empty())
+            complain(input + cv::format(": frame %d: ", frame.frame) + frame.error);
     }
     warnings_.add(input, outcome.frames);
     if (!outcome.isReported)
@@ -303,10 +305,15 @@ void Batch::finish(Outcome& outcome)
 
 void Batch::fail(const std::string& input, const std::string& message)
 {
+    complain(input + ": " + message);
+    report({failureLine(input, message)});
+}
+
+void Batch::complain(const std::string& message)
+{
     failures_++;
     progress_.clear();
-    std::cerr << "rsackermann_correct: " << input << ": " << message << std::endl;
-    report({failureLine(input, message)});
+    std::cerr << "rsackermann_correct: " << message << std::endl;
 }
 
 void Batch::report(const std::vector<std::string>& lines)
@@ -319,9 +326,7 @@ void Batch::report(const std::vector<std::string>& lines)
     }
     catch (const InputError& e)
     {
-        failures_++;
-        progress_.clear();
-        std::cerr << "rsackermann_correct: the report: " << e.what() << std::endl;
+        complain(std::string("the report: ") + e.what());
     }
 }
 

@@ -92,6 +92,7 @@ private:
     void finish(size_t left);
     void finish(Outcome& outcome);
     void fail(const std::string& input, const std::string& message);
+    void complain(const std::string& message);
     void report(const std::vector<std::string>& lines);
 
     const Job& job_;

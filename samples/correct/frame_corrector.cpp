@@ -110,6 +110,22 @@ void FrameCorrector::warp(const cv::Mat& image, const DepthMap& depth, Corrected
     frame.report.timings += cv::Vec4d(0, 0, 1000 * seconds[0], 1000 * seconds[1]);
 }
 
+CorrectedFrame FrameCorrector::uncorrected(const cv::Mat& image, const std::string& error)
+{
+    prepare(image.size());
+    CorrectedFrame frame;
+    frame.report.camera = camera_;
+    frame.report.time = facts_.time;
+    frame.report.error = error;
+    warp(image, DepthMap(), frame);
+    if (!job_.overlay.empty())
+    {
+        frame.overlay = pictureOf(image);
+        drawCaption(frame.overlay, "failed: see the report");
+    }
+    return frame;
+}
+
 CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& next, const std::string& depthFile)
 {
     prepare(image.size());

@@ -49,6 +49,9 @@ public:
     CorrectedFrame correct(const cv::Mat& image, const NextFrame& next = NextFrame(),
                            const std::string& depthFile = "");
 
+    //! What takes the place of an image in a video that correct() has failed on: only the lens is undone.
+    CorrectedFrame uncorrected(const cv::Mat& image, const std::string& error);
+
     //! The next image belongs to another sequence.
     void reset();
 

@@ -107,6 +107,12 @@ std::string reportLine(const FrameReport& frame)
     }
     if (!std::isnan(frame.time))
         line["time_s"] = frame.time;
+    if (!frame.error.empty())
+    {
+        line["status"] = "failed";
+        line["error"] = nameInReport(frame.error);
+        return line.dump();
+    }
     line["width"] = frame.camera.imageSize.width;
     line["height"] = frame.camera.imageSize.height;
     line["roll_deg"] = frame.roll;
@@ -200,7 +206,10 @@ std::string contradiction(const FrameReport& frame)
 
 std::string failureLine(const std::string& input, const std::string& error)
 {
-    return Json({{"input", nameInReport(input)}, {"status", "failed"}, {"error", nameInReport(error)}}).dump();
+    FrameReport failed;
+    failed.input = input;
+    failed.error = error;
+    return reportLine(failed);
 }
 
 std::string nameInReport(const std::string& input)

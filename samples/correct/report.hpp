@@ -15,9 +15,9 @@ struct FrameReport
 {
     FrameReport();
 
-    std::string input;
-    int frame, frames; //!< number of a video's frame, from 0, and how many there are; -1: the input is an image
-    double time;       //!< seconds; NaN: unknown
+    std::string input, error; //!< error: why the frame isn't corrected; empty: it is
+    int frame, frames;        //!< number of a video's frame, from 0, and how many there are; -1: the input is an image
+    double time;              //!< seconds; NaN: unknown
     cv::rsackermann::RollingShutterCamera camera;
     double roll, pitch; //!< degrees, with which the camera was mounted: of the log or of the camera
     cv::rsackermann::AckermannMotion motion;
@@ -35,7 +35,7 @@ std::string reportLine(const FrameReport& frame);
 //! Words on the given values that the image contradicts; none if there are none.
 std::string contradiction(const FrameReport& frame);
 
-//! A line of JSON for an input that isn't corrected, or not to its end.
+//! The same for an input that isn't corrected, or not to its end.
 std::string failureLine(const std::string& input, const std::string& error);
 
 //! A file's name as it stands in a line: if it isn't valid UTF-8 each byte that isn't ASCII becomes U+FFFD and two

@@ -84,6 +84,20 @@ double gyroDelayOf(const std::string& input, const FrameIndex& index, const Job&
     });
 }
 
+// A frame whose depth is missing or damaged fails as an image does; the others are corrected.
+CorrectedFrame correctFrame(FrameCorrector& corrector, const cv::Mat& image, const NextFrame& next,
+                            const std::string& depthFile)
+{
+    try
+    {
+        return corrector.correct(image, next, depthFile);
+    }
+    catch (const InputError& e)
+    {
+        return corrector.uncorrected(image, e.what());
+    }
+}
+
 void addTo(std::unique_ptr<VideoFile>& video, const std::string& path, double framesPerSecond, const cv::Mat& frame)
 {
     if (path.empty())
@@ -130,10 +144,10 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
         const int number = reader.number();
         const NextFrame next = corrector.wantsNext() ? reader.next() : NextFrame();
         corrector.beginFrame(reader.facts());
-        CorrectedFrame frame = corrector.correct(reader.image(), next, job.depth.fileOfFrame(input, number));
+        CorrectedFrame frame = correctFrame(corrector, reader.image(), next, job.depth.fileOfFrame(input, number));
         addTo(output, targets.output, framesPerSecond, frame.image);
         addTo(overlay, targets.overlay, framesPerSecond, frame.overlay);
-        if (!targets.maps.empty())
+        if (!targets.maps.empty() && frame.report.error.empty())
             writeMapsOfFrame(targets.mapsOfFrame(number), job, frame);
         frame.report.input = input;
         frame.report.frame = number;
@@ -142,6 +156,8 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     }
     if (frames.empty())
         throw InputError("no frame of the video can be read");
+    if (std::all_of(frames.begin(), frames.end(), [](const FrameReport& report) { return !report.error.empty(); }))
+        throw InputError("no frame of the video can be corrected; the first one: " + frames[0].error);
     for (const std::unique_ptr<VideoFile>* video : {&overlay, &output})
         if (*video)
             (*video)->close();

@@ -257,11 +257,66 @@ TEST_F(CorrectVideo, depth_of_each_frame)
     EXPECT_EQ(2, correct(all + Arguments{"--report=" + depthOf(1), "--overwrite"}).exitCode);
     EXPECT_EQ(content, contentOf(depthOf(1)));
     EXPECT_EQ(2, correct(arguments() + Arguments{"--depth=" + depthOf(1), "--report=-"}).exitCode);
-    std::remove(depthOf(3).c_str());
-    const Outcome missing = correct(all + Arguments{"--output=" + (out_ / "out.avi")});
-    EXPECT_EQ(1, missing.exitCode);
-    EXPECT_NE(std::string::npos, missing.messages.find(depthOf(3))) << missing.messages;
-    EXPECT_FALSE(cv::utils::fs::exists(out_ / "out.avi"));
+}
+
+// As an image of a folder that has no depth; in the video the lens of such a frame is undone.
+TEST_F(CorrectVideo, frames_whose_depth_is_missing_or_damaged)
+{
+    cv::utils::fs::createDirectories(in_ / "depth");
+    const auto depthOf = [this](int frame) { return in_ / cv::format("depth/drive_%06d.png", frame); };
+    for (int i = 0; i < FRAMES; i++)
+        cv::imwrite(depthOf(i), cv::Mat(streetImage().size(), CV_16U, cv::Scalar(4000 + 1000 * i)));
+    for (const bool carry : {false, true})
+    {
+        SCOPED_TRACE(carry);
+        const TemporaryFolder out;
+        const std::string report = out / "report.jsonl";
+        const Arguments all = arguments() + Arguments{"--speed=60", "--depth=" + (in_ / "depth")} +
+                              (carry ? Arguments{"--carry"} : Arguments());
+        const auto results = [&](const char* name) {
+            return Arguments{"--output=" + (out / (name + std::string(".avi"))), "--maps=" + (out / name)};
+        };
+        cv::imwrite(depthOf(1), cv::Mat(streetImage().size(), CV_16U, cv::Scalar(5000)));
+        cv::imwrite(depthOf(3), cv::Mat(streetImage().size(), CV_16U, cv::Scalar(7000)));
+        ASSERT_EQ(0, correct(all + results("sound")).exitCode);
+        writeContent(depthOf(1), contentOf(depthOf(1)).substr(0, 40));
+        std::remove(depthOf(3).c_str());
+        const Outcome outcome = correct(all + results("lacking") + Arguments{"--report=" + report});
+        EXPECT_EQ(1, outcome.exitCode);
+        std::vector<std::string> maps;
+        for (int i = 0; i < FRAMES; i++)
+        {
+            const Json line = Json::parse(linesOf(report).at(size_t(i)));
+            EXPECT_EQ(i, line["frame"]);
+            EXPECT_EQ(FRAMES, line["frames"]);
+            const bool isLacking = i == 1 || i == 3;
+            EXPECT_EQ(isLacking, line["status"] == "failed") << line;
+            if (!isLacking)
+                maps.push_back(cv::format("drive_%06d.yml.gz", i));
+            else
+            {
+                EXPECT_NE(std::string::npos, line["error"].get<std::string>().find(depthOf(i))) << line;
+                EXPECT_NE(std::string::npos, outcome.messages.find(cv::format("drive.avi: frame %d: ", i) + depthOf(i)))
+                    << outcome.messages;
+            }
+        }
+        EXPECT_EQ(size_t(FRAMES), linesOf(report).size());
+        EXPECT_EQ(maps, namesIn(out / "lacking"));
+        EXPECT_EQ(contentOf(out / "sound/drive_000000.yml.gz"), contentOf(out / "lacking/drive_000000.yml.gz"));
+        EXPECT_EQ(size_t(FRAMES), framesOf(out / "lacking.avi").size());
+        // It is incomplete, as an image without its result is.
+        EXPECT_EQ(1, correct(all + results("lacking") + Arguments{"--report=" + report, "--skip_existing"}).exitCode);
+        EXPECT_EQ(size_t(FRAMES), linesOf(report).size());
+    }
+    for (int i = 0; i < FRAMES; i++)
+        std::remove(depthOf(i).c_str());
+    cv::imwrite(in_ / "depth/other.png", cv::Mat(streetImage().size(), CV_16U, cv::Scalar(5000)));
+    const Outcome none = correct(arguments() + Arguments{"--speed=60", "--depth=" + (in_ / "depth"),
+                                                         "--output=" + (out_ / "none.avi"), "--report=-"});
+    EXPECT_EQ(1, none.exitCode);
+    EXPECT_NE(std::string::npos, none.messages.find("no frame of the video can be corrected")) << none.messages;
+    EXPECT_FALSE(cv::utils::fs::exists(out_ / "none.avi"));
+    EXPECT_EQ("failed", Json::parse(none.output)["status"]);
 }
 
 TEST_F(CorrectVideo, log_by_frame_and_by_time)
