@@ -69,20 +69,30 @@ void Warnings::addReference(const FrameReport& frame)
                        camera.referenceRow, last));
 }
 
-// How fast frames turn that do without the gyro, by their points and by it.
+// How fast frames turn that do without the gyro, by their points and by it: since the frame before, as what shakes to
+// and fro between frames is on neither.
 void Warnings::compareGyro(const FrameReport& frame)
 {
     const cv::rsackermann::AckermannMotion& motion = frame.motion;
-    const double *const first = job_.gyro.times.ptr<double>(0), *const end = first + job_.gyro.times.rows,
-                        *const after = std::lower_bound(first, end, frame.time);
+    const cv::Mat& times = job_.gyro.times;
+    const auto samplesBefore = [&times](double time) {
+        const double *const first = times.ptr<double>(0), *const end = first + times.rows;
+        return int(std::lower_bound(first, end, time) - first);
+    };
+    const double interval = frame.time - gyroTime_;
+    const int from = samplesBefore(gyroTime_), to = samplesBefore(frame.time);
+    gyroTime_ = frame.time;
     double yawRate;
-    if (motion.status != cv::rsackermann::MOTION_OK || !motion.rotationCurve.empty() || std::isnan(frame.time) ||
-        after == end || !motion.yawRate(frame.camera, yawRate))
+    if (motion.status != cv::rsackermann::MOTION_OK || !motion.rotationCurve.empty() ||
+        !(interval > 0 && interval < cv::rsackermann::LONGEST_INTERVAL) || !(0 < from && from < to) ||
+        to == times.rows || !motion.yawRate(frame.camera, yawRate))
         return;
     const double unit = frame.camera.secondsPerUnitTime();
     squaresOfPoints_ +=
         std::pow(yawRate, 2) + std::pow(motion.pitchRate / unit, 2) + std::pow(motion.rollRate / unit, 2);
-    squaresOfGyro_ += cv::norm(job_.gyro.rates.row(int(after - first)), cv::NORM_L2SQR);
+    cv::Mat mean;
+    cv::reduce(job_.gyro.rates.rowRange(from, to), mean, 0, cv::REDUCE_AVG);
+    squaresOfGyro_ += cv::norm(mean, cv::NORM_L2SQR);
 }
 
 // The likely reason if it contradicts the images.
@@ -92,7 +102,7 @@ std::string Warnings::doubtOfGyro() const
     if (std::abs(power) > 0.5 && std::abs(power) < 1.5)
         return power > 0 ? "its rates seem to be degrees that are read as radians"
                          : "its rates seem to be radians that are read as degrees";
-    return "its axes or clock may be others, or --scan";
+    return "its axes or clock may be others, or --scan, or the camera shakes more than frames show";
 }
 
 void Warnings::addGyro(const FrameReport& frame)

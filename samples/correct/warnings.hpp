@@ -37,6 +37,7 @@ private:
     Progress& progress_;
     bool hasContradiction_ = false, hasGap_ = false;
     double squaresOfPoints_ = 0, squaresOfGyro_ = 0;             // of the rates of frames, rad/s
+    double gyroTime_ = std::numeric_limits<double>::quiet_NaN(); // of the frame before
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence
     std::set<std::string> given_;                                // warnings that hold for all inputs
 };

@@ -315,6 +315,22 @@ TEST_F(GyroOfDrive, clock_is_found_before_the_first_frame)
 #endif
 }
 
+// The samples of a drive in another unit, or about other axes.
+std::string scaledGyro(const std::string& drive, double factor, bool isTurned = false)
+{
+    std::string scaled;
+    for (const std::string& line : linesOf(drive + "/gyro.csv"))
+    {
+        double time = 0, a = 0, b = 0, r = 0;
+        if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &a, &b, &r) != 4)
+            scaled += line + "\n";
+        else
+            scaled += cv::format("%.6f,%.9g,%.9g,%.9g\n", time, factor * (isTurned ? -b : a),
+                                 factor * (isTurned ? r : b), factor * (isTurned ? a : r));
+    }
+    return scaled;
+}
+
 // What is wrong is said as far as the rates of the points show it.
 TEST_F(GyroOfDrive, contradiction_has_a_reason)
 {
@@ -328,23 +344,35 @@ TEST_F(GyroOfDrive, contradiction_has_a_reason)
                  {1, true, "its axes or clock may be others, or --scan"}};
     for (const auto& c : cases)
     {
-        std::string wrong;
-        for (const std::string& line : linesOf(folder / "drive/gyro.csv"))
-        {
-            double time = 0, a = 0, b = 0, r = 0;
-            if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &a, &b, &r) != 4)
-                wrong += line + "\n";
-            else
-                wrong += cv::format("%.6f,%.9g,%.9g,%.9g\n", time, c.factor * (c.isTurned ? -b : a),
-                                    c.factor * (c.isTurned ? r : b), c.factor * (c.isTurned ? a : r));
-        }
-        writeContent(folder / "wrong.csv", wrong);
+        writeContent(folder / "wrong.csv", scaledGyro(folder / "drive", c.factor, c.isTurned));
         const Outcome outcome = correct(drive + Arguments{"--carry", "--camera=" + (folder / "drive/camera.yml"),
                                                           "--report=-", "--gyro=" + (folder / "wrong.csv")});
         EXPECT_EQ(0, outcome.exitCode);
         const size_t at = outcome.messages.find("the images contradict the gyro");
         EXPECT_NE(std::string::npos, outcome.messages.find(c.reason, at)) << outcome.messages;
         EXPECT_EQ(at, outcome.messages.rfind("the images contradict the gyro")) << outcome.messages;
+    }
+}
+
+// Between frames an engine shakes to and fro, which points don't show: that is no reason to doubt the unit.
+TEST_F(GyroOfDrive, engine_that_shakes_much)
+{
+    const std::string shaken = folder / "engine";
+    ASSERT_EQ(0, simulate({"--output=" + shaken, "--frames=16", "--speed=40", "--left=6", "--right=8", "--shake=engine",
+                           "--shake_rate=80"})
+                     .exitCode);
+    for (const double factor : {1., 180 / CV_PI, CV_PI / 180})
+    {
+        SCOPED_TRACE(factor);
+        writeContent(folder / "scaled.csv", scaledGyro(shaken, factor));
+        const Outcome outcome =
+            correct({shaken + "/frames", "--log=" + shaken + "/log.csv", "--camera=" + shaken + "/camera.yml",
+                     "--carry", "--report=-", "--gyro=" + (folder / "scaled.csv")});
+        EXPECT_EQ(0, outcome.exitCode);
+        EXPECT_EQ(factor > 2, outcome.messages.find("degrees that are read as radians") != std::string::npos)
+            << outcome.messages;
+        EXPECT_EQ(factor < 0.5, outcome.messages.find("radians that are read as degrees") != std::string::npos)
+            << outcome.messages;
     }
 }
 
