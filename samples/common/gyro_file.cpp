@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cfloat>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -18,12 +19,12 @@ namespace rsackermann_samples {
 
 namespace {
 
-const double FASTEST = 1e3;    // rad/s, as the library accepts
-const double LATEST = 1e12;    // seconds
-const double GAP = 0.1;        // seconds without a sample
-const double RAREST = 0.5;     // seconds between samples; more of them are milliseconds or microseconds
-const double FULL_SCALE = 100; // deg/s, which the smallest range of usual gyros exceeds
-const int SATURATED = 3;       // samples in a row that have the largest value of all
+const double FASTEST = 1e3;         // rad/s, as the library accepts
+const double LATEST = 1e12;         // seconds
+const double GAP = 0.1;             // seconds without a sample
+const double FASTEST_CLOCK = 32000; // samples a second, the most that usual gyros give
+const double FULL_SCALE = 100;      // deg/s, which the smallest range of usual gyros exceeds
+const int SATURATED = 3;            // samples in a row that have the largest value of all
 const char* const GCSV_TITLES[] = {"GYROFLOW IMU LOG", "CAMERA IMU LOG"};
 
 struct Samples
@@ -56,25 +57,31 @@ void warnOfSaturation(const CsvTable& table, const Samples& samples, const std::
     }
 }
 
-void warnOfGaps(const CsvTable& table, const Samples& samples, const std::string& timeName, const std::string& program)
+// If all samples are as far apart as in gaps, or closer than a gyro takes them, the unit is another.
+void warnOfTimes(const CsvTable& table, const Samples& samples, const std::string& timeName, const std::string& program)
 {
-    size_t gaps = 0, first = 0;
-    double shortest = samples.times[1] - samples.times[0];
+    size_t gaps = 0, first = 1;
+    double shortest = DBL_MAX, longest = 0;
     for (size_t i = 1; i < samples.times.size(); i++)
     {
         const double interval = samples.times[i] - samples.times[i - 1];
         shortest = std::min(shortest, interval);
+        longest = std::max(longest, interval);
         if (interval > GAP && gaps++ == 0)
             first = i;
     }
-    if (gaps == 0)
-        return;
-    const std::string warning =
-        shortest > RAREST
-            ? cv::format("no sample is less than %g s after the one before: times seem not to be in seconds", shortest)
-            : cv::format("%g s without a sample; frames in such gaps (%d) do without the gyro",
-                         samples.times[first] - samples.times[first - 1], int(gaps));
-    std::cerr << program << ": " << table.placeOf(first, timeName) << ": " << warning << std::endl;
+    std::string warning;
+    if (shortest > GAP)
+        warning =
+            cv::format("no sample is less than %g s after the one before: times seem not to be in seconds", shortest);
+    else if (longest < 1 / FASTEST_CLOCK)
+        warning =
+            cv::format("no sample is more than %g s after the one before: times seem not to be in seconds", longest);
+    else if (gaps > 0)
+        warning = cv::format("%g s without a sample; frames in such gaps (%d) do without the gyro",
+                             samples.times[first] - samples.times[first - 1], int(gaps));
+    if (!warning.empty())
+        std::cerr << program << ": " << table.placeOf(first, timeName) << ": " << warning << std::endl;
 }
 
 /** Numbers of a time and three rates, with warnings of what is doubtful about them.
@@ -104,7 +111,7 @@ Samples readSamples(const CsvTable& table, const std::string (&names)[4], const 
     if (samples.times.size() < 2)
         throw UsageError(table.path + ": there are fewer than two samples");
     warnOfSaturation(table, samples, names, program);
-    warnOfGaps(table, samples, names[0], program);
+    warnOfTimes(table, samples, names[0], program);
     return samples;
 }
 

@@ -179,6 +179,18 @@ const std::vector<FrameFacts>* DriveLog::samplesOf(const std::string& file) cons
     return nullptr;
 }
 
+double DriveLog::shortestStep() const
+{
+    double shortest = 0;
+    for (const std::pair<const std::string, std::vector<FrameFacts>>& entry : samples_)
+        for (size_t i = 1; i < entry.second.size() && entry.second.size() > 2; i++)
+        {
+            const double step = entry.second[i].time - entry.second[i - 1].time;
+            shortest = shortest > 0 ? std::min(shortest, step) : step;
+        }
+    return shortest;
+}
+
 bool DriveLog::has(double FrameFacts::*value) const
 {
     const auto isGiven = [value](const FrameFacts& facts) { return !std::isnan(facts.*value); };

@@ -51,6 +51,9 @@ public:
     bool hasSpeed() const { return has(&FrameFacts::speed); }
     bool hasYawRate() const { return has(&FrameFacts::yawRate); }
 
+    //! Seconds between the two samples that follow most closely, of files that have three or more; 0: there are none.
+    double shortestStep() const;
+
 private:
     typedef std::pair<std::string, int> Key; // file, empty: any; number, -1: an image that is named by its file
 

@@ -13,6 +13,10 @@
 
 namespace rsackermann_samples {
 
+// Seconds between samples of a log: a car that brakes by 1 m/s2 meanwhile is 2 km/h (SPEED_SIGMA) off the line that
+// connects them.
+static const double RAREST_SAMPLES = 2;
+
 cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts, const cv::rsackermann::MotionPrior& other)
 {
     cv::rsackermann::MotionPrior prior = other;
@@ -40,6 +44,9 @@ void checkLog(const DriveLog& log, const InputList& inputs, const std::string& p
         }
     if (images > 0 && unknown == images)
         throw UsageError("the log names none of the images (columns file or frame)");
+    if (log.shortestStep() > RAREST_SAMPLES)
+        std::cerr << program << ": no sample of the log is less than " << log.shortestStep()
+                  << " s after the one before: its times seem not to be in seconds" << std::endl;
     if (unknown > 0)
         std::cerr << program << ": the log doesn't name " << unknown << " of the " << images << " images" << std::endl;
 }

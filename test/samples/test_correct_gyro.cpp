@@ -129,7 +129,7 @@ TEST_F(CorrectGyro, image_without_time)
 // Gaps and saturated samples are reported with their line and column; a frame in a gap does without the gyro.
 TEST_F(CorrectGyro, warnings)
 {
-    Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n0.9,1,2,3\n1.2,1,2,3\n");
+    Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n0.9,1,2,3\n0.91,1,2,3\n1.2,1,2,3\n");
     EXPECT_EQ(0, outcome.exitCode);
     EXPECT_NE(std::string::npos,
               outcome.messages.find("line 3 of " + (folder_ / "a.csv") + ", column time_s: 0.9 s without a sample"))
@@ -177,7 +177,16 @@ TEST_F(CorrectGyro, times_in_another_unit)
 {
     const Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n5,1,2,3\n10.1,1,2,3\n"),
                   log = run("a.gcsv", "GYROFLOW IMU LOG\ntscale,1\nt,gx,gy,gz\n0,0,0,0\n5000,0,0,0\n");
+    // Of 4000 samples a second in milliseconds, and of seconds that are read as milliseconds
+    const Outcome fast = run("b.csv", std::string(HEADER) + "0,1,2,3\n0.25,1,2,3\n0.5,1,2,3\n"),
+                  close = run("b.gcsv", "GYROFLOW IMU LOG\nt,gx,gy,gz\n0,0,0,0\n0.01,0,0,0\n0.02,0,0,0\n");
     EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_NE(std::string::npos, fast.messages.find("no sample is less than 0.25 s after the one before: times seem"))
+        << fast.messages;
+    EXPECT_NE(std::string::npos, close.messages.find("line 4 of " + (folder_ / "b.gcsv") +
+                                                     ", column t: no sample is more than 1e-05 s after the one "
+                                                     "before: times seem not to be in seconds\n"))
+        << close.messages;
     EXPECT_NE(std::string::npos, outcome.messages.find("column time_s: no sample is less than 5 s after the one "
                                                        "before: times seem not to be in seconds\n"))
         << outcome.messages;

@@ -177,6 +177,23 @@ TEST_F(CorrectLog, speed_without_line_delay)
         << outcome.messages;
 }
 
+// Samples of ten times a second in milliseconds; constant values may have two, however far apart.
+TEST_F(CorrectLog, samples_in_another_unit)
+{
+    const std::string image = "file,time_s,speed_kmh\nrolling.png,150,\n", warning = "its times seem not to be in "
+                                                                                     "seconds";
+    const Outcome milliseconds = runWithLog(image + ",0,50\n,100,52\n,200,55\n", {image_});
+    EXPECT_EQ(0, milliseconds.exitCode);
+    EXPECT_NE(std::string::npos,
+              milliseconds.messages.find("no sample of the log is less than 100 s after the one before: " + warning))
+        << milliseconds.messages;
+    for (const char* samples : {",0,50\n,900,50\n", ",149,50\n,150,52\n,151,55\n"})
+    {
+        const Outcome sound = runWithLog(image + samples, {image_});
+        EXPECT_EQ(std::string::npos, sound.messages.find(warning)) << sound.messages;
+    }
+}
+
 // What isn't understood is refused with its place.
 TEST_F(CorrectLog, refused)
 {
