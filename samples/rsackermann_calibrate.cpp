@@ -148,6 +148,19 @@ void print(const MountCalibration& c, int frames)
     std::printf("horizon     %.5f x %+.5f y %+.2f = 0 in pixels without lens distortion\n", h[0], h[1], h[2]);
 }
 
+cv::Ptr<MountCalibrator> calibratorOf(const Task& task, const cv::Size& size)
+{
+    const cv::rsackermann::RollingShutterCamera camera = task.camera.makeCamera(size);
+    try
+    {
+        return MountCalibrator::create(camera, task.params);
+    }
+    catch (const cv::Exception& e)
+    {
+        throw UsageError(e.err);
+    }
+}
+
 int run(const Options& options)
 {
     listenForInterrupts();
@@ -163,7 +176,7 @@ int run(const Options& options)
     const auto use = [&](const DriveFrame& frame, double done) {
         if (!calibrator)
         {
-            calibrator = MountCalibrator::create(task.camera.makeCamera(frame.image.size()), task.params);
+            calibrator = calibratorOf(task, frame.image.size());
             calibrator->addGyro(task.gyro.times, task.gyro.rates);
         }
         calibrator->addFrame(frame.image, frame.facts.time, priorOf(frame.facts));

@@ -102,6 +102,10 @@ void readDrive(const InputList& list, const DriveLog& log, const std::function<v
         {
             throw;
         }
+        catch (const UsageError&) // of all inputs
+        {
+            throw;
+        }
         catch (const cv::Exception& e)
         {
             fail(list.inputs[i].name, e.err);

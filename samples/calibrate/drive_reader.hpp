@@ -23,7 +23,7 @@ struct DriveFrame
 1/30 s.
 @param use is called with each frame and the share of the work that is done.
 @param fail is called with an input that can't be read, and why.
-Throws Interrupted if a signal asks the program to end. */
+Throws Interrupted if a signal asks the program to end, and UsageError if use() does. */
 void readDrive(const InputList& list, const DriveLog& log, const std::function<void(const DriveFrame&, double)>& use,
                const std::function<void(const std::string&, const std::string&)>& fail);
 

@@ -246,6 +246,7 @@ TEST_F(Calibrate, bad_arguments)
         {{inputs_[0], camera, output, "--carry"}, "carry"},
         {{inputs_[0], camera, output, "--detector=canny"}, "canny"},
         {{inputs_[0], camera, output, "--scan=left_to_right"}, "columns"},
+        {{inputs_[0], camera, output, "--readout=0.3"}, "from 0.002 to 0.1 s for all lines"},
         {{inputs_[0], camera, output, "--log=" + (folder_ / "none.csv")}, "none.csv"},
         {{inputs_[0], camera, output, "--gyro=" + (folder_ / "none.csv")}, "none.csv"},
         {{inputs_[0], camera, output, "--gyro_delay=1"}, "--gyro_delay needs --gyro"},

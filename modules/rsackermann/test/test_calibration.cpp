@@ -515,6 +515,34 @@ TEST(RSAckermann_Calibration, bad_arguments)
     EXPECT_FALSE(calibrator->addFrame(image, 0));
 }
 
+// From other starts a wrong line delay is found, or none; one with a standard deviation is no start.
+TEST(RSAckermann_Calibration, line_delays_to_start_from)
+{
+    RollingShutterCamera camera = guess();
+    for (const double readOut : {0., 0.002, 0.1})
+    {
+        camera.lineDelay = readOut / camera.imageSize.height;
+        EXPECT_NO_THROW(MountCalibrator::create(camera)) << readOut;
+    }
+    for (const double readOut : {0.0019, 0.101})
+    {
+        camera.lineDelay = readOut / camera.imageSize.height;
+        try
+        {
+            MountCalibrator::create(camera);
+            ADD_FAILURE() << readOut;
+        }
+        catch (const cv::Exception& e)
+        {
+            EXPECT_NE(String::npos, e.err.find("camera.lineDelay is")) << e.err;
+            EXPECT_NE(String::npos, e.err.find("from 0.002 to 0.1 s for all lines")) << e.err;
+        }
+        camera.lineDelaySigma = 0.01 * camera.lineDelay;
+        EXPECT_NO_THROW(MountCalibrator::create(camera)) << readOut;
+        camera.lineDelaySigma = 0;
+    }
+}
+
 TEST(RSAckermann_Calibration, is_stored_and_loaded)
 {
     MountCalibrator::Params params;

@@ -20,6 +20,9 @@ namespace cv { namespace rsackermann {
 // Of the standard deviation before, at most, for a value that is observable
 static const double OBSERVED = 0.5;
 
+// Seconds that an image takes, of a line delay to start from: from others a wrong one is found, or none
+static const double SHORTEST_START = 0.002, LONGEST_START = 0.1;
+
 MountCalibration::MountCalibration()
     : frames(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0), headingSigma(0), lineDelay(0),
       lineDelaySigma(0), rollObserved(false), pitchObserved(false), headingObserved(false), lineDelayObserved(false),
@@ -110,6 +113,12 @@ public:
             "camera.scanDirection is %d; a shutter along the rows, SCAN_TOP_TO_BOTTOM (0) or SCAN_BOTTOM_TO_TOP (1), "
             "is expected",
             camera.scanDirection);
+        const int lines = camera.imageSize.height;
+        const bool isStart = camera.lineDelay > 0 && !(camera.lineDelaySigma > 0);
+        REJECT_IF(isStart && (camera.lineDelay < SHORTEST_START / lines || camera.lineDelay > LONGEST_START / lines),
+                  "camera.lineDelay is %g, %g s for %d lines; 0 (unknown), from %g to %g s for all lines, or one whose "
+                  "lineDelaySigma is given, is expected",
+                  camera.lineDelay, camera.lineDelay * lines, lines, SHORTEST_START, LONGEST_START);
         given = camera;
         removeFrames();
     }

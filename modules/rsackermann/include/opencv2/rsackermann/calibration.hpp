@@ -123,7 +123,8 @@ public:
 
     /** @brief Creates a calibrator.
     @param camera the camera as far as it is known; its shutter must go along the rows. A line delay of 0 is estimated
-    as well, from yaw rates in particular.
+    as well, from yaw rates in particular; one without a standard deviation is where the search starts, and has to be of
+    a read-out of 2 to 100 ms.
     @param params see MountCalibrator::Params.
     @return the calibrator; throws cv::Exception if the camera or a parameter is out of range.
      */
