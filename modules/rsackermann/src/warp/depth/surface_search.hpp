@@ -70,23 +70,24 @@ public:
     these are more than LARGEST_STRETCH the pixel isn't seen. */
     Number find(Number& depth, int iterations = ITERATIONS) const
     {
-        Number front = high, back = low, error = FLT_MAX;
-        nextBehind(front, back);
-        depth = front;
+        Bracket between = {high, low, surfaceAt(high), surfaceAt(low)};
+        nextBehind(between);
+        Number error = FLT_MAX;
+        depth = between.atFront;
+        const auto look = [&](const Number& at) {
+            const Number found = surfaceAt(at), isLeft = error;
+            depth = choose(isLeft > TOLERANCE, found, depth);
+            error = choose(isLeft > TOLERANCE, magnitude(found - at) * pixelsPerDepth, error);
+            between.narrow(at, found);
+        };
         for (int i = 0; i < iterations && isAnyTrue(error > TOLERANCE); i++)
         {
-            const Number middle = 0.5f * (front + back), value = surfaceAt(middle),
-                         next = smaller(larger(value, back), front), again = surfaceAt(next);
-            depth = choose(error > TOLERANCE, again, depth);
-            error = choose(error > TOLERANCE, magnitude(again - next) * pixelsPerDepth, error);
-            narrow(middle, value, front, back);
-            narrow(next, again, front, back);
+            look(between.crossing()); // on a plane it is there
+            if (isAnyTrue(error > TOLERANCE))
+                look(0.5f * (between.front + between.back));
         }
-        if (!isAnyTrue(error > TOLERANCE))
-            return 0;
-        const Number behind = surfaceAt(front);
-        depth = choose(error > TOLERANCE, behind, depth);
-        return choose(error > TOLERANCE, (surfaceAt(back) - behind) * pixelsPerDepth, 0);
+        depth = choose(error > TOLERANCE, between.atFront, depth);
+        return choose(error > TOLERANCE, (between.atBack - between.atFront) * pixelsPerDepth, 0);
     }
 
 private:
@@ -99,25 +100,46 @@ private:
         return depths.at(place.x, place.y, gap);
     }
 
-    // Front is before the surfaces, back at or behind the first of them, a step apart.
-    void nextBehind(Number& front, Number& back) const
+    // Depths of which front is before the surfaces and back at or behind the first of them, with the surfaces there.
+    struct Bracket
+    {
+        Number front, back, atFront, atBack;
+
+        void narrow(const Number& depth, const Number& surface)
+        {
+            const auto isBefore = surface < depth;
+            front = choose(isBefore, depth, front);
+            atFront = choose(isBefore, surface, atFront);
+            back = choose(isBefore, back, depth);
+            atBack = choose(isBefore, atBack, surface);
+        }
+
+        // Where a surface that is straight in between is met.
+        Number crossing() const
+        {
+            const Number before = front - atFront, behind = atBack - back, both = before + behind;
+            return choose(both > 0, back + (front - back) * (behind / both), back);
+        }
+    };
+
+    // To a step apart.
+    void nextBehind(Bracket& between) const
     {
         const float longest = largest(length);
         const int steps = longest < STEP * MOST_STEPS ? int(longest / STEP) : MOST_STEPS;
         Number middle = high;
-        for (int i = 1; i <= steps && isAnyTrue(back < middle); i++)
+        for (int i = 1; i <= steps && isAnyTrue(between.back < middle); i++)
         {
             middle = high + (low - high) * (float(i) / (steps + 1));
-            const Number surface = surfaceAt(middle), next = choose(surface < middle, back, middle);
-            front = choose(back < middle, choose(surface < middle, middle, front), front);
-            back = choose(back < middle, next, back);
+            const Number surface = surfaceAt(middle);
+            const auto isOnWay = between.back < middle;
+            Bracket next = between;
+            next.narrow(middle, surface);
+            between.front = choose(isOnWay, next.front, between.front);
+            between.atFront = choose(isOnWay, next.atFront, between.atFront);
+            between.back = choose(isOnWay, next.back, between.back);
+            between.atBack = choose(isOnWay, next.atBack, between.atBack);
         }
-    }
-
-    static void narrow(const Number& depth, const Number& surface, Number& front, Number& back)
-    {
-        front = choose(surface < depth, smaller(front, depth), front);
-        back = choose(surface < depth, back, larger(back, depth));
     }
 
     const Depths& depths;
