@@ -33,13 +33,14 @@ Rect Visibility::placesOf(const DepthPatch& own, const Point& first, const Rect&
 // If the pixels that could be in front of a block and those behind belong to one surface all are seen.
 void Visibility::find(const DepthPatch& own, const Point& first, const Rect& block, const MapWriter::Tile& tile) const
 {
+    const double times = 40; // to 0.01 pixels, which is near enough for a distance
     const Rect square = placesOf(own, first, block);
     float low, high, stretch;
     DepthPatch patch;
     const bool isKnown = findReach(back, depths, square.tl(), square.size(), low, high, stretch);
     if (isKnown && stretch <= LARGEST_STRETCH)
         return;
-    if (isKnown && depths.hasCells() && patch.fit(square, low, high, back))
+    if (isKnown && depths.hasCells() && patch.fit(square, low, high, back, times))
         findByPatches({own, first, patch, square.tl()}, low, high, block, tile);
     else if (std::max(block.width, block.height) > SMALLEST)
         forEachQuarter(block, [&](const Rect& quarter) { find(own, first, quarter, tile); });

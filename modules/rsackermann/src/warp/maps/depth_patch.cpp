@@ -12,8 +12,9 @@ static double bendAt(const Point2d& pixel, double lowest, double highest, const 
 {
     const double step = (highest - lowest) / 2, smallest = 1; // pixels that the place moves
     Point2d p[3];
+    DepthPlaces::Guess guess;
     for (int k = 0; k < 3; k++)
-        if (!places.find(pixel, lowest + k * step, p[k]))
+        if (!places.find(pixel, lowest + k * step, p[k], guess))
             return 0;
     const Point2d moved = p[2] - p[1], second = moved - (p[1] - p[0]);
     const bool byColumn = std::abs(moved.x) > std::abs(moved.y);
@@ -49,7 +50,7 @@ static bool isSmooth(const Rect& square, double inverseDepth, const DepthPlaces&
     return true;
 }
 
-bool DepthPatch::fit(const Rect& square, double lowest, double highest, const DepthPlaces& places)
+bool DepthPatch::fit(const Rect& square, double lowest, double highest, const DepthPlaces& places, double times)
 {
     const Point2d first = square.tl();
     variable = DepthVariable(first + 0.5 * square.width * Point2d(1, 1), lowest, highest, places);
@@ -58,7 +59,7 @@ bool DepthPatch::fit(const Rect& square, double lowest, double highest, const De
         return false;
     DepthPlaces::Guess guess;
     return interpolate(first, square.width, places, guess) && addBend(first, square.width, places, guess) &&
-           isExact(first, square.width / (NODES - 1.), places);
+           isExact(first, square.width / (NODES - 1.), places, times);
 }
 
 // Of a polynomial of degree 2, of which 3 x 3 values are given, the others of NODES x NODES.
@@ -122,7 +123,7 @@ bool DepthPatch::addBend(const Point2d& first, double size, const DepthPlaces& p
 }
 
 // At pixels and depths at which the error is nearly as large as anywhere (MapPatch::check).
-bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& places) const
+bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& places, double times) const
 {
     const double depths[] = {-0.8, 0.8};
     const int checks = places.hasKnots() ? MapPatch::CHECKS_WITH_KNOTS : MapPatch::CHECKS;
@@ -133,7 +134,7 @@ bool DepthPatch::isExact(const Point2d& first, double step, const DepthPlaces& p
         const double depth = depths[i % 2];
         Point2d expected;
         if (!places.find(first + check, variable.inverseDepth(depth), expected, guess) ||
-            !MapPatch::isNear(at(check, depth), expected, places.hasKnots()))
+            !MapPatch::isNear(at(check, depth), expected, places.hasKnots(), times))
             return false;
     }
     return true;

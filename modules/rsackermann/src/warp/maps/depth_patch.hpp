@@ -49,13 +49,14 @@ struct DepthPatch
 
     /** Interpolates the exact places; false if the error is too large or a place doesn't exist.
     @param square of pixels of the map.
-    @param lowest, highest inverse depths that can occur in the square. */
-    bool fit(const Rect& square, double lowest, double highest, const DepthPlaces& places);
+    @param lowest, highest inverse depths that can occur in the square.
+    @param times by how much the error may be larger than that of a map. */
+    bool fit(const Rect& square, double lowest, double highest, const DepthPlaces& places, double times = 1);
 
 private:
     bool interpolate(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess);
     bool addBend(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess);
-    bool isExact(const Point2d& first, double step, const DepthPlaces& places) const;
+    bool isExact(const Point2d& first, double step, const DepthPlaces& places, double times) const;
     Point2d at(const Point2d& pixel, double depth) const;
 };
 

@@ -109,12 +109,13 @@ be anywhere: the centres between the nodes are checked, too.
     }
 
     //! Whether a place that a patch gives is near enough to the exact one; false for NaN, too. @param hasKnots whether
-    //! rows turn by a curve, between whose knots errors may be larger than at the checks.
-    static bool isNear(const Point2d& a, const Point2d& b, bool hasKnots = false)
+    //! rows turn by a curve, between whose knots errors may be larger than at the checks. @param times by how much the
+    //! error may be larger.
+    static bool isNear(const Point2d& a, const Point2d& b, bool hasKnots = false, double times = 1)
     {
         // Pixels. With the rounding of the places to single precision this stays far below the 1/32 pixel of cv::remap.
         const double maxError = hasKnots ? 1e-4 : 2.5e-4;
-        return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) <= maxError;
+        return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) <= times * maxError;
     }
 };
 
