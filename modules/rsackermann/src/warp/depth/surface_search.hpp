@@ -52,6 +52,8 @@ public:
 
     //! Each halves the step between two surfaces at least: 0.002 pixels are left.
     static const int ITERATIONS = 8;
+    //! The first ones look where a straight surface would be met first; at an edge this is in vain.
+    static const int CROSSINGS = 2;
 
     //! @param low, high inverse depths between which all surfaces are that the pixel could show.
     SurfaceSearch(const Depths& depths_, const Places& places_, const Number& low_, const Number& high_)
@@ -82,7 +84,8 @@ public:
         };
         for (int i = 0; i < iterations && isAnyTrue(error > TOLERANCE); i++)
         {
-            look(between.crossing()); // on a plane it is there
+            if (i < CROSSINGS)
+                look(between.crossing());
             if (isAnyTrue(error > TOLERANCE))
                 look(0.5f * (between.front + between.back));
         }
