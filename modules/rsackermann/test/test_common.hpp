@@ -80,6 +80,7 @@ inline AckermannMotion exampleMotion()
     m.inliers = 47;
     m.rms = 0.25;
     m.scale = SCALE_SPEED;
+    m.speedSigma = 0.375;
     m.rollYawAmbiguous = true;
     m.contradictsPrior = true;
     m.seenYawRate = -0.125;
@@ -106,7 +107,8 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
                             &T::roadSlope,     &T::pitchRate,        &T::rollRate,         &T::pitchRateSigma,
                             &T::rollRateSigma, &T::rollCorrection,   &T::pitchCorrection,  &T::wallDistance,
                             &T::rms,           &T::expectedRaw,      &T::expectedResidual, &T::probabilityWorse,
-                            &T::seenYawRate,   &T::seenYawRateSigma, &T::seenSpeed,        &T::seenSpeedSigma});
+                            &T::seenYawRate,   &T::seenYawRateSigma, &T::seenSpeed,        &T::seenSpeedSigma,
+                            &T::speedSigma});
     EXPECT_EQ(a.contradictsPrior, b.contradictsPrior);
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);

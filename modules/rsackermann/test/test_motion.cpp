@@ -202,6 +202,15 @@ TEST(RSAckermann_Motion, metric_covariance_of_an_uncertain_line_delay)
     covariance = m.metricCovariance(camera);
     EXPECT_NEAR(0.05, std::sqrt(covariance(0, 0)), 1e-9);
     EXPECT_EQ(0, covariance(1, 1));
+    m.covariance = 1e-6 * Matx44d::eye();
+    m.speedSigma = 3;
+    for (const int scale : {SCALE_SPEED, SCALE_ROAD})
+    {
+        m.scale = scale;
+        covariance = m.metricCovariance(camera);
+        EXPECT_EQ(9, covariance(1, 1));
+        EXPECT_EQ(0, covariance(0, 1));
+    }
 }
 
 TEST(RSAckermann_Motion, metric_values_are_unknown_without_scale)

@@ -615,6 +615,35 @@ TEST(RSAckermann_SequenceModes, two_sources_of_a_yaw_rate)
     EXPECT_NEAR((yawRate[1] / variance[1] + yawRate[2] / variance[2]) * variance[3], yawRate[3], 0.01);
 }
 
+// A given speed gives the metres as far as it is known better than what the road and the camera's height show.
+TEST_P(SequenceModes, metres_by_a_speed_of_some_sigma)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Setting s = setting;
+    s.params.estimator.scaleFromRoad = false;
+    const double errors[] = {0, 0.25}, sigmas[] = {0.02, 0.5}; // over the speed
+    for (int k = 0; k < 2; k++)
+    {
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(s.camera, s.params);
+        MotionPrior prior;
+        prior.speed = s.metric.speed * (1 + errors[k]);
+        prior.speedSigma = std::abs(s.metric.speed) * sigmas[k];
+        corrector->setPrior(prior);
+        AckermannMotion m;
+        for (int i = 0; i < FRAMES; i++)
+            m = correctFrame(*corrector, frames, i, NOTHING);
+        ASSERT_EQ(MOTION_OK, m.status);
+        EXPECT_EQ(SCALE_SPEED, m.scale);
+        double speed;
+        ASSERT_TRUE(m.speed(s.camera, speed));
+        const double sigma = std::sqrt(m.metricCovariance(s.camera)(1, 1));
+        EXPECT_EQ(m.speedSigma, sigma);
+        EXPECT_LT(sigma, 1.001 * prior.speedSigma);
+        EXPECT_NEAR(s.metric.speed, speed, 3 * sigma);
+        EXPECT_NEAR(s.metric.speed, speed, (k == 0 ? 0.04 : 0.15) * std::abs(s.metric.speed));
+    }
+}
+
 INSTANTIATE_TEST_CASE_P(RSAckermann, SequenceModes, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));
 
 }} // namespace opencv_test::

@@ -15,9 +15,9 @@ namespace cv { namespace rsackermann {
 AckermannMotion::AckermannMotion()
     : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), wallSlope(0), wallOffset(0), wallRatio(0),
       roadSlope(0), direction(1), pitchRate(0), rollRate(0), pitchRateSigma(0), rollRateSigma(0), rollCorrection(0),
-      pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), covariance(Matx44d::zeros()), rollYawAmbiguous(false),
-      contradictsPrior(false), seenYawRate(0), seenYawRateSigma(0), seenSpeed(0), seenSpeedSigma(0), candidates(0),
-      inliers(0), rms(0), expectedRaw(0), expectedResidual(0), probabilityWorse(0)
+      pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), speedSigma(0), covariance(Matx44d::zeros()),
+      rollYawAmbiguous(false), contradictsPrior(false), seenYawRate(0), seenYawRateSigma(0), seenSpeed(0),
+      seenSpeedSigma(0), candidates(0), inliers(0), rms(0), expectedRaw(0), expectedResidual(0), probabilityWorse(0)
 {
 }
 
@@ -93,7 +93,7 @@ Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) co
     Matx44d J = Matx44d::zeros();
     if (unit > 0)
         J(0, 0) = 2 / unit;
-    if (unit > 0 && wallDistance > 0 && size > 0)
+    if (unit > 0 && wallDistance > 0 && size > 0 && !(speedSigma > 0))
     {
         J(1, 1) = direction * B / size * wallDistance / unit;
         J(1, 2) = direction * D / size * wallDistance / unit;
@@ -108,10 +108,16 @@ Matx44d AckermannMotion::metricCovariance(const RollingShutterCamera& camera) co
     J(3, 3) = 1;
     Vec4d perSecond;
     yawRate(camera, perSecond[0]);
-    if (scale != SCALE_SPEED) // which gives the speed, whatever the line delay
-        speed(camera, perSecond[1]);
+    double ofSpeed = 0;
+    if (speed(camera, perSecond[1]) && (scale == SCALE_SPEED || speedSigma > 0))
+    {
+        ofSpeed = speedSigma;
+        perSecond[1] = 0; // the speed gives the metres, whatever the line delay
+    }
     const Vec4d change = relativeLineDelaySigma(camera) * perSecond;
-    return J * covariance * J.t() + change * change.t();
+    Matx44d result = J * covariance * J.t() + change * change.t();
+    result(1, 1) += ofSpeed * ofSpeed;
+    return result;
 }
 
 Matx33d AckermannMotion::uprightRotation(const RollingShutterCamera& camera) const
@@ -139,7 +145,8 @@ void AckermannMotion::write(FileStorage& fs) const
        << "roll_rate_sigma" << rollRateSigma;
     fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance"
        << wallDistance;
-    fs << "scale" << scale << "expected_raw" << expectedRaw << "expected_residual" << expectedResidual;
+    fs << "scale" << scale << "speed_sigma" << speedSigma << "expected_raw" << expectedRaw << "expected_residual"
+       << expectedResidual;
     fs << "probability_worse" << probabilityWorse;
     fs << "offset_area" << offsetArea;
     if (!inverseDepthOffset.empty())
@@ -184,6 +191,7 @@ void AckermannMotion::read(const FileNode& fn)
     readFields(fn, "pitch_rate", pitchRate, "roll_rate", rollRate, "pitch_rate_sigma", pitchRateSigma);
     readFields(fn, "roll_rate_sigma", rollRateSigma, "roll_correction", rollCorrection);
     readFields(fn, "pitch_correction", pitchCorrection, "wall_distance", wallDistance, "scale", scale);
+    readFields(fn, "speed_sigma", speedSigma);
     readFields(fn, "expected_raw", expectedRaw, "expected_residual", expectedResidual);
     readFields(fn, "probability_worse", probabilityWorse);
     readMatrix(fn, "covariance", covariance);

@@ -319,11 +319,13 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, PRIOR_LEAN};
     labelInliers(verticals, model, camera.heading, agreement, motion, labels);
     if (!setGivenScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
-    {
         motion.scale = SCALE_ROAD;
+    if (motion.scale == SCALE_ROAD || motion.scale == SCALE_SPEED) // by what is given and what the frames show
+    {
         const double way = std::abs(fit.state.value[SEQUENCE_SPEED]) * camera.secondsPerUnitTime();
         motion.wallDistance =
             way / std::max(std::hypot(motion.wallSlope, motion.wallOffset), way * FLT_EPSILON + DBL_MIN);
+        motion.speedSigma = std::sqrt(fit.state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
     }
 }
 

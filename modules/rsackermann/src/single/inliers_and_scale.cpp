@@ -69,6 +69,7 @@ bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator:
     {
         motion.scale = SCALE_SPEED;
         motion.wallDistance = std::abs(prior.speed) * unit / speed;
+        motion.speedSigma = prior.speedSigma;
     }
     return motion.scale != SCALE_UNKNOWN;
 }

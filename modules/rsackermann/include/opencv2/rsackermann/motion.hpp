@@ -99,7 +99,8 @@ public:
     @param camera the camera with which the motion was estimated.
     @param metresPerSecond receives the speed; 0 if it is unknown.
     @return false if wallDistance or lineDelay is unknown. The estimator sets wallDistance with #MOTION_OK alone;
-    #scale is its source: with #SCALE_SPEED the result is the given speed, no measurement.
+    #scale is its source. With #SCALE_SPEED the result of a single image is the given speed, no measurement; that of a
+    sequence is what it and the frames say together, by their standard deviations.
      */
     CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
 
@@ -187,6 +188,9 @@ public:
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
     CV_PROP_RW double wallDistance;    //!< metres to the left (or only) wall; 0: unknown
     CV_PROP_RW int scale;              //!< one of #MotionScale
+    //! Of a speed that gives the metres (#SCALE_SPEED, in sequences #SCALE_ROAD as well), its standard deviation in
+    //! metres per second; 0 (default): wallDistance is exact
+    CV_PROP_RW double speedSigma;
 
     //! Of (alpha, wallSlope, wallOffset, wallRatio), including the uncertainty of gravity; 0 for values that aren't
     //! part of the model
