@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "options.hpp"
+#include "rendered_drive.hpp"
 #include "street_model.hpp"
 #include "units.hpp"
 
@@ -39,6 +40,8 @@ const char* const KEYS =
     "{given      | both    | with --relative: both, the yaw rate to 1 deg/s and the speed to 2 km/h, "
     "yaw_rate alone, or nothing}"
     "{gravity    | 0.3     | degrees, standard deviation of roll and pitch with --relative}"
+    "{frames     | 1       | with --relative: of a drive, of which the last one has the depth; more than one are a sequence}"
+    "{verbose    |         | with --relative: a line for each street}"
     "{threads    |         | number of threads}";
 
 //! Whose relative depth is given.
@@ -172,37 +175,53 @@ struct Estimated
     bool isUsed;
 };
 
-// Estimates the motion with and without the depth.
+// Estimates the motion with and without the depth, which the last frame has.
 Estimated estimate(const street::StreetCamera& streetCamera, const street::StreetScene& scene, int whose,
                    const Options& options, cv::RNG& rng)
 {
-    const street::StreetRenderer renderer(streetCamera, scene);
     const double gravity = options.number("gravity", 0, 10) * DEGREE;
     RollingShutterCamera camera = libraryCamera(streetCamera);
     const double roll = rng.gaussian(gravity), pitch = rng.gaussian(gravity);
     camera.setRollPitch(streetCamera.roll + roll, streetCamera.pitch + pitch);
-    MotionPrior prior;
     const int given = options.choice("given", {"both", "yaw_rate", "nothing"});
     const double yawRateError = rng.gaussian(DEGREE), speedError = rng.gaussian(2 * KMH);
-    prior.yawRate = scene.yawRate + yawRateError;
-    prior.yawRateSigma = given < 2 ? DEGREE : 0;
-    prior.speed = scene.speed + speedError;
-    prior.speedSigma = given < 1 ? 2 * KMH : 0;
+    const int frames = options.integer("frames", 1, 100);
     RollingShutterCorrector::Params params;
     params.estimator.gravitySigma = params.estimator.vehiclePitchSigma = gravity;
-    const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
-    corrector->setPrior(prior);
-    const DepthMap depth(relativeDepth(streetCamera, scene, whose, options, rng), DEPTH_RAW, 1, DEPTH_RELATIVE);
-    const cv::Mat image = renderer.rollingShutter();
+    params.sequence = frames > 1;
+    const cv::Ptr<RollingShutterCorrector> correctors[] = {RollingShutterCorrector::create(camera, params),
+                                                           RollingShutterCorrector::create(camera, params)};
+    street::RenderedDrive drive(streetCamera, scene);
+    drive.course = street::RenderedDrive::WEAVING;
+    drive.phase = CV_PI / 2; // the yaw rate hardly changes
     Estimated found;
-    cv::Mat corrected, mask, columns, rows;
-    corrector->correct(image, corrected, mask);
-    corrector->getMaps(columns, rows);
-    found.without = measure(renderer, columns, rows, mask);
-    corrector->correct(image, corrected, mask, depth);
-    corrector->getMaps(columns, rows);
-    found.with = measure(renderer, columns, rows, mask);
-    found.isUsed = corrector->isDepthUsed();
+    for (int i = 0; i < frames; i++)
+    {
+        const street::StreetRenderer renderer = drive.next();
+        const cv::Mat image = renderer.rollingShutter();
+        const bool isLast = i + 1 == frames;
+        DepthMap depth;
+        if (isLast)
+            depth = DepthMap(relativeDepth(streetCamera, drive.street(), whose, options, rng), DEPTH_RAW, 1,
+                             DEPTH_RELATIVE);
+        MotionPrior prior;
+        prior.yawRate = drive.yawRate() + yawRateError;
+        prior.yawRateSigma = given < 2 ? DEGREE : 0;
+        prior.speed = drive.speed() + speedError;
+        prior.speedSigma = given < 1 ? 2 * KMH : 0;
+        for (const bool isGiven : {false, true})
+        {
+            RollingShutterCorrector& corrector = *correctors[isGiven];
+            cv::Mat corrected, mask, columns, rows;
+            corrector.setPrior(prior);
+            corrector.correct(image, corrected, mask, isGiven ? depth : DepthMap());
+            if (!isLast)
+                continue;
+            corrector.getMaps(columns, rows);
+            (isGiven ? found.with : found.without) = measure(renderer, columns, rows, mask);
+            found.isUsed = corrector.isDepthUsed();
+        }
+    }
     return found;
 }
 
@@ -222,6 +241,9 @@ int runEstimates(const Options& options, const cv::Size& size)
         without += found.without.residual / streets;
         harm = std::max(harm, found.with.residual / found.without.residual - 1);
         used += found.isUsed;
+        if (options.flag("verbose"))
+            std::cout << cv::format("%u raw %.3f without %.3f with %.3f used %d\n", seed, found.with.raw,
+                                    found.without.residual, found.with.residual, found.isUsed);
     }
     std::cout << cv::format("raw %.3f px, residual %.3f px (%.3f), without the depth %.3f px (%.3f), used in %d of %d, "
                             "at worst %.1f %% more than without\n",
