@@ -417,7 +417,7 @@ private:
     // False if the relative depth isn't used.
     bool align(AckermannMotion& motion, DepthMap& depth) const
     {
-        return !depth.empty() && depth.camera == DEPTH_RAW && motion.status == MOTION_OK &&
+        return !depth.empty() && depth.camera == DEPTH_RAW && motion.status != MOTION_NOT_OBSERVABLE &&
                sequence.alignDepth(segmentRows(segments), prior, motion, depth);
     }
 

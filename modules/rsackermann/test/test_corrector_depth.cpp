@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_corrector_common.hpp"
 #include "test_metric_motion.hpp"
-#include "test_simulator.hpp"
+#include "test_posts_in_street.hpp"
 #include "opencv2/imgproc.hpp"
 
 namespace opencv_test { namespace {
@@ -160,6 +160,33 @@ TEST_F(CorrectorDepth, relative_needs_a_motion)
     bad = relative;
     bad.shift = std::numeric_limits<double>::infinity();
     EXPECT_THROW(corrector->correct(image, corrected, noArray(), bad), cv::Exception);
+}
+
+// Images whose verticals may be those of a camera at rest as long as nothing is known of their depth.
+TEST_F(CorrectorDepth, relative_shows_a_motion)
+{
+    RNG rng(14);
+    int rescued = 0;
+    for (int round = 0; round < 2; round++)
+    {
+        simulation::PostsInStreet s(rng);
+        s.params.gravitySigma = s.params.vehiclePitchSigma = 0.01;
+        RollingShutterCorrector::Params params;
+        params.estimator = s.params;
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(s.camera, params);
+        const Mat black(s.camera.imageSize, CV_8U, Scalar(0));
+        Mat corrected;
+        const AckermannMotion without = corrector->correctWithSegments(black, s.segments, corrected);
+        const AckermannMotion with =
+            corrector->correctWithSegments(black, s.segments, corrected, noArray(), s.relative(rng));
+        if (without.status == MOTION_OK || with.status != MOTION_OK)
+            continue;
+        rescued++;
+        EXPECT_TRUE(corrector->isDepthUsed());
+        EXPECT_LT(std::abs(2 * with.alpha / s.camera.secondsPerUnitTime() - s.yawRate), std::abs(s.yawRate)) << round;
+        EXPECT_LT(s.relativeError(corrector->getUsedDepth()), 0.4) << round;
+    }
+    EXPECT_GT(rescued, 0);
 }
 
 TEST_F(CorrectorDepth, bad_depth_is_refused_first)

@@ -3,149 +3,14 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "test_simulator.hpp"
+#include "test_posts_in_street.hpp"
 #include "opencv2/imgproc.hpp"
-#include "../src/single/depth_alignment.hpp"
 
 // Scale and shift of a relative depth against the simulator, in a street with posts.
 
 namespace opencv_test { namespace {
 
-using simulation::Simulator;
-
-//! A camera in a street with posts of random places, what it sees of them, and an inexact motion.
-struct PostsInStreet
-{
-    //! @param focal pixels. @param looksDown known pitch of the camera.
-    explicit PostsInStreet(RNG& rng, double direction = 1, double heading = 0, double focal = 700, double looksDown = 0,
-                           double lineDelay = 80e-6, double referenceRow = 189.5)
-        : camera(RollingShutterCamera::fromFocal(Size(640, 380), focal))
-    {
-        const double wall = heading == 0 ? 5 : 25;
-        camera.lineDelay = lineDelay;
-        camera.referenceRow = referenceRow;
-        camera.height = 1.3;
-        camera.heading = heading;
-        params.gravitySigma = (heading == 0 ? 0.3 : 1) * CV_PI / 180;
-        params.vehiclePitchSigma = (heading == 0 ? 0.3 : 0.1) * CV_PI / 180;
-        yawRate = rng.uniform(-0.8, 0.8);
-        speed = direction * rng.uniform(12., 20.);
-        camera.setRollPitch(0, looksDown);
-        RollingShutterCamera exact = camera;
-        // The car leans to one side, and its nose hardly moves.
-        const double ofCar =
-                         heading == 0 ? rng.uniform(-0.005, 0.005) : rng.uniform(0.01, 0.02) * (heading < 0 ? 1 : -1),
-                     noseDown = heading == 0 ? rng.uniform(-0.005, 0.005) : 0;
-        roll = std::cos(heading) * ofCar + std::sin(heading) * noseDown;
-        pitch = std::cos(heading) * noseDown - std::sin(heading) * ofCar;
-        exact.setRollPitch(roll, looksDown + pitch);
-        simulator.reset(new Simulator(Simulator::fromMetric(exact, yawRate, speed, wall, 1.2 * wall, heading)));
-        drawStreet();
-        for (int i = 0; i < 120; i++)
-            addPost(rng);
-        prior.yawRate = yawRate;
-        prior.yawRateSigma = 0.01;
-        motion = motionFromMetric(camera, 1.1 * yawRate, 0.8 * speed, wall, 1.2 * wall, heading);
-        motion.covariance(0, 0) = 1;
-    }
-
-    //! Row by row, as no closed form of the library does it.
-    void drawStreet()
-    {
-        inverse.create(camera.imageSize);
-        for (int y = 0; y < inverse.rows; y++)
-            for (int x = 0; x < inverse.cols; x++)
-            {
-                Vec3d P;
-                const Point2d pixel(x, y);
-                inverse(y, x) = simulator->locate(pixel, simulator->surface(pixel), P) ? inverseDepth(P, y) : 0.f;
-            }
-    }
-
-    float inverseDepth(const Vec3d& P, double row) const
-    {
-        const Vec3d inRow = simulator->drive.toCamera(P, simulator->time(Point2d(0, row)));
-        return float(1 / (simulator->camera.uprightRotation.t() * inRow)[2]);
-    }
-
-    //! A flat one, whose left edge is a segment, where no other one is.
-    void addPost(RNG& rng)
-    {
-        const double z = rng.uniform(5., 20.), x = rng.uniform(-0.4, 0.4) * z, top = -rng.uniform(0.5, 2.);
-        const Vec3d foot(x, 1.3, z), head(x, top, z);
-        Point2d a, b;
-        if (!simulator->project(head, a) || !simulator->project(foot, b))
-            return;
-        for (const Vec4f& other : segments)
-            if (std::abs(other[0] - a.x) < 20)
-                return;
-        segments.push_back(Vec4f(float(a.x), float(a.y), float(b.x), float(b.y)));
-        for (int y = cvCeil(a.y); y <= b.y; y++)
-        {
-            const double f = (y - a.y) / (b.y - a.y);
-            const int left = cvCeil(a.x + f * (b.x - a.x));
-            for (int column = left; column < std::min(left + 8, inverse.cols); column++)
-                inverse(y, column) = std::max(inverse(y, column), inverseDepth(head + f * (foot - head), y));
-        }
-    }
-
-    DepthMap relative(RNG& rng) const
-    {
-        const double scale = std::exp(rng.gaussian(2)), shift = rng.gaussian(3);
-        return DepthMap(scale * inverse + shift, DEPTH_RAW, 1, DEPTH_RELATIVE);
-    }
-
-    bool align(DepthMap& depth, AckermannMotion& m) const
-    {
-        Mat rows = Mat(segments).reshape(1), converted;
-        rows.convertTo(converted, CV_64F);
-        return alignDepth(camera, params, prior, converted, m, depth);
-    }
-
-    bool isRefused(const Mat& values) const
-    {
-        DepthMap depth(values, DEPTH_RAW, 1, DEPTH_RELATIVE);
-        AckermannMotion m = motion;
-        return !align(depth, m) && m.alpha == motion.alpha && m.roadSlope == motion.roadSlope && depth.scale == 1;
-    }
-
-    //! Of the scaled inverse depths that scale and shift give, over all of the image.
-    double relativeError(const DepthMap& depth) const
-    {
-        Mat given;
-        depth.values.convertTo(given, CV_32F, depth.scale, depth.shift);
-        const double way = std::abs(speed) * camera.secondsPerUnitTime();
-        return cvtest::norm(given, way * inverse, NORM_L1) / cvtest::norm(way * inverse, NORM_L1);
-    }
-
-    //! Mean pixels by which the shutter displaces what the image shows, at the places where the library looks.
-    double meanDisplacement() const
-    {
-        const RollingShutterCamera& exact = simulator->camera;
-        const int across = 9, down = 6;
-        double sum = 0;
-        for (int i = 0; i < across * down; i++)
-        {
-            const Point2d raw((i % across + 0.5) / across * inverse.cols - 0.5,
-                              (i / across + 0.5) / down * inverse.rows - 0.5);
-            const double t = simulator->time(raw), nearness = std::max(inverse(raw), 1e-6f);
-            const Vec3d ray = exact.uprightRotation * (exact.cameraMatrix.inv() * Vec3d(raw.x, raw.y, 1)),
-                        P = simulator->drive.position(t) + simulator->drive.turn(ray, t) * (1 / nearness),
-                        pixel = exact.cameraMatrix * (exact.uprightRotation.t() * P);
-            sum += cv::norm(raw - Point2d(pixel[0] / pixel[2], pixel[1] / pixel[2]));
-        }
-        return sum / (across * down);
-    }
-
-    RollingShutterCamera camera;
-    AckermannEstimator::Params params;
-    MotionPrior prior;
-    AckermannMotion motion;
-    double yawRate, speed, roll, pitch;
-    std::unique_ptr<Simulator> simulator;
-    std::vector<Vec4f> segments;
-    Mat1f inverse; // 1/m
-};
+using simulation::PostsInStreet;
 
 TEST(RSAckermann_DepthAlignment, finds_scale_and_shift)
 {
@@ -241,6 +106,7 @@ TEST(RSAckermann_DepthAlignment, without_a_yaw_rate_what_is_expected_is_uncertai
 {
     RNG rng(6);
     PostsInStreet s(rng);
+    s.params.standingProbability = 1e-9; // that it stands is something else
     DepthMap depth = s.relative(rng), same = depth;
     AckermannMotion given = s.motion, free = s.motion;
     ASSERT_TRUE(s.align(depth, given));
@@ -260,6 +126,54 @@ TEST(RSAckermann_DepthAlignment, without_a_yaw_rate_what_is_expected_is_uncertai
     }
     EXPECT_NEAR(double(worse) / draws, free.probabilityWorse, 0.2 * free.probabilityWorse);
     EXPECT_GT(free.probabilityWorse, 0.003);
+}
+
+// Whatever the image shows without it, unless it doesn't depend on the motion.
+TEST(RSAckermann_DepthAlignment, shows_a_motion_that_is_not_seen_without_it)
+{
+    RNG rng(12);
+    for (const double direction : {1., -1.})
+    {
+        PostsInStreet s(rng, direction);
+        s.prior.speed = s.speed;
+        s.prior.speedSigma = 2;
+        DepthMap depth = s.relative(rng);
+        AckermannMotion motion;
+        motion.status = MOTION_NOT_SIGNIFICANT;
+        motion.expectedRaw = motion.expectedResidual = 1;
+        ASSERT_TRUE(s.align(depth, motion));
+        EXPECT_EQ(MOTION_OK, motion.status);
+        EXPECT_EQ(MODEL_4LA, motion.model);
+        EXPECT_EQ(direction, motion.direction);
+        EXPECT_NEAR(s.yawRate, 2 * motion.alpha / s.camera.secondsPerUnitTime(), 0.03);
+        EXPECT_LE(s.relativeError(depth), 0.1);
+        EXPECT_LT(motion.expectedResidual, 0.5 * motion.expectedRaw);
+        EXPECT_LT(motion.probabilityWorse, 0.1);
+    }
+}
+
+// A camera at rest sees no motion with a depth, either, nor does one that may rest more often.
+TEST(RSAckermann_DepthAlignment, rest_is_rest)
+{
+    RNG rng(13);
+    for (int round = 0; round < 5; round++)
+    {
+        PostsInStreet s(rng, 0);
+        s.prior = MotionPrior();
+        s.motion = AckermannMotion();
+        EXPECT_TRUE(s.isRefused(s.relative(rng).values)) << round;
+    }
+    PostsInStreet s(rng);
+    s.prior = MotionPrior();
+    DepthMap depth = s.relative(rng), same = depth;
+    AckermannMotion moving = s.motion, doubtful = s.motion;
+    ASSERT_TRUE(s.align(depth, moving));
+    s.params.standingProbability = 0.99;
+    ASSERT_TRUE(s.align(same, doubtful));
+    EXPECT_EQ(moving.alpha, doubtful.alpha);
+    EXPECT_LT(doubtful.expectedRaw, moving.expectedRaw);
+    EXPECT_GT(doubtful.expectedResidual, moving.expectedResidual);
+    EXPECT_GT(doubtful.probabilityWorse, moving.probabilityWorse);
 }
 
 TEST(RSAckermann_DepthAlignment, refuses_what_the_image_contradicts)

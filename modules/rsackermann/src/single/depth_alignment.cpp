@@ -8,12 +8,15 @@
 #include "../factors/driving_prior.hpp"
 #include "../factors/robust_losses.hpp"
 #include "../factors/segment_residuals.hpp"
+#include "../motion/row_tilt.hpp"
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
+#include "../scene/planes.hpp"
 #include "depth_alignment.hpp"
 #include "displacement_field.hpp"
 #include "relative_depth.hpp"
 #include "slant_noise.hpp"
+#include <Eigen/LU>
 
 namespace cv { namespace rsackermann {
 
@@ -61,6 +64,20 @@ public:
 
     bool empty() const { return verticals.empty(); }
 
+    //! From now on the camera doesn't move: nothing but the tilts is unknown.
+    void rest(Aligned& state)
+    {
+        rests = true;
+        state[A_ALPHA] = 0;
+        state[A_LOG_ROAD] = -std::numeric_limits<double>::infinity();
+    }
+
+    //! The odds without the verticals, as a logarithm, on a camera at rest over the density of the motion.
+    double logRest() const
+    {
+        return prior.logRest() - prior.logYawDensity(0) + std::log(logRoadSigma * std::sqrt(2 * CV_PI));
+    }
+
     // What to expect before the verticals are seen.
     Aligned start(const AckermannMotion& motion) const
     {
@@ -74,7 +91,8 @@ public:
         for (const DeepVertical& v : verticals)
         {
             Eigen::Matrix<double, UNKNOWNS, 1> J;
-            for (int i = 0; i < UNKNOWNS; i++)
+            J.setZero();
+            for (int i = rests ? A_ROLL : 0; i < UNKNOWNS; i++)
             {
                 Aligned more = state, less = state;
                 more[i] += by;
@@ -124,11 +142,11 @@ private:
         const double c = heading.c, s = heading.s;
         Eigen::Matrix<double, UNKNOWNS, UNKNOWNS> J;
         J.setZero();
-        Eigen::Matrix<double, UNKNOWNS, 1> r(yaw[0].value, (state[A_LOG_ROAD] - logRoad) / logRoadSigma,
+        Eigen::Matrix<double, UNKNOWNS, 1> r(yaw[0].value, rests ? 0 : (state[A_LOG_ROAD] - logRoad) / logRoadSigma,
                                              (c * state[A_ROLL] - s * state[A_PITCH]) / rollSigma,
                                              (s * state[A_ROLL] + c * state[A_PITCH]) / pitchSigma);
-        J(A_ALPHA, 0) = yaw[0].derivative[P_ALPHA];
-        J(A_LOG_ROAD, 1) = 1 / logRoadSigma;
+        J(A_ALPHA, 0) = rests ? 0 : yaw[0].derivative[P_ALPHA];
+        J(A_LOG_ROAD, 1) = rests ? 0 : 1 / logRoadSigma;
         J(A_ROLL, 2) = c / rollSigma;
         J(A_PITCH, 2) = -s / rollSigma;
         J(A_ROLL, 3) = s / pitchSigma;
@@ -143,62 +161,69 @@ private:
     int direction;
     double focal, maxAlpha, rollSigma, pitchSigma, logRoad, logRoadSigma;
     RobustLoss loss;
+    bool rests = false;
     std::vector<DeepVertical> verticals;
 };
 
-// To first order (doc/theory.md, "Posterior"), as means over the image.
-struct ExpectedDisplacement
+// The odds, as a logarithm, on a camera at rest against one that moves, by what is left of both after refinement. Rest
+// has no yaw rate and no depth that matters.
+double logOddsOfRest(const AlignmentProblem& problem, const AlignmentProblem::Equations& moving,
+                     const AlignmentProblem::Equations& rest)
 {
-    double raw, residual;
-
-    ExpectedDisplacement(const RollingShutterCamera& camera, const RelativeDepth& depth, int direction,
-                         const Aligned& state, const AlignmentProblem::Equations::Matrix& covariance)
-        : raw(0), residual(0)
-    {
-        const DisplacementField field(camera);
-        const Heading heading(camera.heading);
-        int count = 0;
-        for (int k = 0; k < DisplacementField::POINTS; k++)
-        {
-            const DisplacementField::Point& p = field.point(k);
-            const double height = std::max(depth.at(p.pixel), 0.);
-            if (!(p.z > IN_FRONT) || !std::isfinite(height))
-                continue;
-            const double w = direction * std::exp(state[A_LOG_ROAD]) * height / p.z;
-            const Vec2d byAlpha = p.byAlpha(), byLogRoad = p.byInverseDepth(heading.s, heading.c) * w;
-            const double variance = byAlpha.dot(byAlpha) * covariance(A_ALPHA, A_ALPHA) +
-                                    2 * byAlpha.dot(byLogRoad) * covariance(A_ALPHA, A_LOG_ROAD) +
-                                    byLogRoad.dot(byLogRoad) * covariance(A_LOG_ROAD, A_LOG_ROAD),
-                         ofMean = 2 / CV_PI; // the mean of a normal deviate's magnitude, squared, over its variance
-            raw += norm(state[A_ALPHA] * byAlpha + byLogRoad);
-            residual += std::sqrt(std::max(ofMean * variance, 0.));
-            count++;
-        }
-        raw /= std::max(count, 1);
-        residual /= std::max(count, 1);
-    }
-};
-
-// The walls stay as they are where the depth is unknown; their correlations with the yaw rate stay, too.
-void report(const Aligned& state, double alphaSigma, const ExpectedDisplacement& expected, AckermannMotion& motion)
-{
-    const double before = std::sqrt(motion.covariance(0, 0));
-    for (int i = 1; i < 4; i++)
-        motion.covariance(0, i) = motion.covariance(i, 0) *= before > 0 ? alphaSigma / before : 0;
-    motion.covariance(0, 0) = alphaSigma * alphaSigma;
-    motion.model = MODEL_4LA;
-    motion.alpha = state[A_ALPHA];
-    motion.roadSlope = (motion.direction < 0 ? -1 : 1) * std::exp(state[A_LOG_ROAD]);
-    motion.rollCorrection = state[A_ROLL];
-    motion.pitchCorrection = state[A_PITCH];
-    motion.expectedRaw = expected.raw;
-    motion.expectedResidual = expected.residual;
-    // An error that exceeds half of the correction, in the opposite direction, makes it worse.
-    const double sigma = expected.residual / std::sqrt(2 / CV_PI);
-    motion.probabilityWorse = 0.5 * std::erfc(expected.raw / (2 * std::sqrt(2.) * std::max(sigma, DBL_MIN)));
+    const auto logVolume = [](const Eigen::MatrixXd& information) {
+        return 0.5 * double(information.rows()) * std::log(2 * CV_PI) - 0.5 * std::log(information.determinant());
+    };
+    return problem.logRest() + (moving.cost - rest.cost) / 2 + logVolume(rest.symmetric().bottomRightCorner<2, 2>()) -
+           logVolume(moving.symmetric());
 }
 
 } // namespace
+
+void setAlphaVariance(double variance, AckermannMotion& motion)
+{
+    const double before = motion.covariance(0, 0), share = before > 0 ? std::sqrt(variance / before) : 0;
+    for (int i = 1; i < 4; i++)
+        motion.covariance(0, i) = motion.covariance(i, 0) *= share;
+    motion.covariance(0, 0) = variance;
+}
+
+void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, const Matx33d& covariance,
+                     const std::vector<Point2d>& seen, AckermannMotion& motion)
+{
+    const DisplacementField field(camera, seen);
+    const Heading heading(camera.heading);
+    const Scene planes(motion);
+    const int direction = motion.direction < 0 ? -1 : 1;
+    DisplacementField::Values displacement;
+    DisplacementField::Variances variances;
+    for (int k = 0; k < DisplacementField::POINTS; k++)
+    {
+        const DisplacementField::Point& p = field.point(k);
+        const double value = RelativeDepth::valueAt(depth.values, p.pixel), inverse = depth.scale * value + depth.shift;
+        double w = planes.inverseDepth(Vec3d(p.x, p.y, 1)), byScale = 0, byShift = 0;
+        if (p.z > IN_FRONT && std::isfinite(inverse))
+        {
+            w = direction * std::max(inverse, 0.) / p.z;
+            byShift = inverse > 0 ? direction / p.z : 0;
+            byScale = byShift * value;
+        }
+        const Vec2d byAlpha = p.byAlpha(), byInverse = p.byInverseDepth(heading.s, heading.c),
+                    moved = motion.alpha * byAlpha + w * byInverse;
+        displacement[2 * k] = moved[0];
+        displacement[2 * k + 1] = moved[1];
+        variances[k] = 0;
+        for (int axis = 0; axis < 2; axis++)
+        {
+            const Vec3d J(byAlpha[axis], byScale * byInverse[axis], byShift * byInverse[axis]);
+            variances[k] += std::max(J.dot(covariance * J), 0.);
+        }
+    }
+    field.addTilt(RowTilt(camera, motion), displacement);
+    field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
+    motion.expectedRaw =
+        DisplacementField::meanDistance(displacement, DisplacementField::Values(), DisplacementField::Variances());
+    motion.expectedResidual = DisplacementField::meanDistance(displacement, displacement, variances);
+}
 
 bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& given,
                 const Mat& segments, AckermannMotion& motion, DepthMap& depth)
@@ -206,8 +231,9 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     const RelativeDepth relative(depth, camera, motion.uprightRotation(camera));
     if (!relative.hasRoad() || relative.edgesInCommon(segments, params.minLength) < LEAST_IN_COMMON)
         return false;
-    const int direction = motion.direction < 0 ? -1 : 1;
     const DrivingPrior prior(given, camera, params, MotionLimits(camera, params));
+    const int known = motion.status == MOTION_OK ? motion.direction : prior.givenDirection(),
+              direction = known < 0 ? -1 : 1;
     AlignmentProblem problem(camera, params, prior, direction);
     std::vector<UprightSegment> verticals, others;
     selectCandidates(segments, camera, params, verticals, others);
@@ -219,19 +245,45 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     }
     if (problem.empty())
         return false;
-    Aligned state = problem.start(motion);
-    AlignmentProblem::Equations equations;
-    minimize(problem, MinimizerOptions(30, 1e-9, 1e-6), state, equations);
+    Aligned state = problem.start(motion), atRest = state;
+    AlignmentProblem::Equations equations, rest;
+    const MinimizerOptions options(30, 1e-9, 1e-6);
+    minimize(problem, options, state, equations);
+    problem.rest(atRest);
+    minimize(problem, options, atRest, rest);
     const AlignmentProblem::Equations::Matrix covariance =
         scaledInverse<AlignmentProblem::Equations::Matrix>(equations.symmetric());
-    const ExpectedDisplacement expected(camera, relative, direction, state, covariance);
     const double scale = std::exp(state[A_LOG_ROAD]) / relative.slope(), shift = -scale * relative.infinity();
-    const bool areFloats = scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX;
-    if (!areFloats || !(expected.residual < expected.raw))
+    if (!(scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX))
         return false;
-    report(state, std::sqrt(covariance(A_ALPHA, A_ALPHA)), expected, motion);
-    depth.scale = scale;
-    depth.shift = shift;
+    AckermannMotion changed = motion; // the walls stay as they are where the depth is unknown
+    changed.status = MOTION_OK;
+    changed.model = MODEL_4LA;
+    changed.direction = direction;
+    changed.alpha = state[A_ALPHA];
+    changed.roadSlope = direction * std::exp(state[A_LOG_ROAD]);
+    changed.rollCorrection = state[A_ROLL];
+    changed.pitchCorrection = state[A_PITCH];
+    setAlphaVariance(covariance(A_ALPHA, A_ALPHA), changed);
+    DepthMap aligned = depth;
+    aligned.scale = scale;
+    aligned.shift = shift;
+    const Matx<double, 3, 2> J(1, 0, 0, scale, 0, shift);
+    const Matx22d ofAlphaAndRoad(covariance(A_ALPHA, A_ALPHA), covariance(A_ALPHA, A_LOG_ROAD),
+                                 covariance(A_ALPHA, A_LOG_ROAD), covariance(A_LOG_ROAD, A_LOG_ROAD));
+    expectWithDepth(camera, aligned, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), changed);
+    // An error that exceeds half of the correction, in the opposite direction, makes it worse.
+    const double sigma = changed.expectedResidual / std::sqrt(2 / CV_PI);
+    changed.probabilityWorse = 0.5 * std::erfc(changed.expectedRaw / (2 * std::sqrt(2.) * std::max(sigma, DBL_MIN)));
+    // At rest a correction leaves itself.
+    const double rests = 1 / (1 + std::exp(-logOddsOfRest(problem, equations, rest)));
+    changed.expectedResidual = rests * changed.expectedRaw + (1 - rests) * changed.expectedResidual;
+    changed.expectedRaw *= 1 - rests;
+    changed.probabilityWorse = rests + (1 - rests) * changed.probabilityWorse;
+    if (!(changed.expectedResidual < changed.expectedRaw))
+        return false;
+    motion = changed;
+    depth = aligned;
     return true;
 }
 

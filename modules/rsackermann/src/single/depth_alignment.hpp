@@ -14,13 +14,25 @@ namespace cv { namespace rsackermann {
 "Relative depth").
 
 @param segments N x 4, CV_64F.
-@param motion the motion without the depth, of status #MOTION_OK. Unless the depth is refused, its yaw rate, corrections
-of gravity, their covariance, the road and what is expected of the correction become those with the depth.
+@param motion the motion without the depth, of any status but #MOTION_NOT_OBSERVABLE. Unless the depth is refused, its
+status, yaw rate, corrections of gravity, their covariance, the road and what is expected of the correction become those
+with the depth.
 @param depth checked; receives scale and shift.
 @return false if the depth is refused: the image contradicts it, or nothing shows that it belongs to the image, or it
 isn't expected to help. */
 bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& prior,
                 const Mat& segments, AckermannMotion& motion, DepthMap& depth);
+
+//! Sets the variance of alpha; its correlations stay as they are.
+void setAlphaVariance(double variance, AckermannMotion& motion);
+
+/** Sets AckermannMotion::expectedRaw and AckermannMotion::expectedResidual, to first order
+(doc/theory.md, "Relative depth").
+@param depth with scale and shift; where it isn't known, the planes count as if they were exact.
+@param covariance of alpha, scale and shift.
+@param seen as DisplacementField has it. */
+void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, const Matx33d& covariance,
+                     const std::vector<Point2d>& seen, AckermannMotion& motion);
 
 }} // namespace cv::rsackermann
 
