@@ -136,6 +136,27 @@ public:
         return image;
     }
 
+    //! Along the optical axis, 1/m.
+    Mat1f inverseDepth(int i) const
+    {
+        const RollingShutterCamera& camera = simulator.camera;
+        Mat1f inverse(camera.imageSize, 0.f);
+        for (int y = 0; y < inverse.rows; y++)
+        {
+            const double t = simulator.time(Point2d(0, y)) + i * interval;
+            const Vec3d place = simulator.drive.position(t);
+            for (int x = 0; x < inverse.cols; x++)
+            {
+                const Vec3d bearing = simulator.bearing(Point2d(x, y)), ray = simulator.drive.turn(bearing, t);
+                const simulation::Surface surface = simulator.street.first(place, ray);
+                if (surface != simulation::NOTHING)
+                    inverse(y, x) = float(1 / (simulator.street.distance(surface, place, ray) *
+                                               (camera.uprightRotation.t() * bearing)[2]));
+            }
+        }
+        return inverse;
+    }
+
     //! As the motion of a frame has it.
     AckermannMotion truth(const Setting& s, int i) const
     {
@@ -211,13 +232,13 @@ Ptr<RollingShutterCorrector> createCorrector(const Setting& s, const Twin& twin,
 }
 
 AckermannMotion correctFrame(RollingShutterCorrector& corrector, const std::vector<Mat>& frames, int i, int source,
-                             const Twin& twin = Twin())
+                             const Twin& twin = Twin(), const DepthMap& depth = DepthMap())
 {
     Mat corrected;
     corrector.setTimestamp(i * INTERVAL);
     if (source == NEXT_FRAME && i + 1 < int(frames.size()))
         corrector.setNextFrame(twin.ofImage(frames[i + 1]), (i + 1) * INTERVAL);
-    return corrector.correct(twin.ofImage(frames[i]), corrected);
+    return corrector.correct(twin.ofImage(frames[i]), corrected, noArray(), depth);
 }
 
 struct SequenceModes : testing::TestWithParam<int> // index of MODES
@@ -451,6 +472,48 @@ TEST_P(SequenceModes, displacement_without_a_scale)
             continue;
         EXPECT_NEAR(a.expectedRaw, b.expectedRaw, 0.05 * a.expectedRaw);
         EXPECT_NEAR(a.expectedResidual, b.expectedResidual, 0.3 * a.expectedResidual);
+    }
+}
+
+// A depth up to scale and shift changes the motion of its frame, unless a gyro knows that, and no other one. One that
+// isn't that of the frame changes nothing.
+TEST_P(SequenceModes, relative_depth)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const int deep = FRAMES - 2;
+    const Mat1f own = 7 * street.inverseDepth(deep) - 2;
+    const DepthMap depth(own, DEPTH_RAW, 1, DEPTH_RELATIVE), upsideDown(-own, DEPTH_RAW, 1, DEPTH_RELATIVE);
+    for (int source = 0; source < SOURCES; source++)
+    {
+        if (setting.yawChange != 0 && source != GYRO)
+            continue; // others see a mean
+        const Ptr<RollingShutterCorrector> with = createCorrector(setting, Twin(), source),
+                                           wrong = createCorrector(setting, Twin(), source),
+                                           without = createCorrector(setting, Twin(), source);
+        for (int i = 0; i < FRAMES; i++)
+        {
+            SCOPED_TRACE(testing::Message() << NAMES[source] << " " << i);
+            const AckermannMotion expected = correctFrame(*without, frames, i, source),
+                                  m = correctFrame(*with, frames, i, source, Twin(), i == deep ? depth : DepthMap()),
+                                  refused = correctFrame(*wrong, frames, i, source, Twin(),
+                                                         i == deep ? upsideDown : DepthMap());
+            EXPECT_EQ(i == deep, with->isDepthUsed());
+            EXPECT_FALSE(wrong->isDepthUsed());
+            EXPECT_EQ(expected.alpha, refused.alpha);
+            EXPECT_EQ(expected.expectedResidual, refused.expectedResidual);
+            const bool isChanged = i == deep && source != GYRO;
+            EXPECT_EQ(isChanged, expected.alpha != m.alpha);
+            EXPECT_EQ(isChanged, expected.covariance != m.covariance);
+            EXPECT_EQ(i == deep, expected.expectedResidual != m.expectedResidual);
+            if (i != deep)
+                continue;
+            expectTruth(setting, setting.camera, street.truth(setting, i), m, source);
+            EXPECT_LT(m.expectedResidual, m.expectedRaw);
+            EXPECT_NEAR(expected.expectedRaw, m.expectedRaw, 0.1 * expected.expectedRaw);
+            const double way = std::abs(setting.metric.speed) * setting.camera.secondsPerUnitTime();
+            EXPECT_NEAR(way / 7, with->getUsedDepth().scale, 0.05 * way / 7);
+            EXPECT_NEAR(way * 2 / 7, with->getUsedDepth().shift, 0.05 * way * 2 / 7);
+        }
     }
 }
 

@@ -289,6 +289,20 @@ TEST(RSAckermann_InverseDepthOffset, of_the_car_itself_is_none)
     EXPECT_EQ(0, cv::norm(found.inverseDepthOffset, misled.inverseDepthOffset, NORM_INF));
 }
 
+//! That of a frame whose points show the motion.
+SequenceFit fitOf(const BumpyStreet& street)
+{
+    SequenceFit fit(SequenceState(street.camera, AckermannEstimator::Params()));
+    std::copy(street.values, street.values + FLOW_VALUES, fit.values);
+    return fit;
+}
+
+//! As networks give it.
+DepthMap relativeOf(const Mat1f& inverse, RNG& rng)
+{
+    return DepthMap(std::exp(rng.gaussian(2)) * inverse + rng.gaussian(3), DEPTH_RAW, 1, DEPTH_RELATIVE);
+}
+
 TEST(RSAckermann_DepthFit, points_show_scale_and_shift)
 {
     RNG rng(40);
@@ -296,41 +310,92 @@ TEST(RSAckermann_DepthFit, points_show_scale_and_shift)
     {
         const BumpyStreet street(i % 3 == 0 ? -4 : 12, 0.03, rng);
         const Mat1f inverse = street.inverseDepths();
-        DepthMap depth(std::exp(rng.gaussian(2)) * inverse + rng.gaussian(3), DEPTH_RAW, 1, DEPTH_RELATIVE);
-        ASSERT_TRUE(fitDepth(street.camera, street.bearings(250, 0.3, 0.2, rng), street.values,
-                             withoutOffset(street.motion), depth))
+        DepthMap depth = relativeOf(inverse, rng);
+        DepthFit found;
+        ASSERT_TRUE(fitDepth(street.camera, street.bearings(250, 0.3, 0.2, rng), fitOf(street),
+                             withoutOffset(street.motion), depth, found))
             << i;
         const double way = std::abs(street.values[SEQUENCE_SPEED]) * street.camera.secondsPerUnitTime();
         const Mat1f error = depth.scale * Mat1f(depth.values) + depth.shift - way * inverse;
         const Mat known = inverse == inverse;
         EXPECT_LT(cv::norm(error, NORM_L1, known), 0.05 * way * cv::norm(inverse, NORM_L1, known)) << i;
+        EXPECT_LT(found.residual, 0.1) << i;
     }
 }
 
-// Of another scene, and of what the motion knows as well without it.
+// Planes that aren't where they seem to be mislead the turns; a depth doesn't. What is known before counts as well.
+TEST(RSAckermann_DepthFit, points_show_the_yaw_rate)
+{
+    RNG rng(42);
+    const double wrong = 0.05;
+    for (int i = 0; i < 6; i++)
+    {
+        const BumpyStreet street(12, 0.03, rng);
+        const Mat1f inverse = street.inverseDepths();
+        DepthMap depth = relativeOf(inverse, rng);
+        const double way = street.values[SEQUENCE_SPEED] * street.camera.secondsPerUnitTime();
+        SequenceFit planes = fitOf(street);
+        planes.values[SEQUENCE_YAW_RATE] += wrong;
+        const std::vector<TrackedBearing> bearings = street.bearings(250, 0.3, 0.1, rng);
+        DepthFit found;
+        ASSERT_TRUE(fitDepth(street.camera, bearings, planes, withoutOffset(street.motion), depth, found)) << i;
+        const double sigma = std::sqrt(found.covariance(0, 0));
+        EXPECT_NEAR(street.values[SEQUENCE_YAW_RATE], found.yawRate, 0.3 * wrong) << i;
+        EXPECT_NEAR(street.values[SEQUENCE_YAW_RATE], found.yawRate, 3 * sigma) << i;
+        // Scale and shift err together: what they say of a place in between is known well.
+        const double middle = (way / 10 - depth.shift) / depth.scale;
+        const Vec3d J(0, middle, 1);
+        EXPECT_LT(std::sqrt(J.dot(found.covariance * J)), 0.05 * way / 10) << i;
+
+        const double expected = street.values[SEQUENCE_YAW_RATE] + 0.003;
+        planes.prediction.value[SEQUENCE_YAW_RATE] = expected;
+        planes.prediction.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE) = 1e-8;
+        ASSERT_TRUE(fitDepth(street.camera, bearings, planes, withoutOffset(street.motion), depth, found)) << i;
+        EXPECT_NEAR(expected, found.yawRate, 3e-4) << i;
+        EXPECT_LE(std::sqrt(found.covariance(0, 0)), 1e-4) << i;
+    }
+}
+
 TEST(RSAckermann_DepthFit, refuses_what_points_contradict)
 {
     RNG rng(41);
     const BumpyStreet street(12, 0.05, rng), other(12, 0.05, rng);
     const std::vector<TrackedBearing> bearings = street.bearings(250, 0.3, 0.1, rng);
     const AckermannMotion planes = withoutOffset(street.motion);
+    const SequenceFit fit = fitOf(street);
     const Mat1f inverse = street.inverseDepths(), ofOther = other.inverseDepths();
     Mat mirrored, whole;
     flip(inverse, mirrored, 1);
+    DepthFit found;
     for (const Mat& values : {mirrored, Mat(ofOther), Mat(-inverse), Mat(Mat1f(inverse.size(), 3.f))})
     {
         DepthMap depth(values, DEPTH_RAW, 1, DEPTH_RELATIVE);
-        EXPECT_FALSE(fitDepth(street.camera, bearings, street.values, planes, depth));
+        EXPECT_FALSE(fitDepth(street.camera, bearings, fit, planes, depth, found));
         EXPECT_EQ(1, depth.scale);
         EXPECT_EQ(0, depth.shift);
     }
     DepthMap depth(inverse, DEPTH_RAW, 1, DEPTH_RELATIVE);
-    EXPECT_FALSE(fitDepth(street.camera, street.bearings(15, 0.3, 0, rng), street.values, planes, depth));
+    EXPECT_FALSE(fitDepth(street.camera, street.bearings(15, 0.3, 0, rng), fit, planes, depth, found));
     inverse.convertTo(whole, CV_16U, 60000);
     for (const Mat& values : {Mat(inverse), whole})
     {
         depth = DepthMap(values, DEPTH_RAW, 1, DEPTH_RELATIVE);
-        EXPECT_TRUE(fitDepth(street.camera, bearings, street.values, planes, depth));
+        EXPECT_TRUE(fitDepth(street.camera, bearings, fit, planes, depth, found));
+    }
+}
+
+// Where the planes explain the points as well a depth is used all the same: it knows what no point shows.
+TEST(RSAckermann_DepthFit, is_used_where_planes_hold)
+{
+    RNG rng(43);
+    for (int i = 0; i < 6; i++)
+    {
+        const BumpyStreet street(12, 0, rng);
+        DepthMap depth = relativeOf(street.inverseDepths(), rng);
+        DepthFit found;
+        EXPECT_TRUE(fitDepth(street.camera, street.bearings(400, 0.3, 0, rng), fitOf(street),
+                             withoutOffset(street.motion), depth, found))
+            << i;
     }
 }
 

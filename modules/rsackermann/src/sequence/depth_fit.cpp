@@ -4,34 +4,37 @@
 
 #include "../precomp.hpp"
 #include "../camera/lens.hpp"
+#include "../optim/levenberg_marquardt.hpp"
+#include "../optim/normal_equations.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../scene/planes.hpp"
 #include "../single/relative_depth.hpp"
 #include "frame_terms.hpp"
 #include "scene_fit.hpp"
-#include <Eigen/Dense>
 
 namespace cv { namespace rsackermann {
 
+//! Twice the logarithm of a ratio of evidences that is "not worth more than a bare mention" [kass1995bayes].
+static const double BARE_MENTION = 2;
+
 namespace {
 
-// A point with the value of the depth map where it is seen.
+// A point with the depth map's values where it is seen.
 struct DeepPoint
 {
     TrackedBearing bearing;
-    FlowResidual::View view;
-    double value;
-    double axial; // depth along the optical axis over that of the upright frame
+    bool isEven;    // one half of the points is, wherever they are
+    double axial;   // depth along the optical axis over that of the upright frame
+    double value;   // median of the window that was tracked
+    double ofPixel; // what maps take
 };
 
 std::vector<DeepPoint> deepPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
-                                  const double* values, const AckermannMotion& motion, const Mat& depths)
+                                  const double* values, const Mat& depths)
 {
-    const Scene scene(motion);
-    const InverseDepthOffset offset(motion);
-    const Matx33d turn = motion.uprightRotation(camera) * camera.uprightRotation.t();
     const Lens<double> lens(camera);
     const FlowResidual flow(camera);
+    const double reach = PointTracker::reach(camera.imageSize, COARSE_PIXELS);
     std::vector<DeepPoint> points;
     for (const TrackedBearing& b : withoutOwnCar(camera, bearings, values))
     {
@@ -39,63 +42,204 @@ std::vector<DeepPoint> deepPoints(const RollingShutterCamera& camera, const std:
         Point2d pixel;
         if (!(ray[2] > IN_FRONT) || !lens.project(ray[0] / ray[2], ray[1] / ray[2], pixel.x, pixel.y))
             continue;
-        DeepPoint p = {b, flow.predict(b, values), RelativeDepth::valueAt(depths, pixel), ray[2]};
-        const Vec3d seen = turn * (p.view.ray + p.view.inverseDepth * p.view.place);
-        p.view.inverseDepth = scene.inverseDepth(seen) + offset.at(seen);
-        if (std::isfinite(p.value) && !FlowResidual::isBehind(flow.residualOf(b, values, p.view)))
+        const bool isEven = (cvRound(pixel.x) + cvRound(pixel.y)) % 2 == 0;
+        const DeepPoint p = {b, isEven, ray[2], RelativeDepth::medianAround(depths, pixel, reach),
+                             RelativeDepth::valueAt(depths, pixel)};
+        if (std::isfinite(p.value) && !FlowResidual::isBehind(flow.evaluate(b, values, 0)))
             points.push_back(p);
     }
     return points;
 }
 
-double costOf(const FlowResidual& flow, const std::vector<DeepPoint>& points, const double* values)
+// Values of a mean of 0 and a standard deviation of 1, whatever their unit is.
+struct Standard
 {
-    double cost = 0;
-    for (const DeepPoint& p : points)
+    double mean = 0, sigma = 0;
+
+    explicit Standard(const std::vector<DeepPoint>& points)
     {
-        const Point2d r = flow.residualOf(p.bearing, values, p.view);
-        cost += CauchyLoss(1).cost(r.dot(r) / (POINT_SIGMA * POINT_SIGMA));
+        double squares = 0;
+        for (const DeepPoint& p : points)
+            mean += p.value / double(points.size());
+        for (const DeepPoint& p : points)
+            squares += (p.value - mean) * (p.value - mean) / double(points.size());
+        sigma = std::sqrt(squares);
+    }
+
+    double of(double value) const { return (value - mean) / sigma; }
+};
+
+// The turns between frames, and inverse depths that are linear in the standardised values.
+enum { D_YAW_RATE, D_TURNS, D_SCALE = D_TURNS + FLOW_VALUES - SEQUENCE_VALUES, D_SHIFT, UNKNOWNS };
+
+// The points and what is known without them, as minimize() takes it.
+class DepthProblem
+{
+public:
+    typedef NormalEquations<UNKNOWNS> Equations;
+    typedef Equations::Vector State;
+    typedef State Step;
+
+    DepthProblem(const RollingShutterCamera& camera, const std::vector<DeepPoint>& points_, const SequenceFit& planes_)
+        : points(points_), standard(points), scale(1), flow(camera), planes(planes_)
+    {
+    }
+
+    // That of the planes, and everything infinitely far away.
+    State start() const
+    {
+        State u = State::Zero();
+        u[D_YAW_RATE] = planes.values[SEQUENCE_YAW_RATE];
+        std::copy(planes.values + SEQUENCE_VALUES, planes.values + FLOW_VALUES, &u[D_TURNS]);
+        return u;
+    }
+
+    void evaluate(const State& u, Equations& equations) const
+    {
+        equations = Equations();
+        const SequenceState& before = planes.prediction;
+        addPrior(u, D_YAW_RATE, before.value[SEQUENCE_YAW_RATE],
+                 std::sqrt(before.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)), equations);
+        for (int i = SEQUENCE_VALUES; i < FLOW_VALUES; i++)
+            addPrior(u, D_TURNS + i - SEQUENCE_VALUES, 0, i == FLOW_YAW_CHANGE ? YAW_CHANGE_SIGMA : TURN_SIGMA,
+                     equations);
+        const CauchyLoss loss(scale, 1 / DEPENDENCE);
+        for (const DeepPoint& p : points)
+        {
+            Eigen::Matrix<double, UNKNOWNS, 2> J;
+            const Point2d r = residual(u, p, p.value, &J) / POINT_SIGMA;
+            if (FlowResidual::isBehind(r * POINT_SIGMA))
+                equations.cost += loss.cost(r.dot(r));
+            else
+                equations.add((J / POINT_SIGMA).eval(), Eigen::Vector2d(r.x, r.y), loss);
+        }
+    }
+
+    static State moved(const State& u, const Step& step) { return u + step; }
+    static bool allows(const State&) { return true; }
+
+    // In pixels, with a value of the depth map.
+    Point2d residual(const State& u, const DeepPoint& p, double value, Eigen::Matrix<double, UNKNOWNS, 2>* J = 0) const
+    {
+        double values[FLOW_VALUES], byValues[2 * FLOW_VALUES];
+        std::copy(planes.values, planes.values + FLOW_VALUES, values);
+        values[SEQUENCE_YAW_RATE] = u[D_YAW_RATE];
+        std::copy(&u[D_TURNS], &u[D_TURNS] + FLOW_VALUES - SEQUENCE_VALUES, values + SEQUENCE_VALUES);
+        FlowResidual::View view = flow.predict(p.bearing, values);
+        view.inverseDepth = p.axial * (u[D_SCALE] * standard.of(value) + u[D_SHIFT]);
+        Point2d byInverseDepth;
+        const Point2d r = flow.residualOf(p.bearing, values, view, &byInverseDepth);
+        if (!J)
+            return r;
+        flow.evaluate(p.bearing, values, byValues);
+        for (int axis = 0; axis < 2; axis++)
+        {
+            const double *by = byValues + axis * FLOW_VALUES, byDepth = axis == 0 ? byInverseDepth.x : byInverseDepth.y;
+            (*J)(D_YAW_RATE, axis) = by[SEQUENCE_YAW_RATE];
+            std::copy(by + SEQUENCE_VALUES, by + FLOW_VALUES, &(*J)(D_TURNS, axis));
+            (*J)(D_SCALE, axis) = byDepth * p.axial * standard.of(value);
+            (*J)(D_SHIFT, axis) = byDepth * p.axial;
+        }
+        return r;
+    }
+
+    const std::vector<DeepPoint>& points;
+    const Standard standard;
+    double scale; // of the loss, in sigmas
+
+private:
+    static void addPrior(const State& u, int which, double mean, double sigma, Equations& equations)
+    {
+        const double r = (u[which] - mean) / sigma;
+        equations.cost += r * r;
+        equations.gradient[which] += r / sigma;
+        equations.information(which, which) += 1 / (sigma * sigma);
+    }
+
+    const FlowResidual flow;
+    const SequenceFit& planes;
+};
+
+// Of a residual in pixels, minus twice the logarithm of its likelihood.
+double lossOf(const Point2d& residual)
+{
+    return CauchyLoss(1, 1 / DEPENDENCE).cost(residual.dot(residual) / (POINT_SIGMA * POINT_SIGMA));
+}
+
+// What planes and offset leave of points that the offset wasn't fitted to: it is made of as many numbers as a fifth of
+// the points that it is fitted to.
+double costOfPlanes(const RollingShutterCamera& camera, const std::vector<DeepPoint>& points, const double* values,
+                    AckermannMotion motion)
+{
+    const FlowResidual flow(camera);
+    const Scene scene(motion);
+    const Matx33d turn = motion.uprightRotation(camera) * camera.uprightRotation.t();
+    double cost = 0;
+    for (const bool isFitted : {false, true})
+    {
+        std::vector<TrackedBearing> fitted;
+        for (const DeepPoint& p : points)
+            if (p.isEven == isFitted)
+                fitted.push_back(p.bearing);
+        motion.inverseDepthOffset.release();
+        fitOffset(camera, fitted, values, motion);
+        const InverseDepthOffset offset(motion);
+        for (const DeepPoint& p : points)
+        {
+            if (p.isEven == isFitted)
+                continue;
+            FlowResidual::View view = flow.predict(p.bearing, values);
+            const Vec3d seen = turn * (view.ray + view.inverseDepth * view.place);
+            view.inverseDepth = scene.inverseDepth(seen) + offset.at(seen);
+            cost += lossOf(flow.residualOf(p.bearing, values, view));
+        }
     }
     return cost;
 }
 
 } // namespace
 
-bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
-              const AckermannMotion& motion, DepthMap& depth)
+bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
+              const SequenceFit& planes, const AckermannMotion& motion, DepthMap& depth, DepthFit& found)
 {
-    const FlowResidual flow(camera);
-    std::vector<DeepPoint> points = deepPoints(camera, bearings, values, motion, depth.values);
-    if (points.size() < LEAST_POINTS)
+    const std::vector<DeepPoint> points = deepPoints(camera, bearings, planes.values, depth.values);
+    DepthProblem problem(camera, points, planes);
+    const Standard& standard = problem.standard;
+    if (points.size() < LEAST_POINTS || !(standard.sigma > 0))
         return false;
-    const double without = costOf(flow, points, values);
-    Eigen::Vector2d line(0, 0); // scale and shift
-    for (int step = 0; step < STEPS; step++)
+    DepthProblem::State u = problem.start();
+    DepthProblem::Equations equations;
+    for (double s : POINT_SCALES)
     {
-        Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-        Eigen::Vector2d gradient(0, 0);
-        for (const DeepPoint& p : points)
-        {
-            Point2d slope;
-            const Point2d r = flow.residualOf(p.bearing, values, p.view, &slope);
-            const double weight = CauchyLoss(1).slope(r.dot(r) / (POINT_SIGMA * POINT_SIGMA));
-            const Eigen::Vector2d byLine(p.axial * p.value, p.axial);
-            information += weight * slope.dot(slope) * byLine * byLine.transpose();
-            gradient += weight * slope.dot(p.view.inverseDepth * slope - r) * byLine;
-        }
-        const Eigen::LDLT<Eigen::Matrix2d> solver(information);
-        line = solver.solve(gradient);
-        if (solver.rcond() < DBL_EPSILON || !line.allFinite())
-            return false; // all values are the same
-        for (DeepPoint& p : points)
-            p.view.inverseDepth = p.axial * (line[0] * p.value + line[1]);
+        problem.scale = s;
+        minimize(problem, MinimizerOptions(STEPS, 1e-3), u, equations);
     }
-    line *= values[SEQUENCE_SPEED] < 0 ? -1 : 1;
-    if (!(line[0] >= FLT_MIN && line[0] <= FLT_MAX && std::abs(line[1]) <= FLT_MAX) ||
-        !(costOf(flow, points, values) < without))
+    double cost = 0;
+    ResidualShare share;
+    for (const DeepPoint& p : points)
+    {
+        cost += lossOf(problem.residual(u, p, p.value));
+        share.add(p.bearing, norm(problem.residual(u, p, std::isfinite(p.ofPixel) ? p.ofPixel : p.value)),
+                  camera.cameraMatrix(0, 0));
+    }
+    const double sign = planes.values[SEQUENCE_SPEED] < 0 ? -1 : 1, scale = sign * u[D_SCALE] / standard.sigma,
+                 shift = sign * u[D_SHIFT] - scale * standard.mean;
+    if (!(scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX) ||
+        !(cost - costOfPlanes(camera, points, planes.values, motion) < BARE_MENTION))
         return false;
-    depth.scale = line[0];
-    depth.shift = line[1];
+    depth.scale = scale;
+    depth.shift = shift;
+    found.yawRate = u[D_YAW_RATE];
+    found.residual = share.value();
+    const DepthProblem::Equations::Matrix covariance =
+        scaledInverse<DepthProblem::Equations::Matrix>(equations.symmetric());
+    const int kept[] = {D_YAW_RATE, D_SCALE, D_SHIFT};
+    Matx33d ofStandard;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            ofStandard(i, k) = covariance(kept[i], kept[k]);
+    const Matx33d J(1, 0, 0, 0, sign / standard.sigma, 0, 0, -sign * standard.mean / standard.sigma, sign);
+    found.covariance = J * ofStandard * J.t();
     return true;
 }
 

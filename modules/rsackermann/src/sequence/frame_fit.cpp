@@ -65,13 +65,12 @@ public:
         return equations.cost;
     }
 
-    // With ever less tolerance for points that disagree. Without tolerance from the beginning it finds what is next to
-    // the start.
+    // Without tolerance from the beginning it finds what is next to the start.
     Minimum refine(const Unknowns& start, bool isTolerant)
     {
         Minimum m;
         m.at = start;
-        for (double s : {8., 3., 1.})
+        for (double s : POINT_SCALES)
         {
             scale = s;
             if (isTolerant || s == 1)
@@ -189,33 +188,20 @@ private:
     FlowEquations::Matrix prior;
 };
 
-// The residual over the displacement, as the points show it; those that don't move with the scene don't count.
 // Returns the share of all points that agree.
 double expect(const FrameFitProblem& problem, const Unknowns& u, double focal, SequenceFit& fit)
 {
-    size_t count = 0, others = 0;
-    double displacement = 0, residuals = 0;
-    for (size_t i = 0; i < problem.bearings.size(); i++)
-    {
-        const TrackedBearing& s = problem.bearings[i];
-        const double residual = norm(problem.residual.evaluate(s, u.data(), 0));
-        if (!(residual < CONTRADICTION * POINT_SIGMA))
-        {
-            others += !s.isStill; // what stands still is of the car itself
-            continue;
-        }
-        count++;
-        displacement += FlowResidual::shutterPart(s) * focal * norm(s.now - s.other);
-        residuals += FlowResidual::shutterPart(s) * residual;
-    }
-    fit.agreeing = count > 0 ? double(count) / double(count + others) : 0;
-    fit.residual = displacement > 0 ? residuals / displacement : 1;
+    ResidualShare share;
+    for (const TrackedBearing& s : problem.bearings)
+        share.add(s, norm(problem.residual.evaluate(s, u.data(), 0)), focal);
+    fit.agreeing = share.count > 0 ? double(share.count) / double(share.count + share.others) : 0;
+    fit.residual = share.value();
     // A motion has to explain more than its unknowns would by chance.
     const int unknowns = 6;
     Unknowns still = u;
     still[SEQUENCE_YAW_RATE] = still[SEQUENCE_SPEED] = 0;
     fit.moves = problem.pointCost(still) - problem.pointCost(u) > 2 * unknowns;
-    return problem.bearings.empty() ? 0 : double(count) / double(problem.bearings.size());
+    return problem.bearings.empty() ? 0 : double(share.count) / double(problem.bearings.size());
 }
 
 } // namespace

@@ -27,6 +27,7 @@ struct NeighbourTurns
 //! The evidence of a frame of a sequence.
 struct SequenceFit
 {
+    SequenceState prediction;        //!< without the frame
     SequenceState state;             //!< prediction and frame together
     double values[FLOW_VALUES] = {}; //!< state and turns
     NeighbourTurns before, after;    //!< the same turns, with their changes
@@ -34,7 +35,7 @@ struct SequenceFit
     double residual = 1;             //!< of the points that agree, over their displacement in the raw image
     double agreeing = 0; //!< share of the points that agree with the motion, without those on the car itself
 
-    explicit SequenceFit(const SequenceState& prediction) : state(prediction) {}
+    explicit SequenceFit(const SequenceState& prediction_) : prediction(prediction_), state(prediction_) {}
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to

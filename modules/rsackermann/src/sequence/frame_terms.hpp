@@ -15,6 +15,8 @@ namespace cv { namespace rsackermann {
 
 // How the residuals of points and verticals are weighed; doc/theory.md, "Sequence", has the reasons.
 const int STEPS = 10; //!< of a fit, at each scale of the loss
+//! Of the points' loss, in sigmas: with ever less tolerance for points that disagree.
+const double POINT_SCALES[] = {8, 3, 1};
 //! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
 const double DEVIATION_SIGMA = 0.03;
 const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars usually steer: two frames hardly determine it
@@ -30,6 +32,28 @@ inline bool isOfOwnCar(const TrackedBearing& point, double squared)
 //! Those that aren't seen on the car itself. @param values FLOW_VALUES of them.
 std::vector<TrackedBearing> withoutOwnCar(const RollingShutterCamera& camera,
                                           const std::vector<TrackedBearing>& bearings, const double* values);
+
+//! The residual over the displacement as points show it; those that don't move with the scene don't count.
+struct ResidualShare
+{
+    size_t count = 0, others = 0; //!< that move with the scene, and that don't, without what is of the car itself
+    double displacement = 0, residuals = 0; //!< sums of what the shutter makes, pixels
+
+    //! @param residual pixels.
+    void add(const TrackedBearing& s, double residual, double focal)
+    {
+        if (!(residual < CONTRADICTION * POINT_SIGMA))
+        {
+            others += !s.isStill; // what stands still is of the car itself
+            return;
+        }
+        count++;
+        displacement += FlowResidual::shutterPart(s) * focal * norm(s.now - s.other);
+        residuals += FlowResidual::shutterPart(s) * residual;
+    }
+
+    double value() const { return displacement > 0 ? residuals / displacement : 1; }
+};
 
 /** Slant of a vertical that the motion should have made upright, and its derivatives, in sigmas.
 @param plane receives the one of Scene that it is on. */

@@ -18,13 +18,23 @@ namespace cv { namespace rsackermann {
 void fitOffset(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
                AckermannMotion& motion);
 
-/** Finds scale and shift of a #DEPTH_RELATIVE of the raw camera by the displacements of points (doc/theory.md,
-"Relative depth").
+//! What points show if a depth takes the place of the planes.
+struct DepthFit
+{
+    double yawRate;     //!< rad/s, mean between the frames
+    Matx33d covariance; //!< of the yaw rate, and scale and shift of the depth
+    double residual;    //!< SequenceFit::residual with the values that maps take
+};
+
+/** Finds scale and shift of a #DEPTH_RELATIVE of the raw camera, together with the turns between the frames, by the
+displacements of points (doc/theory.md, "Relative depth").
 @param bearings points, those of the fit.
-@param values of the fit, FLOW_VALUES of them.
-@return whether the depth explains the points better than the planes of the fit do; otherwise it stays as it is. */
-bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
-              const AckermannMotion& motion, DepthMap& depth);
+@param planes the fit without the depth.
+@param motion that of the fit; its offset doesn't matter.
+@param depth receives scale and shift.
+@return whether planes and offset don't explain the points better than the depth does; otherwise it stays as it is. */
+bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
+              const SequenceFit& planes, const AckermannMotion& motion, DepthMap& depth, DepthFit& found);
 
 }} // namespace cv::rsackermann
 

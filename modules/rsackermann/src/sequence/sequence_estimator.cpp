@@ -355,8 +355,32 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
 bool SequenceEstimator::alignDepth(const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
                                    DepthMap& depth) const
 {
-    return seen == filter.time ? fitDepth(camera, features.bearings, last.values, motion, depth)
-                               : rsackermann::alignDepth(camera, params, prior, segments, motion, depth);
+    if (seen != filter.time)
+        return rsackermann::alignDepth(camera, params, prior, segments, motion, depth);
+    DepthFit found;
+    DepthMap aligned = depth;
+    if (motion.status != MOTION_OK || !fitDepth(camera, features.bearings, last, motion, aligned, found))
+        return false;
+    AckermannMotion changed = motion;
+    MeasuredTurns turns;
+    if (!measure(filter.time, turns)) // a gyro knows the instant, whatever the scene is
+    {
+        const double unit = camera.secondsPerUnitTime() / 2, before = motion.covariance(0, 0),
+                     ofPlanes = last.state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE);
+        changed.alpha += unit * (found.yawRate - last.values[SEQUENCE_YAW_RATE]);
+        setAlphaVariance(before + unit * unit * (found.covariance(0, 0) - ofPlanes), changed);
+    }
+    const Matx33d toAlpha = Matx33d::diag(Vec3d(std::sqrt(changed.covariance(0, 0) / found.covariance(0, 0)), 1, 1));
+    std::vector<Point2d> places;
+    for (const TrackedBearing& b : features.bearings)
+        places.push_back(b.now);
+    expectWithDepth(camera, aligned, toAlpha * found.covariance * toAlpha, places, changed);
+    changed.expectedResidual = std::hypot(changed.expectedResidual, changed.expectedRaw * found.residual);
+    if (!(changed.expectedResidual < changed.expectedRaw))
+        return false;
+    motion = changed;
+    depth = aligned;
+    return true;
 }
 
 // From the image alone, with the yaw rate of the frames before, and for the frames after.

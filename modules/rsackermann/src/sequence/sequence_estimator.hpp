@@ -33,10 +33,10 @@ public:
     AckermannMotion estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                              const MotionPrior& prior, Mat& labels);
 
-    /** Finds scale and shift of a #DEPTH_RELATIVE of the last frame: by its points if they showed its motion, else by
-    its verticals, which change the motion.
+    /** Finds scale and shift of a #DEPTH_RELATIVE of the last frame, and the motion that goes with it: by its points if
+    they showed its motion, else by its verticals. The frames after don't depend on it.
     @param segments, prior those of estimate().
-    @return whether the image doesn't contradict the depth. */
+    @return whether the image doesn't contradict the depth; otherwise motion and depth stay as they are. */
     bool alignDepth(const Mat& segments, const MotionPrior& prior, AckermannMotion& motion, DepthMap& depth) const;
 
     //! The next frame belongs to another sequence.

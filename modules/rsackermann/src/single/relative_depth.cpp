@@ -35,6 +35,24 @@ double RelativeDepth::valueAt(const Mat& values, const Point2d& pixel)
     return values.depth() == CV_16U ? values.at<ushort>(p) : values.at<float>(p);
 }
 
+double RelativeDepth::medianAround(const Mat& values, const Point2d& pixel, double reach)
+{
+    enum { STEPS = 5, ALONG = 2 * STEPS + 1 }; // to each side: enough for a median
+    double found[ALONG * ALONG];
+    int count = 0;
+    for (int i = 0; i < ALONG * ALONG; i++)
+    {
+        const Point2d way(i % ALONG - STEPS, i / ALONG - STEPS);
+        const double value = valueAt(values, pixel + reach / STEPS * way);
+        if (std::isfinite(value))
+            found[count++] = value;
+    }
+    if (count == 0)
+        return std::numeric_limits<double>::quiet_NaN();
+    std::nth_element(found, found + count / 2, found + count);
+    return found[count / 2];
+}
+
 double RelativeDepth::at(const Point2d& pixel) const
 {
     const double value = valueAt(depth.values, pixel);

@@ -31,6 +31,8 @@ public:
 
     //! The value of a depth map nearest to a pixel; NaN outside of it.
     static double valueAt(const Mat& values, const Point2d& pixel);
+    //! The median of those in a square around it; NaN if there are none. @param reach pixels to each side.
+    static double medianAround(const Mat& values, const Point2d& pixel, double reach);
     //! The height of the camera over the depth at a pixel along the optical axis; NaN if it isn't known.
     double at(const Point2d& pixel) const;
 

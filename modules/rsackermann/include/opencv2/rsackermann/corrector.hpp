@@ -229,9 +229,9 @@ public:
     in another unit: their median is more than 20 times or less than a twentieth of that of the planes.
 
     A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
-    verticals that it explains as well as the planes do: one of another image, mirrored or constant isn't used. In a
-    frame of a sequence (Params::sequence) with tracked points it has to explain these better than the planes do. With
-    correctWithMotion() it is used as it is.
+    verticals: one of another image, mirrored or constant isn't used. It may show a motion where the image alone
+    doesn't. In a frame of a sequence (Params::sequence) with tracked points the planes must not explain these better
+    than it does. With correctWithMotion() it is used as it is.
      */
     CV_WRAP virtual bool isDepthUsed() const = 0;
 
