@@ -219,7 +219,8 @@ TEST_F(CorrectDepth, in_another_unit)
     {
         const char* scale;
         bool isUsed;
-    } units[] = {{"0.00390625", true}, {"0.39", false}, {"3.9", false}, {"0.000039", false}, {"0.0000039", false}};
+    } units[] = {{"0.00390625", true}, {"0.001", false},    {"0.39", false},
+                 {"3.9", false},       {"0.000039", false}, {"0.0000039", false}};
     for (const auto& unit : units)
     {
         SCOPED_TRACE(unit.scale);

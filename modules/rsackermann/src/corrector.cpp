@@ -11,6 +11,7 @@
 #include "motion/metric_way.hpp"
 #include "motion/motion_check.hpp"
 #include "sequence/sequence_estimator.hpp"
+#include "single/relative_depth.hpp"
 #include "features/segments.hpp"
 #include "storage.hpp"
 #include "warp/depth/depth_unit.hpp"
@@ -405,13 +406,19 @@ private:
             motion = sequence.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
         finder.release();
         DepthMap aligned = depth;
-        if (depth.kind == DEPTH_RELATIVE ? !align(motion, aligned)
-                                         : isInAnotherUnit(generator->getCamera(), params.warp, motion, depth))
+        if (depth.kind == DEPTH_RELATIVE ? !align(motion, aligned) : isInAnotherUnit(motion, depth))
             aligned = DepthMap();
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask, aligned);
         passTo(seconds); // last: skipFrame() does it if something has thrown
         return motion;
+    }
+
+    bool isInAnotherUnit(const AckermannMotion& motion, const DepthMap& depth) const
+    {
+        const RollingShutterCamera camera = generator->getCamera();
+        return rsackermann::isInAnotherUnit(camera, params.warp, motion, depth) ||
+               isRoadInAnotherUnit(depth, camera, params.estimator, motion.uprightRotation(camera));
     }
 
     // False if the relative depth isn't used.

@@ -100,10 +100,13 @@ TEST_F(CorrectorDepth, is_refused_in_another_unit)
     MotionPrior prior;
     prior.speed = 15;
     prior.speedSigma = 0.3;
+    Mat& values = depth.values;
+    for (int y = 0; y < values.rows; y++) // a road
+        values.row(y).setTo(camera.height / std::max((y - camera.cameraMatrix(1, 2)) / camera.cameraMatrix(1, 1), 0.1));
     for (const bool isSequence : {false, true})
         for (const int type : {CV_32F, CV_16U})
             for (const int whose : {DEPTH_RAW, DEPTH_CORRECTED})
-                for (const double unit : {1., 3.28, 1 / 3.28, 100., 0.001})
+                for (const double unit : {1., 1.5, 1 / 1.5, 3.9, 1 / 3.9, 100., 0.001})
                 {
                     SCOPED_TRACE(testing::Message() << isSequence << " " << type << " " << whose << " " << unit);
                     RollingShutterCorrector::Params params;
@@ -117,7 +120,8 @@ TEST_F(CorrectorDepth, is_refused_in_another_unit)
                     const AckermannMotion found =
                         corrector->correctWithSegments(image, segments, corrected, noArray(), given);
                     ASSERT_EQ(MOTION_OK, found.status);
-                    const bool isPlausible = unit > 0.1 && unit < 10;
+                    const bool showsHeight = whose == DEPTH_RAW, // above the road
+                        isPlausible = std::abs(std::log(unit)) < std::log(showsHeight ? 2 : 10);
                     EXPECT_EQ(isPlausible, corrector->isDepthUsed());
                     corrector->correctWithMotion(image, found, expected, noArray(), isPlausible ? given : DepthMap());
                     EXPECT_EQ(0, cvtest::norm(expected, corrected, NORM_INF));

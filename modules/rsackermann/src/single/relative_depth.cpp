@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../camera/lens.hpp"
+#include "../motion/contradiction.hpp"
 #include "relative_depth.hpp"
 
 namespace cv { namespace rsackermann {
@@ -55,7 +56,9 @@ double RelativeDepth::medianAround(const Mat& values, const Point2d& pixel, doub
 
 double RelativeDepth::at(const Point2d& pixel) const
 {
-    const double value = valueAt(depth.values, pixel);
+    double value = valueAt(depth.values, pixel);
+    if (depth.kind == DEPTH_METRIC)
+        value = value > 0 ? 1 / (depth.scale * value) : std::numeric_limits<double>::quiet_NaN();
     return std::isfinite(value) ? (value - zero) / slope_ : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -85,7 +88,8 @@ static double deviation(const Point2d& p, double zero, double slope)
     return ((p.y - zero) / (slope * p.x) - 1) / NOISE;
 }
 
-// The line with the most support among those through two pixels.
+// The line with the most support among those through two pixels, or through one of a depth in metres, whose inverse is
+// 0 at infinity.
 void RelativeDepth::sampleRoad(const std::vector<Point2d>& below)
 {
     const int samples = 300;
@@ -94,7 +98,7 @@ void RelativeDepth::sampleRoad(const std::vector<Point2d>& below)
     for (int i = 0; i < samples; i++)
     {
         const Point2d a = below[rng.uniform(0, int(below.size()))];
-        const Point2d b = below[rng.uniform(0, int(below.size()))];
+        const Point2d b = depth.kind == DEPTH_METRIC ? Point2d() : below[rng.uniform(0, int(below.size()))];
         const double m = (b.y - a.y) / (b.x - a.x), infinity = a.y - m * a.x;
         if (!(m > 0) || !std::isfinite(m))
             continue;
@@ -119,7 +123,7 @@ void RelativeDepth::refineRoad(const std::vector<Point2d>& below)
     const int rounds = 5;
     for (int round = 0; round < rounds; round++)
     {
-        double w = 0, x = 0, y = 0, xx = 0, xy = 0;
+        double w = depth.kind == DEPTH_METRIC ? 1 / DBL_EPSILON : 0, x = 0, y = 0, xx = 0, xy = 0; // at infinity
         int count = 0;
         for (const Point2d& p : below)
         {
@@ -220,6 +224,16 @@ double RelativeDepth::edgesInCommon(const Mat& segments, double minLength) const
     }
     const double variance = squares - sum * sum / std::max(count, 1);
     return variance > 0 ? sum / std::sqrt(variance) : 0;
+}
+
+bool isRoadInAnotherUnit(const DepthMap& depth, const RollingShutterCamera& camera,
+                         const AckermannEstimator::Params& params, const Matx33d& up)
+{
+    if (depth.empty() || depth.kind != DEPTH_METRIC || depth.camera != DEPTH_RAW)
+        return false;
+    const RelativeDepth road(depth, camera, up);
+    const double height = 1 / road.slope(), expected = camera.height > 0 ? camera.height : params.priorHeight;
+    return road.hasRoad() && std::abs(std::log(height / expected)) > CONTRADICTION * params.priorHeightLogSigma;
 }
 
 }} // namespace cv::rsackermann

@@ -7,10 +7,11 @@
 
 #include "opencv2/rsackermann/camera.hpp"
 #include "opencv2/rsackermann/depth_map.hpp"
+#include "opencv2/rsackermann/estimator.hpp"
 
 namespace cv { namespace rsackermann {
 
-/** A relative depth of the raw camera in the unit that its road gives it: the height of the camera.
+/** A depth of the raw camera, relative or in metres, in the unit that its road gives it: the height of the camera.
 
 The inverse depth of a plane road is proportional to how far a ray points below the horizon, so that a line through the
 road's values is 0 at infinity (doc/theory.md, "Relative depth"). */
@@ -59,6 +60,12 @@ private:
     double zero, slope_;
     double share; // of what is below the horizon that is road
 };
+
+/** Whether a depth in metres is evidently in another unit: the camera would be higher above the road that it shows, or
+lower, than cameras of cars are, or three standard deviations of that away from the given height.
+@param depth checked, or empty. @param up rotation from the camera frame to the upright frame. */
+bool isRoadInAnotherUnit(const DepthMap& depth, const RollingShutterCamera& camera,
+                         const AckermannEstimator::Params& params, const Matx33d& up);
 
 }} // namespace cv::rsackermann
 

@@ -226,7 +226,10 @@ public:
     RollingShutterCamera::height. A given speed (MotionPrior::speed) or AckermannEstimator::Params::wallDistance
     suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK,
     where no depth at all is known, and unless the motion is given (correctWithMotion()) where the depths are evidently
-    in another unit: their median is more than 20 times or less than a twentieth of that of the planes.
+    in another unit: their median is more than 20 times or less than a twentieth of that of the planes, or the camera's
+    height above the road that they show is more than three standard deviations
+    (AckermannEstimator::Params::priorHeightLogSigma) away from RollingShutterCamera::height, or from
+    AckermannEstimator::Params::priorHeight if that isn't known.
 
     A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
     verticals: one of another image, mirrored or constant isn't used. It may show a motion where the image alone
