@@ -91,6 +91,26 @@ TEST(RSAckermann_Motion, fromMetric_models)
     EXPECT_EQ(0, motionFromMetric(camera, 0.5, 10, 2, 2, 0).roadSlope);
 }
 
+// A translation is kept by what it does to walls or road: without either it would be lost, depths or not.
+TEST(RSAckermann_Motion, fromMetric_of_a_speed_without_walls_and_height)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    EXPECT_NE(0, motionFromMetric(camera, 0.5, 10, 0, 0, 0).roadSlope);
+    camera.height = 0;
+    EXPECT_EQ(MODEL_1LA, motionFromMetric(camera, 0.5, 0, 0, 0, 0).model);
+    EXPECT_EQ(MODEL_4LA, motionFromMetric(camera, 0.5, 10, 0, 2, 0).model);
+    try
+    {
+        motionFromMetric(camera, 0.5, 10, 0, 0, 0);
+        FAIL();
+    }
+    catch (const cv::Exception& e)
+    {
+        for (const char* word : {"metric.speed is 10", "camera.height", "metric.leftDistance", "metric.rightDistance"})
+            EXPECT_NE(std::string::npos, e.err.find(word)) << e.err;
+    }
+}
+
 TEST(RSAckermann_Motion, fromMetric_bad_arguments)
 {
     const RollingShutterCamera camera = simulation::paperCamera();

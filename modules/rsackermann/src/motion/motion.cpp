@@ -38,6 +38,10 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
     checkNotNegative(left, "metric.leftDistance", "no left wall");
     checkNotNegative(right, "metric.rightDistance", "no right wall");
     checkFinite(metric.wallDirection, "metric.wallDirection");
+    REJECT_IF(metric.speed != 0 && left == 0 && right == 0 && camera.height == 0,
+              "metric.speed is %g m/s, but camera.height, metric.leftDistance and metric.rightDistance are 0; one of "
+              "them has to be positive, as the speed is kept by the unit of length that it gives",
+              metric.speed);
 
     // doc/theory.md, "Depth": the wall along (sin, cos) of wallDirection has the normal (-cos, sin) on the left.
     AckermannMotion m;

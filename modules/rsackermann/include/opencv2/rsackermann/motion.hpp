@@ -77,8 +77,10 @@ public:
 
     /** @brief A motion made from metric values, for simulation and for callers that know all of them.
     @param camera camera with lineDelay and, for the road, height.
-    @param metric motion and walls.
-    @return the motion, of status #MOTION_OK unless it is that of a camera at rest.
+    @param metric motion and walls. A speed needs a wall or the height, which give its unit of length: any will do where
+    only points with depths are moved.
+    @return the motion, of status #MOTION_OK unless it is that of a camera at rest; throws cv::Exception if a value is
+    out of range or missing.
      */
     CV_WRAP static AckermannMotion fromMetric(const RollingShutterCamera& camera, const MetricMotion& metric);
 
