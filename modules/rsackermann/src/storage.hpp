@@ -123,7 +123,8 @@ private:
         for (const String& key : whole.keys())
         {
             const FileNode node = stored[key];
-            REJECT_IF(node.empty() || node.isNone(), "the file lacks %s%s; all that save() has written is expected",
+            const bool isNothing = node.isNone() && !whole[key].isSeq(); // an empty list is none in XML
+            REJECT_IF(node.empty() || isNothing, "the file lacks %s%s; all that save() has written is expected",
                       path.c_str(), key.c_str());
             if (whole[key].isMap() && node.isMap())
                 checkKeys(node, whole[key], path + key + ".");

@@ -14,10 +14,18 @@ TEST(RSAckermann_Storage, camera)
 
 TEST(RSAckermann_Storage, camera_without_distortion)
 {
-    RollingShutterCamera camera = exampleCamera(), restored = camera;
+    RollingShutterCamera camera = exampleCamera();
     camera.distCoeffs.clear();
-    readFrom(written(camera, ".yml"), restored);
-    expectSame(camera, restored);
+    for (const char* suffix : {".yml", ".xml", ".json"})
+    {
+        RollingShutterCamera restored = exampleCamera();
+        readFrom(written(camera, suffix), restored);
+        expectSame(camera, restored);
+        const std::string file = cv::tempfile(suffix);
+        WarpMapGenerator::create(camera)->save(file);
+        expectSame(camera, WarpMapGenerator::load(file)->getCamera());
+        std::remove(file.c_str());
+    }
 }
 
 TEST(RSAckermann_Storage, motion)
