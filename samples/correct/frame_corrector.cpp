@@ -22,6 +22,14 @@ double orElse(double value, double other)
     return std::isnan(value) ? other : value;
 }
 
+// Without the line delay, of whose lack a warning tells, images are no sequence.
+RollingShutterCorrector::Params paramsFor(const RollingShutterCamera& camera, RollingShutterCorrector::Params params)
+{
+    params.warp = StripWarp::coarse(camera);
+    params.sequence = params.sequence && camera.lineDelay > 0;
+    return params;
+}
+
 } // namespace
 
 void FrameCorrector::prepare(const cv::Size& size)
@@ -29,8 +37,7 @@ void FrameCorrector::prepare(const cv::Size& size)
     if (corrector_ && camera_.imageSize == size)
         return;
     camera_ = job_.camera.makeCamera(size);
-    RollingShutterCorrector::Params params = job_.params;
-    params.warp = StripWarp::coarse(camera_);
+    const RollingShutterCorrector::Params params = paramsFor(camera_, job_.params);
     corrector_ = RollingShutterCorrector::create(camera_, params);
     setGyroDelay(gyroDelay_);
     warp_.reset(new StripWarp(camera_));
@@ -59,8 +66,7 @@ void FrameCorrector::useFacts()
     corrector_->setCamera(camera_);
     warp_->setCamera(camera_);
 
-    RollingShutterCorrector::Params params = job_.params;
-    params.warp = StripWarp::coarse(camera_);
+    RollingShutterCorrector::Params params = paramsFor(camera_, job_.params);
     setGravitySigma(orElse(facts_.gravitySigma, job_.gravitySigma), settings, params.estimator);
     corrector_->setParams(params);
 

@@ -126,6 +126,14 @@ static bool isKnownSomewhere(const Mat& depth)
     return isKnown;
 }
 
+// Of both, whichever was set last: checked when they are used.
+static void checkTiming(const RollingShutterCamera& camera, const RollingShutterCorrector::Params& params)
+{
+    REJECT_IF(params.sequence && !(camera.lineDelay > 0),
+              "camera.lineDelay is %g s; a positive one is expected if images are a sequence (params.sequence)",
+              camera.lineDelay);
+}
+
 namespace {
 
 // Milliseconds between calls.
@@ -152,9 +160,11 @@ public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)),
           generator(WarpMapGenerator::create(camera, params_.warp)), sequence(camera, params_.estimator, estimator),
-          time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false), isDepthUsed_(false)
+          time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false), isTracked_(false),
+          isDepthUsed_(false)
     {
         params_.check();
+        checkTiming(camera, params_);
         params = params_;
         setGyroSigmas();
     }
@@ -246,6 +256,7 @@ public:
     AckermannMotion correct(InputArray src, OutputArray dst, OutputArray mask, const DepthMap& depth) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
+        checkTiming(generator->getCamera(), params);
         checkImage(src, "src", generator->getCamera().imageSize);
         checkOutputs(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
@@ -259,15 +270,16 @@ public:
                                         const DepthMap& depth) CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        const bool isTracked = params.sequence && params.trackPoints;
+        const bool isLookedAt = params.sequence && params.trackPoints;
+        checkTiming(generator->getCamera(), params);
         checkSource(src);
-        if (isTracked)
+        if (isLookedAt)
             checkImage(src, "src");
         checkOutputs(src, dst, mask);
         checkDepth(depth, generator->getCamera(), params.warp);
         segments = segmentRows(segments_);
         timings = Vec4d();
-        if (isTracked)
+        if (isLookedAt)
             finder.prepare(src);
         return estimateAndWarp(src, dst, mask, depth);
     }
@@ -282,6 +294,7 @@ public:
         checkDepth(depth, generator->getCamera(), params.warp);
         segments.release();
         labels.release();
+        isTracked_ = false;
         timings = Vec4d();
         warpWith(motion, src, dst, mask, depth);
     }
@@ -316,6 +329,8 @@ public:
             map2.copyTo(map2_);
         }
     }
+
+    bool isTracked() const CV_OVERRIDE { return isTracked_; }
 
     bool isDepthUsed() const CV_OVERRIDE { return isDepthUsed_; }
 
@@ -404,6 +419,7 @@ private:
             motion = estimateFrame(seconds);
         else
             motion = sequence.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
+        isTracked_ = params.sequence && sequence.isSeen();
         finder.release();
         DepthMap aligned = depth;
         if (depth.kind == DEPTH_RELATIVE ? !align(motion, aligned) : isInAnotherUnit(motion, depth))
@@ -521,6 +537,7 @@ private:
     Mat map1, map2;
     UMat deviceMap1, deviceMap2;
     bool onDevice; // which of the two pairs of maps it was
+    bool isTracked_;
     bool isDepthUsed_;
     DepthMap usedDepth;
     Size copiedSize; // if the image was copied: the maps are the identity and haven't been made

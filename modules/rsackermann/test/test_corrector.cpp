@@ -617,9 +617,37 @@ TEST(RSAckermann_Corrector, next_frame)
     // What is the same in the next image is at rest; that is used once.
     c.corrector->setNextFrame(image, std::numeric_limits<double>::quiet_NaN());
     EXPECT_EQ(MOTION_NOT_SIGNIFICANT, c.corrector->correctWithSegments(image, a, dst).status);
+    EXPECT_TRUE(c.corrector->isTracked());
     c.corrector->reset();
     EXPECT_EQ(MOTION_OK, c.corrector->correctWithSegments(image, a, dst).status);
+    EXPECT_FALSE(c.corrector->isTracked());
     EXPECT_THROW(c.corrector->setNextFrame(Mat(10, 10, CV_8U, Scalar(0)), 1), cv::Exception);
+}
+
+TEST(RSAckermann_Corrector, tells_whether_points_showed_the_motion)
+{
+    CorrectorOfFrames c;
+    const Mat nothing(0, 4, CV_32F), image = texturedImage(c.camera.imageSize, 1);
+    Mat dst;
+    const auto isTracked = [&](double seconds) {
+        c.corrector->setTimestamp(seconds);
+        c.corrector->correctWithSegments(image, nothing, dst);
+        return c.corrector->isTracked();
+    };
+    EXPECT_FALSE(isTracked(1));
+    EXPECT_TRUE(isTracked(1 + INTERVAL));
+    c.frame(nothing); // black
+    EXPECT_FALSE(c.corrector->isTracked());
+    EXPECT_FALSE(isTracked(1 + 3 * INTERVAL));
+    EXPECT_TRUE(isTracked(1 + 4 * INTERVAL));
+    c.corrector->correctWithMotion(image, AckermannMotion(), dst);
+    EXPECT_FALSE(c.corrector->isTracked());
+    for (double milliseconds : {2000., 2050., 2100.}) // as seconds: no frame follows another
+        EXPECT_FALSE(isTracked(milliseconds));
+    EXPECT_TRUE(isTracked(2100 + INTERVAL));
+    c.params.sequence = false;
+    c.corrector->setParams(c.params);
+    EXPECT_FALSE(isTracked(2100 + INTERVAL));
 }
 
 // A recorded drive has the time to track more points.

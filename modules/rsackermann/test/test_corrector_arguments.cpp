@@ -571,6 +571,24 @@ TEST(RSAckermann_CorrectorArguments, sides_that_remap_takes)
     EXPECT_FALSE(isAccepted([&]() { RollingShutterCorrector::create(smallCamera(), params)->correct(noise(), dst); }));
 }
 
+// Camera and parameters may come one after the other, in either order.
+TEST(RSAckermann_CorrectorArguments, sequence_without_line_delay)
+{
+    RollingShutterCamera untimed = smallCamera();
+    untimed.lineDelay = 0;
+    RollingShutterCorrector::Params sequence;
+    sequence.sequence = true;
+    EXPECT_FALSE(isAccepted([&]() { RollingShutterCorrector::create(untimed, sequence); }));
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(untimed);
+    corrector->setParams(sequence);
+    Mat dst;
+    EXPECT_FALSE(isAccepted([&]() { corrector->correct(noise(), dst); }));
+    EXPECT_FALSE(isAccepted([&]() { corrector->correctWithSegments(noise(), segmentsOf(3), dst); }));
+    EXPECT_TRUE(isAccepted([&]() { corrector->correctWithMotion(noise(), exampleMotion(), dst); }));
+    corrector->setCamera(smallCamera());
+    EXPECT_TRUE(isAccepted([&]() { corrector->correct(noise(), dst); }));
+}
+
 TEST(RSAckermann_CorrectorArguments, every_number_at_every_entry)
 {
     const Mat image = noise();

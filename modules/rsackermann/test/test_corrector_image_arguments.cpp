@@ -44,7 +44,8 @@ std::vector<Entry> entries(const RollingShutterCamera& camera)
 
 TEST(RSAckermann_CorrectorImageArguments, every_type_at_every_entry)
 {
-    const RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(61, 47));
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(61, 47));
+    camera.lineDelay = 1e-4;
     checkEveryType(camera, entries(camera));
 }
 
@@ -84,7 +85,8 @@ TEST(RSAckermann_CorrectorImageArguments, channels_of_each_interpolation)
 
 TEST(RSAckermann_CorrectorImageArguments, every_form_at_every_entry)
 {
-    const RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(61, 47));
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(61, 47));
+    camera.lineDelay = 1e-4;
     checkEveryForm(camera, entries(camera));
 }
 

@@ -164,8 +164,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     const bool follows = filter.advance(frame.seconds, camera, params);
     if (isAided)
         unaided.advance(frame.seconds, camera, params);
-    const bool isTimed = camera.isRowShutter() && camera.secondsPerUnitTime() > 0;
-    features.track(camera, isTimed ? frame : GrayFrame(), passed, next);
+    features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, next);
     filter.state.measure(prior);
     MotionPrior others = prior;
     others.yawRateSigma = others.speedSigma = 0;

@@ -39,6 +39,9 @@ public:
     @return whether the image doesn't contradict the depth; otherwise motion and depth stay as they are. */
     bool alignDepth(const Mat& segments, const MotionPrior& prior, AckermannMotion& motion, DepthMap& depth) const;
 
+    //! Whether points showed the motion of the last frame.
+    bool isSeen() const { return seen == filter.time; }
+
     //! The next frame belongs to another sequence.
     void reset();
 

@@ -48,7 +48,8 @@ public:
         CV_PROP_RW int interpolation;         //!< of cv::remap, one of cv::InterpolationFlags, default cv::INTER_LINEAR
         /** whether the images are consecutive frames of one sequence, default false: motion and scene are propagated
         between frames, and with trackPoints deviations of the scene from planes are estimated
-        (AckermannMotion::inverseDepthOffset); needs RollingShutterCamera::lineDelay */
+        (AckermannMotion::inverseDepthOffset); needs RollingShutterCamera::lineDelay, without which create() and
+        corrections throw cv::Exception */
         CV_PROP_RW bool sequence;
         //! Whether points are tracked from frame to frame if sequence is set, default true. Then the estimator's
         //! model has to be #MODEL_AUTO, and a frame whose points are found again doesn't use its seed, confidence,
@@ -219,6 +220,12 @@ public:
      */
     CV_WRAP virtual void correctWithMotion(InputArray src, const AckermannMotion& motion, OutputArray dst,
                                            OutputArray mask = noArray(), const DepthMap& depth = DepthMap()) = 0;
+
+    /** @brief Whether tracked points showed the motion of the last image: a frame of a sequence, see
+    Params::trackPoints, some of whose points were found again in the frame before or in that of setNextFrame().
+
+    If no frame is, those of a sequence may be none for their times, see setTimestamp(). */
+    CV_WRAP virtual bool isTracked() const = 0;
 
     /** @brief Whether the given depth of the last image was used.
 

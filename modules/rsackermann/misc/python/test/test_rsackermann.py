@@ -268,6 +268,7 @@ class rsackermann_test(NewOpenCVTests):
         image = np.full((SIZE[1], SIZE[0], 3), 90, np.uint8)
         motion, corrected, mask = corrector.correct(image)
         self.assertEqual(motion.status, cv.rsackermann.MOTION_TOO_FEW_SEGMENTS)
+        self.assertFalse(corrector.isTracked())
         np.testing.assert_array_equal(corrected, image)
         self.assertEqual(mask.min(), 255)
         with self.assertRaises(cv.error):
