@@ -27,7 +27,7 @@ class DriveReader
 public:
     DriveReader(const std::vector<Input>& inputs, const DriveLog& log,
                 const std::function<void(const DriveFrame&, double)>& use)
-        : inputs_(inputs), log_(log), use_(use), last_(-BETWEEN_DRIVES), offset_(0)
+        : inputs_(inputs), log_(log), use_(use), next_(0), offset_(0)
     {
     }
 
@@ -37,8 +37,8 @@ public:
         DriveFrame frame;
         frame.facts = log_.of(input.name, input.number, UNKNOWN);
         if (std::isnan(frame.facts.time))
-            frame.facts.time = last_ + INTERVAL;
-        last_ = frame.facts.time; // even if it can't be read: the next one comes after it
+            frame.facts.time = next_;
+        next_ = frame.facts.time + INTERVAL; // even if it can't be read: the next one comes after it
         if (!input.isFile())
             throw InputError(input.error);
         frame.image = readImage(input.name);
@@ -52,19 +52,19 @@ public:
         cv::VideoCapture capture = openVideo(input);
         FrameClock clock(capture, readFrameIndex(input));
         const double announced = capture.get(cv::CAP_PROP_FRAME_COUNT);
-        offset_ = last_ + BETWEEN_DRIVES;
+        offset_ = index > 0 ? next_ + BETWEEN_DRIVES : 0;
         int number = 0;
         DriveFrame frame;
         for (; capture.read(frame.image); number++)
         {
             frame.facts = log_.of(input, number, clock.timeOfFrame(capture));
-            last_ = frame.facts.time += offset_;
+            next_ = frame.facts.time += offset_;
             hand(frame, (double(index) + (announced > 0 ? std::min((number + 1) / announced, 1.) : 0)) /
                             double(inputs_.size()));
         }
         if (number == 0)
             throw InputError("no frame of the video can be read");
-        last_ += BETWEEN_DRIVES;
+        next_ += BETWEEN_DRIVES;
     }
 #endif
 
@@ -79,7 +79,7 @@ private:
     const std::vector<Input>& inputs_;
     const DriveLog& log_;
     const std::function<void(const DriveFrame&, double)>& use_;
-    double last_, offset_; // of time: of the last frame, and of the present video
+    double next_, offset_; // of time: of an image that comes next, and of the present video
 };
 
 } // namespace

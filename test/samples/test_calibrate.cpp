@@ -195,6 +195,12 @@ TEST_F(Calibrate, shaking_and_a_gyro_show_the_line_delay)
     EXPECT_LT(c.lineDelaySigma, 0.02 * lineDelay);
     EXPECT_NE(std::string::npos, outcome.output.find("used in 29 frames")) << outcome.output;
     EXPECT_NEAR(10, gyroDelay(outcome.output), 0.5);
+    // Without a log the first image is at 0, where the renderer's clock begins.
+    Arguments untimed = arguments;
+    untimed.erase(untimed.begin() + 2);
+    outcome = calibrate(untimed);
+    EXPECT_NE(std::string::npos, outcome.output.find("used in 29 frames")) << outcome.output << outcome.messages;
+    EXPECT_NEAR(10, gyroDelay(outcome.output), 0.5);
     arguments.push_back("--gyro_delay=0.01");
     outcome = calibrate(arguments);
     EXPECT_NEAR(0, gyroDelay(outcome.output), 0.5);
