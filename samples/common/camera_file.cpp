@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <yaml-cpp/yaml.h>
 
 namespace rsackermann_samples {
@@ -18,6 +19,49 @@ namespace rsackermann_samples {
 using namespace cv::rsackermann;
 
 namespace {
+
+//! Of the formats, and without effect here: what they say of the calibration itself and of other uses of the camera.
+const std::set<std::string> OTHER_KEYS = {
+    // samples of OpenCV
+    "calibration_time", "calibration_date", "nframes", "nr_of_frames", "board_width", "board_height", "square_size",
+    "marker_size", "aspectRatio", "fix_aspect_ratio", "flags", "avg_reprojection_error", "per_view_reprojection_errors",
+    "extrinsic_parameters", "image_points", "grid_points",
+    // camera_info of ROS
+    "header", "camera_name", "rectification_matrix", "projection_matrix", "R", "P", "r", "p", "binning_x", "binning_y",
+    "roi",
+    // camchain of Kalibr
+    "cam_overlaps", "rostopic", "T_cn_cnm1", "T_cam_imu", "timeshift_cam_imu"};
+
+//! The uppermost map of a file, which remembers what it was asked for. @tparam Node of cv::FileStorage or yaml-cpp.
+template <class Node>
+class KeyedValues
+{
+public:
+    explicit KeyedValues(const Node& map) : map_(map) {}
+
+    Node operator[](const std::string& key) const
+    {
+        asked_.insert(key);
+        return map_[key];
+    }
+
+    //! Those of the keys that have no effect, although they may be meant to, with commas between.
+    std::string unknown(const std::vector<std::string>& keys) const
+    {
+        std::string others;
+        for (const std::string& key : keys)
+            if (!asked_.count(key) && !OTHER_KEYS.count(key))
+                others += (others.empty() ? "" : ", ") + key;
+        return others;
+    }
+
+private:
+    const Node map_;
+    mutable std::set<std::string> asked_;
+};
+
+typedef KeyedValues<cv::FileNode> StorageValues;
+typedef KeyedValues<YAML::Node> YamlValues;
 
 //! Looks a key up; false if the file hasn't it.
 typedef std::function<bool(const std::string& key, double& value)> NumberSource;
@@ -108,7 +152,7 @@ int lensModelOf(const std::string& word)
     return word == "equidistant" || word == "fisheye" ? LENS_FISHEYE : LENS_PINHOLE;
 }
 
-int lensModelOf(const cv::FileStorage& fs)
+int lensModelOf(const StorageValues& fs)
 {
     const cv::FileNode flag = fs["fisheye_model"], word = fs["distortion_model"];
     require(flag.empty() || word.empty(), "fisheye_model and distortion_model exclude each other");
@@ -121,8 +165,9 @@ int lensModelOf(const cv::FileStorage& fs)
 
 void readOpenCv(const std::string& text, CameraSettings& s)
 {
-    cv::FileStorage fs(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    require(fs.isOpened(), "can't be read");
+    const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    require(storage.isOpened(), "can't be read");
+    const StorageValues fs(storage.root());
     const NumberSource number = [&](const std::string& key, double& value) {
         const cv::FileNode node = fs[key];
         if (node.empty())
@@ -149,10 +194,11 @@ void readOpenCv(const std::string& text, CameraSettings& s)
             return true;
         },
         s);
+    s.unknownKeys = fs.unknown(storage.root().keys());
 }
 
 // The first of the nodes that exists.
-YAML::Node firstOf(const YAML::Node& root, std::initializer_list<const char*> keys)
+YAML::Node firstOf(const YamlValues& root, std::initializer_list<const char*> keys)
 {
     for (const char* key : keys)
         if (root[key])
@@ -165,7 +211,7 @@ std::vector<double> numbersOf(const YAML::Node& node)
     return (node.IsMap() ? node["data"] : node).as<std::vector<double>>();
 }
 
-void readRos(const YAML::Node& root, CameraSettings& s)
+void readRos(const YamlValues& root, CameraSettings& s)
 {
     setIntrinsics(numbersOf(firstOf(root, {"camera_matrix", "K", "k"})), s);
     const YAML::Node lens = firstOf(root, {"distortion_coefficients", "D", "d"}), model = root["distortion_model"];
@@ -179,7 +225,7 @@ void readRos(const YAML::Node& root, CameraSettings& s)
         setSize(width.as<double>(), height.as<double>(), s);
 }
 
-void readKalibr(const YAML::Node& camera, CameraSettings& s)
+void readKalibr(const YamlValues& camera, CameraSettings& s)
 {
     const std::string model = camera["camera_model"].as<std::string>();
     require(model == "pinhole", "camera_model " + model + " isn't known, only pinhole is");
@@ -209,7 +255,8 @@ void readYaml(const std::string& text, CameraSettings& s)
         file.IsMap(),
         "is neither a calibration of OpenCV nor a camera_info of ROS nor a camchain of Kalibr nor a lens profile of "
         "Gyroflow");
-    const YAML::Node root = file["cam0"] ? file["cam0"] : file;
+    const YAML::Node map = file["cam0"] ? file["cam0"] : file;
+    const YamlValues root(map);
     if (root["intrinsics"])
         readKalibr(root, s);
     else if (firstOf(root, {"camera_matrix", "K", "k"}).IsDefined())
@@ -228,6 +275,10 @@ void readYaml(const std::string& text, CameraSettings& s)
             return bool(root[key]);
         },
         s);
+    std::vector<std::string> keys;
+    for (const auto& entry : map)
+        keys.push_back(entry.first.Scalar());
+    s.unknownKeys = root.unknown(keys);
 }
 
 // Files of cv::FileStorage are known by how they begin and by their matrices.

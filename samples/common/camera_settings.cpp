@@ -208,6 +208,8 @@ CameraSettings readCameraOptions(const Options& options)
     }
     if (options.given("height"))
         s.height = options.positive("height", 1000);
+    if (!s.unknownKeys.empty())
+        options.warn("the camera file has keys that mean nothing here: " + s.unknownKeys);
     return s;
 }
 

@@ -137,7 +137,7 @@ std::vector<double> parseNumbers(const std::string& text, const std::string& sou
     return values;
 }
 
-Options::Options(int argc, const char* const* argv, const std::string& keys) : parser_(1, argv, keys)
+Options::Options(int argc, const char* const* argv, const std::string& keys) : program_(argv[0]), parser_(1, argv, keys)
 {
     const std::vector<const char*> options = sortArguments(argc, argv, keys, given_, arguments_);
     parser_ = cv::CommandLineParser(int(options.size()), options.data(), keys);
@@ -206,6 +206,11 @@ void Options::printHelp(const std::string& about)
 {
     parser_.about(about);
     parser_.printMessage();
+}
+
+void Options::warn(const std::string& message) const
+{
+    std::cerr << program_ << ": " << message << std::endl;
 }
 
 void setThreads(const Options& options)

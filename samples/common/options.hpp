@@ -72,8 +72,11 @@ public:
     //! Throws UsageError if there are arguments.
     void refuseArguments() const;
     void printHelp(const std::string& about);
+    //! Says on standard error what doesn't stop the program.
+    void warn(const std::string& message) const;
 
 private:
+    std::string program_;
     std::map<std::string, std::string> given_;
     mutable std::set<std::string> inputFiles_;
     std::vector<std::string> arguments_;

@@ -151,6 +151,20 @@ TEST(CorrectUsage, line_delay_in_milliseconds)
         << outcome.messages;
 }
 
+TEST(CorrectUsage, unknown_keys_of_camera_files)
+{
+    const TemporaryFolder folder;
+    const std::string camera = contentOf(streetFolder() + "/camera.yml");
+    const auto messages = [&](const std::string& keys) {
+        writeContent(folder / "camera.yml", camera + keys);
+        return correct({streetFolder() + "/rolling.png", "--report=-", "--camera=" + (folder / "camera.yml")}).messages;
+    };
+    EXPECT_EQ("", messages(""));
+    EXPECT_EQ("", messages("nr_of_frames: 20\nfocal_sigma: 5\n"));
+    const std::string warning = messages("height: 1.2\nlinedelay: 3e-5\n");
+    EXPECT_NE(std::string::npos, warning.find("keys that mean nothing here: height, linedelay\n")) << warning;
+}
+
 // The car is elsewhere then.
 TEST(CorrectUsage, reference_line_far_away)
 {
