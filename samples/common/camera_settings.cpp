@@ -6,6 +6,8 @@
 #include "camera_file.hpp"
 #include "units.hpp"
 
+#include "opencv2/rsackermann/estimator.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -160,6 +162,29 @@ std::string readReference(const Options& options)
     return reference;
 }
 
+// Of a value that is far from those of cameras in cars, as one in another unit would be. Five standard deviations: a
+// right one is beyond them once in two million cameras.
+static void warnIfUnusual(const Options& options, const std::string& value, double given, double median,
+                          double logSigma, const char* meaning)
+{
+    if (given > 0 && std::abs(std::log(given / median)) > 5 * logSigma)
+        options.warn(cv::format("the %s of %g isn't one of a camera in a car (about %g): %s", value.c_str(), given,
+                                median, meaning));
+}
+
+static void warnOfUnusualValues(const Options& options, const CameraSettings& s)
+{
+    if (!s.unknownKeys.empty())
+        options.warn("the camera file has keys that mean nothing here: " + s.unknownKeys);
+    const bool readsRows = s.scan == SCAN_TOP_TO_BOTTOM || s.scan == SCAN_BOTTOM_TO_TOP;
+    const double readOut = s.readOut > 0 ? s.readOut : s.lineDelay * (readsRows ? s.size.height : s.size.width);
+    const AckermannEstimator::Params prior; // doc/theory.md, "Prior"
+    warnIfUnusual(options, "height", s.height, prior.priorHeight, prior.priorHeightLogSigma,
+                  "it is in metres above the road");
+    warnIfUnusual(options, "read-out", readOut, prior.priorReadoutTime, prior.priorReadoutTimeLogSigma,
+                  "it is in seconds, for all lines (readout) or between two of them (line_delay)");
+}
+
 CameraSettings readCameraOptions(const Options& options)
 {
     CameraSettings s;
@@ -208,8 +233,7 @@ CameraSettings readCameraOptions(const Options& options)
     }
     if (options.given("height"))
         s.height = options.positive("height", 1000);
-    if (!s.unknownKeys.empty())
-        options.warn("the camera file has keys that mean nothing here: " + s.unknownKeys);
+    warnOfUnusualValues(options, s);
     return s;
 }
 

@@ -165,6 +165,25 @@ TEST(CorrectUsage, unknown_keys_of_camera_files)
     EXPECT_NE(std::string::npos, warning.find("keys that mean nothing here: height, linedelay\n")) << warning;
 }
 
+TEST(CorrectUsage, values_unlike_those_of_cameras_in_cars)
+{
+    const auto messages = [](const std::string& option) {
+        return correct({streetFolder() + "/rolling.png", "--report=-", "--focal=816", option}).messages;
+    };
+    for (const char* usual : {"--height=0.3", "--height=4", "--readout=0.004", "--readout=0.3"})
+        EXPECT_EQ("", messages(usual)) << usual;
+    for (const char* height : {"--height=120", "--height=0.12"})
+        EXPECT_NE(std::string::npos, messages(height).find("it is in metres above the road")) << messages(height);
+    for (const char* readOut : {"--readout=0.00008", "--readout=0.0000165"})
+        EXPECT_NE(std::string::npos, messages(readOut).find("it is in seconds, for all lines")) << messages(readOut);
+    // Of the file, whose size tells the number of lines.
+    const TemporaryFolder folder;
+    writeContent(folder / "camera.yml", contentOf(streetFolder() + "/camera.yml"));
+    const Outcome outcome = correct({streetFolder() + "/rolling.png", "--report=-", "--line_delay=0.0000001",
+                                     "--camera=" + (folder / "camera.yml")});
+    EXPECT_NE(std::string::npos, outcome.messages.find("the read-out of 3.8e-05 isn't one of")) << outcome.messages;
+}
+
 // The car is elsewhere then.
 TEST(CorrectUsage, reference_line_far_away)
 {
