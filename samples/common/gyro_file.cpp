@@ -78,8 +78,10 @@ void warnOfTimes(const CsvTable& table, const Samples& samples, const std::strin
         warning =
             cv::format("no sample is more than %g s after the one before: times seem not to be in seconds", longest);
     else if (gaps > 0)
-        warning = cv::format("%g s without a sample; frames in such gaps (%d) do without the gyro",
-                             samples.times[first] - samples.times[first - 1], int(gaps));
+        warning =
+            cv::format("%g s without a sample; frames in gaps of more than %g s, of which there are %d, do without "
+                       "the gyro",
+                       samples.times[first] - samples.times[first - 1], GAP, int(gaps));
     if (!warning.empty())
         std::cerr << program << ": " << table.placeOf(first, timeName) << ": " << warning << std::endl;
 }

@@ -134,6 +134,8 @@ TEST_F(CorrectGyro, warnings)
     EXPECT_NE(std::string::npos,
               outcome.messages.find("line 3 of " + (folder_ / "a.csv") + ", column time_s: 0.9 s without a sample"))
         << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.messages.find("frames in gaps of more than 0.1 s, of which there are 2,"))
+        << outcome.messages;
     EXPECT_EQ(std::string::npos, outcome.output.find("\"ok\""));
     outcome = run("a.csv", std::string(HEADER) + "0,1,250,300\n0.01,1,250,300\n0.02,1,250,300\n0.03,1,2,300\n");
     EXPECT_EQ(0, outcome.exitCode);
