@@ -12,6 +12,7 @@
 #include "units.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
+#include "opencv2/imgcodecs.hpp"
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -112,6 +113,14 @@ std::string target(const Options& options, const std::string& name)
     return options.given(name) ? options.outputFile(name) : "";
 }
 
+// Of a picture that is the result of the only input; those in folders are called as the inputs are.
+void checkPictureName(const std::string& option, const std::string& path, bool isFolder, const InputList& inputs)
+{
+    if (!path.empty() && !isFolder && !isVideo(inputs.inputs[0].name) && !cv::haveImageWriter(path))
+        throw UsageError("option --" + option + ": " + path +
+                         " has no extension of an image format that can be written (that of a folder ends with /)");
+}
+
 bool hasVideo(const InputList& inputs)
 {
     return std::any_of(inputs.inputs.begin(), inputs.inputs.end(),
@@ -210,6 +219,8 @@ Job readJob(const Options& options)
     job.outputIsFolder = isResultFolder(job.output, job.inputs.single, "output");
     job.overlayIsFolder = isResultFolder(job.overlay, job.inputs.single, "overlay");
     job.mapsIsFolder = isResultFolder(job.maps, job.inputs.single && !hasVideo(job.inputs), "maps");
+    checkPictureName("output", job.output, job.outputIsFolder, job.inputs);
+    checkPictureName("overlay", job.overlay, job.overlayIsFolder, job.inputs);
     if (options.given("log"))
         checkLog(job.log, job.inputs, "rsackermann_correct");
     checkTargets(options, job);

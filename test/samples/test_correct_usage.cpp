@@ -200,16 +200,16 @@ TEST(CorrectUsage, names_of_results_that_can_not_be)
 {
     const TemporaryFolder folder;
     const std::string image = streetFolder() + "/rolling.png";
-    const std::pair<Arguments, const char*> cases[] = {
-        {{"--output=" + (folder / "o.unknown")}, "o.unknown has the extension of no image format"},
-        {{"--overlay=" + (folder / "o")}, "/o has the extension of no image format"},
+    const std::pair<Arguments, std::string> cases[] = {
+        {{"--output=" + (folder / "o.unknown")}, "o.unknown has no extension of an image format"},
+        {{"--overlay=" + (folder / "o")}, "--overlay: " + (folder / "o") + " has no extension of an image format"},
         {{"--output=" + (folder / "o.jpg"), "--overlay=" + (folder / "o.jpg")}, "two results of "}};
-    for (const std::pair<Arguments, const char*>& c : cases)
+    for (const std::pair<Arguments, std::string>& c : cases)
     {
         Arguments arguments = c.first;
         arguments.push_back(image);
         const Outcome outcome = correct(arguments);
-        EXPECT_NE(0, outcome.exitCode) << c.second;
+        EXPECT_EQ(2, outcome.exitCode) << c.second;
         EXPECT_NE(std::string::npos, outcome.messages.find(c.second)) << outcome.messages;
         EXPECT_TRUE(namesIn(folder.path()).empty());
     }
