@@ -41,6 +41,7 @@ std::string cloudInRawImages(const std::string& path, const RollingShutterCamera
         }
         if (rows.empty())
             continue;
+        frames[i].checkMetres();
         generator->setCamera(frames[i].cameraOf(camera));
         cv::Mat places, mask;
         try

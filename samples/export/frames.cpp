@@ -41,6 +41,14 @@ RollingShutterCamera MotionFrame::cameraOf(const RollingShutterCamera& common) c
     return own;
 }
 
+void MotionFrame::checkMetres() const
+{
+    const bool translates = motion.wallSlope != 0 || motion.wallOffset != 0 || motion.roadSlope != 0;
+    if (translates && motion.wallDistance <= 0 && motion.scale == SCALE_UNKNOWN)
+        throw InputError(name() + ": its points have depths in metres, but its motion hasn't: give --speed, --wall or "
+                                  "--scale_from_road to rsackermann_correct");
+}
+
 static std::string withNumber(const std::string& input, int frame)
 {
     return frame < 0 ? input : input + cv::format(".%06d", frame);

@@ -30,6 +30,9 @@ struct MotionFrame
     //! The camera of this frame from that of all frames; throws InputError if the image had another one.
     cv::rsackermann::RollingShutterCamera cameraOf(const cv::rsackermann::RollingShutterCamera& common) const;
 
+    //! Throws InputError if nobody knows how many metres the car drives while the image is read.
+    void checkMetres() const;
+
     //! A name for files of this frame: that of the image, or that of the video with the frame's number.
     std::string name() const;
     //! The same with the folders, as the report names the input: another frame has another one.

@@ -29,6 +29,8 @@ std::string correctTracks(const std::string& path, const RollingShutterCamera& c
             continue;
         generator->setCamera(frames[i].cameraOf(camera));
         const bool depthsKnown = cv::countNonZero(depths) > 0;
+        if (depthsKnown)
+            frames[i].checkMetres();
         cv::Mat places, mask;
         generator->correctPoints(frames[i].motion, points, places, depthsKnown ? cv::Mat(depths) : cv::Mat(), mask);
         for (size_t k = 0; k < points.size(); k++)

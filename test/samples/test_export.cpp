@@ -501,12 +501,19 @@ TEST_F(Export, points_need_metres)
         motion.write(fs);
     }
     writeContent(folder / "cloud.csv", "x,y,z\n1,2,3\n");
-    const Outcome outcome =
-        exportMotion({"--motion=" + (folder / "motion.yml"), "--camera=" + streetFolder() + "/camera.yml",
-                      "--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")});
-    EXPECT_EQ(1, outcome.exitCode);
-    EXPECT_NE(std::string::npos, outcome.messages.find("street.png: ")) << outcome.messages;
-    EXPECT_FALSE(cv::utils::fs::exists(folder / "places.csv"));
+    writeContent(folder / "tracks.csv", "x,y,depth\n100,200,3\n");
+    const Arguments given = {"--motion=" + (folder / "motion.yml"), "--camera=" + streetFolder() + "/camera.yml"};
+    for (const std::string table : {"points", "tracks"})
+    {
+        Arguments arguments = given;
+        arguments.push_back("--" + table + "=" + (folder / (table == "points" ? "cloud.csv" : "tracks.csv")));
+        arguments.push_back("--" + table + "_output=" + (folder / "places.csv"));
+        const Outcome outcome = exportMotion(arguments);
+        EXPECT_EQ(1, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find("street.png: ")) << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.messages.find("--speed, --wall or --scale_from_road")) << outcome.messages;
+        EXPECT_FALSE(cv::utils::fs::exists(folder / "places.csv"));
+    }
 }
 
 // The mesh as a warper takes it: the four nodes around a pixel, bilinear.
