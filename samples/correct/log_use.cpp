@@ -43,7 +43,7 @@ void checkLog(const DriveLog& log, const InputList& inputs, const std::string& p
             unknown += !log.names(input.name, input.number);
         }
     if (images > 0 && unknown == images)
-        throw UsageError("the log names none of the images (columns file or frame)");
+        throw UsageError("the log names none of the images (columns file or frame), and samples need their times");
     if (log.shortestStep() > RAREST_SAMPLES)
         std::cerr << program << ": no sample of the log is less than " << log.shortestStep()
                   << " s after the one before: its times seem not to be in seconds" << std::endl;

@@ -222,7 +222,7 @@ TEST_F(CorrectLog, refused)
         {"file,speed_kmh\nrolling.png,1\n,30\n", "neither a frame's name nor a time"},
         {"file,time_s,speed_kmh\nrolling.png,1,1\n,2,30\n,2,31\n", "times must increase"},
         {"file,speed_kmh\nother.png,30\n", "names none of the images"},
-        {"time_s,speed_kmh\n0,30\n", "names none of the images"}};
+        {"time_s,speed_kmh\n0,30\n", "names none of the images (columns file or frame), and samples need"}};
     const Outcome zero = runWithLog(std::string("file,speed_kmh\nrolling.png,30\0\n", 31), {image_});
     EXPECT_EQ(2, zero.exitCode) << zero.messages;
     for (const std::pair<const char*, const char*>& log : logs)
