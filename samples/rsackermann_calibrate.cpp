@@ -135,8 +135,11 @@ void print(const MountCalibration& c, int frames)
     print("pitch", c.pitchObserved, c.pitch / DEGREE, c.pitchSigma / DEGREE, "deg", few);
     print("heading", c.headingObserved, c.heading / DEGREE, c.headingSigma / DEGREE, "deg", few);
     print("line delay", c.lineDelayObserved, c.lineDelay * 1e6, c.lineDelaySigma * 1e6, "us",
-          "the drive has too few frames, or too few bends with verticals in sight and no gyro (--gyro) that shows "
-          "shaking");
+          c.gyroFrames > 0
+              ? "the drive shakes and bends too little, or its lines are read in another order (--scan), and then roll "
+                "and pitch aren't those of the camera"
+              : "the drive has too few frames, or too few bends with verticals in sight and no gyro (--gyro) that "
+                "shows shaking");
     if (c.gyroFrames > 0)
     {
         std::printf("gyro        used in %d frames\n", c.gyroFrames);

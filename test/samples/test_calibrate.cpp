@@ -201,6 +201,11 @@ TEST_F(Calibrate, shaking_and_a_gyro_show_the_line_delay)
     outcome = calibrate(untimed);
     EXPECT_NE(std::string::npos, outcome.output.find("used in 29 frames")) << outcome.output << outcome.messages;
     EXPECT_NEAR(10, gyroDelay(outcome.output), 0.5);
+    // In another order rows show none of the shaking.
+    Arguments upwards = arguments;
+    upwards.push_back("--scan=bottom_to_top");
+    outcome = calibrate(upwards);
+    EXPECT_NE(std::string::npos, outcome.output.find("read in another order (--scan)")) << outcome.output;
     arguments.push_back("--gyro_delay=0.01");
     outcome = calibrate(arguments);
     EXPECT_NEAR(0, gyroDelay(outcome.output), 0.5);
