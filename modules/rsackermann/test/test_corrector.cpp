@@ -461,6 +461,36 @@ TEST(RSAckermann_Corrector, prior_is_used)
     EXPECT_EQ(0.01, c.corrector->getPrior().yawRateSigma);
 }
 
+// Both go into the estimate of a single image.
+TEST(RSAckermann_Corrector, gyro_that_contradicts_a_given_yaw_rate)
+{
+    CorrectorOfFrames c;
+    c.params.sequence = false;
+    c.corrector->setParams(c.params);
+    MotionPrior prior;
+    prior.yawRate = 0.6;
+    prior.yawRateSigma = 0.02;
+    c.corrector->setPrior(prior);
+    const Mat segments = noisySegments(c.camera, 0.6, 20, 3);
+    for (const double measured : {0.6, 0.64, 0.3})
+    {
+        c.corrector->clearGyro();
+        Mat times(21, 1, CV_64F), rates(21, 3, CV_64F, Scalar(0));
+        for (int i = 0; i < times.rows; i++)
+            times.at<double>(i) = 0.02 * (i - 10);
+        rates.col(1).setTo(measured);
+        c.corrector->addGyro(times, rates);
+        c.corrector->setTimestamp(0);
+        const AckermannMotion motion = c.frame(segments);
+        EXPECT_FALSE(motion.rotationCurve.empty());
+        EXPECT_EQ(measured == 0.3, motion.contradictsPrior) << measured;
+        if (motion.contradictsPrior)
+        {
+            EXPECT_NEAR(measured, motion.seenYawRate, 1e-9);
+        }
+    }
+}
+
 TEST(RSAckermann_Corrector, motion_is_carried_from_frame_to_frame)
 {
     CorrectorOfFrames c;

@@ -93,6 +93,12 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
     AckermannMotion motion = single->estimate(segments, labels, prior);
     if (isMeasured)
         compareAgain(prior, given, motion);
+    if (isMeasured && contradicts(yaw.value, yaw.sigma, given.yawRate, given.yawRateSigma)) // whatever the image shows
+    {
+        motion.seenYawRate = yaw.value;
+        motion.seenYawRateSigma = yaw.sigma;
+        motion.contradictsPrior = true;
+    }
     if (isMeasured && motion.status == MOTION_OK)
     {
         RowRates turning;
