@@ -219,11 +219,11 @@ Job readJob(const Options& options)
     job.outputIsFolder = isResultFolder(job.output, job.inputs.single, "output");
     job.overlayIsFolder = isResultFolder(job.overlay, job.inputs.single, "overlay");
     job.mapsIsFolder = isResultFolder(job.maps, job.inputs.single && !hasVideo(job.inputs), "maps");
-    checkPictureName("output", job.output, job.outputIsFolder, job.inputs);
-    checkPictureName("overlay", job.overlay, job.overlayIsFolder, job.inputs);
     if (options.given("log"))
         checkLog(job.log, job.inputs, "rsackermann_correct");
     checkTargets(options, job);
+    checkPictureName("output", job.output, job.outputIsFolder, job.inputs);
+    checkPictureName("overlay", job.overlay, job.overlayIsFolder, job.inputs);
     readShard(options, job);
     return job;
 }

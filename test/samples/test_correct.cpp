@@ -501,7 +501,7 @@ TEST(Correct, format_that_cannot_hold_the_type)
 {
     const TemporaryFolder folder;
     cv::imwrite(folder / "in.png", CorrectKeeps::convert(streetImage(), CV_16UC3));
-    for (const char* name : {"out.jpg", "out.bmp", "out.xyz", "out"})
+    for (const char* name : {"out.jpg", "out.bmp"})
         EXPECT_EQ(1, correct({folder / "in.png", "--output=" + (folder / name)}).exitCode) << name;
     EXPECT_EQ(std::vector<std::string>{"in.png"}, namesIn(folder.path()));
 }
