@@ -54,6 +54,14 @@ protected:
     OptionEffects()
     {
         simulate({"--output=" + (folder / "drive"), "--frames=3", "--speed=60", "--left=5", "--right=6", "--depth"});
+        std::vector<cv::String> depths;
+        cv::glob(folder / "drive/depth/*.png", depths);
+        for (const cv::String& name : depths) // of 1/256 m
+        {
+            cv::Mat millimetres;
+            cv::imread(name, cv::IMREAD_UNCHANGED).convertTo(millimetres, CV_16U, 1000. / 256);
+            cv::imwrite(name, millimetres);
+        }
         std::string lines;
         for (int x = 50; x < 600; x += 11)
             lines += cv::format("%d 100 %d 200\n", x, x + x % 7);
@@ -162,8 +170,8 @@ TEST_P(EachOptionEffects, of_rsackermann_correct)
         {"depth_kind", "relative", delay, REFUSED, REFUSED},
         {"depth_camera", "corrected", depth, CHANGES, CHANGES},
         {"depth_camera", "corrected", delay, REFUSED, REFUSED},
-        {"depth_scale", "0.003", depth, CHANGES, CHANGES},
-        {"depth_scale", "0.003", delay, REFUSED, REFUSED},
+        {"depth_scale", "0.002", depth, CHANGES, CHANGES},
+        {"depth_scale", "0.002", delay, REFUSED, REFUSED},
         {"baseline", "0.3", depth, REFUSED, REFUSED},
         {"baseline", "0.5", depth + Arguments{"--depth_kind=disparity", "--baseline=0.3"}, REFUSED, REFUSED}, // twice
         {"model", "none", delay, CHANGES, REFUSED},
