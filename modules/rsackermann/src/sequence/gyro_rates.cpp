@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../camera/axis_rotations.hpp"
 #include "../motion/contradiction.hpp"
 #include "gyro_rates.hpp"
 
@@ -45,8 +44,7 @@ TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector
                  roll = isEarlier ? values[FLOW_ROLL_BEFORE] : -values[FLOW_ROLL_AFTER],
                  yawRate = values[SEQUENCE_YAW_RATE] + values[FLOW_YAW_CHANGE] * neighbour / 2;
     rows = RowSpan(mean - half, mean + half);
-    const Matx33d upright = tiltRotation(values[SEQUENCE_ROLL], values[SEQUENCE_PITCH]) * camera.uprightRotation;
-    rate = upright.t() * Vec3d(-pitch / interval, yawRate, roll / interval);
+    rate = camera.uprightRotation.t() * Vec3d(-pitch / interval, yawRate, roll / interval);
 }
 
 void CameraRates::about(const Matx33d& rotation, InstantRate& x, InstantRate& y, InstantRate& z) const

@@ -360,7 +360,7 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
 bool SequenceEstimator::alignDepth(const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
                                    DepthMap& depth) const
 {
-    if (seen != filter.time)
+    if (!isSeen())
         return rsackermann::alignDepth(camera, params, prior, segments, motion, depth);
     DepthFit found;
     DepthMap aligned = depth;

@@ -61,8 +61,8 @@ private:
     double share; // of what is below the horizon that is road
 };
 
-/** Whether a depth in metres is evidently in another unit: the camera would be higher above the road that it shows, or
-lower, than cameras of cars are, or three standard deviations of that away from the given height.
+/** Whether a depth in metres is evidently in another unit: the height of the camera above the road that it shows is
+three standard deviations of the prior away from the given height, or from the prior's if none is given.
 @param depth checked, or empty. @param up rotation from the camera frame to the upright frame. */
 bool isRoadInAnotherUnit(const DepthMap& depth, const RollingShutterCamera& camera,
                          const AckermannEstimator::Params& params, const Matx33d& up);
