@@ -133,7 +133,8 @@ public:
                 return r;
             },
             equations);
-        const NormalEquations<UNKNOWNS>::Vector step = -(scaledInverse(equations.symmetric()) * equations.gradient);
+        const NormalEquations<UNKNOWNS>::Matrix covariance = scaledInverse(equations.symmetric());
+        const NormalEquations<UNKNOWNS>::Vector step = -(covariance * equations.gradient);
         for (int k = 0; k < UNKNOWNS; k += OF_ONE)
         {
             NeighbourTurns& turns = k == 0 ? before : after;
@@ -143,6 +144,7 @@ public:
             for (int i = 0; i < AXES; i++)
             {
                 all[i]->angle = angles[i] + step[k + i];
+                all[i]->sigma = std::sqrt(covariance(k + i, k + i));
                 all[i]->change = step[k + AXES + i];
             }
         }

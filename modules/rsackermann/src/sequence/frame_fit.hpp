@@ -14,6 +14,7 @@ namespace cv { namespace rsackermann {
 struct RowTurn
 {
     double angle = 0; //!< of the reference row, radians; of yaw beyond that of the state
+    double sigma = 0;
     //! By how much faster the present frame turns than the other one, rad/s: later rows turn further.
     double change = 0;
 };

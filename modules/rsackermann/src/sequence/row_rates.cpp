@@ -9,7 +9,7 @@ namespace cv { namespace rsackermann {
 
 RateProcess::RateProcess()
     : products(Matx22d::zeros()), count(0), pairs(0), changes(0), errors(0), shown(0), shownCount(0), shownSquares(0),
-      confirmed(0), change(0), known(0)
+      confirmed(0), noise(0), change(0), known(0)
 {
 }
 
@@ -39,8 +39,10 @@ double RateProcess::meanShown() const
     return shown / (shownCount + ASSUMED_FRAMES);
 }
 
-void RateProcess::add(double rate, double shownChange, double interval)
+void RateProcess::add(const InstantRate& mean, double shownChange, double interval)
 {
+    const double rate = mean.value;
+    noise = mean.sigma * mean.sigma;
     const double kept = std::exp(-std::abs(interval) / RATE_MEMORY);
     if (known > 0)
     {
@@ -76,9 +78,44 @@ double RateProcess::beyondMeans(double changeToNext, double share) const
     return trust() * (change + share * (changeToNext - meanShown() - change)) / 2;
 }
 
-double RateProcess::wandering() const
+// Variances of a rate that wanders, relative to the mean square of the difference of two means: of its mean while a
+// frame is read about the last mean, about that of both sides, and the same if their changes are known.
+static double varianceOfLast(double read)
 {
-    return pairs > 0 ? std::sqrt(changes / pairs / 2 * unseen()) : 0;
+    return (1 - read + read * read / 2) / 2;
+}
+
+static double varianceOfMeans(double read)
+{
+    return std::pow(1 - read, 2) / 4;
+}
+
+static double shownVarianceOfLast(double read)
+{
+    return (std::pow(1 - read, 2) + std::pow(read, 2)) / 8;
+}
+
+static double shownVarianceOfMeans(double read)
+{
+    return (std::pow(1 - read, 3) + std::pow(read, 3)) / 16;
+}
+
+// By the variances of what rows don't show and of what they show, and the part of the variance of a mean's error that
+// counts: means differ by their errors, too. square: the mean square of their difference.
+double RateProcess::variance(double square, double unknown, double ifShown, double part) const
+{
+    const double ofWandering = unknown + trust() * (ifShown - unknown);
+    return ofWandering * square + (part - 2 * ofWandering) * std::min(noise, square / 2);
+}
+
+double RateProcess::aboutLast(double read) const
+{
+    return pairs > 0 ? std::sqrt(variance(changes / pairs, varianceOfLast(read), shownVarianceOfLast(read), 0)) : 0;
+}
+
+double RateProcess::aboutMeans(double read) const
+{
+    return pairs > 0 ? std::sqrt(variance(changes / pairs, varianceOfMeans(read), shownVarianceOfMeans(read), 0)) : 0;
 }
 
 void RateProcess::expectChange(double square)
@@ -89,53 +126,56 @@ void RateProcess::expectChange(double square)
     pairs = 1;
 }
 
-// Of a rate that wanders, the mean of the means on both sides misses the instant by half of their difference, and if
-// both ends of an interval are known its mean misses theirs by a quarter of the variance.
-InstantRate RateProcess::now() const
+InstantRate RateProcess::now(double read) const
 {
     InstantRate result;
     if (count > 0 && known > 0)
     {
-        const double byMeans = (past[0] + predict()) / 2, seen = trust(), variance = changes / pairs;
+        const double byMeans = (past[0] + predict()) / 2, seen = trust();
         result.value = byMeans + seen * (past[0] - byMeans) + beyondLast();
-        result.sigma = std::sqrt((1 - seen) * (variance + errors / count) / 4 + seen * variance / 8);
+        // Of the last mean's error half counts, or all of it where rows show the change.
+        const double ofLast =
+            variance(changes / pairs, varianceOfMeans(read), shownVarianceOfLast(read), 0.25 + 0.75 * seen);
+        result.sigma = std::sqrt(ofLast + (1 - seen) * errors / count / 4);
     }
     return result;
 }
 
-InstantRate RateProcess::now(double next, double shownChange, double share) const
+InstantRate RateProcess::now(double next, double shownChange, double share, double read) const
 {
     InstantRate result;
     if (known > 0)
     {
-        const double difference = next - past[0];
+        const double difference = next - past[0], square = (changes + difference * difference) / (pairs + 1);
         result.value = past[0] + share * difference + beyondMeans(shownChange, share);
-        result.sigma = std::sqrt((changes + difference * difference) / (pairs + 1) * unseen()) / 2;
+        result.sigma = std::sqrt(variance(square, varianceOfMeans(read), shownVarianceOfMeans(read), 0.5));
     }
     return result;
 }
 
-void RowRates::update(const SequenceFit& fit, double before, double after)
+void RowRates::update(const SequenceFit& fit, double before, double after, double readOut)
 {
     isMeasured = false;
     curve.release();
     // Turns are counted from a frame to one that was taken later.
     const bool backward = before < 0;
-    const double past = std::abs(before), future = std::abs(after), share = past / (past + future);
+    const double past = std::abs(before), future = std::abs(after), share = past / (past + future),
+                 read = readOut / (past + (after != 0 ? future : past));
     const NeighbourTurns &last = backward ? fit.after : fit.before, &next = backward ? fit.before : fit.after;
     const int sign = backward ? -1 : 1;
     const auto follow = [&](RateProcess& process, const RowTurn& ofLast, const RowTurn& ofNext) {
-        process.add(sign * ofLast.angle / past, ofLast.change, before);
-        return after != 0 ? process.now(-sign * ofNext.angle / future, ofNext.change, share) : process.now();
+        process.add(InstantRate(sign * ofLast.angle / past, ofLast.sigma / past), ofLast.change, before);
+        return after != 0 ? process.now(-sign * ofNext.angle / future, ofNext.change, share, read) : process.now(read);
     };
     pitchNow = follow(pitch, last.pitch, next.pitch);
     rollNow = follow(roll, last.roll, next.roll);
 
-    yaw.add(fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before,
-            last.yaw.change, before);
+    const double ofLast =
+        fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before;
+    yaw.add(InstantRate(ofLast, std::sqrt(fit.state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE))), last.yaw.change,
+            before);
     yawBeyond.value = after != 0 ? yaw.beyondMeans(next.yaw.change, share) : yaw.beyondLast();
-    // The fit has met the next frame, too: of the mean of both sides it is half the variance.
-    yawBeyond.sigma = yaw.wandering() * (after != 0 ? std::sqrt(0.5) : 1);
+    yawBeyond.sigma = after != 0 ? yaw.aboutMeans(read) : yaw.aboutLast(read);
 }
 
 void RowRates::interrupt()
@@ -151,12 +191,12 @@ void RowRates::interrupt()
 
 // Means that don't depend on each other differ by twice their variance, and shaking is taken to be alike about all
 // axes.
-void RowRates::begin(const SequenceFit& fit, double after)
+void RowRates::begin(const SequenceFit& fit, double after, double readOut)
 {
     interrupt();
     const double ofPitch = fit.after.pitch.angle / after, ofRoll = fit.after.roll.angle / after;
     yaw.expectChange(ofPitch * ofPitch + ofRoll * ofRoll);
-    yawBeyond.sigma = yaw.wandering();
+    yawBeyond.sigma = yaw.aboutLast(readOut / (2 * after));
 }
 
 void RowRates::set(const MeasuredTurns& measured)

@@ -12,10 +12,12 @@ namespace cv { namespace rsackermann {
 //! Seconds in which a camera shakes alike, and the bias and the delay of a gyro stay.
 const double RATE_MEMORY = 10;
 
-//! A rate at one instant with its standard deviation, per second; 0: not known.
+//! A rate at one instant, or its mean, with its standard deviation, per second; 0: not known.
 struct InstantRate
 {
-    double value = 0, sigma = 0;
+    double value, sigma;
+
+    explicit InstantRate(double value_ = 0, double sigma_ = 0) : value(value_), sigma(sigma_) {}
 };
 
 //! For which what is assumed of a whole drive counts beside what its frames show.
@@ -33,10 +35,10 @@ class RateProcess
 public:
     RateProcess();
 
-    /** Adds the mean rate over the interval that ends at the present frame.
+    /** Adds the mean rate over the interval that ends at the present frame, with its error.
     @param change by how much faster the present frame turns than the one before, as its rows show.
     @param interval seconds, of any sign. */
-    void add(double rate, double change, double interval);
+    void add(const InstantRate& mean, double change, double interval);
 
     //! The square of a change that is expected while none is known.
     void expectChange(double square);
@@ -44,13 +46,14 @@ public:
     //! The next mean doesn't follow the last one.
     void interrupt() { known = 0; }
 
-    //! The rate at the present frame, between the last mean and the next one.
-    InstantRate now() const;
+    /** The mean rate while the present frame is read, between the last mean and the next one.
+    @param read half of the time in which it is read, over the interval. */
+    InstantRate now(double read) const;
 
     /** The same if the next mean is measured, too.
     @param change by how much faster the present frame turns than the next one.
     @param share of the difference to the last mean that has passed. */
-    InstantRate now(double next, double change, double share) const;
+    InstantRate now(double next, double change, double share, double read) const;
 
     //! By how much the rate at the present frame is above the last mean, as rows show.
     double beyondLast() const;
@@ -58,13 +61,16 @@ public:
     //! The same above the mean of both sides.
     double beyondMeans(double changeToNext, double share) const;
 
-    //! Standard deviation of the rate at the present frame about the last mean, with what rows show.
-    double wandering() const;
+    //! Standard deviation of the rate at the present frame about the true last mean, with what rows show.
+    double aboutLast(double read) const;
+
+    //! The same about the mean of both sides.
+    double aboutMeans(double read) const;
 
 private:
     double predict() const;
     double trust() const;
-    double unseen() const { return 1 - 0.75 * trust(); } // share of the variance about means
+    double variance(double square, double unknown, double ifShown, double part) const;
     double meanShown() const;
 
     Matx22d products;         // of the two means before
@@ -74,6 +80,7 @@ private:
     double shown, shownCount; // sum of the changes that rows have shown, and their number
     double shownSquares, confirmed; // of these changes, and their products with those of the means
     Vec2d past;                     // the last mean and the one before
+    double noise;                   // variance of the last mean's error
     double change;                  // that rows have shown last, without its mean
     int known;                      // of these means
 };
@@ -91,15 +98,17 @@ class RowRates
 public:
     /** Goes on to a frame.
     @param before seconds from the frame before; negative if that was taken later.
-    @param after seconds to the frame after; 0: no points are seen in it. */
-    void update(const SequenceFit& fit, double before, double after);
+    @param after seconds to the frame after; 0: no points are seen in it.
+    @param readOut seconds in which a frame is read. */
+    void update(const SequenceFit& fit, double before, double after, double readOut);
 
     //! A frame without turns.
     void interrupt();
 
     /** A frame with turns to the next one only: how fast a camera pitches and rolls lets expect how it shakes.
-    @param after seconds to the next frame. */
-    void begin(const SequenceFit& fit, double after);
+    @param after seconds to the next frame.
+    @param readOut seconds in which a frame is read. */
+    void begin(const SequenceFit& fit, double after, double readOut);
 
     //! Of the present frame, by a gyro.
     void set(const MeasuredTurns& measured);

@@ -238,10 +238,11 @@ void SequenceEstimator::updateRates(double before, double after)
     bool isSeen[2] = {false, false}; // in the earlier and in the later neighbour
     for (size_t i = 0; i < features.bearings.size(); i++)
         isSeen[features.bearings[i].pitch == FLOW_PITCH_BEFORE ? 0 : 1] = true;
+    const double readOut = camera.lineDelay * camera.imageSize.height;
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
-        rates.update(last, before, isSeen[before > 0 ? 1 : 0] ? after : 0);
+        rates.update(last, before, isSeen[before > 0 ? 1 : 0] ? after : 0, readOut);
     else if (after != 0 && isSeen[after > 0 ? 1 : 0])
-        rates.begin(last, after);
+        rates.begin(last, after, readOut);
     else
         rates.interrupt();
     if (gyro.samples.empty())
