@@ -43,6 +43,24 @@ MotionPrior givenSpeed(double speed, double sigma)
     return prior;
 }
 
+//! Where the density of a speed's logarithm is largest if it has been measured, and its curvature as a sigma.
+Vec2d measuredLogarithm(double speed, double sigma)
+{
+    const Params params;
+    Vec2d best(0, 0);
+    double least = DBL_MAX;
+    for (double x = -3; x < 5; x += 1e-5)
+    {
+        const double usual = (x - std::log(params.priorSpeed)) / params.priorSpeedLogSigma,
+                     measured = (std::exp(x) - speed) / sigma, cost = usual * usual + measured * measured;
+        if (cost < least)
+            best[0] = x;
+        least = std::min(cost, least);
+    }
+    best[1] = 1 / std::hypot(1 / params.priorSpeedLogSigma, std::exp(best[0]) / sigma);
+    return best;
+}
+
 Model movingModel(double speed, double azimuth)
 {
     Model m;
@@ -182,7 +200,7 @@ TEST(RSAckermann_DrivingPrior, speed)
     EXPECT_EQ(0, makeDrive(camera).givenDirection());
     // A given speed is as probable backward as forward.
     const DrivingPrior back = makeDrive(camera, givenSpeed(-20, 0.5));
-    EXPECT_NEAR(20 * unit / PRIOR_WALL, back.expectedScaledSpeed(), 1e-12);
+    EXPECT_NEAR(20 * unit / PRIOR_WALL, back.expectedScaledSpeed(), 1e-3 * 20 * unit / PRIOR_WALL);
     EXPECT_EQ(-1, back.givenDirection());
     Params params;
     params.wallDistance = 5;
@@ -193,19 +211,25 @@ TEST(RSAckermann_DrivingPrior, speed)
     const DrivingPrior drive = makeDrive(camera);
     ASSERT_EQ(4, drive.evaluate(movingModel(2 * drive.expectedScaledSpeed(), 0), MotionHypothesis(MODEL_4LA, 1), r));
     EXPECT_NEAR(std::log(2.) / scaledSpeedSigma(WALL_SIGMA), r[1].value, 1e-6);
-    // The error of a given speed has nothing to do with walls.
-    const DrivingPrior given = makeDrive(camera, givenSpeed(12, 6));
-    given.evaluate(movingModel(2 * given.expectedScaledSpeed(), 0), MotionHypothesis(MODEL_4LA, 1), r);
-    EXPECT_NEAR(std::log(2.) / std::hypot(0.5, WALL_SIGMA), r[1].value, 1e-6);
+    // The error of a given speed has nothing to do with walls. What it leaves open is as usual, near rest as well.
+    for (const Vec2d& speed : {Vec2d(12, 6), Vec2d(12, 0.1), Vec2d(0, 0.5), Vec2d(40, 400)})
+    {
+        const DrivingPrior given = makeDrive(camera, givenSpeed(speed[0], speed[1]));
+        const Vec2d logarithm = measuredLogarithm(speed[0], speed[1]);
+        EXPECT_NEAR(std::exp(logarithm[0]) * unit / PRIOR_WALL, given.expectedScaledSpeed(), 1e-6) << speed;
+        given.evaluate(movingModel(2 * given.expectedScaledSpeed(), 0), MotionHypothesis(MODEL_4LA, 1), r);
+        EXPECT_NEAR(std::log(2.) / std::hypot(logarithm[1], WALL_SIGMA), r[1].value, 1e-4) << speed;
+    }
     // With two walls the distance of both, in the mean of the logarithms, is what is expected.
     Model m = movingModel(drive.expectedScaledSpeed() * 4, 0);
     m[P_LAMBDA] = 1. / 16;
     ASSERT_EQ(5, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
     EXPECT_NEAR(0, r[1].value, 1e-6);
-    // If speed and wall are given both are measured.
+    // With a wall that is given the speed's alone is left.
     m = movingModel(13 * unit / 5, 0);
     ASSERT_EQ(3, makeDrive(camera, givenSpeed(15, 1), params).evaluate(m, MotionHypothesis(MODEL_4LA, 1), r));
-    EXPECT_NEAR(-2, r[1].value, 1e-6);
+    const Vec2d logarithm = measuredLogarithm(15, 1);
+    EXPECT_NEAR((std::log(13.) - logarithm[0]) / logarithm[1], r[1].value, 1e-3);
 }
 
 TEST(RSAckermann_DrivingPrior, rest)

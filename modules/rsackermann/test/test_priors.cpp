@@ -120,6 +120,37 @@ TEST(RSAckermann_Prior, weak_prior)
     EXPECT_LT(median(with.displacement), 1.1 * median(without.displacement));
 }
 
+// A speed that leaves open whether the car stands doesn't make it stand where the distance of a wall is given, too.
+TEST(RSAckermann_Prior, vague_speed_beside_a_given_wall)
+{
+    RNG rng(8);
+    int count = 0, beyond = 0;
+    for (int i = 0; i < 60; i++)
+    {
+        const double wall = rng.uniform(3., 8.), yawRate = rng.gaussian(5) * degree, speed = rng.uniform(1., 6.);
+        Simulator truth =
+            Simulator::fromMetric(simulation::paperCamera(), yawRate, speed, wall, rng.uniform(3., 8.), 0);
+        simulation::SegmentOptions options;
+        options.noise = 0.3;
+        const Mat segments = simulation::randomSegments(truth, options, rng).ends;
+        RollingShutterCamera camera = truth.camera;
+        camera.setRollPitch(rng.gaussian(1) * degree, rng.gaussian(0.3) * degree);
+        AckermannEstimator::Params params;
+        params.wallDistance = wall;
+        MotionPrior prior;
+        prior.speedSigma = 2;
+        prior.speed = std::max(speed + rng.gaussian(prior.speedSigma), 0.1);
+        const AckermannMotion m = AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
+        double found;
+        if (m.status != MOTION_OK || !m.yawRate(camera, found))
+            continue;
+        count++;
+        beyond += std::abs(found - yawRate) > 3 * std::sqrt(m.metricCovariance(camera)(0, 0));
+    }
+    EXPECT_GT(count, 30);
+    EXPECT_LE(beyond, 0.03 * count);
+}
+
 // Metric values without a scale can't be used.
 TEST(RSAckermann_Prior, without_scale)
 {

@@ -15,7 +15,7 @@ static const double YAW_FREEDOM = 2; // of Student's t, the distribution of yaw 
 // Times the probability of standing: who is given a motion is seldom at rest.
 static const double STANDING_IF_GIVEN = 0.3;
 
-GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera, double wallDistance)
+GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera)
 {
     street = prior.wallDirection;
     streetSigma = prior.wallDirectionSigma;
@@ -30,16 +30,24 @@ GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& c
         speed = prior.speed * unit;
         speedSigma = rateSigma(camera, prior.speed, prior.speedSigma) * unit;
     }
-    if (wallDistance > 0)
+}
+
+// The mode of a normal logarithm whose exponential has been measured, and its standard deviation there.
+static void measureLogarithm(double value, double sigma, double& mean, double& logSigma)
+{
+    const double usual = mean, weight = 1 / (logSigma * logSigma), known = 1 / (sigma * sigma);
+    mean = std::log(std::max(value, sigma));
+    for (int i = 0; i < 30; i++)
     {
-        scaledSpeed = speed / wallDistance;
-        scaledSpeedSigma = speedSigma / wallDistance;
+        const double e = std::exp(mean), information = weight + known * e * e;
+        mean -= (weight * (mean - usual) + known * e * (e - value)) / information;
+        logSigma = 1 / std::sqrt(information);
     }
 }
 
 DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera,
                            const AckermannEstimator::Params& params, const MotionLimits& limits)
-    : given_(prior, camera, params.wallDistance), logRatioSigma(params.priorWallRatioLogSigma),
+    : given_(prior, camera), logRatioSigma(params.priorWallRatioLogSigma),
       heading_(camera.heading), headingSigma(params.wallDeviationSigma), height(camera.height),
       speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation), standing(params.standingProbability),
       reverse(params.reverseProbability)
@@ -47,18 +55,14 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
     yawScale = unit > 0 ? params.priorYawRate * unit / 2 : 0.5 * limits.maxAlpha;
-    double speed = params.priorSpeed, speedSigma = params.priorSpeedLogSigma;
+    double logMetres = std::log(params.priorSpeed), speedSigma = params.priorSpeedLogSigma; // per second
     if (speedIsGiven())
-    {
-        // Near rest a logarithm would say more than is known.
-        speed = std::max(std::abs(prior.speed), prior.speedSigma);
-        speedSigma = std::min(speedSigma, prior.speedSigma / speed);
-    }
+        measureLogarithm(std::abs(prior.speed), prior.speedSigma, logMetres, speedSigma);
     const double wallDistance = knowsWall ? params.wallDistance : params.priorWallDistance;
     RollingShutterCamera timed = camera;
     if (!(unit > 0))
         timed.lineDelay = params.priorReadoutTime / camera.imageSize.height;
-    logSpeed = std::log(speed * timed.secondsPerUnitTime() / wallDistance);
+    logSpeed = logMetres + std::log(timed.secondsPerUnitTime() / wallDistance);
     logSpeedSigma = std::hypot(speedSigma, unit > 0 ? 0 : params.priorReadoutTimeLogSigma);
     logWallSigma = knowsWall ? 0 : params.priorWallDistanceLogSigma;
     roadRatioIsGiven = params.roadRatio > 0;
@@ -95,8 +99,6 @@ DrivingPrior::ScaledSpeedLog DrivingPrior::scaledSpeedLog(int walls) const
 Jet DrivingPrior::speedResidual(const Model& model, const MotionHypothesis& hypothesis) const
 {
     const Jet speed = length(Jet::variable(model[P_B], P_B), Jet::variable(model[P_D], P_D));
-    if (scaledSpeedIsGiven())
-        return (1 / given_.scaledSpeedSigma) * (double(model.direction) * speed - given_.scaledSpeed);
     const double least = 1e-12;
     Jet logarithm = speed.apply(std::log(speed.value + least), 1 / (speed.value + least));
     if (hypothesis.walls == 2 && logWallSigma > 0)
@@ -109,14 +111,11 @@ Jet DrivingPrior::speedResidual(const Model& model, const MotionHypothesis& hypo
     return (1 / std::sqrt(scaledSpeedLog(hypothesis.walls).variance)) * (logarithm - std::log(expectedScaledSpeed()));
 }
 
-// What a direction costs. A given speed has a sign, which is among the residuals if the wall's distance is known;
-// without it the size of the speed is, and here the sign.
+// What a direction costs. A given speed has a sign; among the residuals is its size.
 double DrivingPrior::directionPenalty(int direction, const MotionHypothesis& hypothesis) const
 {
     if (!speedIsGiven() || !hypothesis.translates())
         return direction == 0 ? 0 : -2 * std::log(std::max(direction < 0 ? reverse : 1 - reverse, DBL_MIN));
-    if (scaledSpeedIsGiven())
-        return 0;
     const double farthest = 30; // sigmas, beyond which the probability is 0 to a double
     const double z = std::max(direction * given_.speed / given_.speedSigma, -farthest);
     return -2 * std::log(0.5 * std::erfc(-z / std::sqrt(2.)));
@@ -148,8 +147,6 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
     {
         const Jet street = Jet::variable(model[P_STREET], P_STREET);
         const double angle = model[P_STREET] - heading_.angle;
-        if (scaledSpeedIsGiven())
-            residuals[n++] = Jet(-given_.scaledSpeed / given_.scaledSpeedSigma);
         if (given_.streetSigma > 0)
             residuals[n++] = (1 / given_.streetSigma) * (street - given_.street);
         if (headingSigma > 0)
@@ -178,7 +175,7 @@ double DrivingPrior::logYawDensity(double a) const
 double DrivingPrior::logVolume(const MotionHypothesis& hypothesis) const
 {
     double volume = headingSigma > 0 ? std::log(headingSigma) : 0;
-    if (hypothesis.translates() && !scaledSpeedIsGiven())
+    if (hypothesis.translates())
         volume += 0.5 * std::log(scaledSpeedLog(hypothesis.walls).variance);
     if (hypothesis.walls == 2)
         volume += std::log(logRatioSigma);
@@ -187,8 +184,8 @@ double DrivingPrior::logVolume(const MotionHypothesis& hypothesis) const
 
 double DrivingPrior::logRest() const
 {
-    // A speed without the wall's distance isn't among the residuals.
-    const double z = speedIsGiven() && !scaledSpeedIsGiven() ? given_.speed / given_.speedSigma : 0;
+    // Its residual if a speed is given.
+    const double z = speedIsGiven() ? given_.speed / given_.speedSigma : 0;
     const double probability = motionIsGiven() ? STANDING_IF_GIVEN * standing : standing;
     return std::log(probability / (1 - probability)) - 0.5 * z * z;
 }

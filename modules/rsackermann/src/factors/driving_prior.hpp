@@ -55,12 +55,11 @@ private:
 struct GivenValues
 {
     double alpha = 0, alphaSigma = 0;
-    double speed = 0, speedSigma = 0;             // by the row time alone, in metres
-    double scaledSpeed = 0, scaledSpeedSigma = 0; // of sqrt(B^2 + D^2), signed; needs the wall's distance, too
-    double street = 0, streetSigma = 0;           // azimuth of the street
+    double speed = 0, speedSigma = 0;   // by the row time alone, in metres
+    double street = 0, streetSigma = 0; // azimuth of the street
 
     GivenValues() {}
-    GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera, double wallDistance);
+    GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera);
 };
 
 /** How cars drive and how far away walls are, and what is given of it, as a distribution (doc/theory.md, "Prior").
@@ -98,7 +97,6 @@ public:
     double alphaScale() const { return yawRateIsGiven() ? given_.alphaSigma : yawScale; }
     bool yawRateIsGiven() const { return given_.alphaSigma > 0; }
     bool speedIsGiven() const { return given_.speedSigma > 0; }
-    bool scaledSpeedIsGiven() const { return given_.scaledSpeedSigma > 0; }
     bool motionIsGiven() const { return yawRateIsGiven() || speedIsGiven(); }
     //! Scaled speed sqrt(B^2 + D^2) that is to be expected.
     double expectedScaledSpeed() const;

@@ -81,9 +81,7 @@ public:
         mixture.add(rest, logWeight(rest, prior.logRest()));
         if (problem.distortionSigma > 0)
             addRestThroughOtherLenses(rest);
-        // Who gives a speed and the distance of a wall knows of a street.
-        if (!prior.scaledSpeedIsGiven())
-            addSceneWithoutVerticals(rest);
+        addSceneWithoutVerticals(rest);
         addMoving(moving);
         result = mixture.best();
         return true;
