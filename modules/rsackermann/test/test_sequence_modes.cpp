@@ -366,6 +366,31 @@ TEST_P(SequenceModes, seen_beside_what_is_given)
     }
 }
 
+// Points show the mean of an interval: an exact rate of the instant doesn't contradict it.
+TEST(RSAckermann_SequenceModes, exact_yaw_rates_of_a_car_that_weaves)
+{
+    Setting setting = settingOf({"weaves", [](Setting& s) { s.yawChange = -1.5; }});
+    const StreetImages street(setting);
+    for (const bool isGiven : {false, true})
+    {
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING);
+        for (int i = 0; i < FRAMES; i++)
+        {
+            MotionPrior prior;
+            prior.yawRate = setting.metric.yawRate + setting.yawChange * i * INTERVAL;
+            prior.yawRateSigma = isGiven ? 0.3 * CV_PI / 180 : 0;
+            corrector->setPrior(prior);
+            Mat corrected;
+            const AckermannMotion m = corrector->correct(street.frame(i), corrected);
+            double found;
+            if (i == 0 || !m.yawRate(setting.camera, found))
+                continue;
+            EXPECT_FALSE(m.contradictsPrior) << i;
+            EXPECT_NEAR(prior.yawRate, found, 3 * std::sqrt(m.metricCovariance(setting.camera)(0, 0))) << isGiven << i;
+        }
+    }
+}
+
 // A longer lens sees less of a turn.
 TEST_P(SequenceModes, uncertain_focal_length)
 {

@@ -211,21 +211,19 @@ TEST(RSAckermann_RowRates, nothing_is_known_at_first)
     EXPECT_EQ(0, process.now(0).value);
 }
 
-double yawSigmaOf(const RowRates& rates)
-{
-    const double unit = 0.03;
-    AckermannMotion motion;
-    motion.covariance = Matx44d::zeros();
-    rates.toMotion(unit, motion);
-    return 2 * std::sqrt(motion.covariance(0, 0)) / unit;
-}
-
 //! One whose state is known exactly.
 SequenceFit exactFit()
 {
     SequenceFit fit{SequenceState(simulation::paperCamera(), AckermannEstimator::Params())};
     fit.state.covariance = fit.state.covariance.zeros();
     return fit;
+}
+
+double yawSigmaOf(const RowRates& rates)
+{
+    SequenceState state = exactFit().state;
+    rates.toInstant(MotionPrior(), state);
+    return std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
 }
 
 SequenceFit turnsToNextFrame(double pitch, double roll)
@@ -344,8 +342,8 @@ TEST(RSAckermann_RowRates, shown_forward_and_backward)
             distance = std::max(distance, std::abs(a.pitchRate - c.pitchRate));
             SequenceState ofForward(state), ofBackward(state);
             ofForward.value[SEQUENCE_YAW_RATE] = ofBackward.value[SEQUENCE_YAW_RATE] = yaw;
-            forward.addShownYaw(ofForward);
-            backward.addShownYaw(ofBackward);
+            forward.toInstant(MotionPrior(), ofForward);
+            backward.toInstant(MotionPrior(), ofBackward);
             EXPECT_NEAR(ofForward.value[SEQUENCE_YAW_RATE], ofBackward.value[SEQUENCE_YAW_RATE], 1e-12) << i;
             errorOfYaw += std::pow(ofForward.value[SEQUENCE_YAW_RATE] - rate, 2);
             errorOfMeans += std::pow(yaw - rate, 2);
@@ -379,8 +377,8 @@ TEST(RSAckermann_RowRates, of_a_gyro_are_those_of_its_frame)
         used.toMotion(0.03, a);
         unused.toMotion(0.03, b);
         expectSame(a, b);
-        used.toState(c);
-        unused.toState(d);
+        used.toInstant(MotionPrior(), c);
+        unused.toInstant(MotionPrior(), d);
         EXPECT_EQ(d.value, c.value);
         EXPECT_EQ(d.covariance, c.covariance);
     }
@@ -400,7 +398,7 @@ TEST(RSAckermann_RowRates, of_a_gyro_in_the_state)
     measured.yaw.sigma = 0.01;
     RowRates rates;
     rates.set(measured);
-    rates.toState(state);
+    rates.toInstant(MotionPrior(), state);
     EXPECT_EQ(0.3, state.value[SEQUENCE_YAW_RATE]);
     EXPECT_NEAR(0.01, std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)), 1e-9);
     const auto correlation = [](const SequenceState& s, int i, int j) {
@@ -425,21 +423,70 @@ TEST(RSAckermann_RowRates, of_a_yaw_rate_that_changes)
                 {
                     RowRates rates;
                     SequenceFit fit = exactFit();
-                    fit.state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE) = error * error;
+                    fit.before.yaw.sigma = fit.after.yaw.sigma = error * std::abs(before);
                     fit.values[SEQUENCE_YAW_RATE] = 0.1;
                     fit.values[FLOW_YAW_CHANGE] = 0;
                     rates.update(fit, before, after, 0.2 * read);
                     fit.values[SEQUENCE_YAW_RATE] = 0.2;
                     fit.values[FLOW_YAW_CHANGE] = before > 0 ? 0.8 : -0.8;
                     rates.update(fit, before, after, 0.2 * read);
-                    AckermannMotion motion;
-                    motion.covariance = Matx44d::zeros();
-                    rates.toMotion(0.04, motion);
                     const double change = 0.16 - 0.1, // of the means
                         square = std::max(change * change - 2 * error * error, 0.),
                                  share = after != 0 ? (read > 0 ? 1. / 16 : 1. / 4) : (read > 0 ? 5. / 16 : 1. / 2);
-                    EXPECT_NEAR(share * square * 0.02 * 0.02, motion.covariance(0, 0), 1e-12) << read << error;
+                    EXPECT_NEAR(share * square, std::pow(yawSigmaOf(rates), 2), 1e-12) << read << error;
                 }
+}
+
+// Of points, which show the mean, and of a rate of the instant: as if both had been measured at once.
+TEST(RSAckermann_RowRates, of_a_given_yaw_rate)
+{
+    const double ofPoints = 0.2, pointsSigma = 0.01, beyond = 0.06 / std::sqrt(2.);
+    for (const double sigma : {0.005, 0.03, 0.2})
+    {
+        RowRates rates;
+        SequenceFit fit = exactFit();
+        fit.values[SEQUENCE_YAW_RATE] = 0.1;
+        rates.update(fit, 0.1, 0, 0);
+        fit.values[SEQUENCE_YAW_RATE] = 0.16;
+        rates.update(fit, 0.1, 0, 0);
+        EXPECT_NEAR(beyond, rates.yawAboutFit(0.1, 0, 0), 1e-12);
+        MotionPrior given;
+        given.yawRate = 0.1;
+        given.yawRateSigma = sigma;
+        SequenceState state = fit.state;
+        state.value[SEQUENCE_YAW_RATE] = ofPoints;
+        state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE) = pointsSigma * pointsSigma;
+        state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED) = 1;
+        state.covariance(SEQUENCE_SPEED, SEQUENCE_YAW_RATE) = state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_SPEED) =
+            0.5 * pointsSigma;
+        state.measure(SEQUENCE_YAW_RATE, given.yawRate, std::hypot(sigma, beyond));
+        rates.toInstant(given, state);
+        const double a = pointsSigma * pointsSigma + beyond * beyond, b = sigma * sigma;
+        EXPECT_NEAR((ofPoints * b + given.yawRate * a) / (a + b), state.value[SEQUENCE_YAW_RATE], 1e-9) << sigma;
+        EXPECT_NEAR(a * b / (a + b), state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE), 1e-9) << sigma;
+        EXPECT_NEAR(0.5 * pointsSigma * b / (a + b), state.covariance(SEQUENCE_SPEED, SEQUENCE_YAW_RATE), 1e-9)
+            << sigma;
+    }
+}
+
+// Until frames show it cars steer as usual: over longer intervals the instant may differ more from the mean.
+TEST(RSAckermann_RowRates, of_a_car_that_steers_as_usual)
+{
+    const AckermannEstimator::Params params;
+    const RowRates rates(RowRates::usualSteering(params));
+    const SequenceState stationary(simulation::paperCamera(), params);
+    for (const double interval : {0.03, 0.1, -0.1})
+    {
+        // Of the process of the state, with a third of its sigma: its mean over an interval has a third of the
+        // variance.
+        SequenceState state = stationary;
+        for (int i = 0; i < SEQUENCE_VALUES; i++)
+            state.covariance(i, i) = 0;
+        state.predict(std::abs(interval));
+        const double increment = std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)) / 3;
+        EXPECT_NEAR(increment / std::sqrt(3.), rates.yawAboutFit(interval, 0, 0), 0.03 * increment) << interval;
+        EXPECT_NEAR(increment / std::sqrt(6.), rates.yawAboutFit(interval, interval, 0), 0.03 * increment) << interval;
+    }
 }
 
 // Predicted or between both neighbours: what the camera does is found and applied, and its sigma is true.

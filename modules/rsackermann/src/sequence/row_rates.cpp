@@ -120,7 +120,7 @@ double RateProcess::aboutMeans(double read) const
 
 void RateProcess::expectChange(double square)
 {
-    if (pairs > 0)
+    if (pairs > 0 || !(square > 0))
         return;
     changes = square;
     pairs = 1;
@@ -153,6 +153,25 @@ InstantRate RateProcess::now(double next, double shownChange, double share, doub
     return result;
 }
 
+RowRates::RowRates(double steering_) : steering(steering_) {}
+
+// The means of a rate that wanders over neighbouring intervals differ by 2/3 of its variance in one of them: that of
+// the stationary state's process with a usual yaw rate.
+double RowRates::usualSteering(const AckermannEstimator::Params& params)
+{
+    return 4. / 3 * params.priorYawRate * params.priorYawRate / MEMORY[SEQUENCE_YAW_RATE];
+}
+
+double RowRates::yawAboutFit(double before, double after, double readOut) const
+{
+    const double past = std::abs(before), future = std::abs(after);
+    RateProcess process = yaw;
+    process.expectChange(steering * std::max(past, future));
+    if (past > 0 && future > 0)
+        return process.aboutMeans(readOut / (past + future));
+    return process.aboutLast(readOut / (2 * std::max(past, future)));
+}
+
 void RowRates::update(const SequenceFit& fit, double before, double after, double readOut)
 {
     isMeasured = false;
@@ -170,12 +189,12 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
     pitchNow = follow(pitch, last.pitch, next.pitch);
     rollNow = follow(roll, last.roll, next.roll);
 
+    yaw.expectChange(steering * past);
     const double ofLast =
         fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before;
-    yaw.add(InstantRate(ofLast, std::sqrt(fit.state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE))), last.yaw.change,
-            before);
+    yaw.add(InstantRate(ofLast, last.yaw.sigma / past), last.yaw.change, before);
     yawBeyond.value = after != 0 ? yaw.beyondMeans(next.yaw.change, share) : yaw.beyondLast();
-    yawBeyond.sigma = after != 0 ? yaw.aboutMeans(read) : yaw.aboutLast(read);
+    yawBeyond.sigma = yawAboutFit(before, after, readOut);
 }
 
 void RowRates::interrupt()
@@ -195,8 +214,8 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
 {
     interrupt();
     const double ofPitch = fit.after.pitch.angle / after, ofRoll = fit.after.roll.angle / after;
-    yaw.expectChange(ofPitch * ofPitch + ofRoll * ofRoll);
-    yawBeyond.sigma = yaw.aboutLast(readOut / (2 * after));
+    yaw.expectChange(steering * std::abs(after) + ofPitch * ofPitch + ofRoll * ofRoll);
+    yawBeyond.sigma = yawAboutFit(0, after, readOut);
 }
 
 void RowRates::set(const MeasuredTurns& measured)
@@ -210,17 +229,36 @@ void RowRates::set(const MeasuredTurns& measured)
 }
 
 // The other values are those of the interval, whatever the instant's yaw rate.
-void RowRates::toState(SequenceState& state) const
+static void scaleYaw(double share, SequenceState& state)
 {
-    if (!isMeasured)
-        return;
-    state.value[SEQUENCE_YAW_RATE] = yawNow.value;
-    const double share = yawNow.sigma / std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
     for (int i = 0; i < SEQUENCE_VALUES; i++)
     {
         state.covariance(SEQUENCE_YAW_RATE, i) *= share;
         state.covariance(i, SEQUENCE_YAW_RATE) *= share;
     }
+}
+
+void RowRates::toInstant(const MotionPrior& given, SequenceState& state) const
+{
+    double &value = state.value[SEQUENCE_YAW_RATE], &variance = state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE);
+    if (isMeasured)
+    {
+        value = yawNow.value;
+        scaleYaw(yawNow.sigma / std::sqrt(variance), state);
+        return;
+    }
+    const double beyond = yawBeyond.sigma * yawBeyond.sigma;
+    if (!(given.yawRateSigma > 0))
+    {
+        value += yawBeyond.value;
+        variance += beyond;
+        return;
+    }
+    // Between the given one and that of the fit, by their variances about the instant.
+    const double ofGiven = given.yawRateSigma * given.yawRateSigma, share = beyond / (beyond + ofGiven);
+    value += share * (given.yawRate - value);
+    scaleYaw(1 - share, state);
+    variance += share * ofGiven;
 }
 
 void RowRates::toMotion(double unit, AckermannMotion& motion) const
@@ -230,8 +268,6 @@ void RowRates::toMotion(double unit, AckermannMotion& motion) const
     motion.pitchRateSigma = pitchNow.sigma * unit;
     motion.rollRateSigma = rollNow.sigma * unit;
     motion.rotationCurve = curve;
-    const double sigma = yawBeyond.sigma * unit / 2;
-    motion.covariance(0, 0) += sigma * sigma;
 }
 
 }} // namespace cv::rsackermann

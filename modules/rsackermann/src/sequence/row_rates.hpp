@@ -96,6 +96,18 @@ struct MeasuredTurns
 class RowRates
 {
 public:
+    /** @param steering (rad/s)^2 per second: the mean square by which means of the yaw rate over two intervals differ,
+    over the interval, until frames have shown it. */
+    explicit RowRates(double steering = 0);
+
+    //! That of usual cars.
+    static double usualSteering(const AckermannEstimator::Params& params);
+
+    /** Standard deviation of the yaw rate at a frame about that of its fit, with what the frames before have shown.
+    @param before,after seconds from the frame before and to the one after; 0: there is none.
+    @param readOut seconds in which a frame is read. */
+    double yawAboutFit(double before, double after, double readOut) const;
+
     /** Goes on to a frame.
     @param before seconds from the frame before; negative if that was taken later.
     @param after seconds to the frame after; 0: no points are seen in it.
@@ -113,18 +125,16 @@ public:
     //! Of the present frame, by a gyro.
     void set(const MeasuredTurns& measured);
 
-    //! Adds to the yaw rate by how much that of the instant is above the mean.
-    void addShownYaw(SequenceState& state) const { state.value[SEQUENCE_YAW_RATE] += yawBeyond.value; }
+    /** Turns the yaw rate of a fit into that of the instant, by what rows show or a gyro has measured.
+    @param given that of the instant, which the state has met with the additional variance of yawAboutFit(). */
+    void toInstant(const MotionPrior& given, SequenceState& state) const;
 
-    //! Sets the yaw rate that a gyro has measured.
-    void toState(SequenceState& state) const;
-
-    /** Sets the rates of roll and pitch of a motion, and adds to the variance of its yaw rate by how much that of the
-    instant differs from the mean.
+    /** Sets the rates of roll and pitch of a motion.
     @param unit seconds per unit of row time. */
     void toMotion(double unit, AckermannMotion& motion) const;
 
 private:
+    double steering;
     RateProcess pitch, roll, yaw;
     InstantRate pitchNow, rollNow, yawNow;
     InstantRate yawBeyond; // than that of the fit

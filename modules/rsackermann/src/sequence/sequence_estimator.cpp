@@ -15,7 +15,8 @@ namespace cv { namespace rsackermann {
 SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
                                      const Ptr<AckermannEstimator>& single_)
     : camera(camera_), params(params_), single(single_), filter(camera_, params_), unaided(filter), isAided(false),
-      last(filter.state), seen(std::numeric_limits<double>::quiet_NaN())
+      rates(RowRates::usualSteering(params_)), last(filter.state), alone(filter.state),
+      seen(std::numeric_limits<double>::quiet_NaN())
 {
 }
 
@@ -44,7 +45,7 @@ void SequenceEstimator::resetState()
 {
     filter.reset(camera, params);
     isAided = false;
-    rates = RowRates();
+    rates = RowRates(RowRates::usualSteering(params));
     seen = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -155,6 +156,12 @@ static MotionPrior usable(const MotionPrior& prior, const AckermannMotion& compa
     return compared.contradictsPrior ? MotionPrior() : prior;
 }
 
+// Seconds in which a frame is read.
+static double readOut(const RollingShutterCamera& camera)
+{
+    return camera.lineDelay * camera.imageSize.height;
+}
+
 // Returns whether there were points to go by.
 bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
@@ -171,11 +178,17 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     if (isAided)
         unaided.advance(frame.seconds, camera, params);
     features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, next);
-    filter.state.measure(prior);
-    MotionPrior others = prior;
+    const bool hasPoints = features.bearings.size() >= LEAST_POINTS;
+    const double before = follows ? passed : 0, after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
+    // Points show means, and a given yaw rate is that of the instant.
+    const double yawAboutFit = hasPoints ? rates.yawAboutFit(before, after, readOut(camera)) : 0;
+    MotionPrior ofFit = prior, others = prior;
+    if (prior.yawRateSigma > 0)
+        ofFit.yawRateSigma = std::hypot(prior.yawRateSigma, yawAboutFit);
+    filter.state.measure(ofFit);
     others.yawRateSigma = others.speedSigma = 0;
     unaided.state.measure(others);
-    if (features.bearings.size() < LEAST_POINTS)
+    if (!hasPoints)
     {
         if (follows && features.hasManyPoints())
             resetState();
@@ -183,13 +196,13 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     }
     features.setSegments(camera, params, segments);
     AckermannMotion compared;
-    if (!update(prior, compared))
+    if (!update(prior, yawAboutFit, compared))
     {
         resetState();
         return false;
     }
     seen = filter.time;
-    updateRates(follows ? passed : 0, next.gray.empty() ? 0 : next.seconds - frame.seconds);
+    updateRates(before, after);
     const std::vector<UprightSegment>& verticals = features.verticals;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
     for (size_t i = 0; i < verticals.size(); i++)
@@ -204,14 +217,16 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
 
 // Goes by the frames alone if no motion is near what is given, or they contradict it. Returns whether they show one of
 // this scene.
-bool SequenceEstimator::update(const MotionPrior& prior, AckermannMotion& motion)
+bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, AckermannMotion& motion)
 {
-    SequenceFit alone(unaided.state);
     const bool isSeen = isAided && unaided.update(features, camera, params, alone),
                isNear = filter.update(features, camera, params, last);
     if (!isSeen)
+    {
+        alone = last;
         return isNear;
-    compareWithSeen(alone, prior, motion);
+    }
+    compareWithSeen(alone, prior, yawAboutFit, motion);
     if (!isNear || motion.contradictsPrior)
     {
         filter = unaided;
@@ -220,16 +235,18 @@ bool SequenceEstimator::update(const MotionPrior& prior, AckermannMotion& motion
     return true;
 }
 
-void SequenceEstimator::compareWithSeen(const SequenceFit& alone, const MotionPrior& prior,
+void SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, double yawAboutFit,
                                         AckermannMotion& motion) const
 {
     if (prior.yawRateSigma > 0)
-        alone.state.seen(SEQUENCE_YAW_RATE, motion.seenYawRate, motion.seenYawRateSigma);
+        ofFrames.state.seen(SEQUENCE_YAW_RATE, motion.seenYawRate, motion.seenYawRateSigma);
+    if (motion.seenYawRateSigma > 0)
+        motion.seenYawRateSigma = std::hypot(motion.seenYawRateSigma, yawAboutFit);
     if (prior.speedSigma > 0)
-        alone.state.seen(SEQUENCE_SPEED, motion.seenSpeed, motion.seenSpeedSigma);
+        ofFrames.state.seen(SEQUENCE_SPEED, motion.seenSpeed, motion.seenSpeedSigma);
     AckermannMotion seenMotion;
-    alone.state.toMotion(camera.secondsPerUnitTime(), seenMotion);
-    compareWithGiven(prior, alone.moves && showsOtherDirection(seenMotion, prior), motion);
+    ofFrames.state.toMotion(camera.secondsPerUnitTime(), seenMotion);
+    compareWithGiven(prior, ofFrames.moves && showsOtherDirection(seenMotion, prior), motion);
 }
 
 // From the turns to the neighbours in which points are seen, if one of them is the frame before.
@@ -238,11 +255,10 @@ void SequenceEstimator::updateRates(double before, double after)
     bool isSeen[2] = {false, false}; // in the earlier and in the later neighbour
     for (size_t i = 0; i < features.bearings.size(); i++)
         isSeen[features.bearings[i].pitch == FLOW_PITCH_BEFORE ? 0 : 1] = true;
-    const double readOut = camera.lineDelay * camera.imageSize.height;
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
-        rates.update(last, before, isSeen[before > 0 ? 1 : 0] ? after : 0, readOut);
+        rates.update(alone, before, isSeen[before > 0 ? 1 : 0] ? after : 0, readOut(camera));
     else if (after != 0 && isSeen[after > 0 ? 1 : 0])
-        rates.begin(last, after, readOut);
+        rates.begin(alone, after, readOut(camera));
     else
         rates.interrupt();
     if (gyro.samples.empty())
@@ -305,9 +321,7 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     motion.candidates = int(verticals.size());
     AckermannMotion found = motion;
     SequenceFit fit = fit_;
-    if (!(prior.yawRateSigma > 0)) // what is given is that of the instant
-        rates.addShownYaw(fit.state);
-    rates.toState(fit.state);
+    rates.toInstant(prior, fit.state);
     fit.state.toMotion(camera.secondsPerUnitTime(), found);
     rates.toMotion(camera.secondsPerUnitTime(), found);
     const Model model = predictDisplacement(fit, found);
@@ -347,7 +361,7 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
     expected.state = unaided.state;
     AckermannMotion result;
     if (isAided)
-        compareWithSeen(expected, prior, result);
+        compareWithSeen(expected, prior, 0, result);
     if (result.contradictsPrior)
         filter = unaided;
     expected.state = filter.state;

@@ -53,8 +53,9 @@ public:
 private:
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
-    bool update(const MotionPrior& prior, AckermannMotion& motion);
-    void compareWithSeen(const SequenceFit& alone, const MotionPrior& prior, AckermannMotion& motion) const;
+    bool update(const MotionPrior& prior, double yawAboutFit, AckermannMotion& motion);
+    void compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, double yawAboutFit,
+                         AckermannMotion& motion) const;
     AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
     AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
@@ -75,8 +76,9 @@ private:
     SequenceFilter unaided; // without given yaw rates and speeds; used once there are some
     bool isAided;           // whether there are
     RowRates rates;
-    SequenceFit last; // whose points showed the motion
-    double seen;      // time of that; not finite if there is none
+    SequenceFit last;  // whose points showed the motion
+    SequenceFit alone; // the same without what is given
+    double seen;       // time of that; not finite if there is none
 };
 
 }} // namespace cv::rsackermann
