@@ -5,7 +5,6 @@
 #include "test_precomp.hpp"
 #include "opencv2/opencv_modules.hpp"
 #include "../src/features/edges.hpp"
-#include "../src/features/refine_segments.hpp"
 #include "../src/features/segment_finder.hpp"
 
 namespace opencv_test { namespace {
@@ -59,26 +58,33 @@ TEST(RSAckermann_PrivateDetect, edges_at_the_ends_do_not_make_sides_lean)
     }
 }
 
-// To an edge in the middle of the image a segment moves from the left as it does from the right, wherever it begins.
+// To an edge in the middle of the image a segment moves from the left as it does from the right, wherever it begins,
+// whether the edge rises or falls and crosses rows or columns.
 TEST(RSAckermann_PrivateDetect, segments_move_to_their_edge_from_either_side)
 {
-    Mat image(200, 201, CV_8U, Scalar(60));
-    image.colRange(0, 100).setTo(160);
-    image.col(100).setTo(110);
-    GaussianBlur(image, image, Size(), 1);
-    for (const float slope : {0.f, 0.01f})
-        for (float beside = 0.2f; beside < 2.4f; beside += 0.25f)
-            for (const int steps : {1, 3})
+    Mat falling(200, 201, CV_8U, Scalar(60));
+    falling.colRange(0, 100).setTo(160);
+    falling.col(100).setTo(110);
+    GaussianBlur(falling, falling, Size(), 1);
+    const Mat rising = 220 - falling;
+    for (const Mat& image : {falling, rising, Mat(falling.t()), Mat(rising.t())})
+        for (const float slope : {0.f, 0.01f})
+            for (float beside = 0.2f; beside < 2.4f; beside += 0.25f)
             {
+                const int across = image.rows > image.cols ? 1 : 0;
                 std::vector<Vec4f> segments;
                 for (const float side : {-1.f, 1.f})
-                    segments.push_back(
-                        Vec4f(100 + side * (beside - 60 * slope), 40, 100 + side * (beside + 60 * slope), 160));
-                cv::rsackermann::refineSegments(image, steps, true, segments);
-                for (int end = 0; end < 4; end += 2)
+                {
+                    Vec4f s(40, 40, 160, 160);
+                    s[across] = 100 + side * (beside - 60 * slope);
+                    s[across + 2] = 100 + side * (beside + 60 * slope);
+                    segments.push_back(s);
+                }
+                cv::rsackermann::moveToEdges(image, 1.5, segments);
+                for (int end = across; end < 4; end += 2)
                 {
                     EXPECT_NEAR(100 - segments[0][end], segments[1][end] - 100, 0.01) << beside;
-                    EXPECT_NEAR(100, segments[1][end], steps > 1 ? 0.2 : 0.8) << beside;
+                    EXPECT_NEAR(100, segments[1][end], 0.2) << beside;
                 }
             }
 }

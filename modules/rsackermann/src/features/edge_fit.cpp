@@ -29,15 +29,24 @@ void EdgeWindows::clear(int row)
     first[row] = 0;
 }
 
-void EdgeFit::readWindows(int row, int spacing, int count, const EdgePiece& piece)
+bool EdgeFit::readWindows(double end, int maxRows, const EdgePiece& piece)
 {
-    windows.resize(count);
+    const double longestEnd = 0.15, cutOff = std::min(end, longestEnd * (piece.last - piece.first));
+    const int first = std::max(cvCeil(piece.first + cutOff), 0),
+              last = std::min(cvFloor(piece.last - cutOff), image.rows - 1),
+              step = std::max((last - first + 1) / maxRows, 1), rows = (last - first) / step + 1;
+    if (last - first < 3)
+        return false;
+    firstRow = first;
+    spacing = step;
+    count = rows;
+    windows.resize(rows);
     // Copies, as bytes that are written might be any of them.
     const EdgeImage full = image;
     const EdgePiece expected = piece;
     uchar* pixels = windows.pixels.data();
-    float* first = windows.first.data();
-    for (int i = 0; i < count; i++, row += spacing, pixels += WINDOW_STRIDE)
+    float* firsts = windows.first.data();
+    for (int i = 0, row = first; i < rows; i++, row += step, pixels += WINDOW_STRIDE)
     {
         const double column = expected.column(row);
         const int start = cvFloor(column - 0.5) - WINDOW_REACH + 1; // of pixels; gradients are between them
@@ -46,7 +55,7 @@ void EdgeFit::readWindows(int row, int spacing, int count, const EdgePiece& piec
             windows.clear(i);
             continue;
         }
-        first[i] = float(start + 0.5 - column);
+        firsts[i] = float(start + 0.5 - column);
         const uchar* p = full.data + row * full.rowStep + start * full.columnStep;
         if (full.columnStep == 1)
             std::memcpy(pixels, p, WINDOW_PIXELS);
@@ -54,17 +63,13 @@ void EdgeFit::readWindows(int row, int spacing, int count, const EdgePiece& piec
             for (int k = 0; k < WINDOW_PIXELS; k++)
                 pixels[k] = p[k * full.columnStep];
     }
+    return true;
 }
 
 bool EdgeFit::approach(double end, int maxRows, EdgePiece& piece)
 {
-    const double longestEnd = 0.15, rows = piece.last - piece.first, cutOff = std::min(end, longestEnd * rows);
-    const int first = std::max(cvCeil(piece.first + cutOff), 0),
-              last = std::min(cvFloor(piece.last - cutOff), image.rows - 1),
-              spacing = std::max((last - first + 1) / maxRows, 1), count = (last - first) / spacing + 1;
-    if (last - first < 3)
+    if (!readWindows(end, maxRows, piece))
         return false;
-    readWindows(first, spacing, count, piece);
     const EdgeMoments sums = sumWindows(windows, piece.rises ? 1.f : -1.f);
     if (!(sums.m0 > 0))
         return false;
@@ -75,12 +80,12 @@ bool EdgeFit::approach(double end, int maxRows, EdgePiece& piece)
     ParabolaFit f = {0, 0, 0, 0};
     for (int step = 0; step < 3; step++)
     {
-        f = sumCentres(windows, gain, usualStep * usualStep, first - piece.middleRow(), spacing, step ? &f : 0)
+        f = sumCentres(windows, gain, usualStep * usualStep, firstRow - piece.middleRow(), spacing, step ? &f : 0)
                 .fit(piece.curvature != 0);
         if (f.squares == DBL_MAX)
             return false;
     }
-    if (std::abs(f.middle) + std::abs(f.slope) * rows / 2 > WINDOW_REACH)
+    if (std::abs(f.middle) + std::abs(f.slope) * (piece.last - piece.first) / 2 > WINDOW_REACH)
         return false;
     piece.middle += f.middle;
     piece.slope += f.slope;
@@ -90,13 +95,51 @@ bool EdgeFit::approach(double end, int maxRows, EdgePiece& piece)
 
 void EdgeFit::move(double end, EdgePiece& piece)
 {
-    const int steps = 3, fewRows = 24; // few rows bring a piece near its edge
+    const int steps = 3;
     EdgePiece moved = piece;
     for (int step = 1; step < steps; step++)
-        if (!approach(end, fewRows, moved))
+        if (!approach(end, FEW_ROWS, moved))
             return;
     if (approach(end, INT_MAX, moved))
         piece = moved;
+}
+
+void EdgeFit::move(double end, Vec4f& segment)
+{
+    const Vec4f& s = segment;
+    EdgePiece p = {
+        std::min(s[1], s[3]), std::max(s[1], s[3]), (s[0] + s[2]) / 2, (s[2] - s[0]) / (s[3] - s[1]), 0, true};
+    if (!readWindows(end, FEW_ROWS, p))
+        return;
+    p.rises = sumWindows(windows, 1).m0 > sumWindows(windows, -1).m0;
+    move(end, p);
+    segment[0] = float(p.column(s[1]));
+    segment[2] = float(p.column(s[3]));
+}
+
+void moveToEdges(const Mat& gray, double end, std::vector<Vec4f>& segments)
+{
+    const double segmentsPerStripe = 32;
+    const auto transposed = [](const Vec4f& s) { return Vec4f(s[1], s[0], s[3], s[2]); };
+    parallel_for_(
+        Range(0, int(segments.size())),
+        [&](const Range& range) {
+            EdgeFit upright(EdgeImage(gray, false)), flat(EdgeImage(gray, true));
+            for (int i = range.start; i < range.end; i++)
+            {
+                Vec4f& s = segments[i];
+                const bool isFlat = std::abs(s[2] - s[0]) > std::abs(s[3] - s[1]);
+                if (!isFlat)
+                {
+                    upright.move(end, s);
+                    continue;
+                }
+                s = transposed(s);
+                flat.move(end, s);
+                s = transposed(s);
+            }
+        },
+        segments.size() / segmentsPerStripe);
 }
 
 }} // namespace cv::rsackermann

@@ -44,6 +44,12 @@ struct EdgeImage
     }
 };
 
+/** Pixels at the ends of a piece that needn't tell its edge if many images are used together: intensities there may be
+those of another edge that begins at the end and goes on to one side, as the upper edge of a window does. Such edges
+mostly rise and fall together, and with them short pieces lean by some hundredths of a degree, all of a wall to the same
+side; without the ends what is left of short ones errs more. They don't come nearer than they go to the side. */
+const double END_FOR_MANY = WINDOW_REACH + 1.5;
+
 //! Moves pieces onto their edges in an image, with buffers that serve the next piece, too.
 class EdgeFit
 {
@@ -55,15 +61,25 @@ public:
     @param end rows at both ends that needn't tell the edge, as other edges begin there.
     @param piece within a pixel or two of the edge; stays as it is if there is none. */
     void move(double end, EdgePiece& piece);
+    //! The same for a segment (x1, y1, x2, y2) whose edge rises or falls.
+    void move(double end, Vec4f& segment);
 
 private:
+    enum { FEW_ROWS = 24 }; // bring a piece near its edge
+
     // One step towards the edge. Returns false if there is none.
     bool approach(double end, int maxRows, EdgePiece& piece);
-    void readWindows(int row, int spacing, int count, const EdgePiece& piece);
+    // Returns false if there are too few rows.
+    bool readWindows(double end, int maxRows, const EdgePiece& piece);
 
     EdgeImage image;
     EdgeWindows windows;
+    int firstRow, spacing, count; // of the windows
 };
+
+/** Moves segments (x1, y1, x2, y2) onto the edges that they are images of, to a fraction of a pixel, by
+EdgeFit::move(). A segment along which there is no edge stays as it is. @param gray CV_8UC1. */
+void moveToEdges(const Mat& gray, double end, std::vector<Vec4f>& segments);
 
 }} // namespace cv::rsackermann
 

@@ -8,7 +8,7 @@
 #include "../parallel_loop.hpp"
 #include "segments.hpp"
 #include "detectors.hpp"
-#include "refine_segments.hpp"
+#include "edges.hpp"
 #include "segment_finder.hpp"
 #include <numeric>
 
@@ -175,9 +175,9 @@ void SegmentFinder::findAndRefine(int detector, double minLength)
         found[i] = found[i] * float(scale) + Vec4f::all(shift);
     if (isRefined || isForMany)
     {
-        // Ends that move across a segment hardly make it longer. The further away they are, the more steps it takes.
+        // Ends that move across a segment hardly make it longer.
         keepLong(0.9 * minLength);
-        refineSegments(gray, 2 + cvRound(std::log2(double(scale))), !isForMany, found);
+        moveToEdges(gray, isForMany ? END_FOR_MANY : 0, found);
     }
 }
 

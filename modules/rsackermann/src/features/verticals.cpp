@@ -27,8 +27,7 @@ struct Strip
 static std::vector<Vec4f> findInStrip(const Strip& strip, const Mat& gray, const Mat& smaller, double scale,
                                       double noise, double minLength, bool isForMany)
 {
-    // Rows at the ends of a piece that needn't tell the edge; for many images as in refineSegments().
-    const double end = 1.5, endForMany = 4.5;
+    const double end = 1.5; // rows at the ends of a piece that needn't tell the edge
     std::vector<Vec4f> segments;
     Mat image;
     if (strip.isTransposed)
@@ -52,7 +51,7 @@ static std::vector<Vec4f> findInStrip(const Strip& strip, const Mat& gray, const
         p.last = (p.last + 0.5) * scale + shift;
         p.middle = p.middle * scale + shift;
         p.curvature /= scale;
-        fit.move(scale * (isForMany ? endForMany : end), p);
+        fit.move(scale * (isForMany ? END_FOR_MANY : end), p);
         const Vec4f s(float(p.column(p.first)), float(p.first), float(p.column(p.last)), float(p.last));
         segments.push_back(strip.isTransposed ? Vec4f(s[1], s[0], s[3], s[2]) : s);
     }
