@@ -14,7 +14,6 @@
 #include "single/relative_depth.hpp"
 #include "features/segments.hpp"
 #include "storage.hpp"
-#include "warp/depth/depth_unit.hpp"
 #include "warp/maps/maps.hpp"
 #include <atomic>
 
@@ -554,7 +553,7 @@ Ptr<RollingShutterCorrector> RollingShutterCorrector::create(const RollingShutte
 
 Ptr<RollingShutterCorrector> RollingShutterCorrector::load(const String& filename, const String& objname)
 {
-    return AlgorithmStorage<RollingShutterCorrector>::load(filename, objname);
+    return StoredAlgorithm<RollingShutterCorrector>::load(filename, objname);
 }
 
 }} // namespace cv::rsackermann

@@ -77,15 +77,14 @@ static void drawSegments(Mat& image, const Mat& segments, const Mat& labels, con
         }
 }
 
-/** The line on which a wall w = D - B x meets the road w = G y, as pixels of the global-shutter camera from left to
-right (doc/theory.md, "Depth"). */
-static std::vector<Point2d> roadBorder(double B, double D, const RollingShutterCamera& camera,
-                                       const AckermannMotion& motion)
+/** Draws the line on which a wall w = D - B x meets the road w = G y, from left to right (doc/theory.md, "Depth"). */
+static void drawBorder(Mat& image, double B, double D, const RollingShutterCamera& camera,
+                       const AckermannMotion& motion, int thickness)
 {
     const int steps = 1000;
     const double maxAzimuth = 1.4;
     const Matx33d down = camera.cameraMatrix * motion.uprightRotation(camera).t();
-    std::vector<Point2d> pixels;
+    std::vector<Point2d> pixels; // of the global-shutter camera
     for (int i = -steps; i <= steps; i++)
     {
         const double x = std::tan(maxAzimuth * i / steps), w = D - B * x;
@@ -93,12 +92,6 @@ static std::vector<Point2d> roadBorder(double B, double D, const RollingShutterC
         if (w * motion.direction > 0 && p[2] > 0)
             pixels.push_back(Point2d(p[0] / p[2], p[1] / p[2]));
     }
-    return pixels;
-}
-
-static void drawBorder(Mat& image, const std::vector<Point2d>& pixels, const RollingShutterCamera& camera,
-                       const AckermannMotion& motion, int thickness)
-{
     std::vector<Place> places;
     distortPoints(camera, WarpMapGenerator::Params(), camera.cameraMatrix, motion, pixels, std::vector<double>(),
                   places);
@@ -124,14 +117,9 @@ void drawMotion(InputOutputArray image_, InputArray segments_, InputArray labels
               typeToString(labels.type()).c_str(), segments.rows);
 
     if (motion.status == MOTION_OK && motion.roadSlope != 0)
-    {
-        drawBorder(image, roadBorder(motion.wallSlope, motion.wallOffset, camera, motion), camera, motion, thickness);
-        if (motion.wallRatio > 0)
-            drawBorder(
-                image,
-                roadBorder(-motion.wallRatio * motion.wallSlope, -motion.wallRatio * motion.wallOffset, camera, motion),
-                camera, motion, thickness);
-    }
+        for (const double side : {1., -motion.wallRatio})
+            if (side == 1 || side < 0)
+                drawBorder(image, side * motion.wallSlope, side * motion.wallOffset, camera, motion, thickness);
     drawSegments(image, segments, labels, inverseDepths(segments, labels, camera, motion), thickness);
 }
 

@@ -49,33 +49,36 @@ void readMatrix(const FileNode& fn, const char* key, Matx<double, rows, cols>& m
 
 /** Storage of the algorithms, each made from a camera and parameters: the keys of the parameters and a map with the
 camera.
+
 @tparam Algorithm AckermannEstimator, WarpMapGenerator, RollingShutterCorrector or MountCalibrator.
 */
 template <class Algorithm>
-struct AlgorithmStorage
+class StoredAlgorithm : public Algorithm
 {
-    static void write(const Algorithm& algorithm, FileStorage& fs)
+public:
+    void write(FileStorage& fs) const CV_OVERRIDE
     {
+        this->writeFormat(fs);
         fs.startWriteStruct("camera", FileNode::MAP);
-        algorithm.getCamera().write(fs);
+        this->getCamera().write(fs);
         fs.endWriteStruct();
-        algorithm.getParams().write(fs);
-        fs << "algorithm" << algorithm.getDefaultName(); // last: a word that is cut short is another one
+        this->getParams().write(fs);
+        fs << "algorithm" << this->getDefaultName(); // last: a word that is cut short is another one
     }
 
     //! Sets both or, if one of them is bad, neither. Missing fields of a state that is written by hand keep their
     //! values.
-    static void read(const FileNode& fn, Algorithm& algorithm)
+    void read(const FileNode& fn) CV_OVERRIDE
     {
-        checkState(fn, algorithm);
-        RollingShutterCamera camera = algorithm.getCamera();
+        checkState(fn, *this);
+        RollingShutterCamera camera = this->getCamera();
         camera.read(fn["camera"]);
         camera.check();
-        typename Algorithm::Params params = algorithm.getParams();
+        typename Algorithm::Params params = this->getParams();
         params.read(fn);
-        algorithm.setParams(params);
+        this->setParams(params);
         if (!fn["camera"].empty())
-            algorithm.setCamera(camera);
+            this->setCamera(camera);
     }
 
     static Ptr<Algorithm> load(const String& filename, const String& objname)
@@ -114,7 +117,7 @@ private:
         if (fn["format"].empty()) // the first key of what write() has written
             return;
         FileStorage whole(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-        write(algorithm, whole);
+        algorithm.write(whole);
         checkKeys(fn, FileStorage(whole.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY).root(), "");
     }
 
@@ -132,21 +135,7 @@ private:
     }
 };
 
-/** What all of these algorithms have in common. @tparam Algorithm as of AlgorithmStorage. */
-template <class Algorithm>
-class StoredAlgorithm : public Algorithm
-{
-public:
-    void write(FileStorage& fs) const CV_OVERRIDE
-    {
-        this->writeFormat(fs);
-        AlgorithmStorage<Algorithm>::write(*this, fs);
-    }
-
-    void read(const FileNode& fn) CV_OVERRIDE { AlgorithmStorage<Algorithm>::read(fn, *this); }
-};
-
-//! One of them with nothing that would have to follow its camera and its parameters.
+//! One with nothing that would have to follow its camera and its parameters.
 template <class Algorithm>
 class StatelessAlgorithm : public StoredAlgorithm<Algorithm>
 {

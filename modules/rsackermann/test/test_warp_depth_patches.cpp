@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/warp/maps/depth_tiles.hpp"
+#include "../src/warp/depth/visibility.hpp"
+#include "../src/warp/maps/maps.hpp"
 
 // Maps by depth are made by patches, and pixel by pixel where no patch fits: it is the same, and so is what is hidden.
 
@@ -17,7 +18,7 @@ using namespace cv::rsackermann;
 class RoughPlaces CV_FINAL : public DepthPlaces
 {
 public:
-    explicit RoughPlaces(const DepthPlaces& places_) : places(places_) {}
+    explicit RoughPlaces(const DepthPlaces& places_) : DepthPlaces(places_), places(places_) {}
 
     bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const CV_OVERRIDE
     {
@@ -30,6 +31,8 @@ public:
     }
 
 private:
+    double rowTime(const Point2d&, const Point2d&) const CV_OVERRIDE { return 0; }
+
     const DepthPlaces& places;
 };
 

@@ -84,16 +84,14 @@ void MountCalibrator::Params::read(const FileNode& fn)
 
 namespace {
 
-// Roll and pitch as setRollPitch() takes them, for a unit vector of gravity.
+// Roll and pitch as setRollPitch() takes them, for a unit vector of gravity: its first and last components times its
+// length there are their sines.
 void rollAndPitchOf(const Vec3d& gravity, double& roll, double& pitch)
 {
-    const double tangent = gravity[2] / gravity[1]; // tan(pitch) / cos(roll)
-    pitch = 0;
-    for (int i = 0; i < 20; i++)
-    {
-        roll = std::atan2(gravity[0] * std::cos(pitch), gravity[1]);
-        pitch = std::atan(tangent * std::cos(roll));
-    }
+    const double product = gravity[0] * gravity[2],
+                 length2 = 2 / (1 + std::sqrt(std::max(1 - 4 * product * product, 0.)));
+    pitch = std::asin(std::min(std::max(gravity[2] * std::sqrt(length2), -1.), 1.));
+    roll = std::atan2(gravity[0] * std::cos(pitch), gravity[1]);
 }
 
 class MountCalibratorImpl CV_FINAL : public StoredAlgorithm<MountCalibrator>
@@ -282,7 +280,7 @@ private:
         setPoints(passed);
         if (!follows || features.bearings.size() < LEAST_POINTS)
             return false;
-        features.setSegments(start, gates, segments);
+        selectCandidates(segments, start, gates, features.verticals, features.others);
         filter.state.measure(prior);
         SequenceFit fit(filter.state);
         if (!filter.update(features, start, gates, fit) || !fit.moves)
@@ -407,7 +405,7 @@ Ptr<MountCalibrator> MountCalibrator::create(const RollingShutterCamera& camera,
 
 Ptr<MountCalibrator> MountCalibrator::load(const String& filename, const String& objname)
 {
-    return AlgorithmStorage<MountCalibrator>::load(filename, objname);
+    return StoredAlgorithm<MountCalibrator>::load(filename, objname);
 }
 
 }} // namespace cv::rsackermann

@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../optim/levenberg_marquardt.hpp"
-#include "../optim/sigma_of_median.hpp"
+#include "../optim/median.hpp"
 #include "../sequence/frame_terms.hpp"
 #include "../sequence/row_rates.hpp"
 #include "mount_equations.hpp"
@@ -102,7 +102,8 @@ public:
             problem.addSlantResiduals(frames[k], slants);
         }
         if (!across.empty())
-            sigmas.points = std::min(std::max(sigmaOfMedian(median(across)) / POINT_SIGMA, double(FLT_EPSILON)), 1.);
+            sigmas.points = std::min(
+                std::max(sigmaOfMedian(medianOf(across.begin(), across.end())) / POINT_SIGMA, double(FLT_EPSILON)), 1.);
         sigmas.depths = solveScale(
             along, [&](double depths, double by) { return std::hypot(POINT_SIGMA * sigmas.points, depths * by); });
         sigmas.slants =
@@ -128,12 +129,6 @@ public:
     }
 
 private:
-    static double median(std::vector<double>& values)
-    {
-        std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-        return values[values.size() / 2];
-    }
-
     // The value up to 1 with which residuals have the median of a normal distribution of the standard deviations
     // sigmaOf(value, byDepth), which grow with it.
     template <class SigmaOf>
@@ -147,7 +142,7 @@ private:
             const double middle = (low + high) / 2;
             for (size_t k = 0; k < residuals.size(); k++)
                 values[k] = residuals[k].value / sigmaOf(middle, residuals[k].byDepth);
-            (sigmaOfMedian(median(values)) > 1 ? low : high) = middle;
+            (sigmaOfMedian(medianOf(values.begin(), values.end())) > 1 ? low : high) = middle;
         }
         return high;
     }

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
+#include "../simd_pack.hpp"
 #include "direction_terms.hpp"
-#include "sinc_pack.hpp"
 #include "vertical_terms.hpp"
 #endif
 #include "residual_kernels.hpp"
@@ -25,6 +25,29 @@ double streetCost(const float* points, int padded, double streetX, double street
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
 namespace {
+
+//! The angles of a car's motion seldom leave the range of the series: one by one.
+template <class Number>
+void sincTerms(const PackOf<Number>& x, PackOf<Number>& sincX, PackOf<Number>& cosX, PackOf<Number>& slope)
+{
+    Number angles[PackOf<Number>::COUNT], s[PackOf<Number>::COUNT], c[PackOf<Number>::COUNT], d[PackOf<Number>::COUNT];
+    x.store(angles);
+    sincX.store(s);
+    cosX.store(c);
+    slope.store(d);
+    for (int i = 0; i < PackOf<Number>::COUNT; i++)
+        if (std::abs(angles[i]) > LARGEST_IN_SERIES)
+        {
+            double exactSinc, exactCos, exactSlope;
+            rsackermann::sincTerms(angles[i], exactSinc, exactCos, exactSlope);
+            s[i] = Number(exactSinc);
+            c[i] = Number(exactCos);
+            d[i] = Number(exactSlope);
+        }
+    sincX = PackOf<Number>::load(s);
+    cosX = PackOf<Number>::load(c);
+    slope = PackOf<Number>::load(d);
+}
 
 typedef PackOf<double> Doubles;
 typedef PackOf<float> Floats;

@@ -47,7 +47,7 @@ class FrameFeatures
 public:
     std::vector<TrackedBearing> bearings,
         fineBearings; // those of the fit, and of the inverse-depth offset if there is time for more
-    std::vector<UprightSegment> verticals, others;
+    std::vector<UprightSegment> verticals, others; // of selectCandidates()
 
     FrameFeatures() : tracker(COARSE_PIXELS), fineTracker(4 * COARSE_PIXELS) {}
 
@@ -59,12 +59,6 @@ public:
 
     //! Points that somebody else has tracked in the frame before: images of other frames don't count any more.
     void setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed);
-
-    //! @param segments N x 4, CV_64F.
-    void setSegments(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const Mat& segments)
-    {
-        selectCandidates(segments, camera, params, verticals, others);
-    }
 
     //! Whether there is so much to track that next to nothing of it means another scene.
     bool hasManyPoints() const;

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../optim/sigma_of_median.hpp"
+#include "../optim/median.hpp"
 #include "detectors.hpp"
 
 namespace cv { namespace rsackermann {

@@ -194,7 +194,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
             resetState();
         return false;
     }
-    features.setSegments(camera, params, segments);
+    selectCandidates(segments, camera, params, features.verticals, features.others);
     AckermannMotion compared;
     if (!update(prior, yawAboutFit, compared))
     {

@@ -48,160 +48,145 @@ public:
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_AckermannEstimator"; }
 
 private:
-    AckermannMotion run(const Mat& segments, OutputArray labels, const MotionPrior& prior) const;
-    RefinementProblem makeProblem(const Mat& segments, const MotionLimits& limits) const;
-    void findMotion(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
-                    Mat& labels) const;
-    void decide(const RefinementProblem& problem, const Mat& segments, const MotionPrior& prior, Posterior& found,
-                AckermannMotion& motion) const;
-    void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
-                AckermannMotion& motion) const;
+    RefinementProblem makeProblem(const Mat& segments, const MotionLimits& limits) const
+    {
+        RefinementProblem problem(limits);
+        problem.uprightRotation = camera.uprightRotation;
+        problem.distortionSigma = camera.distortionSigma;
+        problem.heading = camera.heading;
+        problem.focal = camera.cameraMatrix(0, 0);
+        problem.sigma = END_SIGMA;
+        problem.directionSigma = FIRST_OTHERS_SIGMA;
+        const bool isExact = !(params.gravitySigma > 0);
+        problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
+        problem.vehiclePitchSigma = isExact ? EXACT_GRAVITY : params.vehiclePitchSigma;
+        problem.streetDeviation = params.wallDeviationSigma;
+        const double middle = (camera.imageSize.height - 1) / 2.;
+        const std::vector<Vec3d> borders = bearingsOf(
+            camera, camera.uprightRotation, {Point2d(0, middle), Point2d(camera.imageSize.width - 1, middle)});
+        problem.leftmost = borders[0][0] / borders[0][2];
+        problem.rightmost = borders[1][0] / borders[1][2];
+        selectCandidates(segments, camera, params, problem.verticals, problem.others);
+        problem.arrange();
+        return problem;
+    }
+
+    // The estimate is near a given value whatever the image shows: a contradiction shows without the values alone,
+    // since one that is wrong would make the other one look so.
     void compareWithSeen(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior,
-                         AckermannMotion& motion) const;
-};
-
-// The azimuth's tangent of a pixel, in the upright frame.
-static double uprightColumn(const RollingShutterCamera& camera, const Point2d& pixel)
-{
-    const Vec3d bearing = bearingsOf(camera, camera.uprightRotation, {pixel})[0];
-    return bearing[0] / bearing[2];
-}
-
-RefinementProblem AckermannEstimatorImpl::makeProblem(const Mat& segments, const MotionLimits& limits) const
-{
-    RefinementProblem problem(limits);
-    problem.uprightRotation = camera.uprightRotation;
-    problem.distortionSigma = camera.distortionSigma;
-    problem.heading = camera.heading;
-    problem.focal = camera.cameraMatrix(0, 0);
-    problem.sigma = END_SIGMA;
-    problem.directionSigma = FIRST_OTHERS_SIGMA;
-    const bool isExact = !(params.gravitySigma > 0);
-    problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
-    problem.vehiclePitchSigma = isExact ? EXACT_GRAVITY : params.vehiclePitchSigma;
-    problem.streetDeviation = params.wallDeviationSigma;
-    const double middle = (camera.imageSize.height - 1) / 2.;
-    problem.leftmost = uprightColumn(camera, Point2d(0, middle));
-    problem.rightmost = uprightColumn(camera, Point2d(camera.imageSize.width - 1, middle));
-    selectCandidates(segments, camera, params, problem.verticals, problem.others);
-    problem.arrange();
-    return problem;
-}
-
-// The estimate is near a given value whatever the image shows: a contradiction shows without the values alone, since
-// one that is wrong would make the other one look so.
-void AckermannEstimatorImpl::compareWithSeen(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior,
-                                             AckermannMotion& motion) const
-{
-    // What is seen decides, not how seldom cars reverse, or drive or turn as fast as is given.
-    AckermannEstimatorImpl neutral(*this);
-    MotionPrior others = prior;
-    others.yawRateSigma = others.speedSigma = 0;
-    if (prior.yawRateSigma > 0)
-        neutral.params.priorYawRate = std::max(params.priorYawRate, std::abs(prior.yawRate));
-    if (prior.speedSigma > 0)
+                         AckermannMotion& motion) const
     {
-        neutral.params.reverseProbability = 0.5;
-        neutral.params.priorSpeed = std::max(std::abs(prior.speed), prior.speedSigma);
-    }
-    AckermannMotion seen;
-    Mat labels;
-    neutral.findMotion(problem, segments, others, seen, labels);
-    if (seen.status != MOTION_OK)
-        return;
-    const Matx44d covariance = seen.metricCovariance(camera);
-    if (prior.yawRateSigma > 0 && covariance(0, 0) > 0 && seen.yawRate(camera, motion.seenYawRate))
-        motion.seenYawRateSigma = std::sqrt(covariance(0, 0));
-    if (prior.speedSigma > 0 && covariance(1, 1) > 0 && seen.speed(camera, motion.seenSpeed))
-        motion.seenSpeedSigma = std::sqrt(covariance(1, 1));
-    compareWithGiven(prior, showsOtherDirection(seen, prior), motion);
-}
-
-AckermannMotion AckermannEstimatorImpl::run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const
-{
-    prior.check();
-    if (labels_.needed())
-        checkOutput(labels_, "labels", Size(1, segments.rows), CV_8U);
-    AckermannMotion motion;
-    Mat labels(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
-    if (!camera.isRowShutter())
-        motion.status = MOTION_NOT_OBSERVABLE;
-    else
-    {
-        RefinementProblem problem = makeProblem(segments, MotionLimits(camera, params));
-        for (size_t i = 0; i < problem.verticals.size(); i++)
-            labels.at<uchar>(problem.verticals[i].index) = SEGMENT_OUTLIER;
-        motion.candidates = (int)problem.verticals.size();
-        if (motion.candidates < params.minCandidates)
-            motion.status = MOTION_TOO_FEW_SEGMENTS;
-        else
-            findMotion(problem, segments, prior, motion, labels);
-        const bool isGiven = prior.yawRateSigma > 0 || prior.speedSigma > 0;
-        if (isGiven && camera.lineDelay > 0 && (motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT))
-            compareWithSeen(problem, segments, prior, motion);
-    }
-    if (labels_.needed())
-        labels.copyTo(labels_);
-    return motion;
-}
-
-// Sets the motion with its status. Without labels they aren't needed.
-void AckermannEstimatorImpl::findMotion(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior,
-                                        AckermannMotion& motion, Mat& labels) const
-{
-    const DrivingPrior driving(prior, camera, params, problem.limits);
-    problem.prior = &driving;
-    problem.roadRatio = driving.roadRatio();
-    Posterior found;
-    if (explorePosterior(problem, params, DisplacementField(camera, problem.ends()), found))
-    {
-        const Agreement agreement = {problem.focal, params.threshold, problem.lean};
-        if (!labels.empty())
-            labelInliers(problem.verticals, found.model, problem.heading, agreement, motion, labels);
-        decide(problem, segments, prior, found, motion);
-    }
-    else
-        motion.status = MOTION_NO_CONSENSUS;
-    problem.prior = 0;
-}
-
-void AckermannEstimatorImpl::decide(const RefinementProblem& problem, const Mat& segments, const MotionPrior& prior,
-                                    Posterior& found, AckermannMotion& motion) const
-{
-    const bool moves = found.hypothesis.motion != MODEL_NONE;
-    if (moves)
-        addFocalUncertainty(problem, camera, params, prior, segments, found);
-    motion.expectedRaw = motion.expectedResidual = found.expectedRaw;
-    motion.status = moves && found.expectedResidual < found.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
-    if (motion.status != MOTION_OK)
-        return;
-    motion.expectedResidual = found.expectedResidual;
-    motion.probabilityWorse = found.probabilityWorse;
-    report(problem, prior, found, motion);
-}
-
-void AckermannEstimatorImpl::report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
-                                    AckermannMotion& motion) const
-{
-    const Model& m = found.model;
-    motion.model = found.hypothesis.motion;
-    setModel(m, found.G, found.covariance, motion);
-
-    // Measurements give a length; a prior doesn't.
-    const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
-    if (!(speed > 0) || setGivenScale(camera, params, prior, motion))
-        return;
-    if (params.scaleFromRoad && camera.height > 0)
-    {
-        const double ratio = findRoadRatio(problem, m, params.threshold);
-        if (ratio > 0)
+        // What is seen decides, not how seldom cars reverse, or drive or turn as fast as is given.
+        AckermannEstimatorImpl neutral(*this);
+        MotionPrior others = prior;
+        others.yawRateSigma = others.speedSigma = 0;
+        if (prior.yawRateSigma > 0)
+            neutral.params.priorYawRate = std::max(params.priorYawRate, std::abs(prior.yawRate));
+        if (prior.speedSigma > 0)
         {
-            motion.scale = SCALE_ROAD;
-            motion.wallDistance = ratio * camera.height;
-            motion.roadSlope = motion.direction * speed * ratio;
+            neutral.params.reverseProbability = 0.5;
+            neutral.params.priorSpeed = std::max(std::abs(prior.speed), prior.speedSigma);
+        }
+        AckermannMotion seen;
+        Mat labels;
+        neutral.findMotion(problem, segments, others, seen, labels);
+        if (seen.status != MOTION_OK)
+            return;
+        const Matx44d covariance = seen.metricCovariance(camera);
+        if (prior.yawRateSigma > 0 && covariance(0, 0) > 0 && seen.yawRate(camera, motion.seenYawRate))
+            motion.seenYawRateSigma = std::sqrt(covariance(0, 0));
+        if (prior.speedSigma > 0 && covariance(1, 1) > 0 && seen.speed(camera, motion.seenSpeed))
+            motion.seenSpeedSigma = std::sqrt(covariance(1, 1));
+        compareWithGiven(prior, showsOtherDirection(seen, prior), motion);
+    }
+
+    AckermannMotion run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const
+    {
+        prior.check();
+        if (labels_.needed())
+            checkOutput(labels_, "labels", Size(1, segments.rows), CV_8U);
+        AckermannMotion motion;
+        Mat labels(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
+        if (!camera.isRowShutter())
+            motion.status = MOTION_NOT_OBSERVABLE;
+        else
+        {
+            RefinementProblem problem = makeProblem(segments, MotionLimits(camera, params));
+            for (size_t i = 0; i < problem.verticals.size(); i++)
+                labels.at<uchar>(problem.verticals[i].index) = SEGMENT_OUTLIER;
+            motion.candidates = (int)problem.verticals.size();
+            if (motion.candidates < params.minCandidates)
+                motion.status = MOTION_TOO_FEW_SEGMENTS;
+            else
+                findMotion(problem, segments, prior, motion, labels);
+            const bool isGiven = prior.yawRateSigma > 0 || prior.speedSigma > 0;
+            if (isGiven && camera.lineDelay > 0 &&
+                (motion.status == MOTION_OK || motion.status == MOTION_NOT_SIGNIFICANT))
+                compareWithSeen(problem, segments, prior, motion);
+        }
+        if (labels_.needed())
+            labels.copyTo(labels_);
+        return motion;
+    }
+
+    // Sets the motion with its status. Without labels they aren't needed.
+    void findMotion(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
+                    Mat& labels) const
+    {
+        const DrivingPrior driving(prior, camera, params, problem.limits);
+        problem.prior = &driving;
+        problem.roadRatio = driving.roadRatio();
+        Posterior found;
+        if (explorePosterior(problem, params, DisplacementField(camera, problem.ends()), found))
+        {
+            const Agreement agreement = {problem.focal, params.threshold, problem.lean};
+            if (!labels.empty())
+                labelInliers(problem.verticals, found.model, problem.heading, agreement, motion, labels);
+            decide(problem, segments, prior, found, motion);
+        }
+        else
+            motion.status = MOTION_NO_CONSENSUS;
+        problem.prior = 0;
+    }
+
+    void decide(const RefinementProblem& problem, const Mat& segments, const MotionPrior& prior, Posterior& found,
+                AckermannMotion& motion) const
+    {
+        const bool moves = found.hypothesis.motion != MODEL_NONE;
+        if (moves)
+            addFocalUncertainty(problem, camera, params, prior, segments, found);
+        motion.expectedRaw = motion.expectedResidual = found.expectedRaw;
+        motion.status = moves && found.expectedResidual < found.expectedRaw ? MOTION_OK : MOTION_NOT_SIGNIFICANT;
+        if (motion.status != MOTION_OK)
+            return;
+        motion.expectedResidual = found.expectedResidual;
+        motion.probabilityWorse = found.probabilityWorse;
+        report(problem, prior, found, motion);
+    }
+
+    void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
+                AckermannMotion& motion) const
+    {
+        const Model& m = found.model;
+        motion.model = found.hypothesis.motion;
+        setModel(m, found.G, found.covariance, motion);
+
+        // Measurements give a length; a prior doesn't.
+        const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
+        if (!(speed > 0) || setGivenScale(camera, params, prior, motion))
+            return;
+        if (params.scaleFromRoad && camera.height > 0)
+        {
+            const double ratio = findRoadRatio(problem, m, params.threshold);
+            if (ratio > 0)
+            {
+                motion.scale = SCALE_ROAD;
+                motion.wallDistance = ratio * camera.height;
+                motion.roadSlope = motion.direction * speed * ratio;
+            }
         }
     }
-}
+};
 
 } // namespace
 
@@ -213,7 +198,7 @@ Ptr<AckermannEstimator> AckermannEstimator::create(const RollingShutterCamera& c
 
 Ptr<AckermannEstimator> AckermannEstimator::load(const String& filename, const String& objname)
 {
-    return AlgorithmStorage<AckermannEstimator>::load(filename, objname);
+    return StoredAlgorithm<AckermannEstimator>::load(filename, objname);
 }
 
 }} // namespace cv::rsackermann

@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../factors/robust_losses.hpp"
+#include "../optim/median.hpp"
 #include "../parallel_loop.hpp"
 #include "consensus.hpp"
 #include "lo_ransac.hpp"
@@ -170,9 +171,8 @@ private:
             const UprightSegment& c = problem.verticals[i];
             alphas.push_back(0.5 * (std::atan(c.v[0]) - std::atan(c.u[0])) / (c.timeU - c.timeV));
         }
-        std::nth_element(alphas.begin(), alphas.begin() + alphas.size() / 2, alphas.end());
         const double limit = 0.9 * problem.limits.maxAlpha;
-        return std::min(std::max(alphas[alphas.size() / 2], -limit), limit);
+        return std::min(std::max(medianOf(alphas.begin(), alphas.end()), -limit), limit);
     }
 
     // Each start, and another one from there in the direction of the street.

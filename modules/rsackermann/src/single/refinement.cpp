@@ -117,14 +117,10 @@ static double covarianceInflation(const ResidualSums& sums, double unknowns)
 static void toEquations(const ResidualSums& sums, int size, ParameterEquations& equations)
 {
     equations.cost = sums.cost;
-    equations.gradient.resize(size);
-    equations.information.resize(size, size);
-    for (int i = 0; i < size; i++)
-    {
-        equations.gradient[i] = sums.gradient[i];
-        for (int j = 0; j <= i; j++)
-            equations.information(i, j) = sums.hessian[i][j];
-    }
+    equations.gradient = Eigen::Map<const Eigen::Matrix<double, PARAMETERS, 1>>(sums.gradient).head(size);
+    equations.information =
+        Eigen::Map<const Eigen::Matrix<double, PARAMETERS, PARAMETERS, Eigen::RowMajor>>(sums.hessian[0])
+            .topLeftCorner(size, size);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "../camera/lens.hpp"
 #include "../motion/contradiction.hpp"
+#include "../optim/median.hpp"
 #include "relative_depth.hpp"
 
 namespace cv { namespace rsackermann {
@@ -50,8 +51,7 @@ double RelativeDepth::medianAround(const Mat& values, const Point2d& pixel, doub
     }
     if (count == 0)
         return std::numeric_limits<double>::quiet_NaN();
-    std::nth_element(found, found + count / 2, found + count);
-    return found[count / 2];
+    return medianOf(found, found + count);
 }
 
 double RelativeDepth::at(const Point2d& pixel) const
@@ -164,9 +164,7 @@ bool RelativeDepth::median(const Vec4d& s, double shift, double& height) const
     }
     if (2 * heights.size() < size_t(steps))
         return false;
-    const auto middle = heights.begin() + ptrdiff_t(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    height = *middle;
+    height = medianOf(heights.begin(), heights.end());
     return true;
 }
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
-#include "../factors/sinc_pack.hpp"
+#include "../simd_pack.hpp"
 #endif
 #include "slant_kernels.hpp"
 

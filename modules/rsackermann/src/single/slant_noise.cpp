@@ -6,6 +6,7 @@
 #include "slant_kernels.hpp"
 #include "../factors/robust_losses.hpp"
 #include "../factors/segment_residuals.hpp"
+#include "../optim/median.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -68,8 +69,7 @@ double logLikelihood(const SlantArrays& slants, double error, const SlantNoise& 
 double SlantNoise::lossScale(const Slants& slants, double focal) const
 {
     std::vector<double> lengths = slants.length;
-    std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
-    const double scale = std::hypot(lean, pixels / focal / lengths[lengths.size() / 2]);
+    const double scale = std::hypot(lean, pixels / focal / medianOf(lengths.begin(), lengths.end()));
     // Half the square of it is the logarithm of how much less probable the slant is than none.
     return std::sqrt(2 * std::log1p((1 - share) / share * otherLean / scale));
 }

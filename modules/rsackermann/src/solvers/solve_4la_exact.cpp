@@ -4,7 +4,7 @@
 
 #include "../precomp.hpp"
 #include "common.hpp"
-#include "smooth_roots.hpp"
+#include "polynomial.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -245,7 +245,7 @@ Ptr<WarpMapGenerator> WarpMapGenerator::create(const RollingShutterCamera& camer
 
 Ptr<WarpMapGenerator> WarpMapGenerator::load(const String& filename, const String& objname)
 {
-    return AlgorithmStorage<WarpMapGenerator>::load(filename, objname);
+    return StoredAlgorithm<WarpMapGenerator>::load(filename, objname);
 }
 
 }} // namespace cv::rsackermann

@@ -10,7 +10,7 @@ namespace cv { namespace rsackermann {
 
 RectifyPlaces::RectifyPlaces(const ShutterGeometry& shutter_, const Matx33d& matrix, double way_, bool ofRaw_,
                              int maxIterations, double tolerance)
-    : shutter(shutter_), rectifier(shutter_, maxIterations, tolerance), inverse(matrix.inv()), way(way_), ofRaw(ofRaw_)
+    : DepthPlaces(shutter_, way_, ofRaw_), rectifier(shutter_, maxIterations, tolerance), inverse(matrix.inv())
 {
 }
 
@@ -35,7 +35,7 @@ double RectifyPlaces::depthInRow(const Vec3d& b, const RowMotion& m, double t) c
 }
 
 DistortPlaces::DistortPlaces(const ShutterGeometry& shutter_, const Matx33d& matrix_, double way_, bool ofRaw_)
-    : shutter(shutter_), distorter(shutter_), matrix(matrix_), way(way_), ofRaw(ofRaw_)
+    : DepthPlaces(shutter_, way_, ofRaw_), distorter(shutter_), matrix(matrix_)
 {
 }
 

@@ -18,17 +18,21 @@ The depth is given by its inverse in 1/m along the optical axis, either of the p
 class DepthPlaces
 {
 public:
-    virtual ~DepthPlaces() {}
-
     //! What the search for one place leaves for the next one, of the same pixel or one nearby.
     struct Guess
     {
-
         Rectifier::Guess row;
         bool hasView = false;
         Point2d pixel; // of the view
         Distorter::View view;
     };
+
+    /** @param way metres per unit of row time.
+    @param ofRaw whether the depths are those of the raw camera at each row's instant. */
+    DepthPlaces(const ShutterGeometry& shutter_, double way_, bool ofRaw_) : shutter(shutter_), way(way_), ofRaw(ofRaw_)
+    {
+    }
+    virtual ~DepthPlaces() {}
 
     //! False if there is no place, or one that cv::remap can't address. @param guess read and written.
     virtual bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const = 0;
@@ -40,65 +44,57 @@ public:
     }
 
     //! Whether rows turn by a curve that has knots.
-    virtual bool hasKnots() const = 0;
+    virtual bool hasKnots() const { return shutter.hasCurve(); }
     //! Whether there are so few of them between two pixels with their places that the checks of a patch notice them.
     virtual bool isSmoothBetween(const Point2d& pixel, const Point2d& place, const Point2d& otherPixel,
-                                 const Point2d& otherPlace) const = 0;
+                                 const Point2d& otherPlace) const
+    {
+        return shutter.isSmoothBetween(rowTime(pixel, place), rowTime(otherPixel, otherPlace));
+    }
+
+protected:
+    //! That of whichever is in the raw image.
+    virtual double rowTime(const Point2d& pixel, const Point2d& place) const = 0;
+
+    const ShutterGeometry& shutter;
+    const double way;
+    const bool ofRaw;
 };
 
 //! Of the pixels of a rectify map: places in the raw image.
 class RectifyPlaces CV_FINAL : public DepthPlaces
 {
 public:
-    /**
-    @param matrix camera matrix of the global-shutter camera.
-    @param way metres per unit of row time.
-    @param ofRaw whether the depths are those of the raw camera at each row's instant.
-    */
+    //! @param matrix camera matrix of the global-shutter camera.
     RectifyPlaces(const ShutterGeometry& shutter, const Matx33d& matrix, double way, bool ofRaw, int maxIterations,
                   double tolerance);
 
     using DepthPlaces::find;
     bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const CV_OVERRIDE;
-    bool hasKnots() const CV_OVERRIDE { return shutter.hasCurve(); }
-    bool isSmoothBetween(const Point2d&, const Point2d& place, const Point2d&,
-                         const Point2d& otherPlace) const CV_OVERRIDE
-    {
-        return shutter.isSmoothBetween(shutter.rowTime(place), shutter.rowTime(otherPlace));
-    }
 
 private:
+    double rowTime(const Point2d&, const Point2d& place) const CV_OVERRIDE { return shutter.rowTime(place); }
     double depthInRow(const Vec3d& b, const RowMotion& m, double t) const;
 
-    const ShutterGeometry& shutter;
     Rectifier rectifier;
     Matx33d inverse; // pixel of the global-shutter camera to ray
-    double way;
-    bool ofRaw;
 };
 
 //! Of the pixels of a distort map: places in the image of the global-shutter camera.
 class DistortPlaces CV_FINAL : public DepthPlaces
 {
 public:
-    //! The parameters are those of RectifyPlaces.
+    //! @param matrix camera matrix of the global-shutter camera.
     DistortPlaces(const ShutterGeometry& shutter, const Matx33d& matrix, double way, bool ofRaw);
 
     using DepthPlaces::find;
     bool find(const Point2d& pixel, double inverseDepth, Point2d& place, Guess& guess) const CV_OVERRIDE;
-    bool hasKnots() const CV_OVERRIDE { return shutter.hasCurve(); }
-    bool isSmoothBetween(const Point2d& pixel, const Point2d&, const Point2d& otherPixel,
-                         const Point2d&) const CV_OVERRIDE
-    {
-        return shutter.isSmoothBetween(shutter.rowTime(pixel), shutter.rowTime(otherPixel));
-    }
 
 private:
-    const ShutterGeometry& shutter;
+    double rowTime(const Point2d& pixel, const Point2d&) const CV_OVERRIDE { return shutter.rowTime(pixel); }
+
     Distorter distorter;
     Matx33d matrix;
-    double way;
-    bool ofRaw;
 };
 
 }} // namespace cv::rsackermann

@@ -7,7 +7,6 @@
 #include "../../motion/metric_way.hpp"
 #include "../../scene/planes.hpp"
 #include "../maps/maps.hpp"
-#include "depth_unit.hpp"
 #include "inverse_depth_image.hpp"
 
 namespace cv { namespace rsackermann {

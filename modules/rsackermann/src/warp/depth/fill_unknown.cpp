@@ -5,7 +5,7 @@
 #include "../../precomp.hpp"
 #include "../../parallel_loop.hpp"
 #include "../distorter.hpp"
-#include "fill_unknown.hpp"
+#include "inverse_depth_image.hpp"
 #include "opencv2/imgproc.hpp"
 
 namespace cv { namespace rsackermann {

@@ -6,7 +6,6 @@
 #include "../../parallel_loop.hpp"
 #include "../../prefetch.hpp"
 #include "depth_kernels.hpp"
-#include "fill_unknown.hpp"
 #include "inverse_depth_image.hpp"
 
 namespace cv { namespace rsackermann {

@@ -4,7 +4,7 @@
 
 #include "../../precomp.hpp"
 #include "../maps/search_kernels.hpp"
-#include "../maps/quarters.hpp"
+#include "../maps/maps.hpp"
 #include "reach.hpp"
 #include "surface_search.hpp"
 #include "visibility.hpp"

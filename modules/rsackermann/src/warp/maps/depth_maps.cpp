@@ -5,7 +5,8 @@
 #include "../../precomp.hpp"
 #include "../../checks.hpp"
 #include "../../motion/metric_way.hpp"
-#include "depth_tiles.hpp"
+#include "../depth/visibility.hpp"
+#include "maps.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -28,6 +28,12 @@ void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t dep
     CV_CPU_DISPATCH(evaluateDepthPatch, (patch, depths, depthStep, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
 }
 
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
+                      float* x, float* y, size_t step)
+{
+    CV_CPU_DISPATCH(searchDepthPatch, (patch, depths, start, first, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
+}
+
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction)
 {
     CV_CPU_DISPATCH(packFixedPoint, (x, y, width, whole, fraction), CV_CPU_DISPATCH_MODES_ALL);

@@ -28,6 +28,14 @@ void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, 
 void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
                         float* y, size_t step);
 
+/** A part of a patch with the inverse depths of the other image, which differ so little that a pixel shows one surface
+only.
+@param depths all of the other image, at least 2 x 2.
+@param start a depth in the middle of all that can be met.
+@param first, size the pixels of the square. */
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
+                      float* x, float* y, size_t step);
+
 //! A row of coordinates in the formats CV_16SC2 and CV_16UC1, with INTER_BITS fractional bits; whole parts are
 //! saturated.
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);

@@ -7,7 +7,7 @@
 #include "opencv2/imgproc.hpp"
 #include "depth_patch.hpp"
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
-#include "map_packs.hpp"
+#include "row_of_depths.hpp"
 #endif
 
 namespace cv { namespace rsackermann {
@@ -20,6 +20,8 @@ void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, 
                      size_t step);
 void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
                         float* y, size_t step);
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
+                      float* x, float* y, size_t step);
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
 
@@ -30,7 +32,7 @@ namespace {
 // Columns from first to last - 1; the ones behind them may be overwritten.
 void evaluateRun(const MapPatch& patch, int row, int first, int last, int width, float* x, float* y)
 {
-    const PackCubic cubicX(RowCubic(patch.x, row)), cubicY(RowCubic(patch.y, row));
+    const PackCubic cubicX(RowCubic(patch.x, row).c), cubicY(RowCubic(patch.y, row).c);
     int i = first;
     for (; i < last && i <= width - Pack::COUNT; i += Pack::COUNT)
     {
@@ -66,11 +68,11 @@ void evaluateNearest(const RowPatch* patches, int count, int width, float* x, fl
         Pack nearest = -FLT_MAX, placeX = 0, placeY = 0;
         for (int k = 0; k < count; k++)
         {
-            const Pack depth = PackCubic(patches[k].depth).at(column);
+            const Pack depth = patches[k].depth.at(column);
             const auto nearer = depth > nearest;
             nearest = choose(nearer, depth, nearest);
-            placeX = choose(nearer, PackCubic(patches[k].x).at(column), placeX);
-            placeY = choose(nearer, PackCubic(patches[k].y).at(column), placeY);
+            placeX = choose(nearer, patches[k].x.at(column), placeX);
+            placeY = choose(nearer, patches[k].y.at(column), placeY);
         }
         storeFirst(placeX, width - i, x + i);
         storeFirst(placeY, width - i, y + i);
@@ -156,6 +158,34 @@ void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t dep
                 PackCurve(places, variable, columnsFrom(i)).at(loadFirst(depths + i, size.width - i));
             storeFirst(place.x, size.width - i, x + i);
             storeFirst(place.y, size.width - i, y + i);
+        }
+    }
+}
+
+// From what the rows above let expect a second step is rarely needed.
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, const Point& first, const Size& size,
+                      float* x, float* y, size_t step)
+{
+    const int steps = 4;
+    const float enough = 1e-3f; // pixels that a step moves a place: what is left is less than the half of it
+    const PackDepths other(image);
+    const PackVariable variable(patch.variable);
+    const int columns = int(alignSize(size.width, Pack::COUNT));
+    AutoBuffer<float> depths(columns), growths(columns);
+    std::fill(depths.data(), depths.data() + columns, patch.variable.at(start));
+    std::fill(growths.data(), growths.data() + columns, 0.f);
+    RowOfDepths pixels(other, variable);
+    for (int row = 0; row < size.height; row++, x += step, y += step)
+    {
+        const RowDepthPatch places(patch, first.y + row);
+        prefetchMap(x, y, size, row, step);
+        for (int i = 0; i < columns; i += RowOfDepths::MOST)
+        {
+            pixels.start(depths.data() + i, growths.data() + i, std::min(columns - i, int(RowOfDepths::MOST)));
+            bool isOnWay = true;
+            for (int k = 0; k < steps && isOnWay; k++)
+                isOnWay = pixels.step(places, first.x + i) > enough;
+            pixels.finish(depths.data() + i, growths.data() + i, size.width - i, x + i, y + i, row == 0);
         }
     }
 }

@@ -15,28 +15,13 @@ namespace {
 
 typedef PackOf<float> Pack;
 
-// A polynomial along one row. Next to the terms that are constant along the row the rest is small: single precision
-// takes no more from it than from the coordinate.
-template <int DEGREE>
-struct RowPolynomial
-{
-    float c[DEGREE + 1];
-
-    RowPolynomial() {}
-    RowPolynomial(const Bicubic& bicubic, double row) { bicubic.alongRow<DEGREE>(row, c); }
-};
-
 template <int DEGREE>
 struct PackPolynomial
 {
     Pack c[DEGREE + 1];
 
     PackPolynomial() {}
-    explicit PackPolynomial(const RowPolynomial<DEGREE>& p)
-    {
-        for (int n = 0; n <= DEGREE; n++)
-            c[n] = p.c[n];
-    }
+    explicit PackPolynomial(const float* coefficients) { std::copy(coefficients, coefficients + DEGREE + 1, c); }
 
     Pack at(const Pack& x) const
     {
@@ -47,6 +32,19 @@ struct PackPolynomial
     }
 };
 
+// A polynomial along one row. Next to the terms that are constant along the row the rest is small: single precision
+// takes no more from it than from the coordinate.
+template <int DEGREE>
+struct RowPolynomial
+{
+    float c[DEGREE + 1];
+
+    RowPolynomial() {}
+    RowPolynomial(const Bicubic& bicubic, double row) { bicubic.alongRow<DEGREE>(row, c); }
+
+    Pack at(const Pack& column) const { return PackPolynomial<DEGREE>(c).at(column); }
+};
+
 typedef RowPolynomial<Bicubic::NODES - 1> RowCubic;
 typedef PackPolynomial<Bicubic::NODES - 1> PackCubic;
 
@@ -55,20 +53,6 @@ inline Pack columnsFrom(int first)
     static const float column[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     return Pack::load(column) + float(first);
 }
-
-// The coefficients of the powers of the depth along one row.
-struct RowDepthPatch
-{
-    RowPolynomial<DepthPatch::degree(0)> x0, y0;
-    RowPolynomial<DepthPatch::degree(1)> x1, y1;
-    RowPolynomial<DepthPatch::degree(2)> x2, y2;
-
-    RowDepthPatch(const DepthPatch& patch, double row)
-        : x0(patch.x[0], row), y0(patch.y[0], row), x1(patch.x[1], row), y1(patch.y[1], row), x2(patch.x[2], row),
-          y2(patch.y[2], row)
-    {
-    }
-};
 
 // A polynomial in column and row, to single precision.
 template <int DEGREE>
@@ -86,23 +70,29 @@ struct FloatBicubic
     {
         PackPolynomial<DEGREE> along;
         for (int m = 0; m <= DEGREE; m++)
-            along.c[m] = PackPolynomial<DEGREE>(c[m]).at(column);
+            along.c[m] = c[m].at(column);
         return along.at(row);
     }
 };
 
-// A patch for pixels anywhere in it.
-struct FloatDepthPatch
+// The coefficients of the powers of the depth: polynomials along one row, or for pixels anywhere in the patch.
+template <template <int> class Polynomial>
+struct DepthPowers
 {
-    FloatBicubic<DepthPatch::degree(0)> x0, y0;
-    FloatBicubic<DepthPatch::degree(1)> x1, y1;
-    FloatBicubic<DepthPatch::degree(2)> x2, y2;
+    Polynomial<DepthPatch::degree(0)> x0, y0;
+    Polynomial<DepthPatch::degree(1)> x1, y1;
+    Polynomial<DepthPatch::degree(2)> x2, y2;
 
-    explicit FloatDepthPatch(const DepthPatch& patch)
-        : x0(patch.x[0]), y0(patch.y[0]), x1(patch.x[1]), y1(patch.y[1]), x2(patch.x[2]), y2(patch.y[2])
+    template <class... Row>
+    explicit DepthPowers(const DepthPatch& patch, Row... row)
+        : x0(patch.x[0], row...), y0(patch.y[0], row...), x1(patch.x[1], row...), y1(patch.y[1], row...),
+          x2(patch.x[2], row...), y2(patch.y[2], row...)
     {
     }
 };
+
+typedef DepthPowers<RowPolynomial> RowDepthPatch;
+typedef DepthPowers<FloatBicubic> FloatDepthPatch;
 
 struct PackVariable
 {
@@ -133,25 +123,16 @@ struct PackCurve
     PackPolynomial<DepthPatch::POWERS - 1> x, y;
     const PackVariable& variable;
 
-    PackCurve(const RowDepthPatch& row, const PackVariable& variable_, const Pack& column) : variable(variable_)
+    //! @param at columns and, if the polynomials aren't those of one row, rows.
+    template <class Powers, class... At>
+    PackCurve(const Powers& powers, const PackVariable& variable_, const At&... at) : variable(variable_)
     {
-        x.c[0] = PackPolynomial<DepthPatch::degree(0)>(row.x0).at(column);
-        y.c[0] = PackPolynomial<DepthPatch::degree(0)>(row.y0).at(column);
-        x.c[1] = PackPolynomial<DepthPatch::degree(1)>(row.x1).at(column);
-        y.c[1] = PackPolynomial<DepthPatch::degree(1)>(row.y1).at(column);
-        x.c[2] = PackPolynomial<DepthPatch::degree(2)>(row.x2).at(column);
-        y.c[2] = PackPolynomial<DepthPatch::degree(2)>(row.y2).at(column);
-    }
-
-    PackCurve(const FloatDepthPatch& patch, const PackVariable& variable_, const Pack& column, const Pack& row)
-        : variable(variable_)
-    {
-        x.c[0] = patch.x0.at(column, row);
-        y.c[0] = patch.y0.at(column, row);
-        x.c[1] = patch.x1.at(column, row);
-        y.c[1] = patch.y1.at(column, row);
-        x.c[2] = patch.x2.at(column, row);
-        y.c[2] = patch.y2.at(column, row);
+        x.c[0] = powers.x0.at(at...);
+        y.c[0] = powers.y0.at(at...);
+        x.c[1] = powers.x1.at(at...);
+        y.c[1] = powers.y1.at(at...);
+        x.c[2] = powers.x2.at(at...);
+        y.c[2] = powers.y2.at(at...);
     }
 
     Place of(const Pack& value) const { return Place{x.at(value), y.at(value)}; }

@@ -4,7 +4,6 @@
 
 #include "../../precomp.hpp"
 #include "maps.hpp"
-#include "quarters.hpp"
 #include "../shutter_geometry.hpp"
 
 namespace cv { namespace rsackermann {

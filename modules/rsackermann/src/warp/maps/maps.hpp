@@ -11,7 +11,11 @@
 
 namespace cv { namespace rsackermann {
 
+class DepthPlaces;
+class InverseDepthImage;
+class InverseDepths;
 class ShutterGeometry;
+class Visibility;
 
 //! Which image a map belongs to.
 enum WarpDirection {
@@ -28,12 +32,19 @@ struct GlobalCamera
     Size size;
 };
 
+//! Throws unless a depth is possible and has the size of its camera's image, or is empty.
+void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params);
+
+/** Whether the values of a metric depth are evidently in another unit than DepthMap::scale says: walls and road of a
+motion in metres are so much nearer or further away.
+
+@param depth checked, or empty. */
+bool isInAnotherUnit(const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
+                     const AckermannMotion& motion, const DepthMap& depth);
+
 //! For each pixel of one image the place in the other one.
 void writeMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
               const AckermannMotion& motion, MapWriter& writer);
-
-//! Throws unless a depth is possible and has the size of its camera's image, or is empty.
-void checkDepth(const DepthMap& depth, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params);
 
 //! The same with a given depth, which is checked and isn't empty.
 void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const WarpMapGenerator::Params& params,
@@ -44,6 +55,12 @@ void writeDepthMap(WarpDirection warp, const RollingShutterCamera& camera, const
 void fillRectifyMap(const ShutterGeometry& shutter, const Matx33d& matrix, const WarpMapGenerator::Params& params,
                     MapWriter& writer);
 void fillDistortMap(const ShutterGeometry& shutter, const Matx33d& matrix, MapWriter& writer);
+
+//! Fills a map of which each pixel's own depth is known. @param visibility null: of no interest.
+void fillByOwnDepth(const DepthPlaces& places, const InverseDepths& depths, const Visibility* visibility,
+                    MapWriter& writer);
+//! Fills a map from the depth in the other camera.
+void fillByOtherDepth(const DepthPlaces& places, const InverseDepthImage& depths, MapWriter& writer);
 
 /** Fills tiles of a map (doc/theory.md, "Warp").
 
@@ -68,6 +85,19 @@ protected:
 private:
     void fillSquare(const Rect& square, MapWriter::Tile& tile) const;
 };
+
+//! Calls use(quarter) for the four parts of a block of pixels that aren't empty.
+template <class Use>
+void forEachQuarter(const Rect& block, const Use& use)
+{
+    const Size half((block.width + 1) / 2, (block.height + 1) / 2);
+    for (int k = 0; k < 4; k++)
+    {
+        const Rect quarter = Rect(block.tl() + Point(k % 2 * half.width, k / 2 * half.height), half) & block;
+        if (!quarter.empty())
+            use(quarter);
+    }
+}
 
 //! Fills all tiles in parallel.
 void fillTiles(const TileFiller& filler, MapWriter& writer);

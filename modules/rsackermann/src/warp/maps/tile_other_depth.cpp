@@ -3,13 +3,12 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../precomp.hpp"
-#include "quarters.hpp"
 #include "../depth/reach.hpp"
 #include "../depth/surface_search.hpp"
-#include "newton_kernels.hpp"
+#include "map_kernels.hpp"
 #include "search_kernels.hpp"
 #include "pixel_curve.hpp"
-#include "depth_tiles.hpp"
+#include "maps.hpp"
 
 namespace cv { namespace rsackermann {
 

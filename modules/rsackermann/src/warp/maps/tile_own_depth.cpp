@@ -4,7 +4,8 @@
 
 #include "../../precomp.hpp"
 #include "map_kernels.hpp"
-#include "depth_tiles.hpp"
+#include "../depth/visibility.hpp"
+#include "maps.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -2,21 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "../../opencv_versions.hpp"
+// For *.simd.hpp files, as simd_pack.hpp: the search for depths that differ little.
+
 #include "../../prefetch.hpp"
-#include "depth_patch.hpp"
-#ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 #include "pack_depths.hpp"
-#endif
 
 namespace cv { namespace rsackermann {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
-
-void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
-                      float* x, float* y, size_t step);
-
-#ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
 namespace {
 
@@ -147,36 +140,6 @@ private:
 };
 
 } // namespace
-
-// From what the rows above let expect a second step is rarely needed.
-void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, const Point& first, const Size& size,
-                      float* x, float* y, size_t step)
-{
-    const int steps = 4;
-    const float enough = 1e-3f; // pixels that a step moves a place: what is left is less than the half of it
-    const PackDepths other(image);
-    const PackVariable variable(patch.variable);
-    const int columns = int(alignSize(size.width, Pack::COUNT));
-    AutoBuffer<float> depths(columns), growths(columns);
-    std::fill(depths.data(), depths.data() + columns, patch.variable.at(start));
-    std::fill(growths.data(), growths.data() + columns, 0.f);
-    RowOfDepths pixels(other, variable);
-    for (int row = 0; row < size.height; row++, x += step, y += step)
-    {
-        const RowDepthPatch places(patch, first.y + row);
-        prefetchMap(x, y, size, row, step);
-        for (int i = 0; i < columns; i += RowOfDepths::MOST)
-        {
-            pixels.start(depths.data() + i, growths.data() + i, std::min(columns - i, int(RowOfDepths::MOST)));
-            bool isOnWay = true;
-            for (int k = 0; k < steps && isOnWay; k++)
-                isOnWay = pixels.step(places, first.x + i) > enough;
-            pixels.finish(depths.data() + i, growths.data() + i, size.width - i, x + i, y + i, row == 0);
-        }
-    }
-}
-
-#endif // CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
 CV_CPU_OPTIMIZATION_NAMESPACE_END
 
