@@ -11,7 +11,7 @@
 #include "output/image_file.hpp"
 #include "output/output_plan.hpp"
 #include "output/result_names.hpp"
-#include "prior_options.hpp"
+#include "estimator_options.hpp"
 #include "units.hpp"
 
 #include "opencv2/rsackermann.hpp"

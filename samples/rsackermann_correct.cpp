@@ -7,7 +7,6 @@
 #include "correct/batch.hpp"
 #include "estimator_options.hpp"
 #include "output/interrupt.hpp"
-#include "prior_options.hpp"
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif

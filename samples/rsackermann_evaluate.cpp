@@ -8,7 +8,7 @@
 #include "json_text.hpp"
 #include "map_distance.hpp"
 #include "options.hpp"
-#include "text_file.hpp"
+#include "files.hpp"
 #include "truth_file.hpp"
 
 #include "opencv2/rsackermann/warp.hpp"

@@ -5,13 +5,7 @@
 // Writes the motion that rsackermann_correct has found in the forms that other tools read.
 
 #include "camera_settings.hpp"
-#include "export/cloud.hpp"
-#include "export/colmap.hpp"
-#include "export/gyro_log.hpp"
-#include "export/row_poses.hpp"
-#include "export/st_map.hpp"
-#include "export/tracks.hpp"
-#include "export/warp_mesh.hpp"
+#include "export/exports.hpp"
 #include "output/atomic_file.hpp"
 #include "output/output_plan.hpp"
 #include "output/result_names.hpp"

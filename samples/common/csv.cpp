@@ -4,7 +4,7 @@
 
 #include "csv.hpp"
 #include "options.hpp"
-#include "text_file.hpp"
+#include "files.hpp"
 
 #include "opencv2/core/cvstd.hpp"
 #include <algorithm>

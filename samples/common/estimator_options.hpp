@@ -5,6 +5,7 @@
 #ifndef RSACKERMANN_SAMPLES_ESTIMATOR_OPTIONS_HPP
 #define RSACKERMANN_SAMPLES_ESTIMATOR_OPTIONS_HPP
 
+#include "opencv2/rsackermann/motion.hpp"
 #include "options.hpp"
 
 namespace rsackermann_samples {
@@ -20,6 +21,15 @@ int readDetector(const Options& options);
 
 //! One of cv::rsackermann::MotionModel.
 int readModel(const Options& options);
+
+//! Standard deviations of values that are given without one, km/h and deg/s.
+const double SPEED_SIGMA = 2, YAW_RATE_SIGMA = 1;
+
+//! Keys of the options that readPriorOptions() takes.
+extern const char* const PRIOR_KEYS;
+
+//! The speed and the yaw rate that options give.
+cv::rsackermann::MotionPrior readPriorOptions(const Options& options);
 
 } // namespace rsackermann_samples
 

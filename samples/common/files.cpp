@@ -3,17 +3,14 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "files.hpp"
-#include "image_ends.hpp"
 #include "image_metadata.hpp"
 #include "options.hpp"
-#include "text_file.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -97,6 +94,22 @@ std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, co
                          cv::typeToString(image.type()));
     addExif(bytes, exif);
     return bytes;
+}
+
+std::ifstream openText(const std::string& path)
+{
+    const std::string mark = "\xEF\xBB\xBF";
+    std::ifstream file(path.c_str(), std::ios::binary);
+    size_t read = 0;
+    while (read < mark.size() && file.peek() == (unsigned char)mark[read]) // a folder fails here
+    {
+        file.get();
+        read++;
+    }
+    if (read < mark.size())
+        for (; read > 0; read--)
+            file.unget();
+    return file;
 }
 
 cv::Mat readSegments(const std::string& path)

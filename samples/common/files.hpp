@@ -7,6 +7,7 @@
 
 #include "opencv2/core.hpp"
 #include "options.hpp"
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ auto namingFile(const std::string& path, const Read& read) -> decltype(read(path
         throw InputError(path + ": " + e.what());
     }
 }
+
+/** Opens a text behind the mark of UTF-8 that some editors put before it.
+@return a stream that has failed if the file is missing, a folder or can't be read. */
+std::ifstream openText(const std::string& path);
 
 //! Line segments from a text file with four numbers x1 y1 x2 y2 a line (N x 4, CV_32F); throws UsageError.
 cv::Mat readSegments(const std::string& path);

@@ -4,6 +4,7 @@
 
 #include "image_metadata.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <zlib.h>
 
@@ -85,7 +86,38 @@ std::vector<Part> chunksOf(const std::vector<uchar>& file)
     return parts;
 }
 
-const size_t EXIF_CHUNK = 'e' << 24 | 'X' << 16 | 'I' << 8 | 'f', APP1 = 0xE1;
+const size_t EXIF_CHUNK = 'e' << 24 | 'X' << 16 | 'I' << 8 | 'f', END_CHUNK = 'I' << 24 | 'E' << 16 | 'N' << 8 | 'D',
+             APP1 = 0xE1;
+
+// A JPEG file is a row of segments, each with a marker and, except for a few, a length; EOI (0xD9) ends the image. In
+// coded data 0xFF is stuffed with a 0 or begins a restart, which have no length, either. Searching for EOI alone would
+// find the one of a thumbnail.
+bool isJpegCutShort(const std::vector<uchar>& b)
+{
+    const int EOI = 0xD9;
+    for (size_t at = 2; at + 1 < b.size();)
+    {
+        const void* const next = std::memchr(&b[at], 0xFF, b.size() - 1 - at);
+        if (!next)
+            return true;
+        at = size_t(static_cast<const uchar*>(next) - b.data());
+        const int marker = b[at + 1];
+        if (marker == 0xFF) // fill byte
+        {
+            at++;
+            continue;
+        }
+        at += 2;
+        if (marker == EOI)
+            return false;
+        if (marker == 0 || marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8))
+            continue;
+        if (at + 1 >= b.size())
+            return true;
+        at += size_t(b[at]) << 8 | b[at + 1];
+    }
+    return true;
+}
 
 // A number of a TIFF file in its byte order; 0 beyond the end.
 size_t tiffNumber(const std::vector<uchar>& file, size_t at, int count)
@@ -169,6 +201,14 @@ bool isCmyk(const std::vector<uchar>& file)
                 return file[part.begin + 5] == 4;
         }
     return (beginsWith(file, "II*\0", 4) || beginsWith(file, "MM\0*", 4)) && isCmykTiff(file);
+}
+
+bool isCutShort(const std::vector<uchar>& file)
+{
+    if (!isPng(file))
+        return isJpeg(file) && isJpegCutShort(file);
+    const std::vector<Part> chunks = chunksOf(file);
+    return std::none_of(chunks.begin(), chunks.end(), [](const Part& chunk) { return chunk.type == END_CHUNK; });
 }
 
 } // namespace rsackermann_samples

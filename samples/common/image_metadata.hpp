@@ -20,6 +20,9 @@ void addExif(std::vector<uchar>& file, const std::vector<uchar>& exif);
 //! Whether a JPEG or TIFF file has the four colours of printers.
 bool isCmyk(const std::vector<uchar>& file);
 
+//! Whether it is that of a PNG or JPEG image without its end; false for every other format.
+bool isCutShort(const std::vector<uchar>& file);
+
 } // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_IMAGE_METADATA_HPP

@@ -3,12 +3,34 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "json_text.hpp"
+#include "files.hpp"
 
 namespace rsackermann_samples {
 
 nlohmann::json parseJson(const std::string& text, bool throws)
 {
     return nlohmann::json::parse(text, nullptr, throws);
+}
+
+void readReportLines(const std::string& path,
+                     const std::function<void(const nlohmann::json& line, const std::string& source)>& use)
+{
+    std::ifstream file = openText(path);
+    if (!file)
+        throw InputError(path + " can't be read");
+    int number = 0;
+    for (std::string text; std::getline(file, text);)
+    {
+        const std::string source = path + cv::format(", line %d", ++number);
+        try
+        {
+            use(parseJson(text), source);
+        }
+        catch (const nlohmann::json::exception& e)
+        {
+            throw InputError(source + " isn't one of a report: " + e.what());
+        }
+    }
 }
 
 } // namespace rsackermann_samples

@@ -5,6 +5,7 @@
 #ifndef RSACKERMANN_SAMPLES_JSON_TEXT_HPP
 #define RSACKERMANN_SAMPLES_JSON_TEXT_HPP
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -13,6 +14,11 @@ namespace rsackermann_samples {
 //! What the text stands for. Compiled once: the parser is a template that takes the compiler seconds.
 //! @param throws whether an exception of JSON tells of an error, or a value that is_discarded().
 nlohmann::json parseJson(const std::string& text, bool throws = true);
+
+/** Hands over each line of a report of rsackermann_correct with words for its place. Throws InputError with the place
+if a line isn't JSON or use() throws an exception of JSON. */
+void readReportLines(const std::string& path,
+                     const std::function<void(const nlohmann::json& line, const std::string& source)>& use);
 
 } // namespace rsackermann_samples
 

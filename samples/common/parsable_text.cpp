@@ -4,7 +4,7 @@
 
 #include "parsable_text.hpp"
 #include "options.hpp"
-#include "text_file.hpp"
+#include "files.hpp"
 
 #include <cctype>
 #include <sstream>

@@ -4,8 +4,6 @@
 
 #include "depth_file.hpp"
 #include "files.hpp"
-#include "npy_file.hpp"
-#include "point_cloud.hpp"
 
 #include "opencv2/imgcodecs.hpp"
 #include "opencv2/imgproc.hpp"

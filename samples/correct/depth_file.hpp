@@ -31,6 +31,14 @@ Throws InputError. Usual scales are 0.001 m and 1/256 px for whole numbers, 1 m 
 cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning& meaning,
                                     const cv::rsackermann::RollingShutterCamera& camera);
 
+//! A matrix of two dimensions from the bytes of a .npy file: numbers of 16 bits without a sign (CV_16U), or floats of
+//! 32 or 64 bits (CV_32F, CV_64F), rows first. Throws InputError for others and for damaged files.
+cv::Mat decodeNpy(const std::vector<uchar>& bytes);
+
+/** Points from a CSV table whose header has x, y and z (N x 3, CV_64F; nan is kept). Throws InputError with the line
+that isn't understood, and if the table is one of several images: if it has a column file with other names than one. */
+cv::Mat readPointCloud(const std::string& path);
+
 } // namespace rsackermann_samples
 
 #endif // RSACKERMANN_SAMPLES_DEPTH_FILE_HPP

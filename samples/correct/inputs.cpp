@@ -5,7 +5,6 @@
 #include "inputs.hpp"
 #include "files.hpp"
 #include "options.hpp"
-#include "text_file.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"

@@ -7,7 +7,6 @@
 #include "log_use.hpp"
 #include "files.hpp"
 #include "output/result_names.hpp"
-#include "prior_options.hpp"
 #include "targets.hpp"
 #include "units.hpp"
 

@@ -5,7 +5,7 @@
 #include "log_use.hpp"
 #include "files.hpp"
 #include "options.hpp"
-#include "prior_options.hpp"
+#include "estimator_options.hpp"
 #include "units.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "point_cloud.hpp"
+#include "depth_file.hpp"
 #include "csv.hpp"
 #include "options.hpp"
 

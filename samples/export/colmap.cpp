@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "colmap.hpp"
+#include "exports.hpp"
 #include "output/image_file.hpp"
 #include "output/atomic_file.hpp"
 #include "opencv2/rsackermann/warp.hpp"

@@ -8,7 +8,7 @@
 #include "motion_words.hpp"
 #include "options.hpp"
 #include "parsable_text.hpp"
-#include "report_lines.hpp"
+#include "json_text.hpp"
 #include "units.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "tracks.hpp"
+#include "exports.hpp"
 #include "opencv2/rsackermann/warp.hpp"
 #include "point_table.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "page_text.hpp"
 #include "page_template.hpp"
-#include "report_lines.hpp"
+#include "json_text.hpp"
 
 namespace rsackermann_samples {
 

@@ -6,7 +6,7 @@
 #include "json_text.hpp"
 #include "units.hpp"
 #include "options.hpp"
-#include "text_file.hpp"
+#include "files.hpp"
 
 #include <climits>
 #include <iterator>

@@ -8,7 +8,6 @@
 #include "estimator_options.hpp"
 #include "job.hpp"
 #include "options.hpp"
-#include "prior_options.hpp"
 
 #include <algorithm>
 #include <sstream>
