@@ -130,6 +130,35 @@ inline void checkApart(const _InputArray& output, const char* name, const _Input
     REJECT_IF(areOneMatrix(output, other), "%s is the same matrix as %s; another one is expected", name, otherName);
 }
 
+//! A caller's segments, N x 4 or N x 1 with four channels, as N x 4 CV_64F; throws for everything else.
+inline Mat segmentRows(InputArray segments, const char* name = "segments")
+{
+    const Mat in = matrixOf(segments, name);
+    if (in.empty())
+        return Mat(0, 4, CV_64F);
+    const bool fourColumns = in.channels() == 1 && in.cols == 4,
+               fourChannels = in.channels() == 4 && (in.cols == 1 || in.rows == 1);
+    REJECT_IF(
+        (in.depth() != CV_32F && in.depth() != CV_64F) || in.dims > 2 || (!fourColumns && !fourChannels),
+        "%s is a %d x %d matrix of type %s; N x 4 with one channel or N x 1 with four channels, CV_32F or CV_64F, is "
+        "expected",
+        name, in.rows, in.cols, typeToString(in.type()).c_str());
+    Mat rows;
+    in.convertTo(rows, CV_64F);
+    return rows.isContinuous() ? rows.reshape(1, (int)(rows.total() * rows.channels() / 4)) : rows;
+}
+
+//! Returns N x 4 segments to a caller: as N x 4 CV_32F, or in the four-channel type of the caller's array, such as
+//! vector<Vec4f>.
+inline void returnSegments(const Mat& rows, OutputArray segments)
+{
+    const bool fourChannels = segments.fixedType() && segments.channels() == 4;
+    checkOutput(segments, "segments", Size(fourChannels ? 1 : 4, rows.rows), fourChannels ? segments.type() : CV_32F);
+    segments.create(rows.rows, fourChannels ? 1 : 4, fourChannels ? segments.type() : CV_32F);
+    if (rows.rows > 0)
+        (fourChannels ? rows.reshape(4) : rows).convertTo(segments, fourChannels ? segments.depth() : CV_32F);
+}
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_CHECKS_HPP

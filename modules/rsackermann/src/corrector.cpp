@@ -12,7 +12,6 @@
 #include "motion/motion_check.hpp"
 #include "sequence/sequence_estimator.hpp"
 #include "single/relative_depth.hpp"
-#include "features/segments.hpp"
 #include "storage.hpp"
 #include "warp/maps/maps.hpp"
 #include <atomic>

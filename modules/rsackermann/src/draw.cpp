@@ -9,7 +9,6 @@
 #include "motion/motion_check.hpp"
 #include "opencv2/imgproc.hpp"
 #include "scene/planes.hpp"
-#include "features/segments.hpp"
 #include "warp/points.hpp"
 
 namespace cv { namespace rsackermann {

@@ -8,7 +8,6 @@
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "../features/segment_finder.hpp"
-#include "../features/segments.hpp"
 #include "../storage.hpp"
 #include "../sequence/frame_terms.hpp"
 #include "../sequence/sequence_filter.hpp"

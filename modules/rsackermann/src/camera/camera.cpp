@@ -9,10 +9,9 @@
 namespace cv { namespace rsackermann {
 
 RollingShutterCamera::RollingShutterCamera()
-    : cameraMatrix(Matx33d::eye()), lensModel(LENS_PINHOLE), scanDirection(SCAN_TOP_TO_BOTTOM), lineDelay(0),
-      referenceRow(0), uprightRotation(Matx33d::eye()), heading(0), height(0), focalSigma(0), distortionSigma(0),
-      lineDelaySigma(0)
+    : RollingShutterCamera(Size(), Matx33d::eye(), std::vector<double>(), LENS_PINHOLE)
 {
+    referenceRow = 0;
 }
 
 RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, const std::vector<double>& dist,

@@ -158,11 +158,6 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
     return n;
 }
 
-double DrivingPrior::expectedScaledSpeed() const
-{
-    return std::exp(logSpeed);
-}
-
 double DrivingPrior::logYawDensity(double a) const
 {
     if (yawRateIsGiven())

@@ -99,7 +99,7 @@ public:
     bool speedIsGiven() const { return given_.speedSigma > 0; }
     bool motionIsGiven() const { return yawRateIsGiven() || speedIsGiven(); }
     //! Scaled speed sqrt(B^2 + D^2) that is to be expected.
-    double expectedScaledSpeed() const;
+    double expectedScaledSpeed() const { return std::exp(logSpeed); }
     //! The direction of a given speed: 1 or -1; 0: it isn't known.
     int givenDirection() const
     {

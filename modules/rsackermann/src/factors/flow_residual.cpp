@@ -8,15 +8,6 @@
 
 namespace cv { namespace rsackermann {
 
-FlowResidual::FlowResidual(const RollingShutterCamera& camera)
-    : heading(camera.heading), unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0))
-{
-}
-
-FlowResidual::FlowResidual(double heading_, double unit_, double focal_) : heading(heading_), unit(unit_), focal(focal_)
-{
-}
-
 FlowResidual::View FlowResidual::predict(const TrackedBearing& s, const double* u) const
 {
     const double alpha = u[SEQUENCE_YAW_RATE] * unit / 2, length = u[SEQUENCE_SPEED] * unit;

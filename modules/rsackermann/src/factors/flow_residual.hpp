@@ -17,9 +17,12 @@ The motion between the two rows is exact; the derivatives by the values are thos
 class FlowResidual
 {
 public:
-    explicit FlowResidual(const RollingShutterCamera& camera);
+    explicit FlowResidual(const RollingShutterCamera& camera)
+        : FlowResidual(camera.heading, camera.secondsPerUnitTime(), camera.cameraMatrix(0, 0))
+    {
+    }
     //! @param unit seconds per unit of row time.
-    FlowResidual(double heading, double unit, double focal);
+    FlowResidual(double heading_, double unit_, double focal_) : heading(heading_), unit(unit_), focal(focal_) {}
 
     /** @param values FLOW_VALUES of them.
     @param jacobian receives, unless it is null, 2 x FLOW_VALUES derivatives: those of x and then those of y.

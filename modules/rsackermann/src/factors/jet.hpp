@@ -52,10 +52,6 @@ inline Jet operator-(const Jet& x, const Jet& y)
 {
     return combine(x.value - y.value, 1, x, -1, y);
 }
-inline Jet operator*(const Jet& x, const Jet& y)
-{
-    return combine(x.value * y.value, y.value, x, x.value, y);
-}
 inline Jet operator/(const Jet& x, const Jet& y)
 {
     const double q = x.value / y.value;

@@ -6,11 +6,77 @@
 #define OPENCV_RSACKERMANN_SRC_FEATURES_EDGE_KERNELS_HPP
 
 #include "opencv2/core.hpp"
-#include "parabola_fit.hpp"
-
-// What takes time in the search for edges, in vectors of the widest kind that the processor has.
+#include <cfloat>
 
 namespace cv { namespace rsackermann {
+
+//! x = middle + slope t + curvature t^2 by least squares.
+struct ParabolaFit
+{
+    double middle, slope, curvature;
+    double squares; // mean of the squares of what is left; DBL_MAX: there is no such line
+};
+
+//! Weighed sums of places x at times t, of which those of any part of a sequence are a difference.
+struct ParabolaSums
+{
+    double n = 0, t = 0, tt = 0, ttt = 0, tttt = 0, x = 0, xt = 0, xtt = 0, xx = 0;
+
+    void add(double time, double place, double weight)
+    {
+        const double a = weight * time, b = a * time, c = b * time, d = weight * place;
+        n += weight;
+        t += a;
+        tt += b;
+        ttt += c;
+        tttt += c * time;
+        x += d;
+        xt += d * time;
+        xtt += d * time * time;
+        xx += d * place;
+    }
+
+    //! These sums without others, about another time.
+    ParabolaSums since(const ParabolaSums& other, double origin) const
+    {
+        const double c = origin, t1 = t - other.t, t2 = tt - other.tt, t3 = ttt - other.ttt, x1 = xt - other.xt;
+        ParabolaSums s;
+        s.n = n - other.n;
+        s.x = x - other.x;
+        s.xx = xx - other.xx;
+        s.t = t1 - c * s.n;
+        s.tt = t2 - 2 * c * t1 + c * c * s.n;
+        s.ttt = t3 - 3 * c * t2 + 3 * c * c * t1 - c * c * c * s.n;
+        s.tttt = tttt - other.tttt - 4 * c * t3 + 6 * c * c * t2 - 4 * c * c * c * t1 + c * c * c * c * s.n;
+        s.xt = x1 - c * s.x;
+        s.xtt = xtt - other.xtt - 2 * c * x1 + c * c * s.x;
+        return s;
+    }
+
+    //! A line unless isCurved.
+    ParabolaFit fit(bool isCurved) const
+    {
+        ParabolaFit f = {0, 0, 0, DBL_MAX};
+        const double det = n * tt - t * t;
+        if (!(det > 1e-5 * n * n))
+            return f;
+        f.middle = (x * tt - xt * t) / det;
+        f.slope = (xt * n - x * t) / det;
+        f.squares = (xx - f.middle * x - f.slope * xt) / n;
+        // The square of the time without the line in it.
+        const double p0 = (tt * tt - ttt * t) / det, p1 = (ttt * n - tt * t) / det, own = tttt - p0 * tt - p1 * ttt,
+                     cross = xtt - p0 * x - p1 * xt;
+        if (!isCurved || !(own > 1e-9 * tttt))
+            return f;
+        f.curvature = cross / own;
+        f.middle -= f.curvature * p0;
+        f.slope -= f.curvature * p1;
+        f.squares -= f.curvature * cross / n;
+        return f;
+    }
+};
+
+// What takes time in the search for edges, in vectors of the widest kind that the processor has.
 
 //! An extreme of the gradient along a row.
 struct EdgePoint

@@ -44,11 +44,6 @@ void FrameFeatures::reset()
     fineTracker.reset();
 }
 
-bool FrameFeatures::hasManyPoints() const
-{
-    return SAME_SCENE * tracker.pointCount() > LEAST_POINTS;
-}
-
 void FrameFeatures::setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed)
 {
     reset();

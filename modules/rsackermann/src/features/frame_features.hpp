@@ -61,7 +61,7 @@ public:
     void setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed);
 
     //! Whether there is so much to track that next to nothing of it means another scene.
-    bool hasManyPoints() const;
+    bool hasManyPoints() const { return SAME_SCENE * tracker.pointCount() > LEAST_POINTS; }
 
     //! The next frame belongs to another sequence.
     void reset();

@@ -24,11 +24,6 @@ double PointTracker::reach(const Size& imageSize, size_t maxPixels)
     return (0.5 * WINDOW + gradient) * scale;
 }
 
-void PointTracker::reset()
-{
-    now.clear();
-}
-
 // The point with the most texture of each cell.
 void PointTracker::findPoints(const Mat& gray)
 {

@@ -46,7 +46,7 @@ public:
     static double reach(const Size& imageSize, size_t maxPixels);
 
     //! The next image belongs to another sequence.
-    void reset();
+    void reset() { now.clear(); }
 
 private:
     int makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image);

@@ -6,7 +6,6 @@
 #include "opencv2/imgproc.hpp"
 #include "../checks.hpp"
 #include "../parallel_loop.hpp"
-#include "segments.hpp"
 #include "detectors.hpp"
 #include "edges.hpp"
 #include "segment_finder.hpp"
@@ -114,12 +113,6 @@ void SegmentFinder::prepare(InputArray image_)
     const Mat image = image_.getMat();
     gray = toGray(image);
     small = shrink(gray);
-}
-
-void SegmentFinder::release()
-{
-    gray.release();
-    small.release();
 }
 
 void SegmentFinder::findInStrips(const Mat& image, int count, int detector, double minLength, double detectorScale)

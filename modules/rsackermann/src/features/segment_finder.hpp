@@ -38,7 +38,7 @@ public:
     const Mat& reduced() const { return small; }
 
     //! Forgets the image, which belongs to the caller.
-    void release();
+    void release() { gray = small = Mat(); }
 
     int reduction() const { return scale; }
 

@@ -20,11 +20,6 @@ SplineWeights::Axis::Axis(double place, double low, double length, int controls)
     weights[3] = f * f * f / 6;
 }
 
-SplineWeights::SplineWeights(const Rect2d& area, const Size& controls, const Point2d& place)
-    : x(place.x, area.x, area.width, controls.width), y(place.y, area.y, area.height, controls.height)
-{
-}
-
 double InverseDepthOffset::at(const Vec3d& ray) const
 {
     if (empty() || !(ray[2] > 0))

@@ -27,7 +27,10 @@ struct SplineWeights
     Axis x, y;
 
     //! @param place beyond the area the nearest one of it counts.
-    SplineWeights(const Rect2d& area, const Size& controls, const Point2d& place);
+    SplineWeights(const Rect2d& area, const Size& controls, const Point2d& place)
+        : x(place.x, area.x, area.width, controls.width), y(place.y, area.y, area.height, controls.height)
+    {
+    }
 };
 
 //! By how much the scene is nearer than its planes, from place to place: AckermannMotion::inverseDepthOffset.

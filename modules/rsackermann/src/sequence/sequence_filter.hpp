@@ -23,19 +23,47 @@ struct SequenceFilter
     }
 
     //! Whether a frame follows the last one; one that was taken before it is as good.
-    bool isFollowedBy(double seconds) const;
+    bool isFollowedBy(double seconds) const
+    {
+        return hasFrame && seconds != time && std::abs(seconds - time) < LONGEST_INTERVAL;
+    }
 
     /** Goes on to a frame; the state is forgotten if it doesn't follow.
     @return whether it does. */
-    bool advance(double seconds, const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+    bool advance(double seconds, const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+    {
+        const bool follows = isFollowedBy(seconds);
+        if (follows)
+            state.predict(std::abs(seconds - time));
+        else
+            reset(camera, params);
+        time = seconds;
+        hasFrame = true;
+        return follows;
+    }
 
     /** Fits the state to a frame; it is forgotten if that shows another scene.
     @return whether the fit is one of this scene. */
     bool update(const FrameFeatures& frame, const RollingShutterCamera& camera,
-                const AckermannEstimator::Params& params, SequenceFit& fit);
+                const AckermannEstimator::Params& params, SequenceFit& fit)
+    {
+        fit = fitFrame(camera, frame.bearings, frame.verticals, state, isUninitialised);
+        if (fit.agreeing < SAME_SCENE)
+        {
+            reset(camera, params);
+            return false;
+        }
+        state = fit.state;
+        isUninitialised = false;
+        return true;
+    }
 
     //! It is another scene.
-    void reset(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+    void reset(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+    {
+        state = SequenceState(camera, params);
+        isUninitialised = true;
+    }
 };
 
 }} // namespace cv::rsackermann

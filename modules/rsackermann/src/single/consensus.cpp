@@ -85,9 +85,4 @@ double CandidateConsensus::score(const Model& model, double best, int& inliers) 
                           inliers);
 }
 
-void CandidateConsensus::optimize(Model& model) const
-{
-    refine(problem, hypothesis, VERTICALS_ONLY, 4, model);
-}
-
 }} // namespace cv::rsackermann

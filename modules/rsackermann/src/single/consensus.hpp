@@ -28,7 +28,7 @@ public:
     int sampleSize() const { return hypothesis.sampleSize(); }
     int generate(const int* sample, Model* models);
     double score(const Model& model, double best, int& inliers) const;
-    void optimize(Model& model) const;
+    void optimize(Model& model) const { refine(problem, hypothesis, VERTICALS_ONLY, 4, model); }
 
 private:
     int solve(const VerticalSegment* segments, MinimalSolution* solutions) const;

@@ -5,7 +5,6 @@
 #include "../precomp.hpp"
 #include "../camera/lens.hpp"
 #include "../checks.hpp"
-#include "../features/segments.hpp"
 #include "../storage.hpp"
 #include "../motion/contradiction.hpp"
 #include "inliers_and_scale.hpp"

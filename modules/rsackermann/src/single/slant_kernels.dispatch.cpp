@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "slant_kernels.hpp"
+#include "slant_noise.hpp"
 
 #include "slant_kernels.simd.hpp"
 #include "single/slant_kernels.simd_declarations.hpp"

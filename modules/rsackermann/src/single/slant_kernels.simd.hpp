@@ -5,7 +5,7 @@
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 #include "../simd_pack.hpp"
 #endif
-#include "slant_kernels.hpp"
+#include "slant_noise.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -46,6 +46,54 @@ double logLikelihoodWithoutVerticals(const Slants& slants);
 @param rollSigma of gravity. */
 double dependenceOf(double rollSigma);
 
+//! Density of a slant, Student's t with 3 degrees of freedom. @tparam T double or a vector of numbers.
+template <class T>
+struct SlantDensity
+{
+    static double peak() { return 2 / (CV_PI * std::sqrt(3.)); }
+
+    T slant2, fading, value;
+
+    //! @param scale of the distribution @param scale2 its square @param slant2_ square of the slant
+    SlantDensity(const T& scale, const T& scale2, const T& slant2_)
+        : slant2(slant2_), fading(T(3) * scale2 / (T(3) * scale2 + slant2_)), value(T(peak()) * fading * fading / scale)
+    {
+    }
+
+    //! Square of the slant, weighed for the estimate of the scale.
+    T weighedSquare() const { return T(4. / 3) * fading * slant2; }
+};
+
+//! Slants as vectors take them: one array for each of their numbers, filled up to a multiple of the largest vector.
+class SlantArrays
+{
+public:
+    explicit SlantArrays(const Slants& slants);
+
+    int size() const { return count; }
+    int paddedSize() const { return int(slant2.size()); }
+    const double* slantSquares() const { return slant2.data(); }
+    const double* inverseLengthSquares() const { return inverseLength2.data(); } //!< 0 where there is no slant
+
+private:
+    int count;
+    std::vector<double> slant2, inverseLength2;
+};
+
+//! What one step of expectation and maximisation needs.
+struct SlantSums
+{
+    double verticals;    //!< expected number
+    double squares;      //!< expected squares of the lean's part of their slants, weighed
+    double otherSquares; //!< of the slants of the others
+};
+
+//! @param error of the detector, in radians * length
+SlantSums sumSlants(const SlantArrays& slants, const SlantNoise& noise, double error);
+
+//! Logarithm of the likelihood of the slants.
+double slantLikelihood(const SlantArrays& slants, const SlantNoise& noise, double error);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_SINGLE_SLANT_NOISE_HPP

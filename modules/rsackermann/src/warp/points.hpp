@@ -32,6 +32,13 @@ void distortPoints(const RollingShutterCamera& camera, const WarpMapGenerator::P
                    const AckermannMotion& motion, const std::vector<Point2d>& pixels, const std::vector<double>& depths,
                    std::vector<Place>& places);
 
+//! The largest rectangle of pixels of a CV_8U mask that aren't 0; empty if there is none.
+Rect largestRectangle(const Mat& mask);
+
+//! See WarpMapGenerator::optimalNewCameraMatrix; fallback is returned if a border of the raw image has no place.
+Matx33d optimalMatrix(const RollingShutterCamera& camera, const AckermannMotion& motion, double alpha,
+                      const Size& newSize, const Matx33d& fallback);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_WARP_POINTS_HPP

@@ -4,7 +4,6 @@
 
 #include "../precomp.hpp"
 #include "points.hpp"
-#include "valid_area.hpp"
 
 namespace cv { namespace rsackermann {
 

@@ -9,7 +9,6 @@
 #include "maps/maps.hpp"
 #include "maps/remap_limits.hpp"
 #include "points.hpp"
-#include "valid_area.hpp"
 
 namespace cv { namespace rsackermann {
 

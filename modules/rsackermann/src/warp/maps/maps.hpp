@@ -75,7 +75,10 @@ class TileFiller
 public:
     virtual ~TileFiller() {}
 
-    void fill(MapWriter::Tile& tile) const;
+    void fill(MapWriter::Tile& tile) const
+    {
+        fillSquare(Rect(tile.area().tl(), Size(MapWriter::TILE, MapWriter::TILE)), tile);
+    }
 
 protected:
     //! Fills what the tile has of a square; false if it can't be interpolated; it is undefined then.
