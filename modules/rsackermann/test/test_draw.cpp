@@ -15,9 +15,11 @@ RollingShutterCamera makeCamera()
     return camera;
 }
 
-AckermannMotion makeMotion(const RollingShutterCamera& camera)
+const double SPEED = 80 / 3.6;
+
+AckermannMotion makeMotion(const RollingShutterCamera& camera, double speed = SPEED)
 {
-    return motionFromMetric(camera, 40 * CV_PI / 180, 80 / 3.6, 2.5, 3, camera.heading);
+    return motionFromMetric(camera, 40 * CV_PI / 180, speed, 2.5, 3, camera.heading);
 }
 
 Vec3b colourAt(const Mat& image, const Vec4f& segment)
@@ -25,7 +27,9 @@ Vec3b colourAt(const Mat& image, const Vec4f& segment)
     return image.at<Vec3b>(cvRound((segment[1] + segment[3]) / 2), cvRound((segment[0] + segment[2]) / 2));
 }
 
-TEST(Draw, colours_tell_labels_and_distance)
+typedef testing::TestWithParam<int> DrawColours; // 1: forward, -1: in reverse
+
+TEST_P(DrawColours, tell_labels_and_distance)
 {
     RollingShutterCamera camera = makeCamera();
     camera.height = 0; // no road
@@ -34,7 +38,7 @@ TEST(Draw, colours_tell_labels_and_distance)
     const std::vector<uchar> labels = {SEGMENT_LEFT_WALL,  SEGMENT_LEFT_WALL, SEGMENT_RIGHT_WALL,
                                        SEGMENT_RIGHT_WALL, SEGMENT_OUTLIER,   SEGMENT_REJECTED};
     Mat image(camera.imageSize, CV_8UC3, Scalar::all(255));
-    drawMotion(image, segments, labels, camera, makeMotion(camera), 3);
+    drawMotion(image, segments, labels, camera, makeMotion(camera, GetParam() * SPEED), 3);
 
     const Vec3b nearLeft = colourAt(image, segments[0]), farLeft = colourAt(image, segments[1]);
     const Vec3b nearRight = colourAt(image, segments[2]), farRight = colourAt(image, segments[3]);
@@ -58,11 +62,13 @@ TEST(Draw, colours_tell_labels_and_distance)
     EXPECT_EQ(Vec3b(255, 255, 255), image.at<Vec3b>(300, 320));
 }
 
+INSTANTIATE_TEST_CASE_P(RSAckermann, DrawColours, testing::Values(1, -1));
+
 // Where the walls meet the road, by an exact simulation of points there.
-std::vector<Point2d> borderPoints(const RollingShutterCamera& camera, double wallDirection)
+std::vector<Point2d> borderPoints(const RollingShutterCamera& camera, double wallDirection, double speed)
 {
     const simulation::Simulator simulator =
-        simulation::Simulator::fromMetric(camera, 40 * CV_PI / 180, 80 / 3.6, 2.5, 3, wallDirection);
+        simulation::Simulator::fromMetric(camera, 40 * CV_PI / 180, speed, 2.5, 3, wallDirection);
     std::vector<Point2d> points;
     for (double side : {-2.5, 3.})
         for (double x = -1.57; x < 1.57; x += 2e-4)
@@ -81,6 +87,7 @@ typedef testing::TestWithParam<int> DrawBorders;
 TEST_P(DrawBorders, are_where_walls_meet_the_road)
 {
     RollingShutterCamera camera = makeCamera();
+    const double speed = GetParam() == 4 ? -SPEED : SPEED;
     if (GetParam() == 1)
         camera.setRollPitch(0.07, -0.1);
     else if (GetParam() == 2)
@@ -91,11 +98,11 @@ TEST_P(DrawBorders, are_where_walls_meet_the_road)
         camera.height = 0.5;
     }
     Mat image(camera.imageSize, CV_8UC3, Scalar::all(0));
-    drawMotion(image, noArray(), noArray(), camera, makeMotion(camera), 1);
+    drawMotion(image, noArray(), noArray(), camera, makeMotion(camera, speed), 1);
 
     Mat drawn;
     inRange(image, Scalar(0, 100, 100), Scalar(0, 255, 255), drawn);
-    const std::vector<Point2d> points = borderPoints(camera, camera.heading);
+    const std::vector<Point2d> points = borderPoints(camera, camera.heading, speed);
     ASSERT_GT(points.size(), 30u);
     Mat expected = Mat::zeros(camera.imageSize, CV_8U), wide;
     for (size_t i = 0; i < points.size(); i++)
@@ -113,7 +120,7 @@ TEST_P(DrawBorders, are_where_walls_meet_the_road)
     EXPECT_EQ(0, countNonZero(drawn & ~wide)); // nothing else is
 }
 
-INSTANTIATE_TEST_CASE_P(RSAckermann, DrawBorders, testing::Range(0, 4));
+INSTANTIATE_TEST_CASE_P(RSAckermann, DrawBorders, testing::Range(0, 5));
 
 TEST(Draw, no_borders_without_road_or_motion)
 {
