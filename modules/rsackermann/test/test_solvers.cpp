@@ -115,6 +115,27 @@ private:
 //! The exact motion in space.
 class ExactGenerator : public Generator
 {
+public:
+    //! Whether a motion shows the segments that all solvers take as they are, each on its own wall.
+    bool shows(const MinimalSolution& s, const Problem& problem, bool twoWalls)
+    {
+        const std::vector<int> taken = twoWalls ? std::vector<int>{0, 1, 3} : std::vector<int>{0, 1};
+        bool areShown = false;
+        for (const int sign : {1, -1}) // forward or in reverse: the left wall is on either side
+        {
+            drive = Drive(2 * s.alpha, sign * std::hypot(s.wallSlope, s.wallOffset), problem.options.heading);
+            street = Street(1, twoWalls ? 1 / s.wallRatio : 0, 0, std::atan2(sign * s.wallOffset, sign * s.wallSlope));
+            areShown = areShown || std::all_of(taken.begin(), taken.end(), [&](int i) {
+                           VerticalSegment shown = problem.segments[i];
+                           const HorizontalBearing seen = shown.v;
+                           return simulate(problem, i < 3 ? simulation::LEFT : simulation::RIGHT, shown) &&
+                                  std::abs(std::atan2(seen.x, seen.z) - std::atan2(shown.v.x, shown.v.z)) < 1e-6;
+                       });
+        }
+        return areShown;
+    }
+
+private:
     bool simulate(const Problem&, Surface wall, VerticalSegment& segment) const CV_OVERRIDE
     {
         const Vec3d origin = drive.position(segment.timeU),
@@ -392,6 +413,28 @@ double medianPaperError(Solver solver)
         errors.push_back(best);
     }
     return median(errors);
+}
+
+// Whatever else a solver finds is a motion that shows the same segments on the same walls.
+TEST_P(RSAckermann_WallSolvers, each_solution_shows_the_segments)
+{
+    const Solver solvers[] = {run4LAExact, runKnownYawRate, runKnownSpeed, runKnownWallDirection};
+    ExactGenerator generator, other;
+    RNG rng(8);
+    for (const Solver& solver : solvers)
+    {
+        int all = 0, shown = 0;
+        for (int i = 0; i < 1000; i++)
+        {
+            const Problem problem = generator.problem(BOTH, GetParam(), rng);
+            MinimalSolution solutions[9];
+            const int n = solver(problem, GetParam(), solutions);
+            for (int j = 0; j < n; j++)
+                shown += other.shows(solutions[j], problem, GetParam());
+            all += n;
+        }
+        EXPECT_EQ(all, shown) << &solver - solvers;
+    }
 }
 
 TEST(RSAckermann_Solvers, median_errors_at_the_papers_motions)
