@@ -113,6 +113,32 @@ TEST(RSAckermann_Candidates, sorts_segments)
     EXPECT_NEAR(100 / 816., verticals[0].timeV - verticals[0].timeU, 1e-9);
 }
 
+// Wherever they are in the image, of whatever shape it is, but not where a part of them is beyond it.
+TEST(RSAckermann_Candidates, all_of_the_image_and_nothing_else)
+{
+    for (const Size& size : {Size(640, 380), Size(380, 640)})
+    {
+        const RollingShutterCamera camera = RollingShutterCamera::fromFocal(size, 816);
+        Mat segments(0, 4, CV_64F);
+        std::vector<int> expected;
+        for (int x = -20; x < size.width + 20; x += 20)
+            for (int y = -60; y < size.height + 20; y += 20)
+            {
+                if (x >= 0 && x < size.width && y >= 0 && y + 50 < size.height)
+                    expected.push_back(segments.rows);
+                segments.push_back(Mat(Vec4d(x, y, x, y + 50)).reshape(1, 1));
+            }
+        std::vector<UprightSegment> verticals, others;
+        selectCandidates(segments, camera, AckermannEstimator::Params(), verticals, others);
+        std::vector<int> indices;
+        for (const UprightSegment& s : verticals)
+            indices.push_back(s.index);
+        std::sort(indices.begin(), indices.end());
+        EXPECT_EQ(expected, indices) << size;
+        EXPECT_TRUE(others.empty()) << size;
+    }
+}
+
 // If speed and wall say that nothing leans much, what leans more is no candidate, but nearly vertical all the same.
 TEST(RSAckermann_Candidates, what_is_nearly_vertical_is_neither)
 {
