@@ -264,6 +264,40 @@ TEST(RSAckermann_DrivingPrior, state_of_a_sequence)
     EXPECT_NEAR(std::sqrt(squares / draws - sum / draws * sum / draws), sigma[SEQUENCE_SPEED], 0.3);
 }
 
+// Where the camera looks makes no difference to where the car and its street go.
+TEST(RSAckermann_DrivingPrior, azimuths_are_counted_from_the_heading)
+{
+    const MotionHypothesis structures[] = {MotionHypothesis(MODEL_NONE, 0), MotionHypothesis(MODEL_1LA, 0),
+                                           MotionHypothesis(MODEL_4LA, 1), MotionHypothesis(MODEL_4LA, 2)};
+    RollingShutterCamera ahead = simulation::paperCamera();
+    ahead.height = 1.3;
+    SequenceVector meanAhead, sigmaAhead;
+    stationaryState(ahead, Params(), meanAhead, sigmaAhead);
+    for (const double heading : {-CV_PI / 2, -0.3, 1.4})
+    {
+        RollingShutterCamera aside = ahead;
+        aside.heading = heading;
+        for (const MotionHypothesis& structure : structures)
+        {
+            MotionPrior given = givenSpeed(15, 1);
+            given.wallDirectionSigma = 0.2;
+            Jet expected[DrivingPrior::MAX_RESIDUALS], r[DrivingPrior::MAX_RESIDUALS];
+            const int n = makeDrive(ahead, given).evaluate(movingModel(0.03, 0.1), structure, expected);
+            given.wallDirection = heading;
+            Model turned = movingModel(0.03, 0.1 + heading);
+            turned[P_STREET] += heading;
+            ASSERT_EQ(n, makeDrive(aside, given).evaluate(turned, structure, r));
+            for (int i = 0; i < n; i++)
+                EXPECT_NEAR(expected[i].value, r[i].value, 1e-9) << heading << " " << structure.motion << " " << i;
+        }
+        SequenceVector mean, sigma;
+        stationaryState(aside, Params(), mean, sigma);
+        mean[SEQUENCE_DIRECTION] -= heading;
+        EXPECT_LT(cv::norm(mean, meanAhead), 1e-9) << heading;
+        EXPECT_EQ(sigmaAhead, sigma) << heading;
+    }
+}
+
 TEST(RSAckermann_DrivingPrior, volume)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
