@@ -7,6 +7,7 @@
 #include "test_metric_motion.hpp"
 #include "test_posts_in_street.hpp"
 #include "opencv2/imgproc.hpp"
+#include "../src/warp/depth/depth_unit.hpp"
 
 namespace opencv_test { namespace {
 
@@ -128,6 +129,23 @@ TEST_F(CorrectorDepth, is_refused_in_another_unit)
                     corrector->correctWithMotion(image, found, corrected, noArray(), given);
                     EXPECT_TRUE(corrector->isDepthUsed());
                 }
+}
+
+// The pixels are those of the new camera, whose image may be a small one.
+TEST_F(CorrectorDepth, unit_of_a_new_camera)
+{
+    AckermannMotion onRoad = motionFromMetric(camera, 0.3, 15, 0, 0, 0);
+    onRoad.scale = SCALE_ROAD;
+    WarpMapGenerator::Params params;
+    params.newCameraMatrix = Matx33d::diag(Vec3d(0.25, 0.25, 1)) * camera.cameraMatrix;
+    params.newSize = Size(camera.imageSize.width / 4, camera.imageSize.height / 4);
+    Mat road(params.newSize, CV_32F, Scalar(0));
+    for (int y = road.rows / 2 + 1; y < road.rows; y++)
+        road.row(y).setTo(camera.height * params.newCameraMatrix(1, 1) / (y - params.newCameraMatrix(1, 2)));
+    for (const double unit : {1., 100., 0.001})
+        EXPECT_EQ(unit != 1,
+                  cv::rsackermann::isInAnotherUnit(camera, params, onRoad, DepthMap(road, DEPTH_CORRECTED, unit)))
+            << unit;
 }
 
 TEST_F(CorrectorDepth, relative_needs_no_metres)

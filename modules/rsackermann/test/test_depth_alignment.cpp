@@ -128,6 +128,29 @@ TEST(RSAckermann_DepthAlignment, without_a_yaw_rate_what_is_expected_is_uncertai
     EXPECT_GT(free.probabilityWorse, 0.003);
 }
 
+// What a yaw rate that is known otherwise has to do with the walls is a share of what it was.
+TEST(RSAckermann_DepthAlignment, correlations_with_the_walls_stay)
+{
+    RNG rng(14);
+    const PostsInStreet s(rng);
+    DepthMap depth = s.relative(rng);
+    const double correlations[] = {1, 0.5, -0.3, 0.1}, sigmas[] = {1, 0.2, 0.03, 2};
+    AckermannMotion motion = s.motion;
+    for (int i = 0; i < 4; i++)
+    {
+        motion.covariance(i, i) = sigmas[i] * sigmas[i];
+        motion.covariance(0, i) = motion.covariance(i, 0) = correlations[i] * sigmas[0] * sigmas[i];
+    }
+    ASSERT_TRUE(s.align(depth, motion));
+    const double sigma = std::sqrt(motion.covariance(0, 0));
+    EXPECT_LT(sigma, 0.1 * sigmas[0]);
+    for (int i = 1; i < 4; i++)
+    {
+        EXPECT_NEAR(correlations[i], motion.covariance(0, i) / (sigma * sigmas[i]), 1e-9) << i;
+        EXPECT_EQ(motion.covariance(0, i), motion.covariance(i, 0)) << i;
+    }
+}
+
 // Whatever the image shows without it, unless it doesn't depend on the motion.
 TEST(RSAckermann_DepthAlignment, shows_a_motion_that_is_not_seen_without_it)
 {
