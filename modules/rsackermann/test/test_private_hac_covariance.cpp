@@ -67,4 +67,20 @@ TEST(RSAckermann_PrivateHacCovariance, noise)
     EXPECT_LE(share, 0.98);
 }
 
+// How values scatter has nothing to do with their mean, nor with the direction of time.
+TEST(RSAckermann_PrivateHacCovariance, constants_and_direction_of_time)
+{
+    typedef Eigen::Vector2d Values;
+    RNG rng(9);
+    std::vector<Values> values(40), others(40);
+    for (size_t k = 0; k < values.size(); k++)
+        values[k] = others[others.size() - 1 - k] = Values(rng.gaussian(1), rng.gaussian(1));
+    for (Values& v : others)
+        v += Values(7, -3);
+    const Values memories(USUAL, 0);
+    const Eigen::Matrix2d expected = cv::rsackermann::hacCovariance(values, 10, memories),
+                          same = cv::rsackermann::hacCovariance(others, 10, memories);
+    EXPECT_LT((same - expected).norm(), 1e-9 * expected.norm());
+}
+
 }} // namespace opencv_test::
