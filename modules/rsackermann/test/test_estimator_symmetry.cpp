@@ -61,6 +61,12 @@ const Change KNOWN[] = {
          s.prior.speed = s.metric.speed;
          s.prior.speedSigma = 0.5;
      }},
+    {"speed and wall",
+     [](Setting& s) {
+         s.prior.speed = s.metric.speed;
+         s.prior.speedSigma = 0.5;
+         s.params.wallDistance = s.metric.leftDistance > 0 ? s.metric.leftDistance : s.metric.rightDistance;
+     }},
     {"direction of the walls",
      [](Setting& s) {
          s.prior.wallDirection = s.metric.wallDirection;
@@ -176,9 +182,10 @@ TEST_P(EstimatorSymmetry, mirror_and_reversed_drive)
         for (const Twin& twin : {MIRRORED, REVERSED, ON_ITS_HEAD})
         {
             SCOPED_TRACE(testing::Message() << twin);
-            // A car that only turns may do it in either direction, and few segments seem to stand on the road.
-            const bool onlyTurns = s.metric.speed == 0 && s.metric.yawRate != 0;
-            if (onlyTurns || (twin.mirrored && s.params.scaleFromRoad))
+            // A car that only turns may do it in either direction, as may one that is known to stand creep; few
+            // segments seem to stand on the road; and it is the left wall whose distance is given.
+            const bool hasNoDirection = s.metric.speed == 0 && (s.metric.yawRate != 0 || s.params.wallDistance > 0);
+            if (hasNoDirection || (twin.mirrored && (s.params.scaleFromRoad || s.params.wallDistance > 0)))
                 continue;
             Setting t = s;
             t.camera = twin.of(s.camera);
@@ -215,7 +222,8 @@ TEST_P(EstimatorSymmetry, units_and_order)
                           [](Setting& s) {
                               for (double* length :
                                    {&s.params.maxSpeed, &s.params.priorSpeed, &s.params.priorWallDistance,
-                                    &s.params.priorHeight, &s.camera.height, &s.prior.speed, &s.prior.speedSigma})
+                                    &s.params.priorHeight, &s.params.wallDistance, &s.camera.height, &s.prior.speed,
+                                    &s.prior.speedSigma})
                                   *length *= 4;
                           }},
                          {"order", 1, 1, [](Setting& s) {
