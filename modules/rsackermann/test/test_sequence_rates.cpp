@@ -489,6 +489,41 @@ TEST(RSAckermann_RowRates, of_a_car_that_steers_as_usual)
     }
 }
 
+// Whatever a frame has shown: one after it without turns has no rates, and nothing is added to its yaw rate.
+TEST(RSAckermann_RowRates, interrupted)
+{
+    const SequenceState state(simulation::paperCamera(), AckermannEstimator::Params());
+    const auto fitWith = [&](double yawRate, double angle) {
+        SequenceFit fit(state);
+        fit.values[SEQUENCE_YAW_RATE] = yawRate;
+        for (NeighbourTurns* turns : {&fit.before, &fit.after})
+            for (RowTurn* turn : {&turns->yaw, &turns->pitch, &turns->roll})
+                turn->angle = turn->change = angle;
+        return fit;
+    };
+    const std::function<void(RowRates&)> frames[] = {[&](RowRates& r) { r.update(fitWith(0.2, 0.02), 0.1, 0); },
+                                                     [&](RowRates& r) { r.update(fitWith(0.2, 0.02), 0.1, 0.1); },
+                                                     [&](RowRates& r) { r.update(fitWith(0.2, 0.02), -0.1, -0.1); },
+                                                     [&](RowRates& r) { r.begin(fitWith(0.2, 0.02), 0.1); }};
+    for (const auto& frame : frames)
+    {
+        RowRates rates;
+        rates.update(fitWith(0.1, 0.01), 0.1, 0);
+        frame(rates);
+        AckermannMotion turning, none;
+        rates.toMotion(0.03, turning);
+        EXPECT_GT(turning.covariance(0, 0), 0);
+        rates.interrupt();
+        rates.toMotion(0.03, none);
+        expectSame(AckermannMotion(), none);
+        SequenceState same = state;
+        rates.addShownYaw(same);
+        rates.toState(same);
+        EXPECT_EQ(state.value, same.value);
+        EXPECT_EQ(state.covariance, same.covariance);
+    }
+}
+
 // Predicted or between both neighbours: what the camera does is found and applied, and its sigma is true.
 TEST(RSAckermann_RowRates, of_a_camera_that_shakes)
 {
