@@ -70,11 +70,26 @@ AckermannMotion correctFrame(Corrector& corrector, const Sequence& s, int i, boo
                                          isBlank ? Mat() : s.segments, dst);
 }
 
+MotionPrior givenYawRate(double yawRate, double sigma)
+{
+    MotionPrior prior;
+    prior.yawRate = yawRate;
+    prior.yawRateSigma = sigma;
+    return prior;
+}
+
 const History HISTORIES[] = {{"nothing", [](Corrector&, const Sequence&) {}},
                              {"frames",
                               [](Corrector& c, const Sequence& s) {
                                   for (int i = 0; i < 3; i++)
                                       correctFrame(c, s, i);
+                              }},
+                             {"given values",
+                              [](Corrector& c, const Sequence& s) {
+                                  c.setPrior(givenYawRate(0.1, 0.05));
+                                  for (int i = 0; i < 3; i++)
+                                      correctFrame(c, s, i);
+                                  c.setPrior(MotionPrior());
                               }},
                              {"copied image", [](Corrector& c, const Sequence& s) { correctFrame(c, s, 0, true); }},
                              {"known motion",
@@ -147,13 +162,12 @@ TEST_P(CorrectorState, refused_arguments_leave_the_sequence_as_it_was)
     }
 }
 
-// After reset() or clear() a corrector is like a new one; clear() forgets what was given, too.
+// After reset() or clear() a corrector is like a new one; clear() forgets what was given, too. What is given then is
+// compared with what is seen from there on.
 TEST_P(CorrectorState, reset_and_clear_forget_every_history)
 {
     const Sequence s;
-    MotionPrior prior;
-    prior.yawRate = 1;
-    prior.yawRateSigma = 0.01;
+    const MotionPrior prior = givenYawRate(1, 0.01);
     const Mat times = (Mat_<double>(3, 1) << -0.05, 0, 0.05), rates(3, 3, CV_64F, Scalar(0.5));
     for (const History& history : HISTORIES)
         for (const bool isCleared : {false, true})
@@ -173,6 +187,9 @@ TEST_P(CorrectorState, reset_and_clear_forget_every_history)
                 used->reset();
             for (int i = 0; i < 3; i++)
             {
+                if (i > 0 && !isCleared)
+                    for (Corrector* c : {used.get(), unused.get()})
+                        c->setPrior(prior);
                 Mat dst, expected;
                 const AckermannMotion motion = used->correctWithSegments(s.frame(i), s.segments, dst);
                 expectSame(unused->correctWithSegments(s.frame(i), s.segments, expected), motion);

@@ -648,26 +648,34 @@ TEST(RSAckermann_SequenceModes, gravity_that_changes)
         [](RollingShutterCamera&, AckermannEstimator::Params& params) { params.gravitySigma *= 1.5; },
         [](RollingShutterCamera&, AckermannEstimator::Params& params) { params.vehiclePitchSigma *= 1.5; }};
     AckermannMotion unchanged;
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 8; k++)
     {
-        SCOPED_TRACE(k);
-        const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING);
+        const bool isMisled = k / 4 == 1; // from now on; what is seen without given values goes on as well
+        SCOPED_TRACE(testing::Message() << k % 4 << isMisled);
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), isMisled ? GIVEN : NOTHING);
         for (int i = 0; i < FRAMES; i++)
             correctFrame(*corrector, frames, i, NOTHING);
         RollingShutterCamera camera = setting.camera;
         RollingShutterCorrector::Params params = setting.params;
-        changes[k](camera, params.estimator);
+        changes[k % 4](camera, params.estimator);
         corrector->setCamera(camera);
         corrector->setParams(params);
+        if (isMisled)
+        {
+            MotionPrior wrong = corrector->getPrior();
+            wrong.yawRate = -2;
+            corrector->setPrior(wrong);
+        }
         // In the dark the state says what is expected.
         Mat corrected;
         corrector->setTimestamp(FRAMES * INTERVAL);
         const AckermannMotion dark = corrector->correct(Mat(camera.imageSize, CV_8U, Scalar(0)), corrected);
         ASSERT_EQ(MOTION_OK, dark.status);
-        if (k == 0)
+        if (k % 4 == 0)
             unchanged = dark;
-        EXPECT_EQ(k == 0, std::abs(dark.rollCorrection) > 1e-4);
-        EXPECT_EQ(k == 0, std::abs(dark.pitchCorrection) > 1e-4);
+        EXPECT_EQ(isMisled, dark.contradictsPrior);
+        EXPECT_EQ(k % 4 == 0, std::abs(dark.rollCorrection) > 1e-4);
+        EXPECT_EQ(k % 4 == 0, std::abs(dark.pitchCorrection) > 1e-4);
         EXPECT_NEAR(unchanged.alpha, dark.alpha, 1e-9);
         EXPECT_NEAR(unchanged.roadSlope, dark.roadSlope, 1e-9);
     }
