@@ -399,6 +399,10 @@ TEST(RSAckermann_Calibration, frames_are_kept_evenly)
     EXPECT_GE(c.frames, 60);
     EXPECT_NEAR(ROLL, c.roll, 0.2 * degree);
     EXPECT_NEAR(HEADING, c.heading, 0.2 * degree);
+    // A drive that begins anew is a short one.
+    calibrator->clear();
+    const int added = drive(*calibrator, StreetDrive(mounted(1), ROLL, PITCH, options, 3), 30, true);
+    EXPECT_EQ(added, calibrator->calibrate().frames);
 }
 
 TEST(RSAckermann_Calibration, nothing_moves)
