@@ -130,13 +130,18 @@ TEST_F(Export, row_poses_are_the_views_at_the_first_and_the_last_line)
 TEST_F(Export, row_poses_on_a_road_without_walls)
 {
     truth.scene.left = truth.scene.right = 0;
-    writeMotion();
-    write({"--row_poses=" + (folder / "poses.json")});
-    const json poses = json::parse(contentOf(folder / "poses.json"));
-    const json& frame = poses["frames"][0];
-    EXPECT_EQ("metre", frame["unit"]);
-    EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
-    EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
+    for (const double direction : {1, -1})
+    {
+        SCOPED_TRACE(direction);
+        truth.scene.speed *= direction;
+        writeMotion();
+        write({"--row_poses=" + (folder / "poses.json")});
+        const json poses = json::parse(contentOf(folder / "poses.json"));
+        const json& frame = poses["frames"][0];
+        EXPECT_EQ("metre", frame["unit"]);
+        EXPECT_LT(cv::norm(poseOf(frame["viewmat_start"]) - viewAt(truth, 0)), 1e-9);
+        EXPECT_LT(cv::norm(poseOf(frame["viewmat_end"]) - viewAt(truth, size().height - 1)), 1e-9);
+    }
 }
 
 TEST_F(Export, row_poses_of_each_shutter)
@@ -428,7 +433,10 @@ TEST_F(Export, points_of_a_lidar_are_where_their_row_sees_them)
 TEST_F(Export, points_of_several_frames)
 {
     const std::string still = "{\"input\": \"still.png\", \"status\": \"not_significant\"}\n";
-    writeContent(folder / "report.jsonl", still + "{\"input\": \"other.png\", \"status\": \"no_consensus\"}\n");
+    // Of a frame that is there twice the last line counts.
+    const std::string before = lineOfReport(truth, "still.png").dump() + "\n";
+    writeContent(folder / "report.jsonl",
+                 before + still + "{\"input\": \"other.png\", \"status\": \"no_consensus\"}\n");
     const Arguments arguments = {"--report=" + (folder / "report.jsonl"), "--camera=" + streetFolder() + "/camera.yml",
                                  "--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")};
     writeContent(folder / "cloud.csv", "file,x,y,z\nother.png,0,0,7\nstill.png,1,0.5,10\nstill.png,1,1,0\n"
@@ -458,9 +466,9 @@ TEST_F(Export, points_of_several_frames)
 }
 
 // Each as its line of the report says.
-TEST_F(Export, points_of_frames_that_lean)
+TEST_F(Export, points_and_tracks_of_frames_that_lean)
 {
-    std::string report, cloud = "file,x,y,z\n";
+    std::string report, cloud = "file,x,y,z\n", tracks = "file,x,y,depth\n";
     const double rolls[] = {0, 20, -35}; // degrees
     const cv::Vec3d point(1, 0.5, 6);
     for (const double roll : rolls)
@@ -470,15 +478,24 @@ TEST_F(Export, points_of_frames_that_lean)
         line["pitch_deg"] = 0;
         report += line.dump() + "\n";
         cloud += cv::format("%g.png,%g,%g,%g\n", roll, point[0], point[1], point[2]);
+        cv::Point2d raw;
+        ASSERT_TRUE(placeInRaw(truth, point, raw, roll * CV_PI / 180));
+        tracks += cv::format("%g.png,%.9f,%.9f,%g\n", roll, raw.x, raw.y, point[2]);
     }
     writeContent(folder / "report.jsonl", report);
     writeContent(folder / "cloud.csv", cloud);
+    writeContent(folder / "tracks.csv", tracks);
     const Outcome outcome =
         exportMotion({"--report=" + (folder / "report.jsonl"), "--camera=" + streetFolder() + "/camera.yml",
-                      "--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv")});
+                      "--points=" + (folder / "cloud.csv"), "--points_output=" + (folder / "places.csv"),
+                      "--tracks=" + (folder / "tracks.csv"), "--tracks_output=" + (folder / "corrected.csv")});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
-    const std::vector<std::string> lines = linesOf(folder / "places.csv");
+    const std::vector<std::string> lines = linesOf(folder / "places.csv"),
+                                   corrected = linesOf(folder / "corrected.csv");
     ASSERT_EQ(4u, lines.size());
+    ASSERT_EQ(4u, corrected.size());
+    const cv::Point2d global(truth.camera.cx + truth.camera.fx * point[0] / point[2],
+                             truth.camera.cy + truth.camera.fy * point[1] / point[2]);
     cv::Point2d exact, place, level;
     ASSERT_TRUE(placeInRaw(truth, point, level));
     for (int i = 0; i < 3; i++)
@@ -487,6 +504,8 @@ TEST_F(Export, points_of_frames_that_lean)
         ASSERT_EQ(2, std::sscanf(lines[size_t(i) + 1].c_str(), "%*[^,],%*f,%*f,%*f,%lf,%lf", &place.x, &place.y));
         EXPECT_LT(cv::norm(place - exact), 1e-5) << rolls[i];
         EXPECT_EQ(i > 0, cv::norm(exact - level) > 0.1);
+        ASSERT_EQ(2, std::sscanf(corrected[size_t(i) + 1].c_str(), "%*[^,],%lf,%lf", &place.x, &place.y));
+        EXPECT_LT(cv::norm(place - global), 1e-5) << rolls[i];
     }
 }
 
