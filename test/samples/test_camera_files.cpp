@@ -102,13 +102,27 @@ TEST(CameraFiles, shutter_and_mounting)
         EXPECT_EQ(1.5, s.roll);
         EXPECT_EQ(-2, s.pitch);
     }
-    const rsackermann_samples::CameraSettings s = read(std::string(ROS) + "readout: 0.019\nreference: last\n");
+    const rsackermann_samples::CameraSettings s = read(std::string(ROS) + "readout: 0.019\n");
     EXPECT_DOUBLE_EQ(0.019 / 380, s.makeCamera(s.size).lineDelay);
-    EXPECT_EQ(379, s.makeCamera(s.size).referenceRow);
-    // The line that is read last.
-    const rsackermann_samples::CameraSettings upwards =
-        read(std::string(ROS) + "scan: bottom_to_top\nreference: last\n");
-    EXPECT_EQ(0, upwards.makeCamera(upwards.size).referenceRow);
+}
+
+// The words are those of the time at which lines are read, in whichever order.
+TEST(CameraFiles, reference_of_each_shutter)
+{
+    const std::pair<const char*, double> words[] = {{"first", 0}, {"middle", 0.5}, {"last", 1}};
+    for (const std::string& scan : rsackermann_samples::SCAN_WORDS)
+        for (const auto& word : words)
+        {
+            SCOPED_TRACE(scan + " " + word.first);
+            const rsackermann_samples::CameraSettings s =
+                read(std::string(ROS) + "scan: " + scan + "\nreference: " + word.first + "\n");
+            const cv::rsackermann::RollingShutterCamera camera = s.makeCamera(s.size);
+            const double corner = camera.rowTime(cv::Point2d()),
+                         opposite = camera.rowTime(cv::Point2d(s.size.width - 1, s.size.height - 1)),
+                         first = std::min(corner, opposite), last = std::max(corner, opposite);
+            EXPECT_GT(last, first);
+            EXPECT_NEAR(0, first + word.second * (last - first), 1e-9);
+        }
 }
 
 // What an option says is exact, and of all else the file's standard deviation stays.
@@ -455,6 +469,23 @@ TEST(CameraFiles, lens_profile_of_several_modes)
     EXPECT_LT(cv::norm(read(asymmetrical.dump()).makeCamera(cv::Size(2704, 1520)).cameraMatrix -
                        cv::Matx33d(1200, 0, 1340, 0, 1210, 1000 - 254, 0, 0, 1)),
               1e-9);
+}
+
+// Of whatever size the images are, options go before what the profile says of them.
+TEST(CameraFiles, options_for_a_profile_of_several_modes)
+{
+    const TemporaryFolder folder;
+    writeContent(folder / "profile.json", GYROFLOW_MODES);
+    const std::string file = "--camera=" + (folder / "profile.json");
+    const char* const arguments[] = {"program", file.c_str(), "--scan=bottom_to_top", "--readout=0.02"};
+    const rsackermann_samples::CameraSettings s = rsackermann_samples::readCameraOptions(
+        rsackermann_samples::Options(4, arguments, rsackermann_samples::CAMERA_KEYS));
+    for (const cv::Size& size : {cv::Size(2704, 2028), cv::Size(2704, 1520), cv::Size(1920, 1440)})
+    {
+        const cv::rsackermann::RollingShutterCamera camera = s.makeCamera(size);
+        EXPECT_EQ(cv::rsackermann::SCAN_BOTTOM_TO_TOP, camera.scanDirection) << size;
+        EXPECT_DOUBLE_EQ(0.02 / size.height, camera.lineDelay) << size;
+    }
 }
 
 TEST(CameraFiles, modes_that_are_refused)
