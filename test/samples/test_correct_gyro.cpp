@@ -42,6 +42,8 @@ protected:
         EXPECT_NEAR(yaw, double(line["yaw_rate_deg_s"]), 1e-3);
         EXPECT_NEAR(pitch, double(line["pitch_rate_deg_s"]), 1e-3);
         EXPECT_NEAR(roll, double(line["roll_rate_deg_s"]), 1e-3);
+        for (const char* sigma : {"pitch_rate_sigma", "roll_rate_sigma"}) // each axis is known as well as the others
+            EXPECT_NEAR(double(line["yaw_rate_sigma"]), double(line[sigma]), 0.1 * double(line["yaw_rate_sigma"]));
     }
 
     void expectRefused(const std::string& name, const std::string& content, const std::string& part) const

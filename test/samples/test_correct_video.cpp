@@ -144,6 +144,20 @@ TEST_F(CorrectVideo, images_and_videos_to_a_folder)
     EXPECT_EQ(size_t(FRAMES + 1), linesOf(out_ / "report.jsonl").size());
 }
 
+// A video has a clock of its own: it begins another sequence, and so does what comes after it.
+TEST_F(CorrectVideo, clocks_of_images_and_videos)
+{
+    cv::imwrite(in_ / "image.png", streetImage());
+    writeContent(in_ / "log.csv", "file,time_s\nimage.png,50\n");
+    for (const Arguments& inputs : {Arguments{video_, in_ / "image.png"}, Arguments{in_ / "image.png", video_}})
+    {
+        const Outcome outcome = correct(inputs + Arguments{"--camera=" + streetFolder() + "/camera.yml", "--carry",
+                                                           "--log=" + (in_ / "log.csv"), "--report=-"});
+        EXPECT_EQ(0, outcome.exitCode);
+        EXPECT_EQ("", outcome.messages);
+    }
+}
+
 // The frames that are there are corrected, and the exit code says that some are missing.
 TEST_F(CorrectVideo, cut_short)
 {

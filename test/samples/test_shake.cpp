@@ -218,7 +218,8 @@ TEST(SimulatedDrive, refusals)
     expectRefused(2, {"--gyro_bias=1"}, "--gyro_bias needs --frames");
     expectRefused(2, {"--frames=3", "--gyro_rate=0"}, "gyro_rate");
     expectRefused(2, {"--frames=3", "--gyro_noise=-1"}, "gyro_noise");
-    expectRefused(2, {"--frames=60", "--yaw_rate=120"}, "reaches a wall after");
+    for (const char* turn : {"--yaw_rate=120", "--yaw_rate=-120"}) // to either wall
+        expectRefused(2, {"--frames=60", turn}, "reaches a wall after 0.83 s");
     EXPECT_TRUE(namesIn(folder.path()).empty());
     EXPECT_EQ(
         2,
