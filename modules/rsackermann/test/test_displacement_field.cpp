@@ -14,13 +14,20 @@ using simulation::Simulator;
 const int COLUMNS = DisplacementField::COLUMNS, ROWS = DisplacementField::ROWS, POINTS = DisplacementField::POINTS;
 
 //! Cameras with focal lengths that differ, for every direction of a row shutter, ahead and to both sides; the last ones
-//! are wide, and tilted.
+//! are wide, and tilted, or have lenses as well.
 RollingShutterCamera makeCamera(int k)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.cameraMatrix(0, 0) *= 1.2;
     camera.scanDirection = k % 2;
     camera.heading = (k / 2 % 3 - 1) * 80 * degree;
+    if (k >= 12)
+    {
+        camera.lensModel = LENS_FISHEYE;
+        camera.distCoeffs = {0.02, -0.01, 0.002, 0};
+        camera.cameraMatrix(0, 0) *= 0.6;
+        camera.cameraMatrix(1, 1) *= 0.6;
+    }
     if (k >= 6)
     {
         camera.cameraMatrix(0, 0) *= 0.5;
@@ -30,7 +37,7 @@ RollingShutterCamera makeCamera(int k)
     return camera;
 }
 
-const int CAMERAS = 12;
+const int CAMERAS = 18;
 
 //! A motion so small that squares don't count.
 AckermannMotion smallMotion(const RollingShutterCamera& camera, int k)

@@ -11,10 +11,23 @@ namespace cv { namespace rsackermann {
 
 static const double NEXT_TO_NOTHING = 0.05; // of the displacement
 
+// Derivative of the raw pixel by its ray (u, v, 1): a lens shows what is near the border smaller than a pinhole does.
+static Matx22d byRay(const Lens<double>& lens, double u, double v)
+{
+    const double h = 1e-6;
+    Point2d u1, u2, v1, v2;
+    if (!lens.project(u - h, v, u1.x, u1.y) || !lens.project(u + h, v, u2.x, u2.y) ||
+        !lens.project(u, v - h, v1.x, v1.y) || !lens.project(u, v + h, v2.x, v2.y))
+        return Matx22d(lens.fx, 0, 0, lens.fy); // no ray is seen there
+    const Point2d byU = (u2 - u1) * (0.5 / h), byV = (v2 - v1) * (0.5 / h);
+    return Matx22d(byU.x, byV.x, byU.y, byV.y);
+}
+
 DisplacementField::DisplacementField(const RollingShutterCamera& camera, const std::vector<Point2d>& seen)
     : headingSine(std::sin(camera.heading)), headingCosine(std::cos(camera.heading))
 {
-    const Matx33d toImage = camera.cameraMatrix * camera.uprightRotation.t();
+    const Lens<double> lens(camera);
+    const Matx33d toCamera = camera.uprightRotation.t();
     std::vector<Point2d> pixels;
     for (int i = 0; i < ROWS; i++)
         for (int j = 0; j < COLUMNS; j++)
@@ -31,10 +44,11 @@ DisplacementField::DisplacementField(const RollingShutterCamera& camera, const s
         p.y = bearing[1] / z;
         p.z = bearing[2];
         p.time = camera.rowTime(pixels[k]);
-        const Vec3d q = toImage * Vec3d(p.x, p.y, 1);
+        const Vec3d q = toCamera * Vec3d(p.x, p.y, 1);
         const double depth = std::max(q[2], IN_FRONT), u = q[0] / depth, v = q[1] / depth;
-        p.toPixels = Matx22d(toImage(0, 0) - u * toImage(2, 0), toImage(0, 1) - u * toImage(2, 1),
-                             toImage(1, 0) - v * toImage(2, 0), toImage(1, 1) - v * toImage(2, 1)) *
+        p.toPixels = byRay(lens, u, v) *
+                     Matx22d(toCamera(0, 0) - u * toCamera(2, 0), toCamera(0, 1) - u * toCamera(2, 1),
+                             toCamera(1, 0) - v * toCamera(2, 0), toCamera(1, 1) - v * toCamera(2, 1)) *
                      (1 / depth);
     }
     weigh(seen);

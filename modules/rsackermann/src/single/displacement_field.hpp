@@ -31,7 +31,8 @@ public:
         double x, y, z;      //!< upright bearing x, y, 1 of a ray that has the depth z per depth along the optical axis
         double time, weight; //!< row time; 1 in the mean
         double t;            //!< product of both
-        Matx22d toPixels; //!< derivative of the pixel by x and y: a camera that is tilted shows them shorter or longer
+        //! Derivative of the pixel by x and y: a camera that is tilted, or a lens, shows them shorter or longer
+        Matx22d toPixels;
 
         //! Displacement by alpha, of a point at infinity.
         Vec2d byAlpha() const { return toPixels * Vec2d(2 * (1 + x * x), 2 * x * y) * t; }
