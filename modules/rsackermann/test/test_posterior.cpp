@@ -204,6 +204,20 @@ TEST(RSAckermann_Posterior, speed_and_height_give_the_road)
     EXPECT_NEAR(speed, found, 1e-9);
 }
 
+// Something that drives isn't known to metres if it is said to stand, however uncertain that is.
+TEST(RSAckermann_Posterior, given_rest_gives_no_metres)
+{
+    RNG rng(4);
+    const Simulator street = Simulator::fromMetric(carCamera(), 0.05, 14, 6, 8, 0);
+    MotionPrior prior;
+    prior.speedSigma = 30;
+    const AckermannMotion motion = estimate(carCamera(), streetSegments(street, rng), prior);
+    ASSERT_EQ(MOTION_OK, motion.status);
+    EXPECT_EQ(SCALE_UNKNOWN, motion.scale);
+    EXPECT_EQ(0, motion.wallDistance);
+    EXPECT_EQ(0, motion.speedSigma);
+}
+
 TEST(RSAckermann_Posterior, a_guess_is_no_scale)
 {
     RNG rng(5);

@@ -170,9 +170,10 @@ private:
         motion.model = found.hypothesis.motion;
         setModel(m, found.G, found.covariance, motion);
 
-        // Measurements give a length; a prior doesn't.
+        // Measurements give a length; a prior doesn't, and a speed of 0 +- 30 km/h doesn't, either.
         const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
-        if (!(speed > 0) || setGivenScale(camera, params, prior, motion))
+        const bool isGiven = params.wallDistance > 0 || prior.speed != 0;
+        if (!(speed > 0) || (isGiven && setGivenScale(camera, params, prior, motion)))
             return;
         if (params.scaleFromRoad && camera.height > 0)
         {
