@@ -365,8 +365,26 @@ class rsackermann_test(NewOpenCVTests):
             values.append((calibrator_params, lambda p: p.maxFrames))
         return values
 
+    def make_records(self):
+        """The same of types that FileStorage doesn't hold."""
+        metric = cv.rsackermann.MetricMotion()
+        metric.speed, metric.leftDistance = 12.5, 3.0
+        depth = cv.rsackermann.DepthMap(np.full((4, 6), 7, np.float32), kind=cv.rsackermann.DEPTH_RELATIVE)
+        depth.shift = -0.5
+        values = [
+            (metric, lambda m: (m.speed, m.leftDistance, m.yawRate)),
+            (depth, lambda d: (d.kind, d.shift, np.array(d.values).tolist())),
+        ]
+        if HAS_CORRECTOR:
+            calibration = cv.rsackermann.MountCalibration()
+            calibration.camera = make_camera()
+            calibration.frames, calibration.rollObserved, calibration.rollSigma = 9, True, 0.25
+            values.append((calibration, lambda c: (c.camera.lineDelay, c.camera.imageSize, c.frames, c.rollObserved,
+                                                   c.rollSigma)))
+        return values
+
     def test_pickle_and_copy(self):
-        for value, state in self.make_values():
+        for value, state in self.make_values() + self.make_records():
             default = type(value)()
             self.assertNotEqual(state(value), state(default))
             for other in (pickle.loads(pickle.dumps(value)), copy.copy(value), copy.deepcopy(value)):

@@ -6,6 +6,7 @@
 __all__ = []
 
 import copyreg
+import inspect
 
 import cv2 as cv
 
@@ -16,9 +17,15 @@ _VALUE_TYPES = {
     'AckermannEstimator.Params': cv.rsackermann.AckermannEstimator.Params,
     'WarpMapGenerator.Params': cv.rsackermann.WarpMapGenerator.Params,
 }
+# Without read() and write().
+_RECORD_TYPES = {
+    'MetricMotion': cv.rsackermann.MetricMotion,
+    'DepthMap': cv.rsackermann.DepthMap,
+}
 if hasattr(cv.rsackermann, 'RollingShutterCorrector'):  # not in a build with RSACKERMANN_CORE_ONLY
     _VALUE_TYPES['MountCalibrator.Params'] = cv.rsackermann.MountCalibrator.Params
     _VALUE_TYPES['RollingShutterCorrector.Params'] = cv.rsackermann.RollingShutterCorrector.Params
+    _RECORD_TYPES['MountCalibration'] = cv.rsackermann.MountCalibration
 
 
 def _restore(name, text):
@@ -37,5 +44,23 @@ def _register(name, value_type):
     copyreg.pickle(value_type, reduce)
 
 
+def _restore_record(name, fields):
+    value = _RECORD_TYPES[name]()
+    for field, content in fields.items():
+        setattr(value, field, content)
+    return value
+
+
+def _register_record(name, value_type):
+    fields = [field for field, _ in inspect.getmembers(value_type, inspect.isgetsetdescriptor)]
+
+    def reduce(value):
+        return _restore_record, (name, {field: getattr(value, field) for field in fields})
+
+    copyreg.pickle(value_type, reduce)
+
+
 for _name, _value_type in _VALUE_TYPES.items():
     _register(_name, _value_type)
+for _name, _value_type in _RECORD_TYPES.items():
+    _register_record(_name, _value_type)
