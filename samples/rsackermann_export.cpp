@@ -131,6 +131,22 @@ void checkTargets(const Options& options, const std::vector<MotionFrame>& frames
 
 typedef std::map<std::string, std::string> Texts; // by their paths
 
+// A table with places instead of points. What it holds is no matter of the command line.
+std::string placesOf(const std::string& path, const cv::rsackermann::RollingShutterCamera& camera,
+                     const std::vector<MotionFrame>& frames,
+                     std::string (*place)(const std::string&, const cv::rsackermann::RollingShutterCamera&,
+                                          const std::vector<MotionFrame>&))
+{
+    try
+    {
+        return place(path, camera, frames);
+    }
+    catch (const UsageError& e)
+    {
+        throw InputError(e.what());
+    }
+}
+
 // What the files are made from is read, and may be refused, before any of them is written.
 Texts textsOf(const Options& options, const cv::rsackermann::RollingShutterCamera& camera,
               const std::vector<MotionFrame>& frames, const cv::Size& nodes)
@@ -141,9 +157,9 @@ Texts textsOf(const Options& options, const cv::rsackermann::RollingShutterCamer
     if (options.given("row_poses"))
         texts[options.text("row_poses")] = rowPosesText(camera, frames);
     if (options.given("tracks"))
-        texts[options.text("tracks_output")] = correctTracks(options.text("tracks"), camera, frames);
+        texts[options.text("tracks_output")] = placesOf(options.text("tracks"), camera, frames, correctTracks);
     if (options.given("points"))
-        texts[options.text("points_output")] = cloudInRawImages(options.text("points"), camera, frames);
+        texts[options.text("points_output")] = placesOf(options.text("points"), camera, frames, cloudInRawImages);
     if (options.given("mesh"))
         texts[options.text("mesh")] = warpMeshText(camera, frames, nodes.width, nodes.height);
     return texts;

@@ -460,7 +460,7 @@ TEST_F(Export, points_of_several_frames)
     {
         writeContent(folder / "cloud.csv", table.first);
         const Outcome outcome = exportMotion(arguments);
-        EXPECT_EQ(2, outcome.exitCode) << table.first;
+        EXPECT_EQ(1, outcome.exitCode) << table.first;
         EXPECT_NE(std::string::npos, outcome.messages.find(table.second)) << outcome.messages;
     }
 }
