@@ -84,6 +84,9 @@ void readShutterAndMounting(const NumberSource& number, const TextSource& text, 
     number("pitch", s.pitch);
     number("heading", s.heading);
     number("camera_height", s.height);
+    require(std::abs(s.roll) < 90,
+            "roll must be between -90 and 90 degrees: turn the images of a camera that is mounted "
+            "upside down or on its side, and with them scan and the principal point");
     require(std::abs(s.pitch) < 90, "pitch must be between -90 and 90 degrees");
     require(s.height >= 0, "camera_height must not be negative");
     number("roll_sigma", s.rollSigma);

@@ -273,6 +273,28 @@ TEST(CameraFiles, one_map_and_nothing_else)
     EXPECT_EQ(816, read("%YAML:1.0\n# camera\n---\n\n" + rest + "...\n").K(0, 0));
 }
 
+// A roll beyond those of any mount is said to be one, and what to do, in the unit of the file.
+TEST(CameraFiles, mounted_upside_down_or_on_its_side)
+{
+    const TemporaryFolder folder;
+    for (const char* roll : {"180.", "90.", "-90."})
+    {
+        writeContent(folder / "camera.yml", std::string(OPENCV_YAML) + "roll: " + roll + "\n");
+        rsackermann_samples::CameraSettings settings;
+        try
+        {
+            rsackermann_samples::readCameraFile(folder / "camera.yml", settings);
+            FAIL() << roll;
+        }
+        catch (const rsackermann_samples::UsageError& e)
+        {
+            const std::string message = e.what();
+            EXPECT_NE(std::string::npos, message.find("roll must be between -90 and 90 degrees")) << message;
+            EXPECT_NE(std::string::npos, message.find("turn the images")) << message;
+        }
+    }
+}
+
 // OpenCV would take 51 GB, or refuse them in its own words, before it sees that there is one element.
 TEST(CameraFiles, size_of_matrices)
 {
