@@ -166,8 +166,10 @@ std::string extension(const std::string& path)
 
 bool isVideo(const std::string& path)
 {
-    static const std::set<std::string> known = {".mp4", ".avi",  ".mov",  ".mkv", ".m4v",
-                                                ".mpg", ".mpeg", ".webm", ".wmv", ".mjpeg"};
+    // Those of cameras beside the usual ones: the containers MP4 (.360, .insv, .lrv) and MPEG-TS, and bare streams.
+    static const std::set<std::string> known = {".mp4", ".avi",   ".mov",  ".mkv", ".m4v",  ".mpg",  ".mpeg", ".webm",
+                                                ".wmv", ".mjpeg", ".3gp",  ".3g2", ".360",  ".insv", ".lrv",  ".ts",
+                                                ".mts", ".m2ts",  ".h264", ".264", ".h265", ".265",  ".hevc", ".flv"};
     return known.count(extension(path)) > 0;
 }
 

@@ -19,8 +19,9 @@ namespace {
 const std::map<std::string, std::string>& codecs()
 {
     static const std::map<std::string, std::string> codecs = {
-        {".avi", "MJPG"}, {".mkv", "MJPG"},  {".mjpeg", "MJPG"}, {".mp4", "mp4v"}, {".m4v", "mp4v"},
-        {".mov", "mp4v"}, {".webm", "VP80"}, {".wmv", "WMV2"},   {".mpg", "PIM1"}, {".mpeg", "PIM1"}};
+        {".avi", "MJPG"},  {".mkv", "MJPG"}, {".mjpeg", "MJPG"}, {".mp4", "mp4v"},  {".m4v", "mp4v"}, {".mov", "mp4v"},
+        {".webm", "VP80"}, {".wmv", "WMV2"}, {".mpg", "PIM1"},   {".mpeg", "PIM1"}, {".3gp", "mp4v"}, {".3g2", "mp4v"},
+        {".ts", "PIM1"},   {".mts", "PIM1"}, {".m2ts", "PIM1"},  {".flv", "FLV1"}};
     return codecs;
 }
 
@@ -57,7 +58,7 @@ VideoFile::VideoFile(const std::string& path, double framesPerSecond, const cv::
 {
     const std::map<std::string, std::string>::const_iterator it = codecs().find(extension(path));
     if (it == codecs().end())
-        throw InputError(path + ": the extension is none of a video");
+        throw InputError(path + ": the extension is none of a video that can be written, as .mp4 and .avi are");
     const std::string& c = it->second;
     // With FFmpeg OpenCV leaves out the last column or row of an odd size, whatever the codec; its own writer doesn't.
     if (isOdd_ && it->first != ".avi")

@@ -124,16 +124,17 @@ TEST(CorrectInputs, files_of_a_folder_that_are_left_out)
     for (const char* name : {"log.csv", "README", "camera.yml"})
         writeContent(in / name, "x");
     EXPECT_EQ("", correct(arguments).messages);
-    for (const char* name : {"drive.mp4", "other.MP4", ".hidden.mp4"})
+    for (const char* name : {"drive.mp4", "other.MP4", "camera.insv", "drive.ts", ".hidden.mp4"})
         writeContent(in / name, "");
     ASSERT_TRUE(cv::imwrite(in / "b.pfm", cv::Mat(8, 8, CV_32F, cv::Scalar(1))));
     writeContent(in / "image", contentOf(in / "a.png"));
     const Outcome outcome = correct(arguments);
     EXPECT_EQ(0, outcome.exitCode);
-    EXPECT_NE(std::string::npos, outcome.messages.find(in.path() + " stands for its images; 4 other files are left "
-                                                                   "out: 1 without an extension, 2 .mp4, 1 .pfm\n"))
+    EXPECT_NE(std::string::npos,
+              outcome.messages.find(in.path() + " stands for its images; 6 other files are left "
+                                                "out: 1 without an extension, 1 .insv, 2 .mp4, 1 .pfm, 1 .ts\n"))
         << outcome.messages;
-    for (const char* name : {"a.png", "drive.mp4", "other.MP4", "image"})
+    for (const char* name : {"a.png", "drive.mp4", "other.MP4", "camera.insv", "drive.ts", "image"})
         std::remove((in / name).c_str());
     const Outcome none = correct(arguments);
     EXPECT_EQ(1, none.exitCode);

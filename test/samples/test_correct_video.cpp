@@ -85,6 +85,37 @@ TEST_F(CorrectVideo, each_frame_is_corrected_as_an_image)
     }
 }
 
+// Cameras have endings of their own for usual containers; a result in one that can't be written has another name.
+TEST_F(CorrectVideo, endings_of_cameras)
+{
+    const std::string stream = in_ / "drive.ts";
+    {
+        cv::VideoWriter writer(stream, cv::VideoWriter::fourcc('P', 'I', 'M', '1'), 25, streetImage().size());
+        ASSERT_TRUE(writer.isOpened());
+        for (int i = 0; i < FRAMES; i++)
+            writer.write(streetImage());
+    }
+    const std::string insv = in_ / "drive.insv", mov = in_ / "drive.MOV";
+    {
+        cv::VideoWriter writer(mov, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 25, streetImage().size());
+        ASSERT_TRUE(writer.isOpened());
+        for (int i = 0; i < FRAMES; i++)
+            writer.write(streetImage());
+    }
+    writeContent(insv, contentOf(mov));
+    for (const std::string& input : {stream, insv})
+    {
+        const Outcome outcome = correct({input, arguments()[1], arguments()[2], "--report=-", "--overwrite",
+                                         "--output=" + (out_ / (input == stream ? "out.ts" : "out.avi"))});
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(FRAMES, std::count(outcome.output.begin(), outcome.output.end(), '\n')) << outcome.output;
+    }
+    EXPECT_EQ(size_t(FRAMES), framesOf(out_ / "out.ts").size());
+    const Outcome unwritable = correct({insv, arguments()[1], arguments()[2], "--output=" + (out_ / "out.insv")});
+    EXPECT_EQ(1, unwritable.exitCode);
+    EXPECT_NE(std::string::npos, unwritable.messages.find("video that can be written")) << unwritable.messages;
+}
+
 // A drive whose picture grows as that of a street, so that each frame follows from the one before.
 void writeApproach(const std::string& path, int frames)
 {
