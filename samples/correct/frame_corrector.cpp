@@ -162,7 +162,7 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     report.isGyroWrong = contradictsGyro();
     report.isDepthGiven = !depth.empty();
     report.isDepthUsed = corrector_->isDepthUsed();
-    if (depth.kind == DEPTH_RELATIVE)
+    if (depth.camera == DEPTH_RAW)
         depth = corrector_->getUsedDepth();
     warp(image, report.isDepthUsed ? depth : DepthMap(), frame);
     if (!job_.overlay.empty())

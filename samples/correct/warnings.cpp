@@ -135,8 +135,8 @@ void Warnings::addDepth(const FrameReport& frame)
         job_.depth.meaning().kind == DepthMeaning::RELATIVE
             ? "images that contradict --depth, or don't show that it is theirs, are corrected without it: "
               "depth_used in the report"
-            : "--depth has no effect where no depth is known, where it is in another unit than walls and road (give "
-              "--depth_scale), and on images whose speed in metres is unknown (give --speed, --wall or "
+            : "--depth has no effect where no depth is known, where it contradicts tracked points or is in another unit "
+              "than walls and road (give --depth_scale), and on images whose speed in metres is unknown (give --speed, --wall or "
               "--scale_from_road)");
 }
 

@@ -420,7 +420,7 @@ private:
         isTracked_ = params.sequence && sequence.isSeen();
         finder.release();
         DepthMap aligned = depth;
-        if (depth.kind == DEPTH_RELATIVE ? !align(motion, aligned) : isInAnotherUnit(motion, depth))
+        if (!align(motion, aligned))
             aligned = DepthMap();
         timings[1] = watch.lap();
         warpWith(motion, src, dst, mask, aligned);
@@ -428,18 +428,15 @@ private:
         return motion;
     }
 
-    bool isInAnotherUnit(const AckermannMotion& motion, const DepthMap& depth) const
-    {
-        const RollingShutterCamera camera = generator->getCamera();
-        return rsackermann::isInAnotherUnit(camera, params.warp, motion, depth) ||
-               isRoadInAnotherUnit(depth, camera, params.estimator, motion.uprightRotation(camera));
-    }
-
-    // False if the relative depth isn't used.
+    // False if the depth isn't used.
     bool align(AckermannMotion& motion, DepthMap& depth) const
     {
-        return !depth.empty() && depth.camera == DEPTH_RAW && motion.status != MOTION_NOT_OBSERVABLE &&
-               sequence.alignDepth(segmentRows(segments), prior, motion, depth);
+        if (depth.empty() || motion.status == MOTION_NOT_OBSERVABLE ||
+            isInAnotherUnit(generator->getCamera(), params.warp, motion, depth))
+            return false;
+        if (depth.camera != DEPTH_RAW)
+            return depth.kind == DEPTH_METRIC;
+        return sequence.alignDepth(segmentRows(segments), prior, motion, depth);
     }
 
     void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,

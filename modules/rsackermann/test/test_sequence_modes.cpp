@@ -542,6 +542,53 @@ TEST_P(SequenceModes, relative_depth)
     }
 }
 
+// One in metres is used if it is that of the points: of others the points tell the factor or the mirror image.
+TEST_P(SequenceModes, metric_depth)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const int deep = FRAMES - 2;
+    const Mat1f own = 1 / street.inverseDepth(deep);
+    Mat mirrored;
+    flip(own, mirrored, 1);
+    for (int source = 0; source < SOURCES; source++)
+    {
+        if (setting.yawChange != 0 && source != GYRO)
+            continue; // others see a mean
+        const struct
+        {
+            Mat values;
+            double factor;
+            bool isUsed;
+        } depths[] = {{own, 1, true},
+                      {1.02 * own, 1.02, true},
+                      {1.5 * own, 1.5, false},
+                      {own / 1.5, 1 / 1.5, false},
+                      {mirrored, 1, false}};
+        for (const auto& given : depths)
+        {
+            const Ptr<RollingShutterCorrector> with = createCorrector(setting, Twin(), source),
+                                               without = createCorrector(setting, Twin(), source);
+            for (int i = 0; i < FRAMES; i++)
+            {
+                SCOPED_TRACE(testing::Message() << NAMES[source] << " " << i << " " << &given - depths);
+                const DepthMap depth(i == deep ? given.values : Mat());
+                const AckermannMotion expected = correctFrame(*without, frames, i, source),
+                                      m = correctFrame(*with, frames, i, source, Twin(), depth);
+                const bool isUsed = i == deep && given.isUsed;
+                EXPECT_EQ(isUsed, with->isDepthUsed());
+                EXPECT_EQ(isUsed, expected.expectedResidual != m.expectedResidual);
+                if (!isUsed)
+                    continue;
+                expectTruth(setting, setting.camera, street.truth(setting, i), m, source);
+                EXPECT_LT(m.expectedResidual, m.expectedRaw);
+                double speed;
+                m.speed(setting.camera, speed);
+                EXPECT_NEAR(speed / setting.metric.speed, with->getUsedDepth().scale * given.factor, 0.02);
+            }
+        }
+    }
+}
+
 // A single image goes by the yaw rate of the frames before. One that tells it without them replaces what was known of
 // it, and what that had to do with anything else.
 TEST_P(SequenceModes, single_image_within)

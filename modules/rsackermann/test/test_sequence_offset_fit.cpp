@@ -384,6 +384,50 @@ TEST(RSAckermann_DepthFit, refuses_what_points_contradict)
     }
 }
 
+// The metres of the motion are those of a depth as surely as they are known: what differs by a few standard deviations
+// is changed to what the points show, and what differs by more, or is mirrored, isn't used.
+TEST(RSAckermann_DepthFit, metres)
+{
+    RNG rng(44);
+    for (int i = 0; i < 6; i++)
+    {
+        const double speed = i % 3 == 0 ? -4 : 12;
+        const BumpyStreet street(speed, 0.02, rng);
+        const Mat1f inverse = street.inverseDepths();
+        const std::vector<TrackedBearing> bearings = street.bearings(250, 0.3, 0.1, rng);
+        AckermannMotion planes = withoutOffset(street.motion);
+        planes.scale = SCALE_SPEED;
+        planes.wallDistance = 6;
+        Mat mirrored;
+        flip(inverse, mirrored, 1);
+        for (const double sigma : {0.02, 0.1})
+        {
+            planes.speedSigma = sigma * std::abs(speed);
+            for (const double factor : {1., 1 + sigma, 1 - sigma, 3., 1 / 3.})
+            {
+                SCOPED_TRACE(testing::Message() << i << " " << sigma << " " << factor);
+                const bool isClose = std::abs(factor - 1) < 0.2;
+                DepthMap depth(factor / inverse, DEPTH_RAW, 0.5), reference(1 / mirrored);
+                depth.values *= 2;
+                DepthFit found;
+                EXPECT_EQ(isClose, fitDepth(street.camera, bearings, fitOf(street), planes, depth, found));
+                EXPECT_FALSE(fitDepth(street.camera, bearings, fitOf(street), planes, reference, found));
+                EXPECT_EQ(1, reference.scale);
+                EXPECT_EQ(0, depth.shift);
+                if (!isClose)
+                    EXPECT_EQ(0.5, depth.scale);
+                else
+                    EXPECT_NEAR(0.5 / factor, depth.scale, 0.02);
+            }
+        }
+        planes.scale = SCALE_UNKNOWN;
+        planes.wallDistance = 0;
+        DepthMap depth(1 / inverse);
+        DepthFit found;
+        EXPECT_FALSE(fitDepth(street.camera, bearings, fitOf(street), planes, depth, found));
+    }
+}
+
 // Where the planes explain the points as well a depth is used all the same: it knows what no point shows.
 TEST(RSAckermann_DepthFit, is_used_where_planes_hold)
 {

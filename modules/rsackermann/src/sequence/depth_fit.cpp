@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../camera/lens.hpp"
+#include "../motion/metric_way.hpp"
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
 #include "../scene/inverse_depth_offset.hpp"
@@ -30,7 +31,7 @@ struct DeepPoint
 };
 
 std::vector<DeepPoint> deepPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
-                                  const double* values, const Mat& depths)
+                                  const double* values, const DepthMap& depth)
 {
     const Lens<double> lens(camera);
     const FlowResidual flow(camera);
@@ -43,24 +44,42 @@ std::vector<DeepPoint> deepPoints(const RollingShutterCamera& camera, const std:
         if (!(ray[2] > IN_FRONT) || !lens.project(ray[0] / ray[2], ray[1] / ray[2], pixel.x, pixel.y))
             continue;
         const bool isEven = (cvRound(pixel.x) + cvRound(pixel.y)) % 2 == 0;
-        const DeepPoint p = {b, isEven, ray[2], RelativeDepth::medianAround(depths, pixel, reach),
-                             RelativeDepth::valueAt(depths, pixel)};
+        const DeepPoint p = {b, isEven, ray[2], RelativeDepth::medianAround(depth, pixel, reach),
+                             RelativeDepth::valueAt(depth, pixel)};
         if (std::isfinite(p.value) && !FlowResidual::isBehind(flow.evaluate(b, values, 0)))
             points.push_back(p);
     }
     return points;
 }
 
-// Values of a mean of 0 and a standard deviation of 1, whatever their unit is.
+// What is known of the scale of a depth without the points: of a relative one nothing, of one in metres the way of the
+// car, and that there is no shift.
+struct GivenScale
+{
+    double scale = 0, sigma = std::numeric_limits<double>::infinity();
+    bool isMetric;
+
+    GivenScale(const RollingShutterCamera& camera, const AckermannMotion& motion, const DepthMap& depth)
+        : isMetric(depth.kind == DEPTH_METRIC)
+    {
+        if (!isMetric)
+            return;
+        scale = std::abs(wayPerUnitTime(camera, motion));
+        sigma = std::max(camera.secondsPerUnitTime() * std::sqrt(motion.metricCovariance(camera)(1, 1)),
+                         scale * FLT_EPSILON);
+    }
+};
+
+// Values of a standard deviation of 1, whatever their unit is: from their mean, or from 0 if no shift is unknown.
 struct Standard
 {
     double mean = 0, sigma = 0;
 
-    explicit Standard(const std::vector<DeepPoint>& points)
+    Standard(const std::vector<DeepPoint>& points, bool isShifted)
     {
         double squares = 0;
         for (const DeepPoint& p : points)
-            mean += p.value / double(points.size());
+            mean += isShifted ? p.value / double(points.size()) : 0;
         for (const DeepPoint& p : points)
             squares += (p.value - mean) * (p.value - mean) / double(points.size());
         sigma = std::sqrt(squares);
@@ -68,6 +87,12 @@ struct Standard
 
     double of(double value) const { return (value - mean) / sigma; }
 };
+
+// Of a residual in pixels, minus twice the logarithm of its likelihood.
+double lossOf(const Point2d& residual)
+{
+    return CauchyLoss(1, 1 / DEPENDENCE).cost(residual.dot(residual) / (POINT_SIGMA * POINT_SIGMA));
+}
 
 // The turns between frames, and inverse depths that are linear in the standardised values.
 enum { D_YAW_RATE, D_TURNS, D_SCALE = D_TURNS + FLOW_VALUES - SEQUENCE_VALUES, D_SHIFT, UNKNOWNS };
@@ -80,15 +105,18 @@ public:
     typedef Equations::Vector State;
     typedef State Step;
 
-    DepthProblem(const RollingShutterCamera& camera, const std::vector<DeepPoint>& points_, const SequenceFit& planes_)
-        : points(points_), standard(points), scale(1), flow(camera), planes(planes_)
+    DepthProblem(const RollingShutterCamera& camera, const std::vector<DeepPoint>& points_, const GivenScale& given_,
+                 const SequenceFit& planes_)
+        : points(points_), given(given_), standard(points, !given.isMetric),
+          sign(planes_.values[SEQUENCE_SPEED] < 0 ? -1 : 1), scale(1), flow(camera), planes(planes_)
     {
     }
 
-    // That of the planes, and everything infinitely far away.
+    // That of the planes, and everything infinitely far away unless the scale is given.
     State start() const
     {
         State u = State::Zero();
+        u[D_SCALE] = sign * standard.sigma * given.scale;
         u[D_YAW_RATE] = planes.values[SEQUENCE_YAW_RATE];
         std::copy(planes.values + SEQUENCE_VALUES, planes.values + FLOW_VALUES, &u[D_TURNS]);
         return u;
@@ -103,6 +131,9 @@ public:
         for (int i = SEQUENCE_VALUES; i < FLOW_VALUES; i++)
             addPrior(u, D_TURNS + i - SEQUENCE_VALUES, 0, i == FLOW_YAW_CHANGE ? YAW_CHANGE_SIGMA : TURN_SIGMA,
                      equations);
+        addPrior(u, D_SCALE, sign * standard.sigma * given.scale, standard.sigma * given.sigma, equations);
+        if (given.isMetric) // a rounding error, so that the equations stay regular
+            addPrior(u, D_SHIFT, 0, standard.sigma * given.scale * FLT_EPSILON, equations);
         const CauchyLoss loss(scale, 1 / DEPENDENCE);
         for (const DeepPoint& p : points)
         {
@@ -143,9 +174,21 @@ public:
         return r;
     }
 
+    // Of all points, and of a scale that isn't the given one: minus twice the logarithm of their likelihood.
+    double cost(const State& u) const
+    {
+        const double r = (sign * u[D_SCALE] / standard.sigma - given.scale) / given.sigma;
+        double sum = r * r;
+        for (const DeepPoint& p : points)
+            sum += lossOf(residual(u, p, p.value));
+        return sum;
+    }
+
     const std::vector<DeepPoint>& points;
+    const GivenScale given;
     const Standard standard;
-    double scale; // of the loss, in sigmas
+    const double sign; // of inverse depths, by which way the car drives
+    double scale;      // of the loss, in sigmas
 
 private:
     static void addPrior(const State& u, int which, double mean, double sigma, Equations& equations)
@@ -159,12 +202,6 @@ private:
     const FlowResidual flow;
     const SequenceFit& planes;
 };
-
-// Of a residual in pixels, minus twice the logarithm of its likelihood.
-double lossOf(const Point2d& residual)
-{
-    return CauchyLoss(1, 1 / DEPENDENCE).cost(residual.dot(residual) / (POINT_SIGMA * POINT_SIGMA));
-}
 
 // What planes and offset leave of points that the offset wasn't fitted to: it is made of as many numbers as a fifth of
 // the points that it is fitted to.
@@ -202,8 +239,10 @@ double costOfPlanes(const RollingShutterCamera& camera, const std::vector<DeepPo
 bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
               const SequenceFit& planes, const AckermannMotion& motion, DepthMap& depth, DepthFit& found)
 {
-    const std::vector<DeepPoint> points = deepPoints(camera, bearings, planes.values, depth.values);
-    DepthProblem problem(camera, points, planes);
+    if (depth.kind == DEPTH_METRIC && !(isMetric(camera, motion) && wayPerUnitTime(camera, motion) != 0))
+        return false;
+    const std::vector<DeepPoint> points = deepPoints(camera, bearings, planes.values, depth);
+    DepthProblem problem(camera, points, GivenScale(camera, motion, depth), planes);
     const Standard& standard = problem.standard;
     if (points.size() < LEAST_POINTS || !(standard.sigma > 0))
         return false;
@@ -214,21 +253,17 @@ bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBeari
         problem.scale = s;
         minimize(problem, MinimizerOptions(STEPS, 1e-3), u, equations);
     }
-    double cost = 0;
+    const double scale = problem.sign * u[D_SCALE] / standard.sigma,
+                 shift = problem.sign * u[D_SHIFT] - scale * standard.mean;
+    if (!(scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX) ||
+        !(problem.cost(u) - costOfPlanes(camera, points, planes.values, motion) < BARE_MENTION))
+        return false;
     ResidualShare share;
     for (const DeepPoint& p : points)
-    {
-        cost += lossOf(problem.residual(u, p, p.value));
         share.add(p.bearing, norm(problem.residual(u, p, std::isfinite(p.ofPixel) ? p.ofPixel : p.value)),
                   camera.cameraMatrix(0, 0));
-    }
-    const double sign = planes.values[SEQUENCE_SPEED] < 0 ? -1 : 1, scale = sign * u[D_SCALE] / standard.sigma,
-                 shift = sign * u[D_SHIFT] - scale * standard.mean;
-    if (!(scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX) ||
-        !(cost - costOfPlanes(camera, points, planes.values, motion) < BARE_MENTION))
-        return false;
-    depth.scale = scale;
-    depth.shift = shift;
+    found.scale = scale;
+    found.shift = shift;
     found.yawRate = u[D_YAW_RATE];
     found.residual = share.value();
     const DepthProblem::Equations::Matrix covariance =
@@ -238,8 +273,16 @@ bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBeari
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             ofStandard(i, k) = covariance(kept[i], kept[k]);
-    const Matx33d J(1, 0, 0, 0, sign / standard.sigma, 0, 0, -sign * standard.mean / standard.sigma, sign);
+    const Matx33d J =
+        problem.sign * Matx33d(problem.sign, 0, 0, 0, 1 / standard.sigma, 0, 0, -standard.mean / standard.sigma, 1);
     found.covariance = J * ofStandard * J.t();
+    if (depth.kind == DEPTH_METRIC)
+    {
+        depth.scale *= problem.given.scale / scale;
+        return true;
+    }
+    depth.scale = scale;
+    depth.shift = shift;
     return true;
 }
 

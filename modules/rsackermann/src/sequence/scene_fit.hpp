@@ -21,17 +21,19 @@ void fitOffset(const RollingShutterCamera& camera, const std::vector<TrackedBear
 //! What points show if a depth takes the place of the planes.
 struct DepthFit
 {
-    double yawRate;     //!< rad/s, mean between the frames
-    Matx33d covariance; //!< of the yaw rate, and scale and shift of the depth
-    double residual;    //!< SequenceFit::residual with the values that maps take
+    double yawRate;      //!< rad/s, mean between the frames
+    double scale, shift; //!< inverse depths without their sign are scale * RelativeDepth::valueAt() + shift
+    Matx33d covariance;  //!< of the yaw rate, and scale and shift
+    double residual;     //!< SequenceFit::residual with the values that maps take
 };
 
-/** Finds scale and shift of a #DEPTH_RELATIVE of the raw camera, together with the turns between the frames, by the
-displacements of points (doc/theory.md, "Relative depth").
+/** Finds scale and shift of a depth of the raw camera, together with the turns between the frames, by the displacements
+of points (doc/theory.md, "Relative depth"). The scale of a #DEPTH_METRIC is known as well as the way of the motion is,
+and it has no shift.
 @param bearings points, those of the fit.
 @param planes the fit without the depth.
 @param motion that of the fit; its offset doesn't matter.
-@param depth receives scale and shift.
+@param depth receives scale and shift, one in metres the scale with which the motion's way shows what the points do.
 @return whether planes and offset don't explain the points better than the depth does; otherwise it stays as it is. */
 bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
               const SequenceFit& planes, const AckermannMotion& motion, DepthMap& depth, DepthFit& found);

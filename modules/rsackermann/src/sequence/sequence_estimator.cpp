@@ -394,7 +394,7 @@ bool SequenceEstimator::alignDepth(const Mat& segments, const MotionPrior& prior
     std::vector<Point2d> places;
     for (const TrackedBearing& b : features.bearings)
         places.push_back(b.now);
-    expectWithDepth(camera, aligned, toAlpha * found.covariance * toAlpha, places, changed);
+    expectWithDepth(camera, depth, found.scale, found.shift, toAlpha * found.covariance * toAlpha, places, changed);
     changed.expectedResidual = std::hypot(changed.expectedResidual, changed.expectedRaw * found.residual);
     if (!(changed.expectedResidual < changed.expectedRaw))
         return false;

@@ -187,8 +187,8 @@ void setAlphaVariance(double variance, AckermannMotion& motion)
     motion.covariance(0, 0) = variance;
 }
 
-void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, const Matx33d& covariance,
-                     const std::vector<Point2d>& seen, AckermannMotion& motion)
+void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, double scale, double shift,
+                     const Matx33d& covariance, const std::vector<Point2d>& seen, AckermannMotion& motion)
 {
     const DisplacementField field(camera, seen);
     const Heading heading(camera.heading);
@@ -199,7 +199,7 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
     for (int k = 0; k < DisplacementField::POINTS; k++)
     {
         const DisplacementField::Point& p = field.point(k);
-        const double value = RelativeDepth::valueAt(depth.values, p.pixel), inverse = depth.scale * value + depth.shift;
+        const double value = RelativeDepth::valueAt(depth, p.pixel), inverse = scale * value + shift;
         double w = planes.inverseDepth(Vec3d(p.x, p.y, 1)), byScale = 0, byShift = 0;
         if (p.z > IN_FRONT && std::isfinite(inverse))
         {
@@ -228,6 +228,8 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
 bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& given,
                 const Mat& segments, AckermannMotion& motion, DepthMap& depth)
 {
+    if (depth.kind == DEPTH_METRIC)
+        return !isRoadInAnotherUnit(depth, camera, params, motion.uprightRotation(camera));
     const RelativeDepth relative(depth, camera, motion.uprightRotation(camera));
     if (!relative.hasRoad() || relative.edgesInCommon(segments, params.minLength) < LEAST_IN_COMMON)
         return false;
@@ -271,7 +273,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     const Matx<double, 3, 2> J(1, 0, 0, scale, 0, shift);
     const Matx22d ofAlphaAndRoad(covariance(A_ALPHA, A_ALPHA), covariance(A_ALPHA, A_LOG_ROAD),
                                  covariance(A_ALPHA, A_LOG_ROAD), covariance(A_LOG_ROAD, A_LOG_ROAD));
-    expectWithDepth(camera, aligned, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), changed);
+    expectWithDepth(camera, depth, scale, shift, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), changed);
     // An error that exceeds half of the correction, in the opposite direction, makes it worse.
     const double sigma = changed.expectedResidual / std::sqrt(2 / CV_PI);
     changed.probabilityWorse = 0.5 * std::erfc(changed.expectedRaw / (2 * std::sqrt(2.) * std::max(sigma, DBL_MIN)));

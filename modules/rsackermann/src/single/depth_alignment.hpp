@@ -11,15 +11,15 @@
 namespace cv { namespace rsackermann {
 
 /** Finds scale and shift of a relative depth of the raw camera, and the motion that goes with it (doc/theory.md,
-"Relative depth").
+"Relative depth"). One in metres stays as it is, as does the motion.
 
 @param segments N x 4, CV_64F.
 @param motion the motion without the depth, of any status but #MOTION_NOT_OBSERVABLE. Unless the depth is refused, its
 status, yaw rate, corrections of gravity, their covariance, the road and what is expected of the correction become those
 with the depth.
 @param depth checked; receives scale and shift.
-@return false if the depth is refused: the image contradicts it, or nothing shows that it belongs to the image, or it
-isn't expected to help. */
+@return false if the depth is refused: metres are those of another unit, the image contradicts it, or nothing shows that
+it belongs to the image, or it isn't expected to help. */
 bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& prior,
                 const Mat& segments, AckermannMotion& motion, DepthMap& depth);
 
@@ -28,11 +28,12 @@ void setAlphaVariance(double variance, AckermannMotion& motion);
 
 /** Sets AckermannMotion::expectedRaw and AckermannMotion::expectedResidual, to first order
 (doc/theory.md, "Relative depth").
-@param depth with scale and shift; where it isn't known, the planes count as if they were exact.
+@param depth where it isn't known, the planes count as if they were exact.
+@param scale, shift the scaled inverse depth without its sign is scale * RelativeDepth::valueAt() + shift.
 @param covariance of alpha, scale and shift.
 @param seen as DisplacementField has it. */
-void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, const Matx33d& covariance,
-                     const std::vector<Point2d>& seen, AckermannMotion& motion);
+void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, double scale, double shift,
+                     const Matx33d& covariance, const std::vector<Point2d>& seen, AckermannMotion& motion);
 
 }} // namespace cv::rsackermann
 

@@ -29,15 +29,20 @@ bool RelativeDepth::hasRoad() const
     return share >= LEAST_ROAD;
 }
 
-double RelativeDepth::valueAt(const Mat& values, const Point2d& pixel)
+double RelativeDepth::valueAt(const DepthMap& depth, const Point2d& pixel)
 {
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    const Mat& values = depth.values;
     const Point p(cvRound(pixel.x), cvRound(pixel.y));
     if (!Rect(Point(), values.size()).contains(p))
-        return std::numeric_limits<double>::quiet_NaN();
-    return values.depth() == CV_16U ? values.at<ushort>(p) : values.at<float>(p);
+        return unknown;
+    const double value = values.depth() == CV_16U ? values.at<ushort>(p) : values.at<float>(p);
+    if (depth.kind == DEPTH_RELATIVE)
+        return value;
+    return value > 0 && std::isfinite(value) ? 1 / (depth.scale * value) : unknown;
 }
 
-double RelativeDepth::medianAround(const Mat& values, const Point2d& pixel, double reach)
+double RelativeDepth::medianAround(const DepthMap& depth, const Point2d& pixel, double reach)
 {
     enum { STEPS = 5, ALONG = 2 * STEPS + 1 }; // to each side: enough for a median
     double found[ALONG * ALONG];
@@ -45,7 +50,7 @@ double RelativeDepth::medianAround(const Mat& values, const Point2d& pixel, doub
     for (int i = 0; i < ALONG * ALONG; i++)
     {
         const Point2d way(i % ALONG - STEPS, i / ALONG - STEPS);
-        const double value = valueAt(values, pixel + reach / STEPS * way);
+        const double value = valueAt(depth, pixel + reach / STEPS * way);
         if (std::isfinite(value))
             found[count++] = value;
     }
@@ -56,9 +61,7 @@ double RelativeDepth::medianAround(const Mat& values, const Point2d& pixel, doub
 
 double RelativeDepth::at(const Point2d& pixel) const
 {
-    double value = valueAt(depth.values, pixel);
-    if (depth.kind == DEPTH_METRIC)
-        value = value > 0 ? 1 / (depth.scale * value) : std::numeric_limits<double>::quiet_NaN();
+    const double value = valueAt(depth, pixel);
     return std::isfinite(value) ? (value - zero) / slope_ : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -227,8 +230,6 @@ double RelativeDepth::edgesInCommon(const Mat& segments, double minLength) const
 bool isRoadInAnotherUnit(const DepthMap& depth, const RollingShutterCamera& camera,
                          const AckermannEstimator::Params& params, const Matx33d& up)
 {
-    if (depth.empty() || depth.kind != DEPTH_METRIC || depth.camera != DEPTH_RAW)
-        return false;
     const RelativeDepth road(depth, camera, up);
     const double height = 1 / road.slope(), expected = camera.height > 0 ? camera.height : params.priorHeight;
     return road.hasRoad() && std::abs(std::log(height / expected)) > CONTRADICTION * params.priorHeightLogSigma;

@@ -30,10 +30,10 @@ public:
     //! By how much a value is larger for one more height of the camera over the depth.
     double slope() const { return slope_; }
 
-    //! The value of a depth map nearest to a pixel; NaN outside of it.
-    static double valueAt(const Mat& values, const Point2d& pixel);
+    //! The value of a depth map nearest to a pixel, of one in metres 1/m; NaN outside of it and where it isn't known.
+    static double valueAt(const DepthMap& depth, const Point2d& pixel);
     //! The median of those in a square around it; NaN if there are none. @param reach pixels to each side.
-    static double medianAround(const Mat& values, const Point2d& pixel, double reach);
+    static double medianAround(const DepthMap& depth, const Point2d& pixel, double reach);
     //! The height of the camera over the depth at a pixel along the optical axis; NaN if it isn't known.
     double at(const Point2d& pixel) const;
 
@@ -63,7 +63,7 @@ private:
 
 /** Whether a depth in metres is evidently in another unit: the height of the camera above the road that it shows is
 three standard deviations of the prior away from the given height, or from the prior's if none is given.
-@param depth checked, or empty. @param up rotation from the camera frame to the upright frame. */
+@param depth of the raw camera, checked, not empty. @param up rotation from the camera frame to the upright frame. */
 bool isRoadInAnotherUnit(const DepthMap& depth, const RollingShutterCamera& camera,
                          const AckermannEstimator::Params& params, const Matx33d& up);
 

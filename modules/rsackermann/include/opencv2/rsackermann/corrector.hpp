@@ -52,8 +52,9 @@ public:
         corrections throw cv::Exception */
         CV_PROP_RW bool sequence;
         //! Whether points are tracked from frame to frame if sequence is set, default true. Then the estimator's
-        //! model has to be #MODEL_AUTO, and a frame whose points are found again doesn't use its seed, confidence,
-        //! maxIterations, minCandidates and reverseProbability.
+        //! model has to be #MODEL_AUTO. A frame whose points are found again is estimated by other means: without its
+        //! seed, confidence, maxIterations, minCandidates, reverseProbability, roadRatio and harmAversion and without
+        //! RollingShutterCamera::distortionSigma, and maxYawRate and maxSpeed don't limit it.
         CV_PROP_RW bool trackPoints;
         //! Seconds from one frame to the next without setTimestamp(), default 1/30
         CV_PROP_RW double frameInterval;
@@ -240,13 +241,17 @@ public:
 
     A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
     verticals: one of another image, mirrored or constant isn't used. It may show a motion where the image alone
-    doesn't. In a frame of a sequence (Params::sequence) with tracked points the planes must not explain these better
-    than it does. With correctWithMotion() it is used as it is.
+    doesn't. With correctWithMotion() it is used as it is.
+
+    In a frame of a sequence (Params::sequence) with tracked points the planes must not explain these better than the
+    depth of the raw camera does. That of one in metres is what the motion's way, as surely as its speed is known
+    (AckermannMotion::metricCovariance()), makes of it.
      */
     CV_WRAP virtual bool isDepthUsed() const = 0;
 
     /** @brief The depth that the maps of the last image follow: the given one, of a #DEPTH_RELATIVE with the scale and
-    the shift that were found; empty if it wasn't used. */
+    the shift that were found, of a #DEPTH_METRIC with the scale that agrees with tracked points at the motion's speed;
+    empty if it wasn't used. */
     CV_WRAP virtual DepthMap getUsedDepth() const = 0;
 
     /** @brief The segments of the last image and their labels.
