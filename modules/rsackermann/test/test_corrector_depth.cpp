@@ -7,7 +7,7 @@
 #include "test_metric_motion.hpp"
 #include "test_posts_in_street.hpp"
 #include "opencv2/imgproc.hpp"
-#include "../src/warp/depth/depth_unit.hpp"
+#include "../src/warp/maps/maps.hpp"
 
 namespace opencv_test { namespace {
 

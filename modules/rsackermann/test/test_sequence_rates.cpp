@@ -501,24 +501,22 @@ TEST(RSAckermann_RowRates, interrupted)
                 turn->angle = turn->change = angle;
         return fit;
     };
-    const std::function<void(RowRates&)> frames[] = {[&](RowRates& r) { r.update(fitWith(0.2, 0.02), 0.1, 0); },
-                                                     [&](RowRates& r) { r.update(fitWith(0.2, 0.02), 0.1, 0.1); },
-                                                     [&](RowRates& r) { r.update(fitWith(0.2, 0.02), -0.1, -0.1); },
-                                                     [&](RowRates& r) { r.begin(fitWith(0.2, 0.02), 0.1); }};
+    const std::function<void(RowRates&)> frames[] = {[&](RowRates& r) { r.update(fitWith(0.2, 0.02), 0.1, 0, 0); },
+                                                     [&](RowRates& r) { r.update(fitWith(0.2, 0.02), 0.1, 0.1, 0); },
+                                                     [&](RowRates& r) { r.update(fitWith(0.2, 0.02), -0.1, -0.1, 0); },
+                                                     [&](RowRates& r) { r.begin(fitWith(0.2, 0.02), 0.1, 0); }};
     for (const auto& frame : frames)
     {
         RowRates rates;
-        rates.update(fitWith(0.1, 0.01), 0.1, 0);
+        rates.update(fitWith(0.1, 0.01), 0.1, 0, 0);
         frame(rates);
-        AckermannMotion turning, none;
-        rates.toMotion(0.03, turning);
-        EXPECT_GT(turning.covariance(0, 0), 0);
+        EXPECT_GT(yawSigmaOf(rates), 0);
         rates.interrupt();
+        AckermannMotion none;
         rates.toMotion(0.03, none);
         expectSame(AckermannMotion(), none);
         SequenceState same = state;
-        rates.addShownYaw(same);
-        rates.toState(same);
+        rates.toInstant(MotionPrior(), same);
         EXPECT_EQ(state.value, same.value);
         EXPECT_EQ(state.covariance, same.covariance);
     }

@@ -244,6 +244,7 @@ bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBeari
     const std::vector<DeepPoint> points = deepPoints(camera, bearings, planes.values, depth);
     DepthProblem problem(camera, points, GivenScale(camera, motion, depth), planes);
     const Standard& standard = problem.standard;
+    found.points = points.size();
     if (points.size() < LEAST_POINTS || !(standard.sigma > 0))
         return false;
     DepthProblem::State u = problem.start();

@@ -21,6 +21,7 @@ void fitOffset(const RollingShutterCamera& camera, const std::vector<TrackedBear
 //! What points show if a depth takes the place of the planes.
 struct DepthFit
 {
+    size_t points = 0;   //!< whose depth is known
     double yawRate;      //!< rad/s, mean between the frames
     double scale, shift; //!< inverse depths without their sign are scale * RelativeDepth::valueAt() + shift
     Matx33d covariance;  //!< of the yaw rate, and scale and shift

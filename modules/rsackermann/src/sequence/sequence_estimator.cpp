@@ -380,7 +380,9 @@ bool SequenceEstimator::alignDepth(const Mat& segments, const MotionPrior& prior
     DepthFit found;
     DepthMap aligned = depth;
     if (motion.status != MOTION_OK || !fitDepth(camera, features.bearings, last, motion, aligned, found))
-        return false;
+        // Where hardly any point has a depth none speaks against one in metres.
+        return depth.kind == DEPTH_METRIC && found.points < LEAST_POINTS &&
+               rsackermann::alignDepth(camera, params, prior, segments, motion, depth);
     AckermannMotion changed = motion;
     MeasuredTurns turns;
     if (!measure(filter.time, turns)) // a gyro knows the instant, whatever the scene is
