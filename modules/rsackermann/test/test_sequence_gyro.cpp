@@ -557,6 +557,9 @@ TEST(RSAckermann_Gyro, in_the_dark)
         params.sequence = sequence;
         const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(shaking.camera, params);
         corrector->addGyro(times, rates);
+        MotionPrior prior;
+        prior.speedSigma = 0.01;
+        corrector->setPrior(prior);
         corrector->setTimestamp(seconds);
         Mat corrected;
         const AckermannMotion motion = corrector->correct(dark, corrected);
@@ -577,6 +580,24 @@ TEST(RSAckermann_Gyro, in_the_dark)
         magnitude(x, y, distance);
         EXPECT_NEAR(mean(distance)[0], motion.expectedRaw, 0.1 * motion.expectedRaw);
         EXPECT_GT(motion.pitchRateSigma, 0);
+        EXPECT_LT(motion.probabilityWorse, 0.05);
+        // A car that drives displaces what it passes: a turn alone leaves that, and may even add to it.
+        prior.speed = 20;
+        prior.speedSigma = 0.5;
+        corrector->setPrior(prior);
+        corrector->reset();
+        corrector->setTimestamp(seconds);
+        const AckermannMotion driving = corrector->correct(dark, corrected);
+        AckermannMotion still = driving;
+        for (double* const expected : {&still.expectedRaw, &still.expectedResidual, &still.probabilityWorse})
+            *expected = 0;
+        AckermannMotion turned = motion;
+        for (double* const expected : {&turned.expectedRaw, &turned.expectedResidual, &turned.probabilityWorse})
+            *expected = 0;
+        expectSame(turned, still);
+        EXPECT_GT(driving.expectedResidual, motion.expectedRaw);
+        EXPECT_GT(driving.probabilityWorse, 0.2);
+        EXPECT_LT(driving.probabilityWorse, 0.5);
         // An image beyond the samples
         corrector->setTimestamp(10);
         EXPECT_NE(MOTION_OK, corrector->correct(dark, corrected).status);

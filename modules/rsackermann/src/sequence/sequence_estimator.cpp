@@ -59,7 +59,7 @@ AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFr
     if (motion.status == MOTION_TOO_FEW_SEGMENTS)
         expectMotion(prior, motion, labels);
     if (motion.status != MOTION_OK)
-        turnAlone(frame.seconds, motion);
+        turnAlone(frame.seconds, prior, motion);
     return motion;
 }
 
@@ -68,7 +68,7 @@ AckermannMotion SequenceEstimator::estimateSingle(double seconds, const Mat& seg
 {
     AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
     if (motion.status != MOTION_OK)
-        turnAlone(seconds, motion);
+        turnAlone(seconds, prior, motion);
     return motion;
 }
 
@@ -109,40 +109,61 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
     return motion;
 }
 
-// The mean displacement, and what is left of it after the correction as far as the motion isn't known.
-static void expectDisplacement(const DisplacementField& field, const RollingShutterCamera& camera, const Model& model,
-                               double G, double varianceG, const Matx<double, PARAMETERS, PARAMETERS>& covariance,
-                               AckermannMotion& motion)
+// The mean displacement by a motion, and what is left of it after a correction, as far as the motion isn't known.
+static Model expectDisplacement(const DisplacementField& field, const RollingShutterCamera& camera,
+                                const SequenceState& state, bool isTurnAlone, AckermannMotion& motion)
 {
-    DisplacementField::Values displacement;
-    DisplacementField::Variances variances;
+    const double unit = camera.secondsPerUnitTime(), speed = state.value[SEQUENCE_SPEED],
+                 road = state.value[SEQUENCE_ROAD], G = speed * unit * road;
+    Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
+    const Model model = toModel(state.value, unit, &byValues);
+    Matx<double, 1, SEQUENCE_VALUES> roadByValues;
+    roadByValues(0, SEQUENCE_SPEED) = unit * road;
+    roadByValues(0, SEQUENCE_ROAD) = unit * speed;
+    DisplacementField::Values displacement, corrected, none;
+    DisplacementField::Variances variances, exact;
     field.displacement(model, G, displacement);
     field.addTilt(RowTilt(camera, motion), displacement);
-    field.variance(model, G, varianceG, covariance, variances);
+    corrected = displacement;
+    if (isTurnAlone)
+    {
+        Model turn;
+        turn[P_ALPHA] = model[P_ALPHA];
+        field.displacement(turn, 0, corrected);
+        field.addTilt(RowTilt(camera, motion), corrected);
+    }
+    field.variance(model, G, (roadByValues * state.covariance * roadByValues.t())(0),
+                   byValues * state.covariance * byValues.t(), variances);
     field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
-    motion.expectedRaw = DisplacementField::meanDistance(displacement, DisplacementField::Values(), variances);
-    motion.expectedResidual = DisplacementField::meanDistance(displacement, displacement, variances);
+    motion.expectedRaw = DisplacementField::meanDistance(displacement, none, variances);
+    motion.expectedResidual = DisplacementField::meanDistance(displacement, corrected, variances);
+    // Worse if the residual is half of a turn on the other side of it.
+    if (isTurnAlone)
+        motion.probabilityWorse = 0.5 * std::erfc(DisplacementField::meanDistance(corrected, none, exact) /
+                                                  (2 * std::sqrt(2.) * std::max(motion.expectedResidual, DBL_MIN)));
+    return model;
 }
 
-// Where the image shows nothing a gyro still knows how the camera turns. Changed only if that is expected to help.
-void SequenceEstimator::turnAlone(double seconds, AckermannMotion& motion) const
+// Where the image shows nothing a gyro still knows how the camera turns, but not how it moves. Changed only if that is
+// expected to help.
+void SequenceEstimator::turnAlone(double seconds, const MotionPrior& prior, AckermannMotion& motion) const
 {
     MeasuredTurns turns;
     if (!measure(seconds, turns))
         return;
-    const InstantRate& yaw = turns.yaw;
     const double unit = camera.secondsPerUnitTime();
     AckermannMotion turned;
     turned.candidates = motion.candidates;
+    turned.covariance = Matx44d::zeros();
     RowRates turning;
     turning.set(turns);
     turning.toMotion(unit, turned);
-    Model model;
-    model[P_ALPHA] = turned.alpha = yaw.value * unit / 2;
-    turned.covariance = Matx44d::zeros();
-    Matx<double, PARAMETERS, PARAMETERS> covariance = Matx<double, PARAMETERS, PARAMETERS>::zeros();
-    turned.covariance(0, 0) = covariance(P_ALPHA, P_ALPHA) = std::pow(yaw.sigma * unit / 2, 2);
-    expectDisplacement(DisplacementField(camera), camera, model, 0, 0, covariance, turned);
+    turned.alpha = turns.yaw.value * unit / 2;
+    turned.covariance(0, 0) = std::pow(turns.yaw.sigma * unit / 2, 2);
+    SequenceState state(camera, params);
+    state.measure(prior);
+    turning.toInstant(prior, state);
+    expectDisplacement(DisplacementField(camera), camera, state, true, turned);
     if (!(turned.expectedResidual < turned.expectedRaw))
         return;
     motion = turned;
@@ -297,20 +318,10 @@ bool SequenceEstimator::measure(double seconds, MeasuredTurns& turns) const
 // Points aren't spread as pixels are: they show the residual over the displacement.
 Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMotion& motion) const
 {
-    const double unit = camera.secondsPerUnitTime();
-    Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
-    const SequenceVector& value = fit.state.value;
-    const Model model = toModel(value, unit, &byValues);
-    const double G = value[SEQUENCE_SPEED] * unit * value[SEQUENCE_ROAD];
-    Matx<double, 1, SEQUENCE_VALUES> roadByValues;
-    roadByValues(0, SEQUENCE_SPEED) = unit * value[SEQUENCE_ROAD];
-    roadByValues(0, SEQUENCE_ROAD) = unit * value[SEQUENCE_SPEED];
     std::vector<Point2d> places;
     for (size_t i = 0; i < features.bearings.size(); i++)
         places.push_back(features.bearings[i].now);
-    expectDisplacement(DisplacementField(camera, places), camera, model, G,
-                       (roadByValues * fit.state.covariance * roadByValues.t())(0),
-                       byValues * fit.state.covariance * byValues.t(), motion);
+    const Model model = expectDisplacement(DisplacementField(camera, places), camera, fit.state, false, motion);
     motion.expectedResidual = std::hypot(motion.expectedResidual, motion.expectedRaw * fit.residual);
     return model;
 }

@@ -63,7 +63,7 @@ private:
     void updateRates(double before, double after);
     bool measure(double seconds, MeasuredTurns& turns) const;
     void useGyro();
-    void turnAlone(double seconds, AckermannMotion& motion) const;
+    void turnAlone(double seconds, const MotionPrior& prior, AckermannMotion& motion) const;
     Model predictDisplacement(const SequenceFit& fit, AckermannMotion& motion) const;
     void report(const SequenceFit& fit, const std::vector<UprightSegment>& verticals, const MotionPrior& prior,
                 AckermannMotion& motion, Mat& labels) const;
