@@ -229,6 +229,38 @@ TEST(RSAckermann_Gyro, contradictions_are_noticed)
         }
 }
 
+// About an axis that turns less than the others, too.
+TEST(RSAckermann_Gyro, one_axis_with_the_wrong_sign)
+{
+    const double share = 0.4;
+    for (const int axis : {0, 2})
+        for (int seed = 0; seed < 5; seed++)
+        {
+            SCOPED_TRACE(testing::Message() << axis << " " << seed);
+            for (const double sign : {1., -1.})
+            {
+                RNG rng(250 + seed);
+                const Turning turning(rng, 0.3 * DEGREE);
+                const TrueGyro truth = {0, 0, Vec3d(), Vec3d(), 1};
+                const int frames = 60;
+                Mat times, values;
+                measure(turning, truth, frames * INTERVAL, rng, times, values);
+                values.col(axis) *= sign * share;
+                GyroRates gyro;
+                gyro.samples.add(times, values);
+                int used = 0;
+                for (int k = 1; k <= frames; k++)
+                {
+                    TurnOfPoints turn = turnOfPoints(turning, k, 0.3 * DEGREE, rng);
+                    turn.rate[axis] *= share;
+                    gyro.add(turn);
+                    used += k > frames / 4 && !gyro.contradicts();
+                }
+                EXPECT_EQ(sign > 0 ? frames * 3 / 4 : 0, used) << sign;
+            }
+        }
+}
+
 // It is used from then on, and what else is between it and the camera is found anew.
 TEST(RSAckermann_Gyro, another_clock_is_found)
 {

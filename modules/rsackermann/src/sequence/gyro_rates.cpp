@@ -79,7 +79,8 @@ void GyroRates::reset()
     covariance = UnknownsMatrix::diag(prior.mul(prior));
     noise = Vec3d::all(TURN_RATE_NOISE);
     meanTurn = Vec3d();
-    count = left = unexplained = 0;
+    count = 0;
+    left = unexplained = Vec3d();
     unexplainedFrames = 0;
 }
 
@@ -111,10 +112,13 @@ void GyroRates::judge(const TurnOfPoints& turn)
     if (!expected(turn, found.delay, g))
         return;
     const double large = 2 * TURN_RATE_NOISE; // what is left beyond may be wrong points
-    const auto loss = [=](const Vec3d& r) { return large * large * std::log1p(r.dot(r) / (large * large)); };
     const double kept = turns.empty() ? 1 : std::exp(-std::abs(turn.end - turns.back().end) / RATE_MEMORY);
-    left = kept * left + loss(turn.rate - found.toCamera(g, 1));
-    unexplained = kept * unexplained + loss(turn.rate - meanTurn * (count / (count + 1)));
+    const Vec3d with = turn.rate - found.toCamera(g, 1), without = turn.rate - meanTurn * (count / (count + 1));
+    for (int k = 0; k < 3; k++)
+    {
+        left[k] = kept * left[k] + large * large * std::log1p(std::pow(with[k] / large, 2));
+        unexplained[k] = kept * unexplained[k] + large * large * std::log1p(std::pow(without[k] / large, 2));
+    }
     meanTurn = (meanTurn * (kept * count) + turn.rate) * (1 / (kept * count + 1));
     count = kept * count + 1;
 }
@@ -254,15 +258,25 @@ bool GyroRates::findDelay()
     return true;
 }
 
+static double sumOf(const Vec3d& v)
+{
+    return v[0] + v[1] + v[2];
+}
+
 bool GyroRates::contradicts() const
 {
-    const double small = TURN_RATE_NOISE / CONTRADICTION; // about each axis, that it may leave in any case
-    return left > EXPLAINED * unexplained + 3 * small * small * count;
+    // About each axis, that it may leave in any case
+    const double small = std::pow(TURN_RATE_NOISE / CONTRADICTION, 2) * count;
+    // An axis with the wrong sign is lost in the sum of the others.
+    for (int k = 0; k < 3; k++)
+        if (left[k] > unexplained[k] + small)
+            return true;
+    return sumOf(left) > EXPLAINED * sumOf(unexplained) + 3 * small;
 }
 
 bool GyroRates::isWrong() const
 {
-    return contradicts() && turns.size() > DELAY_FRAMES && left > 3 * TURN_RATE_NOISE * TURN_RATE_NOISE * count;
+    return contradicts() && turns.size() > DELAY_FRAMES && sumOf(left) > 3 * TURN_RATE_NOISE * TURN_RATE_NOISE * count;
 }
 
 bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) const

@@ -133,7 +133,7 @@ private:
     Vec3d meanTurn;           // of the points, rad/s
     double count;             // of the turns; those that are forgotten count less
     size_t unexplainedFrames; // in a row, or without samples, since a delay was looked for
-    double left, unexplained; // losses of their predictions with the gyro and without it
+    Vec3d left, unexplained;  // losses of their predictions with the gyro and without it, about each axis
 };
 
 }} // namespace cv::rsackermann
