@@ -130,7 +130,7 @@ TEST_P(EachOptionEffects, of_rsackermann_correct)
     const Arguments focal = {"--focal=816"}, none, delay = {"--focal=816", "--readout=0.0133"},
                     given = delay + Arguments{"--speed=40", "--yaw_rate=3"}, wall = delay + Arguments{"--wall=6"},
                     gyro = delay + Arguments{"--gyro=" + drive + "gyro.csv"},
-                    depth = delay + Arguments{"--speed=40", "--depth=" + drive + "depth/"};
+                    depth = delay + Arguments{"--speed=60", "--depth=" + drive + "depth/"};
     const Flip flips[] = {
         {"camera", (drive + "camera.yml"), {"--pitch=1"}, CHANGES, CHANGES},
         {"focal", "700", {"--readout=0.0133"}, CHANGES, CHANGES},
@@ -164,7 +164,7 @@ TEST_P(EachOptionEffects, of_rsackermann_correct)
         {"gyro", (drive + "gyro.csv"), focal, WARNED, WARNED},
         {"gyro_delay", "0.02", gyro + Arguments{"--log=" + drive + "log.csv"}, CHANGES, CHANGES},
         {"gyro_delay", "0.3", delay, REFUSED, REFUSED},
-        {"depth", (drive + "depth/"), delay + Arguments{"--speed=40"}, CHANGES, CHANGES},
+        {"depth", (drive + "depth/"), delay + Arguments{"--speed=60"}, CHANGES, CHANGES},
         {"depth", (drive + "depth/"), delay, WARNED, WARNED},
         {"depth_kind", "relative", depth, CHANGES, CHANGES},
         {"depth_kind", "relative", delay, REFUSED, REFUSED},
