@@ -170,7 +170,7 @@ TEST_P(EachOptionEffects, of_rsackermann_correct)
         {"depth_kind", "relative", delay, REFUSED, REFUSED},
         {"depth_camera", "corrected", depth, CHANGES, CHANGES},
         {"depth_camera", "corrected", delay, REFUSED, REFUSED},
-        {"depth_scale", "0.002", depth, CHANGES, CHANGES},
+        {"depth_scale", "0.00102", depth, CHANGES, CHANGES},
         {"depth_scale", "0.002", delay, REFUSED, REFUSED},
         {"baseline", "0.3", depth, REFUSED, REFUSED},
         {"baseline", "0.5", depth + Arguments{"--depth_kind=disparity", "--baseline=0.3"}, REFUSED, REFUSED}, // twice
