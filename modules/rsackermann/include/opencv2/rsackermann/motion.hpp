@@ -252,10 +252,13 @@ public:
     CV_WRAP void read(const FileNode& fn);
 
     //! Metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; helps most with
-    //! AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road
+    //! AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road. In a sequence
+    //! wallDistance alone gives the metres, and errors of different images are taken to be independent: one that all
+    //! share comes out with too small a standard deviation
     CV_PROP_RW double speed;
     CV_PROP_RW double speedSigma; //!< standard deviation of speed; 0 (default): not given
-    //! Radians per second, positive to the right; needs RollingShutterCamera::lineDelay
+    //! Radians per second, positive to the right, at the instant of RollingShutterCamera::referenceRow; needs
+    //! RollingShutterCamera::lineDelay
     CV_PROP_RW double yawRate;
     CV_PROP_RW double yawRateSigma; //!< standard deviation of yawRate; 0 (default): not given
     //! Azimuth of the vanishing point of the walls in the upright frame, radians; its column is the tangent
