@@ -342,6 +342,56 @@ TEST_P(Scans, motion_is_found)
     EXPECT_LT(median(left), 0.2);
 }
 
+//! A frame of which 250 points are seen in the one before, while its camera pitches and rolls ever faster or slower.
+std::vector<TrackedBearing> shakenBearings(const Simulator& simulator, double changeSigma, RNG& rng)
+{
+    const double interval = 1. / 30, pitch = rng.gaussian(changeSigma), roll = rng.gaussian(changeSigma);
+    std::vector<TrackedBearing> bearings =
+        bearingsOf(simulator.camera, randomPairs(simulator, interval, 250, 0.3, 0, rng), interval);
+    for (TrackedBearing& b : bearings)
+    {
+        const double seconds = b.timeNow * simulator.camera.secondsPerUnitTime(), x = b.now.x, y = b.now.y;
+        b.now += seconds * (pitch * Point2d(x * y, 1 + y * y) + roll * Point2d(-y, x));
+    }
+    return bearings;
+}
+
+// A pitch rate that changes looks like a road that is nearer: the state is as uncertain as these changes make it.
+TEST_P(Scans, states_of_cameras_that_shake_have_true_sigmas)
+{
+    RNG rng(8);
+    const RollingShutterCamera camera = driveCamera(GetParam());
+    const double size = 20 * DEGREE; // per second
+    int count = 0;
+    double squares[2] = {0, 0}; // of the errors of speeds in sigmas, if changes are expected and if they aren't
+    for (int i = 0; i < 20; i++)
+    {
+        const Truth truth = {rng.uniform(-0.2, 0.2), rng.uniform(6., 14.), rng.uniform(6., 15.), rng.uniform(6., 15.),
+                             0};
+        const Simulator simulator = simulate(camera, truth);
+        SequenceState state = stateOf(camera, truth);
+        state.covariance(SEQUENCE_ROAD, SEQUENCE_ROAD) *= 1e-4; // a speed is as uncertain as the camera's height
+        SequenceState states[2] = {state, state};
+        for (int frame = 0; frame < 10; frame++)
+        {
+            const std::vector<TrackedBearing> bearings = shakenBearings(simulator, size, rng);
+            for (int k = 0; k < 2; k++)
+            {
+                const SequenceState fitted = fitFrame(camera, bearings, std::vector<UprightSegment>(), states[k], false,
+                                                      k == 0 ? Vec2d(size, size) : Vec2d())
+                                                 .state;
+                const double error = fitted.value[SEQUENCE_SPEED] - truth.speed;
+                squares[k] += error * error / fitted.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED);
+                states[k] = fitted;
+                states[k].predict(1. / 30);
+            }
+            count++;
+        }
+    }
+    EXPECT_LT(squares[0], count);
+    EXPECT_GT(squares[1], 1.5 * count);
+}
+
 INSTANTIATE_TEST_CASE_P(RSAckermann_Sequence, Scans, testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
 
 TEST(RSAckermann_Sequence, rest_is_rest)

@@ -138,6 +138,8 @@ TEST_P(RSAckermann_WanderingRate, has_a_true_sigma)
                 within[i][n] += std::abs(rates[i].value - rows[k]) < (n + 1) * rates[i].sigma;
         count++;
     }
+    const double change = 0.01 * std::sqrt(double(steps));
+    EXPECT_NEAR(change, process.expectedChange(1), 0.1 * change);
     for (int i = 0; i < 2; i++)
         for (int n = 0; n < 2; n++)
         {
@@ -197,6 +199,7 @@ TEST(RSAckermann_RowRates, nothing_is_known_at_first)
     EXPECT_EQ(0, process.now(0).value);
     EXPECT_EQ(0, process.now(0).sigma);
     EXPECT_EQ(0, process.now(1, 0, 0.5, 0).value);
+    EXPECT_EQ(2, process.expectedChange(2));
     process.add(InstantRate(0.3), 0, INTERVAL);
     EXPECT_EQ(0, process.now(0).value); // how much it changes isn't known
     EXPECT_NEAR(0.4, process.now(0.5, 0, 0.5, 0).value, 1e-15);
@@ -260,6 +263,8 @@ TEST(RSAckermann_RowRates, first_changes_are_as_large_as_other_rates)
         RowRates rates;
         rates.begin(turnsToNextFrame(0.03, -0.04), interval, 0);
         EXPECT_NEAR(0.5 / std::sqrt(2.), yawSigmaOf(rates), 1e-12);
+        for (int axis = 0; axis < 2; axis++)
+            EXPECT_NEAR(0.5 * std::sqrt(1.5), rates.expectedChanges(interval)[axis], 1e-12);
         // The next frame knows no change yet; then those that are seen count as well.
         SequenceFit fit = turnsToNextFrame(0, 0);
         rates.update(fit, interval, 0, 0);

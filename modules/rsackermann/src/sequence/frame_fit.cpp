@@ -150,6 +150,28 @@ public:
         }
     }
 
+    // That of a fit which leaves out changes of the rates of pitch and roll (doc/theory.md, "Rates of rows").
+    FlowEquations::Matrix covarianceWith(const Vec2d& changes, const Minimum& m) const
+    {
+        enum { TURNS = FLOW_YAW_CHANGE - FLOW_PITCH_BEFORE, ALL = FLOW_VALUES + TURNS };
+        NormalEquations<ALL> equations;
+        rsackermann::addPoints<ALL>(
+            bearings, pointWeights, 1,
+            [&](const TrackedBearing& s, Eigen::Matrix<double, ALL, 2>& J) {
+                FlowGradient byValues;
+                const Point2d r = residual.evaluate(s, m.at.data(), byValues.data());
+                J << byValues, s.timeNow * unit * byValues.template middleRows<TURNS>(FLOW_PITCH_BEFORE);
+                return r;
+            },
+            equations);
+        const FlowEquations::Matrix covariance = scaledInverse(m.equations.symmetric());
+        Eigen::Matrix<double, FLOW_VALUES, TURNS> byChange =
+            covariance * equations.information.template bottomLeftCorner<TURNS, FLOW_VALUES>().transpose();
+        for (int i = 0; i < TURNS; i++)
+            byChange.col(i) *= changes[i % 2];
+        return covariance + byChange * byChange.transpose();
+    }
+
     const std::vector<TrackedBearing>& bearings;
     const FlowResidual residual;
     Unknowns expected = Unknowns::Zero();
@@ -210,7 +232,7 @@ double expect(const FrameFitProblem& problem, const Unknowns& u, double focal, S
 
 SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
                      const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
-                     bool isUninitialised)
+                     bool isUninitialised, const Vec2d& changes)
 {
     const double enough = 0.5; // of the points agree
     FrameFitProblem problem(camera, bearings, verticals, prediction);
@@ -241,7 +263,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
     }
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     problem.measureTurns(best.at, fit.before, fit.after);
-    const FlowEquations::Matrix covariance = scaledInverse(best.equations.symmetric());
+    const FlowEquations::Matrix covariance = problem.covarianceWith(changes, best);
     std::copy(best.at.data(), best.at.data() + SEQUENCE_VALUES, fit.state.value.val);
     Eigen::Map<StateMatrix>(fit.state.covariance.val) =
         covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>().transpose();

@@ -44,10 +44,11 @@ the verticals of the present one, together with the state of the frames before (
 @param prediction of the state at the present frame.
 @param isUninitialised whether the prediction is hardly more than the usual values: motions that differ from it are
 tried, too.
+@param changes expected changes of the rates of pitch and roll from frame to frame, rad/s.
 */
 SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
                      const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
-                     bool isUninitialised);
+                     bool isUninitialised, const Vec2d& changes = Vec2d());
 
 }} // namespace cv::rsackermann
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "frame_terms.hpp"
 #include "row_rates.hpp"
 
 namespace cv { namespace rsackermann {
@@ -118,6 +119,12 @@ double RateProcess::aboutMeans(double read) const
     return pairs > 0 ? std::sqrt(variance(changes / pairs, varianceOfMeans(read), shownVarianceOfMeans(read), 0)) : 0;
 }
 
+// A rate that wanders changes more than means of it.
+double RateProcess::expectedChange(double usual) const
+{
+    return pairs > 0 ? std::sqrt(1.5 * std::max(changes / pairs - 2 * noise, 0.)) : usual;
+}
+
 void RateProcess::expectChange(double square)
 {
     if (pairs > 0 || !(square > 0))
@@ -186,6 +193,9 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
         process.add(InstantRate(sign * ofLast.angle / past, ofLast.sigma / past), ofLast.change, before);
         return after != 0 ? process.now(-sign * ofNext.angle / future, ofNext.change, share, read) : process.now(read);
     };
+    const double square = (std::pow(last.pitch.angle, 2) + std::pow(last.roll.angle, 2)) / (past * past);
+    pitch.expectChange(square);
+    roll.expectChange(square);
     pitchNow = follow(pitch, last.pitch, next.pitch);
     rollNow = follow(roll, last.roll, next.roll);
 
@@ -214,8 +224,17 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
 {
     interrupt();
     const double ofPitch = fit.after.pitch.angle / after, ofRoll = fit.after.roll.angle / after;
-    yaw.expectChange(steering * std::abs(after) + ofPitch * ofPitch + ofRoll * ofRoll);
+    const double square = ofPitch * ofPitch + ofRoll * ofRoll;
+    pitch.expectChange(square);
+    roll.expectChange(square);
+    yaw.expectChange(steering * std::abs(after) + square);
     yawBeyond.sigma = yawAboutFit(0, after, readOut);
+}
+
+Vec2d RowRates::expectedChanges(double interval) const
+{
+    const double usual = std::sqrt(2.) * TURN_SIGMA / std::abs(interval);
+    return Vec2d(pitch.expectedChange(usual), roll.expectedChange(usual));
 }
 
 void RowRates::set(const MeasuredTurns& measured)

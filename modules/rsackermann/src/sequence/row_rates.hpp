@@ -61,6 +61,10 @@ public:
     //! The same above the mean of both sides.
     double beyondMeans(double changeToNext, double share) const;
 
+    /** Standard deviation of the change of the rate from frame to frame.
+    @param usual that of a camera of which nothing is known. */
+    double expectedChange(double usual) const;
+
     //! Standard deviation of the rate at the present frame about the true last mean, with what rows show.
     double aboutLast(double read) const;
 
@@ -121,6 +125,9 @@ public:
     @param after seconds to the next frame.
     @param readOut seconds in which a frame is read. */
     void begin(const SequenceFit& fit, double after, double readOut);
+
+    //! Standard deviations of the changes of the rates of pitch and roll from frame to frame, rad/s.
+    Vec2d expectedChanges(double interval) const;
 
     //! Of the present frame, by a gyro.
     void set(const MeasuredTurns& measured);

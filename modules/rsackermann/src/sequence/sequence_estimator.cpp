@@ -217,7 +217,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     }
     selectCandidates(segments, camera, params, features.verticals, features.others);
     AckermannMotion compared;
-    if (!update(prior, yawAboutFit, compared))
+    if (!update(prior, yawAboutFit, rates.expectedChanges(follows ? passed : after), compared))
     {
         resetState();
         return false;
@@ -238,10 +238,11 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
 
 // Goes by the frames alone if no motion is near what is given, or they contradict it. Returns whether they show one of
 // this scene.
-bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, AckermannMotion& motion)
+bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, const Vec2d& changes,
+                               AckermannMotion& motion)
 {
-    const bool isSeen = isAided && unaided.update(features, camera, params, alone),
-               isNear = filter.update(features, camera, params, last);
+    const bool isSeen = isAided && unaided.update(features, camera, params, alone, changes),
+               isNear = filter.update(features, camera, params, last, changes);
     if (!isSeen)
     {
         alone = last;

@@ -53,7 +53,7 @@ public:
 private:
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
-    bool update(const MotionPrior& prior, double yawAboutFit, AckermannMotion& motion);
+    bool update(const MotionPrior& prior, double yawAboutFit, const Vec2d& changes, AckermannMotion& motion);
     void compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, double yawAboutFit,
                          AckermannMotion& motion) const;
     AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
