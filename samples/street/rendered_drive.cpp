@@ -25,8 +25,13 @@ void RenderedDrive::advance()
     eye.roll = mounted.roll + sway[0](seconds_);
     eye.pitch = mounted.pitch + sway[1](seconds_);
     scene.wallDirection = mounted.heading - yaw;
-    scene.left = hasWall(0) ? start.left + scene.sideways : 0;
-    scene.right = hasWall(1) ? start.right - scene.sideways : 0;
+    // The road stays where it is, whether or not walls stand beside it.
+    const double edges[2] = {start.left > 0 ? start.left : StreetScene().left,
+                             start.right > 0 ? start.right : StreetScene().right};
+    scene.edges[0] = edges[0] + scene.sideways;
+    scene.edges[1] = edges[1] - scene.sideways;
+    scene.left = hasWall(0) ? scene.edges[0] : 0;
+    scene.right = hasWall(1) ? scene.edges[1] : 0;
 }
 
 StreetRenderer RenderedDrive::next()

@@ -67,8 +67,8 @@ cv::Matx44d viewMatrix(const StreetCamera& camera, const StreetScene& scene)
 }
 
 StreetScene::StreetScene()
-    : yawRate(0), speed(0), left(2.5), right(3), wallDirection(0), travelled(0), sideways(0), seed(0), clutter(0),
-      stagger(0), obstacles(0), stains(0), noise(1), frame(0)
+    : yawRate(0), speed(0), left(2.5), right(3), edges{0, 0}, wallDirection(0), travelled(0), sideways(0), seed(0),
+      clutter(0), stagger(0), obstacles(0), stains(0), noise(1), frame(0)
 {
 }
 
@@ -179,10 +179,15 @@ cv::Vec3d StreetRenderer::directionAt(int plane, const cv::Vec3d& v) const
     return cv::Vec3d(along_.dot(v), plane == 1 ? -side : side, -v[1]);
 }
 
+double StreetRenderer::leftEdge() const
+{
+    return scene_.left > 0 ? scene_.left : scene_.edges[0];
+}
+
 cv::Vec3d StreetRenderer::placeAt(int plane, const cv::Vec3d& v) const
 {
     const double side = across_.dot(v);
-    return cv::Vec3d(along_.dot(v) + scene_.travelled, plane == 1 ? -side - scene_.left : side - scene_.right,
+    return cv::Vec3d(along_.dot(v) + scene_.travelled, plane == 1 ? -side - leftEdge() : side - scene_.right,
                      camera_.height - v[1]);
 }
 
@@ -198,8 +203,8 @@ cv::Vec3f StreetRenderer::colour(const cv::Vec3d& origin, const cv::Vec3d& ray) 
     const double metres = hit.distance * cv::norm(ray), footprint = metres / camera_.fx;
     cv::Vec3f paint;
     if (hit.plane == 3)
-        paint = sampleRoad(along_.dot(place) + scene_.travelled, across_.dot(place) + scene_.left,
-                           scene_.left + scene_.right, footprint);
+        paint = sampleRoad(along_.dot(place) + scene_.travelled, across_.dot(place) + leftEdge(),
+                           leftEdge() + (scene_.right > 0 ? scene_.right : scene_.edges[1]), footprint);
     else if (!(hit.plane == 1 ? left_ : right_).sample(hit.surface, placeAt(hit.plane, place), footprint, paint))
         return sky;
     if (scene_.stains > 0)

@@ -35,6 +35,7 @@ struct StreetScene
     double yawRate;       //!< radians per second, positive to the right
     double speed;         //!< metres per second, negative in reverse
     double left, right;   //!< metres to the walls, 0: there is none
+    double edges[2];      //!< metres to the left and right edge of the road where there is no wall
     double wallDirection; //!< radians from the optical axis to the direction along the walls
     //! Metres along the walls from where the street begins: frames of a drive have the same street
     double travelled;
@@ -128,6 +129,7 @@ private:
     // In the terms of the side of the street of a plane.
     cv::Vec3d directionAt(int plane, const cv::Vec3d& v) const;
     cv::Vec3d placeAt(int plane, const cv::Vec3d& v) const;
+    double leftEdge() const; // of the road, metres
 
     StreetCamera camera_;
     StreetScene scene_;

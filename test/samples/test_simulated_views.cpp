@@ -13,12 +13,13 @@ namespace opencv_test { namespace {
 using nlohmann::json;
 
 // A camera that looks half to the right, shakes and reads its rows at nearly the same instant.
-Outcome simulateDrive(const std::string& output, const Arguments& options, int frames = 12)
+Outcome simulateDrive(const std::string& output, const Arguments& options, int frames = 12,
+                      const Arguments& walls = {"--left=6", "--right=6"})
 {
     return simulate(Arguments{"--output=" + output, cv::format("--frames=%d", frames), "--size=160x95", "--focal=150",
-                              "--samples=2", "--speed=30", "--left=6", "--right=6", "--heading=-45", "--noise=0",
-                              "--rays=staggered", "--shake=phone"} +
-                    options);
+                              "--samples=2", "--speed=30", "--heading=-45", "--noise=0", "--rays=staggered",
+                              "--shake=phone"} +
+                    walls + options);
 }
 
 std::vector<json> truthOf(const std::string& folder)
@@ -75,6 +76,53 @@ TEST(SimulatedViews, poses_and_depths_of_frames_agree)
     EXPECT_NEAR(1.2, road[1], 0.01);
     EXPECT_GT(seen, 3000);
     EXPECT_GT(agreeing, 0.98 * seen);
+}
+
+// How much the road's colours in the last frame differ from those at the same places in the first one.
+double changeOfRoad(const std::string& folder)
+{
+    const std::vector<json> truth = truthOf(folder);
+    const json &first = truth.front(), &last = truth.back();
+    const cv::Mat1d depth = depthOf(folder, first);
+    const auto image = [&](const json& frame) {
+        cv::Mat3b colours = cv::imread(folder + "/frames/" + frame["file"].get<std::string>());
+        cv::GaussianBlur(colours, colours, cv::Size(), 1);
+        return colours;
+    };
+    const cv::Mat3b before = image(first), after = image(last);
+    const double focal = 150, cx = 79.5, cy = 47;
+    double sum = 0;
+    int count = 0;
+    for (int y = 60; y < depth.rows; y++)
+        for (int x = 0; x < depth.cols; x++)
+        {
+            const double z = depth(y, x);
+            const cv::Vec4d ray((x - cx) / focal * z, (y - cy) / focal * z, z, 1),
+                place = viewOf(last) * viewOf(first).inv() * ray;
+            const cv::Point there(cvRound(place[0] / place[2] * focal + cx), cvRound(place[1] / place[2] * focal + cy));
+            if (std::abs((viewOf(first).inv() * ray)[1] - 1.2) > 0.02 || place[2] <= 0 ||
+                !cv::Rect(cv::Point(), depth.size()).contains(there))
+                continue;
+            sum += cv::norm(cv::Vec3d(before(y, x)) - cv::Vec3d(after(there)));
+            count++;
+        }
+    EXPECT_GT(count, 200);
+    return sum / count;
+}
+
+// The road stays where it is beside a car that weaves, whether or not there are walls.
+TEST(SimulatedViews, road_without_walls)
+{
+    const TemporaryFolder folder;
+    const Arguments drive = {"--readout=1e-7", "--depth"};
+    ASSERT_EQ(0, simulateDrive(folder / "walls", drive, 30).exitCode);
+    const double expected = changeOfRoad(folder / "walls");
+    for (const Arguments& walls : {Arguments{"--left=0", "--right=6"}, Arguments{"--left=6", "--right=0"}})
+    {
+        ASSERT_EQ(0, simulateDrive(folder / walls[0], drive, 30, walls).exitCode);
+        const double change = changeOfRoad(folder / walls[0]);
+        EXPECT_LT(change, 1.2 * expected) << walls[0];
+    }
 }
 
 // The camera begins at the origin of the street and drives along it.
