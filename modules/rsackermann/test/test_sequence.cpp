@@ -363,7 +363,8 @@ TEST_P(Scans, states_of_cameras_that_shake_have_true_sigmas)
     const RollingShutterCamera camera = driveCamera(GetParam());
     const double size = 20 * DEGREE; // per second
     int count = 0;
-    double squares[2] = {0, 0}; // of the errors of speeds in sigmas, if changes are expected and if they aren't
+    // Squares of the errors of speeds, and the same in sigmas, if changes are expected and if they aren't
+    double errors[2] = {0, 0}, squares[2] = {0, 0};
     for (int i = 0; i < 20; i++)
     {
         const Truth truth = {rng.uniform(-0.2, 0.2), rng.uniform(6., 14.), rng.uniform(6., 15.), rng.uniform(6., 15.),
@@ -381,6 +382,7 @@ TEST_P(Scans, states_of_cameras_that_shake_have_true_sigmas)
                                                       k == 0 ? Vec2d(size, size) : Vec2d())
                                                  .state;
                 const double error = fitted.value[SEQUENCE_SPEED] - truth.speed;
+                errors[k] += error * error;
                 squares[k] += error * error / fitted.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED);
                 states[k] = fitted;
                 states[k].predict(1. / 30);
@@ -388,6 +390,7 @@ TEST_P(Scans, states_of_cameras_that_shake_have_true_sigmas)
             count++;
         }
     }
+    EXPECT_LT(errors[0], 0.5 * errors[1]);
     EXPECT_LT(squares[0], count);
     EXPECT_GT(squares[1], 1.5 * count);
 }
@@ -474,6 +477,39 @@ TEST(RSAckermann_Sequence, own_car_is_no_other_scene)
         EXPECT_NEAR(0.9, fit.agreeing, 0.06) << stillPoints;
         EXPECT_TRUE(fit.moves) << stillPoints;
         EXPECT_NEAR(truth.yawRate, fit.state.value[SEQUENCE_YAW_RATE], 0.5 * DEGREE) << stillPoints;
+    }
+}
+
+// Nor is a dashboard, which hides the road but for a strip of it.
+TEST(RSAckermann_Sequence, dashboard_is_no_distant_road)
+{
+    RNG rng(13);
+    const RollingShutterCamera camera = driveCamera();
+    const double seconds = 1. / 30, edge = 380;
+    const Truth truth = {0.1, 11, 6, 8, 0};
+    for (const int stillPoints : {0, 60, 100})
+    {
+        SequenceFilter filter(camera, AckermannEstimator::Params());
+        for (int frame = 0; frame < 10; frame++)
+        {
+            std::vector<PointPair> pairs;
+            for (const PointPair& pair : randomPairs(simulate(camera, truth), seconds, 250, 0.3, 0.1, rng))
+                if (pair.now.y < edge)
+                    pairs.push_back(pair);
+            for (int k = 0; k < stillPoints; k++)
+            {
+                const Point2d at = uniformPoint(rng, Point2d(0, edge), Point2d(960, 540));
+                pairs.push_back({at + gaussianPoint(rng, 0.1), at});
+            }
+            FrameFeatures features;
+            features.bearings = bearingsOf(camera, pairs, seconds);
+            filter.advance(frame * seconds, camera, AckermannEstimator::Params());
+            SequenceFit fit(filter.state);
+            ASSERT_TRUE(filter.update(features, camera, AckermannEstimator::Params(), fit)) << stillPoints;
+            EXPECT_TRUE(fit.moves) << stillPoints;
+            EXPECT_NEAR(truth.speed, fit.state.value[SEQUENCE_SPEED], 2) << stillPoints << ", frame " << frame;
+            EXPECT_NEAR(truth.yawRate, fit.state.value[SEQUENCE_YAW_RATE], 1 * DEGREE) << stillPoints;
+        }
     }
 }
 

@@ -10,20 +10,6 @@
 
 namespace cv { namespace rsackermann {
 
-std::vector<TrackedBearing> withoutOwnCar(const RollingShutterCamera& camera,
-                                          const std::vector<TrackedBearing>& bearings, const double* values)
-{
-    const FlowResidual residual(camera);
-    std::vector<TrackedBearing> kept;
-    for (size_t i = 0; i < bearings.size(); i++)
-    {
-        const Point2d r = residual.evaluate(bearings[i], values, 0) / POINT_SIGMA;
-        if (!isOfOwnCar(bearings[i], r.dot(r)))
-            kept.push_back(bearings[i]);
-    }
-    return kept;
-}
-
 namespace {
 
 typedef NormalEquations<FLOW_VALUES> FlowEquations;
@@ -150,8 +136,9 @@ public:
         }
     }
 
-    // That of a fit which leaves out changes of the rates of pitch and roll (doc/theory.md, "Rates of rows").
-    FlowEquations::Matrix covarianceWith(const Vec2d& changes, const Minimum& m) const
+    // The state of a minimum, beside changes of the rates of pitch and roll (doc/theory.md, "Rates of rows").
+    // @param changes their standard deviations.
+    void setState(const Minimum& m, const Vec2d& changes, SequenceState& state) const
     {
         enum { TURNS = FLOW_YAW_CHANGE - FLOW_PITCH_BEFORE, ALL = FLOW_VALUES + TURNS };
         NormalEquations<ALL> equations;
@@ -160,16 +147,26 @@ public:
             [&](const TrackedBearing& s, Eigen::Matrix<double, ALL, 2>& J) {
                 FlowGradient byValues;
                 const Point2d r = residual.evaluate(s, m.at.data(), byValues.data());
-                J << byValues, s.timeNow * unit * byValues.template middleRows<TURNS>(FLOW_PITCH_BEFORE);
+                J << byValues, s.timeNow * unit * byValues.middleRows<TURNS>(FLOW_PITCH_BEFORE);
                 return r;
             },
             equations);
-        const FlowEquations::Matrix covariance = scaledInverse(m.equations.symmetric());
-        Eigen::Matrix<double, FLOW_VALUES, TURNS> byChange =
-            covariance * equations.information.template bottomLeftCorner<TURNS, FLOW_VALUES>().transpose();
-        for (int i = 0; i < TURNS; i++)
-            byChange.col(i) *= changes[i % 2];
-        return covariance + byChange * byChange.transpose();
+        // All of the changes in standard deviations, which may be 0.
+        typedef Eigen::Matrix<double, TURNS, TURNS> TurnMatrix;
+        const Eigen::Vector4d sigmas(changes[0], changes[1], changes[0], changes[1]);
+        const FlowEquations::Matrix P = scaledInverse(m.equations.symmetric());
+        const Eigen::Matrix<double, TURNS, FLOW_VALUES> C =
+            sigmas.asDiagonal() * equations.information.bottomLeftCorner<TURNS, FLOW_VALUES>();
+        const TurnMatrix D = sigmas.asDiagonal() * equations.symmetric().bottomRightCorner<TURNS, TURNS>() *
+                             sigmas.asDiagonal(),
+                         K = scaledInverse<TurnMatrix>(TurnMatrix::Identity() + D - C * P * C.transpose());
+        const Unknowns x = m.at + P * C.transpose() * K * sigmas.asDiagonal() * equations.gradient.tail<TURNS>();
+        const FlowEquations::Matrix covariance = P + P * C.transpose() * K * C * P;
+        std::copy(x.data(), x.data() + SEQUENCE_VALUES, state.value.val);
+        for (int i = SEQUENCE_LEFT; i <= SEQUENCE_ROAD; i++)
+            state.value[i] = std::max(state.value[i], 0.);
+        Eigen::Map<StateMatrix>(state.covariance.val) =
+            covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>().transpose();
     }
 
     const std::vector<TrackedBearing>& bearings;
@@ -228,15 +225,10 @@ double expect(const FrameFitProblem& problem, const Unknowns& u, double focal, S
     return problem.bearings.empty() ? 0 : double(share.count) / double(problem.bearings.size());
 }
 
-} // namespace
-
-SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
-                     const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
-                     bool isUninitialised, const Vec2d& changes)
+// From the predicted state and, if that tells little or its neighbourhood explains little, from other motions.
+Minimum search(FrameFitProblem& problem, double focal, bool isUninitialised, SequenceFit& fit)
 {
     const double enough = 0.5; // of the points agree
-    FrameFitProblem problem(camera, bearings, verticals, prediction);
-    SequenceFit fit(prediction);
     const Unknowns& u = problem.expected;
     Minimum best = problem.refine(u, true);
     if (!isUninitialised)
@@ -246,7 +238,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
         if (nearby.equations.cost < best.equations.cost)
             best = nearby;
     }
-    const double share = expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
+    const double share = expect(problem, best.at, focal, fit);
     if (isUninitialised || share < enough)
     {
         const double speeds[] = {0, 10, 10, -3}, walls[] = {0.1, 0.2, 0.08, 0.1}; // m/s, 1/m
@@ -259,15 +251,40 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
             if (other.equations.cost < best.equations.cost)
                 best = other;
         }
-        expect(problem, best.at, camera.cameraMatrix(0, 0), fit);
+        expect(problem, best.at, focal, fit);
     }
+    return best;
+}
+
+// A minimum as the fit of a frame.
+SequenceFit toFit(const FrameFitProblem& problem, const Minimum& best, const Vec2d& changes, SequenceFit fit)
+{
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     problem.measureTurns(best.at, fit.before, fit.after);
-    const FlowEquations::Matrix covariance = problem.covarianceWith(changes, best);
-    std::copy(best.at.data(), best.at.data() + SEQUENCE_VALUES, fit.state.value.val);
-    Eigen::Map<StateMatrix>(fit.state.covariance.val) =
-        covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>().transpose();
+    problem.setState(best, changes, fit.state);
     return fit;
+}
+
+} // namespace
+
+SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
+                     const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
+                     bool isUninitialised, const Vec2d& changes)
+{
+    const double focal = camera.cameraMatrix(0, 0);
+    FrameFitProblem problem(camera, bearings, verticals, prediction);
+    SequenceFit fit(prediction), other(prediction);
+    const Minimum best = search(problem, focal, isUninitialised, fit);
+    double cost;
+    const std::vector<TrackedBearing> above = aboveOwnCar(bearings, focal, cost);
+    if (fit.moves && above.size() < bearings.size())
+    {
+        FrameFitProblem ofScene(camera, above, verticals, prediction);
+        const Minimum scene = search(ofScene, focal, isUninitialised, other);
+        if (scene.equations.cost + cost < best.equations.cost)
+            return toFit(ofScene, scene, changes, other);
+    }
+    return toFit(problem, best, changes, fit);
 }
 
 }} // namespace cv::rsackermann

@@ -33,6 +33,10 @@ inline bool isOfOwnCar(const TrackedBearing& point, double squared)
 std::vector<TrackedBearing> withoutOwnCar(const RollingShutterCamera& camera,
                                           const std::vector<TrackedBearing>& bearings, const double* values);
 
+/** Those above a part of the car that is seen at the lower border, below the horizon, where most of the points stand
+still. @param cost of what stands still there, in place of that of its residuals. */
+std::vector<TrackedBearing> aboveOwnCar(const std::vector<TrackedBearing>& bearings, double focal, double& cost);
+
 //! The residual over the displacement as points show it; those that don't move with the scene don't count.
 struct ResidualShare
 {
