@@ -14,7 +14,7 @@ namespace cv { namespace rsackermann {
 
 SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
                                      const Ptr<AckermannEstimator>& single_)
-    : camera(camera_), params(params_), single(single_), filter(camera_, params_), unaided(filter), isAided(false),
+    : camera(camera_), params(params_), single(single_), filter(camera_, params_),
       rates(RowRates::usualSteering(params_)), last(filter.state), alone(filter.state),
       seen(std::numeric_limits<double>::quiet_NaN())
 {
@@ -30,12 +30,12 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
     camera = camera_;
     params = params_;
     filter.state.change(camera, params, kept);
-    unaided.state.change(camera, params, kept);
 }
 
 void SequenceEstimator::reset()
 {
     features.reset();
+    image.release();
     gyro.reset();
     filter.hasFrame = false;
     resetState();
@@ -44,16 +44,44 @@ void SequenceEstimator::reset()
 void SequenceEstimator::resetState()
 {
     filter.reset(camera, params);
-    isAided = false;
     rates = RowRates(RowRates::usualSteering(params));
     seen = std::numeric_limits<double>::quiet_NaN();
+}
+
+static bool isSame(const GrayFrame& frame, const Mat& other)
+{
+    return frame.gray.size() == other.size() && !other.empty() && norm(frame.gray, other, NORM_INF) == 0;
 }
 
 AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                             const MotionPrior& prior, Mat& labels)
 {
+    // The same image again has the same motion. By when the car has gone on isn't known then.
+    if (isSame(frame, image) && segments.rows == labelsOfImage.rows)
+    {
+        labels = labelsOfImage.clone();
+        isRepeated = motionOfImage.status == MOTION_OK;
+        return motionOfImage;
+    }
+    motionOfImage = estimateNew(frame, isSame(frame, next.gray) ? GrayFrame() : next, segments, prior, labels);
+    labelsOfImage = labels.clone();
+    frame.gray.copyTo(image);
+    isRepeated = false;
+    return motionOfImage;
+}
+
+AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                                               const MotionPrior& prior, Mat& labels)
+{
     AckermannMotion motion;
+    if (isRepeated)
+        features.reset();
     if (estimateFromPoints(frame, next, segments, prior, motion, labels))
+        return motion;
+    labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
+    if (isRepeated)
+        expectMotion(prior, motion, labels);
+    if (motion.status == MOTION_OK)
         return motion;
     motion = estimateAlone(frame.seconds, segments, prior, labels);
     if (motion.status == MOTION_TOO_FEW_SEGMENTS)
@@ -171,6 +199,11 @@ void SequenceEstimator::turnAlone(double seconds, const MotionPrior& prior, Acke
     motion.model = MODEL_1LA;
 }
 
+static bool isGiven(const MotionPrior& prior)
+{
+    return prior.yawRateSigma > 0 || prior.speedSigma > 0 || prior.wallDirectionSigma > 0;
+}
+
 // What is given, unless it contradicts what is seen.
 static MotionPrior usable(const MotionPrior& prior, const AckermannMotion& compared)
 {
@@ -190,34 +223,20 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     const double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
         reset();
-    if (!isAided && (prior.yawRateSigma > 0 || prior.speedSigma > 0))
-    {
-        unaided = filter;
-        isAided = true;
-    }
     const bool follows = filter.advance(frame.seconds, camera, params);
-    if (isAided)
-        unaided.advance(frame.seconds, camera, params);
     features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, next);
     const bool hasPoints = features.bearings.size() >= LEAST_POINTS;
     const double before = follows ? passed : 0, after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
-    // Points show means, and a given yaw rate is that of the instant.
-    const double yawAboutFit = hasPoints ? rates.yawAboutFit(before, after, readOut(camera)) : 0;
-    MotionPrior ofFit = prior, others = prior;
-    if (prior.yawRateSigma > 0)
-        ofFit.yawRateSigma = std::hypot(prior.yawRateSigma, yawAboutFit);
-    filter.state.measure(ofFit);
-    others.yawRateSigma = others.speedSigma = 0;
-    unaided.state.measure(others);
     if (!hasPoints)
     {
-        if (follows && features.hasManyPoints())
+        if (follows && !isRepeated && features.hasManyPoints())
             resetState();
         return false;
     }
     selectCandidates(segments, camera, params, features.verticals, features.others);
     AckermannMotion compared;
-    if (!update(prior, yawAboutFit, rates.expectedChanges(follows ? passed : after), compared))
+    if (!update(prior, rates.yawAboutFit(before, after, readOut(camera)),
+                rates.expectedChanges(follows ? passed : after), compared))
     {
         resetState();
         return false;
@@ -236,24 +255,27 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     return true;
 }
 
-// Goes by the frames alone if no motion is near what is given, or they contradict it. Returns whether they show one of
-// this scene.
+// What is given counts in its own frame alone: its error may be that of all frames. Goes by the frames alone if no
+// motion is near what is given, or they contradict it. Returns whether they show one of this scene.
 bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, const Vec2d& changes,
                                AckermannMotion& motion)
 {
-    const bool isSeen = isAided && unaided.update(features, camera, params, alone, changes),
-               isNear = filter.update(features, camera, params, last, changes);
+    SequenceFilter aided = filter;
+    const bool isSeen = filter.update(features, camera, params, alone, changes);
+    last = alone;
+    if (!isGiven(prior))
+        return isSeen;
+    // Points show means, and a given yaw rate is that of the instant.
+    MotionPrior ofFit = prior;
+    if (prior.yawRateSigma > 0)
+        ofFit.yawRateSigma = std::hypot(prior.yawRateSigma, yawAboutFit);
+    aided.state.measure(ofFit);
+    const bool isNear = aided.update(features, camera, params, last, changes);
     if (!isSeen)
-    {
-        alone = last;
         return isNear;
-    }
     compareWithSeen(alone, prior, yawAboutFit, motion);
     if (!isNear || motion.contradictsPrior)
-    {
-        filter = unaided;
         last = alone;
-    }
     return true;
 }
 
@@ -370,13 +392,10 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
     rates.interrupt();
     useGyro();
     SequenceFit expected = last;
-    expected.state = unaided.state;
-    AckermannMotion result;
-    if (isAided)
-        compareWithSeen(expected, prior, 0, result);
-    if (result.contradictsPrior)
-        filter = unaided;
     expected.state = filter.state;
+    AckermannMotion result;
+    compareWithSeen(expected, prior, 0, result);
+    expected.state.measure(usable(prior, result));
     report(expected, std::vector<UprightSegment>(), usable(prior, result), result, labels);
     if (result.status != MOTION_OK)
         return;
@@ -425,16 +444,17 @@ AckermannMotion SequenceEstimator::estimateAlone(double seconds, const Mat& segm
     MotionPrior prior = given;
     if (!filter.isUninitialised)
     {
-        // A given yaw rate is in the state already.
-        prior.yawRate = state.value[SEQUENCE_YAW_RATE];
-        prior.yawRateSigma = std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
+        SequenceState expected = state;
+        expected.measure(given);
+        prior.yawRate = expected.value[SEQUENCE_YAW_RATE];
+        prior.yawRateSigma = std::sqrt(expected.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
     }
     AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
     if (!filter.isUninitialised)
         compareAgain(prior, given, motion);
     double yawRate;
     // An unknown gravity misleads all frames in the same way: they can't confirm one another.
-    if (params.gravitySigma > 0 || motion.status != MOTION_OK || !motion.yawRate(camera, yawRate))
+    if (isGiven(given) || params.gravitySigma > 0 || motion.status != MOTION_OK || !motion.yawRate(camera, yawRate))
         return motion;
     filter.isUninitialised = false;
     state.value[SEQUENCE_YAW_RATE] = yawRate;

@@ -51,6 +51,8 @@ public:
     GyroRates gyro; //!< without samples if there is none
 
 private:
+    AckermannMotion estimateNew(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                                const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     bool update(const MotionPrior& prior, double yawAboutFit, const Vec2d& changes, AckermannMotion& motion);
@@ -72,9 +74,11 @@ private:
     AckermannEstimator::Params params;
     Ptr<AckermannEstimator> single;
     FrameFeatures features;
-    SequenceFilter filter;
-    SequenceFilter unaided; // without given yaw rates and speeds; used once there are some
-    bool isAided;           // whether there are
+    Mat image; // the last one
+    AckermannMotion motionOfImage;
+    Mat labelsOfImage;
+    bool isRepeated = false; // and shows a motion
+    SequenceFilter filter; // without what is given
     RowRates rates;
     SequenceFit last;  // whose points showed the motion
     SequenceFit alone; // the same without what is given

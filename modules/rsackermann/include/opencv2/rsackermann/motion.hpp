@@ -253,8 +253,7 @@ public:
 
     //! Metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; helps most with
     //! AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road. In a sequence
-    //! wallDistance alone gives the metres, and errors of different images are taken to be independent: one that all
-    //! share comes out with too small a standard deviation
+    //! wallDistance alone gives the metres. What is given counts in its own image alone: its error may be that of all
     CV_PROP_RW double speed;
     CV_PROP_RW double speedSigma; //!< standard deviation of speed; 0 (default): not given
     //! Radians per second, positive to the right, at the instant of RollingShutterCamera::referenceRow; needs
