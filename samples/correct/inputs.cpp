@@ -23,6 +23,40 @@ bool isOneOf(const std::string& word, const std::vector<std::string>& words)
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+// The run of digits that begins at a place, without zeros before the number, and the place behind it.
+std::string numberAt(const std::string& text, size_t& place)
+{
+    const size_t begin = place;
+    while (place < text.size() && isDigit(text[place]))
+        place++;
+    const std::string run = text.substr(begin, place - begin);
+    return run.substr(std::min(run.find_first_not_of('0'), run.size()));
+}
+
+// The order of frames: runs of digits compare as numbers, so that frame2 is before frame10, everything else as text.
+bool isBefore(const std::string& a, const std::string& b)
+{
+    size_t i = 0, k = 0;
+    while (i < a.size() && k < b.size())
+        if (isDigit(a[i]) && isDigit(b[k]))
+        {
+            const std::string x = numberAt(a, i), y = numberAt(b, k);
+            if (x != y)
+                return x.size() != y.size() ? x.size() < y.size() : x < y;
+        }
+        else if (a[i] != b[k])
+            return uchar(a[i]) < uchar(b[k]);
+        else
+            i++, k++;
+    const size_t restOfA = a.size() - i, restOfB = b.size() - k;
+    return restOfA != restOfB ? restOfA < restOfB : a < b; // f1 and f01 are the same number
+}
+
 std::vector<std::string> filesOf(const std::string& folder)
 {
     std::vector<cv::String> paths;
@@ -38,7 +72,7 @@ std::vector<std::string> filesOf(const std::string& folder)
     paths.erase(
         std::remove_if(paths.begin(), paths.end(), [](const std::string& path) { return fileName(path)[0] == '.'; }),
         paths.end());
-    std::sort(paths.begin(), paths.end());
+    std::sort(paths.begin(), paths.end(), isBefore);
     return std::vector<std::string>(paths.begin(), paths.end());
 }
 

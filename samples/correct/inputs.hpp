@@ -30,8 +30,8 @@ struct InputList
     bool single;                       //!< there is one argument, and it is the name of a file, or of nothing
 };
 
-/** Lists the files: an argument is an image, a video, a directory (its images, by name), a printf pattern as
-frame_%04d.png (by number) or @FILE with a name a line. */
+/** Lists the files: an argument is an image, a video, a directory (its images by name, in which runs of digits count as
+numbers), a printf pattern as frame_%04d.png (by number) or @FILE with a name a line. */
 InputList listInputs(const std::vector<std::string>& arguments);
 
 //! All files that are read for the inputs.

@@ -292,6 +292,20 @@ TEST(CorrectInputs, files_that_are_not_what_they_should_be)
     EXPECT_NE(std::string::npos, model.messages.find("exclude each other")) << model.messages;
 }
 
+// The order of the frames of a drive, which a sequence, the column frame of a log and shards go by.
+TEST(CorrectInputs, names_of_a_folder_count_as_numbers)
+{
+    Names inOrder;
+    for (const char* name : {"000", "01", "1", "02", "f", "f2", "f2_b10", "f2a", "f10", "f10_b9", "f10_b10", "f010_b11",
+                             "f99999999999999999998", "f99999999999999999999", "f100000000000000000000"})
+        inOrder.push_back(name + std::string(".png"));
+    const TemporaryFolder in, out;
+    for (const std::string& name : inOrder)
+        cv::imwrite(in / name, cv::Mat(48, 64, CV_8U, cv::Scalar(7)));
+    EXPECT_EQ(0, correct({in.path(), "--report=" + (out / "report.jsonl")}).exitCode);
+    EXPECT_EQ(inOrder, inputsOf(out / "report.jsonl"));
+}
+
 TEST(CorrectInputs, lists_and_patterns)
 {
     const TemporaryFolder in, out;
