@@ -171,6 +171,7 @@ int run(const Options& options)
     cv::Ptr<MountCalibrator> calibrator;
     Progress progress;
     int frames = 0, failures = 0;
+    bool isLogUsed = false;
     const auto fail = [&](const std::string& input, const std::string& message) {
         failures++;
         progress.clear();
@@ -184,6 +185,7 @@ int run(const Options& options)
         }
         calibrator->addFrame(frame.image, frame.facts.time, priorOf(frame.facts));
         frames++;
+        isLogUsed |= frame.facts.isLogged;
         progress.update(done, 1, task.output);
     };
     try
@@ -196,6 +198,11 @@ int run(const Options& options)
     }
     if (!calibrator)
         throw InputError("no frame can be read");
+    if (!task.log.empty() && !isLogUsed)
+    {
+        progress.clear();
+        std::cerr << "rsackermann_calibrate: " << task.log.whyUseless() << std::endl;
+    }
     const MountCalibration calibration = calibrator->calibrate();
     progress.clear();
     if (calibration.frames == 0)

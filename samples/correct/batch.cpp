@@ -82,7 +82,10 @@ int Batch::run()
     finish(0);
     progress_.clear();
     if (!interruptSignal())
+    {
+        warnings_.end();
         return failures_ ? 1 : 0;
+    }
     std::cerr << "rsackermann_correct: interrupted; complete results stay, and --skip_existing goes on from there"
               << std::endl;
     return 128 + interruptSignal();

@@ -99,7 +99,7 @@ double interpolated(const std::vector<FrameFacts>& samples, double time, double 
 
 FrameFacts::FrameFacts()
     : time(UNKNOWN), speed(UNKNOWN), speedSigma(UNKNOWN), yawRate(UNKNOWN), yawRateSigma(UNKNOWN), roll(UNKNOWN),
-      pitch(UNKNOWN), gravitySigma(UNKNOWN)
+      pitch(UNKNOWN), gravitySigma(UNKNOWN), isLogged(false)
 {
 }
 
@@ -149,7 +149,11 @@ FrameFacts DriveLog::of(const std::string& file, int number, double time) const
     FrameFacts facts = row ? *row : FrameFacts();
     if (std::isnan(facts.time))
         facts.time = time;
-    if (const std::vector<FrameFacts>* samples = samplesOf(file))
+    const std::vector<FrameFacts>* samples = samplesOf(file);
+    facts.isLogged = samples_.empty()
+                         ? row != nullptr
+                         : samples && facts.time >= samples->front().time && facts.time <= samples->back().time;
+    if (samples)
         for (const Column& column : COLUMNS)
             if (std::isnan(facts.*column.value) && !std::isnan(facts.time))
                 facts.*column.value = interpolated(*samples, facts.time, column.value);
@@ -177,6 +181,21 @@ const std::vector<FrameFacts>* DriveLog::samplesOf(const std::string& file) cons
             return &it->second;
     }
     return nullptr;
+}
+
+std::string DriveLog::whyUseless() const
+{
+    if (samples_.empty())
+        return "the log has no effect: its rows name none of the frames (columns file and frame)";
+    double first = std::numeric_limits<double>::max(), last = -first;
+    for (const std::pair<const std::string, std::vector<FrameFacts>>& entry : samples_)
+    {
+        first = std::min(first, entry.second.front().time);
+        last = std::max(last, entry.second.back().time);
+    }
+    return cv::format("the samples of the log have no effect: all frames are outside of their times, %.12g to %.12g s: "
+                      "their clock may be another (that of a video begins at 0), or the column file names other videos",
+                      first, last);
 }
 
 double DriveLog::shortestStep() const

@@ -19,6 +19,7 @@ struct FrameFacts
     double speed, speedSigma;         //!< km/h
     double yawRate, yawRateSigma;     //!< deg/s
     double roll, pitch, gravitySigma; //!< degrees
+    bool isLogged;                    //!< whether the log knows the frame: its time if there are samples, else its name
 
     FrameFacts();
 };
@@ -45,6 +46,10 @@ public:
     @param time seconds, if they are known from elsewhere; a row that names the frame goes before. NaN: unknown. */
     FrameFacts of(const std::string& file, int number, double time) const;
 
+    //! Whether there is no row.
+    bool empty() const { return named_.empty() && samples_.empty(); }
+    //! What is wrong with a log that has rows and knows no frame.
+    std::string whyUseless() const;
     //! Whether a row names the frame.
     bool names(const std::string& file, int number) const { return named(file, number) != nullptr; }
     //! Whether a speed or a yaw rate is given anywhere.

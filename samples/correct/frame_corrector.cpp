@@ -122,6 +122,7 @@ CorrectedFrame FrameCorrector::uncorrected(const cv::Mat& image, const std::stri
     CorrectedFrame frame;
     frame.report.camera = camera_;
     frame.report.time = facts_.time;
+    frame.report.isLogged = facts_.isLogged;
     frame.report.error = error;
     warp(image, DepthMap(), frame);
     if (!job_.overlay.empty())
@@ -154,6 +155,7 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     corrector_->getSegments(segments, labels);
     corrector_->getMaps(map1, map2);
     report.time = facts_.time;
+    report.isLogged = facts_.isLogged;
     report.prior = corrector_->getPrior();
     report.segments = segments.rows;
     // Without a motion the maps undo the lens only.

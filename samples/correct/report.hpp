@@ -23,6 +23,7 @@ struct FrameReport
     cv::rsackermann::AckermannMotion motion;
     cv::rsackermann::MotionPrior prior; //!< the given values
     int segments;
+    bool isLogged;    //!< whether the log knows the frame
     bool isGyroWrong; //!< by the frames up to this one
     bool isDepthGiven, isDepthUsed;
     double meanShift;  //!< pixels, mean distance between the maps and those that only undo the lens

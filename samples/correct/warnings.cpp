@@ -17,10 +17,18 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
     addTimes(input, frames);
     for (const FrameReport& frame : frames)
     {
+        hasFrame_ = true;
+        isLogUsed_ |= frame.isLogged;
         addReference(frame);
         addGyro(frame);
         addDepth(frame);
     }
+}
+
+void Warnings::end()
+{
+    if (hasFrame_ && !job_.log.empty() && !isLogUsed_)
+        warn(job_.log.whyUseless());
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.

@@ -22,6 +22,9 @@ public:
     //! @param frames of the input, in their order.
     void add(const std::string& input, const std::vector<FrameReport>& frames);
 
+    //! All frames have been added.
+    void end();
+
 private:
     void addContradiction(const std::string& input, const std::vector<FrameReport>& frames);
     void addTimes(const std::string& input, const std::vector<FrameReport>& frames);
@@ -35,7 +38,7 @@ private:
 
     const Job& job_;
     Progress& progress_;
-    bool hasContradiction_ = false, hasGap_ = false;
+    bool hasContradiction_ = false, hasGap_ = false, hasFrame_ = false, isLogUsed_ = false;
     double squaresOfPoints_ = 0, squaresOfGyro_ = 0;             // of the rates of frames, rad/s
     double gyroTime_ = std::numeric_limits<double>::quiet_NaN(); // of the frame before
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence

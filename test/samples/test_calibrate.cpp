@@ -271,7 +271,11 @@ TEST_F(Calibrate, bad_arguments)
     }
     const std::pair<Arguments, const char*> failures[] = {
         {{inputs_[0], camera, output}, "no frame shows a car that moves"},
+        {{inputs_[0], camera, output, "--log=" + (folder_ / "late.csv")},
+         "rsackermann_calibrate: the samples of the log have no effect: all frames are outside of their times, 5000 to "
+         "5001 s"},
         {{folder_ / "none.png", camera, output}, "no frame can be read"}};
+    writeContent(folder_ / "late.csv", "file,time_s,speed_kmh\n000.png,0,\n,5000,30\n,5001,30\n");
     for (const std::pair<Arguments, const char*>& failure : failures)
     {
         const Outcome outcome = calibrate(failure.first);

@@ -194,6 +194,26 @@ TEST_F(CorrectLog, samples_in_another_unit)
     }
 }
 
+// As those of GPS time are to a camera's clock that begins at 0.
+TEST_F(CorrectLog, samples_at_no_frame)
+{
+    const std::string image = "file,time_s,speed_kmh\nrolling.png,150,\n",
+                      warning = "the samples of the log have no effect: all frames are outside of their times, ";
+    for (const Arguments& options : {Arguments(), Arguments{"--carry"}})
+    {
+        const Outcome later = runWithLog(image + ",1764154100,66\n,1764154101,66\n", {image_}, options);
+        EXPECT_EQ(0, later.exitCode);
+        EXPECT_NE(std::string::npos, later.messages.find(warning + "1764154100 to 1764154101 s: ")) << later.messages;
+        EXPECT_EQ(1, std::count(later.messages.begin(), later.messages.end(), '\n')) << later.messages;
+        EXPECT_EQ("", runWithLog(image + ",150,66\n,151,66\n", {image_}, options).messages);
+    }
+    // One of the images suffices.
+    cv::imwrite(folder_ / "a.png", streetImage());
+    const std::string both = image + "a.png,100,\n,100,66\n,101,66\n";
+    EXPECT_EQ("", runWithLog(both, {image_, folder_ / "a.png"}).messages);
+    EXPECT_NE("", runWithLog(both, {image_}).messages);
+}
+
 // What isn't understood is refused with its place.
 TEST_F(CorrectLog, refused)
 {

@@ -399,6 +399,27 @@ TEST_F(CorrectVideo, log_by_frame_and_by_time)
     EXPECT_EQ(given[2]["alpha"], byTimeOfRow[2]["alpha"]);
 }
 
+TEST_F(CorrectVideo, log_of_no_frame)
+{
+    const char *rows = "the log has no effect: its rows name none of the frames",
+               *samples = "the samples of the log have no effect: all frames are outside of their times, ";
+    const std::pair<const char*, const char*> logs[] = {
+        {"frame,speed_kmh\n3,66\n", ""},
+        {"frame,speed_kmh\n4,66\n", rows},
+        {"file,frame,speed_kmh\nother.avi,0,66\n", rows},
+        {"time_s,speed_kmh\n0.2,66\n0.3,66\n", ""},
+        {"time_s,speed_kmh\n0.3,66\n1,66\n", samples},
+        {"file,time_s,speed_kmh\nother.avi,0,66\nother.avi,1,66\n", samples}};
+    for (const std::pair<const char*, const char*>& log : logs)
+    {
+        writeContent(in_ / "log.csv", log.first);
+        const Outcome outcome = correct(arguments() + Arguments{"--report=-", "--log=" + (in_ / "log.csv")});
+        EXPECT_EQ(0, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find(log.second)) << log.first << outcome.messages;
+        EXPECT_EQ(!*log.second, outcome.messages.empty()) << log.first << outcome.messages;
+    }
+}
+
 TEST_F(CorrectVideo, lines_are_for_images)
 {
     writeContent(in_ / "lines.txt", "1 2 3 4\n");
