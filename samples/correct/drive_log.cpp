@@ -160,6 +160,17 @@ FrameFacts DriveLog::of(const std::string& file, int number, double time) const
     return facts;
 }
 
+std::string DriveLog::nameOf(const std::string& file) const
+{
+    for (const std::string& name : {file, fileName(file)})
+    {
+        const std::map<Key, FrameFacts>::const_iterator row = named_.lower_bound(Key(name, -1));
+        if (samples_.count(name) || (row != named_.end() && row->first.first == name))
+            return name;
+    }
+    return "";
+}
+
 const FrameFacts* DriveLog::named(const std::string& file, int number) const
 {
     for (const std::string& name : {file, fileName(file), std::string()})

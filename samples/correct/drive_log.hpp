@@ -50,6 +50,8 @@ public:
     bool empty() const { return named_.empty() && samples_.empty(); }
     //! What is wrong with a log that has rows and knows no frame.
     std::string whyUseless() const;
+    //! The name under which the log has an input: with its folders, else without; empty: it doesn't name it.
+    std::string nameOf(const std::string& file) const;
     //! Whether a row names the frame.
     bool names(const std::string& file, int number) const { return named(file, number) != nullptr; }
     //! Whether a speed or a yaw rate is given anywhere.

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <map>
 
 namespace rsackermann_samples {
 
@@ -36,12 +37,20 @@ cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts, const cv::rsackerm
 void checkLog(const DriveLog& log, const InputList& inputs, const std::string& program)
 {
     size_t images = 0, unknown = 0;
+    std::map<std::string, std::string> inputsOfNames;
     for (const Input& input : inputs.inputs)
+    {
+        const std::string name = log.nameOf(input.name);
+        const std::string other = inputsOfNames.insert(std::make_pair(name, input.name)).first->second;
+        if (!name.empty() && other != input.name)
+            throw UsageError("the log's " + name + " is both " + other + " and " + input.name +
+                             "; name them with their folders");
         if (input.isFile() && !isVideo(input.name))
         {
             images++;
             unknown += !log.names(input.name, input.number);
         }
+    }
     if (images > 0 && unknown == images)
         throw UsageError("the log names none of the images (columns file or frame), and samples need their times");
     if (log.shortestStep() > RAREST_SAMPLES)

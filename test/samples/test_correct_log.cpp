@@ -145,6 +145,32 @@ TEST_F(CorrectLog, each_image_has_its_row)
               resultsOf(runWithLog("frame,speed_kmh\n0,10\n1,40\n2,70\n", inputs, {"--shard=2/3"})));
 }
 
+// Images of two drives are often called the same.
+TEST_F(CorrectLog, name_of_two_images)
+{
+    Arguments inputs;
+    for (const char* drive : {"a", "b"})
+    {
+        cv::utils::fs::createDirectories(folder_ / drive);
+        inputs.push_back(folder_ / drive + "/0.png");
+        cv::imwrite(inputs.back(), streetImage());
+    }
+    for (const char* row : {"0.png,0,66\n", "0.png,0,66\n,1,66\n"})
+    {
+        const Outcome both = runWithLog(std::string("file,time_s,speed_kmh\n") + row, inputs);
+        EXPECT_EQ(2, both.exitCode);
+        EXPECT_NE(std::string::npos, both.messages.find("the log's 0.png is both " + inputs[0] + " and " + inputs[1] +
+                                                        "; name them with their folders"))
+            << both.messages;
+    }
+    const std::string rows = "file,speed_kmh\n" + inputs[0] + ",66\n" + inputs[1] + ",65\n";
+    EXPECT_EQ("", runWithLog(rows + "0.png,64\n", inputs).messages);
+    EXPECT_EQ(0, runWithLog("file,speed_kmh\n0.png,66\n", {inputs[1], image_}).exitCode);
+    // The same image twice, and numbers.
+    EXPECT_EQ("", runWithLog("file,speed_kmh\n0.png,66\n", {inputs[0], inputs[0]}).messages);
+    EXPECT_EQ("", runWithLog("frame,speed_kmh\n0,66\n1,65\n", inputs).messages);
+}
+
 TEST_F(CorrectLog, time_between_frames_of_a_drive)
 {
     // A picture that grows, as when the car drives on.
