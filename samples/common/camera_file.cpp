@@ -304,10 +304,11 @@ void readCameraFile(const std::string& path, CameraSettings& settings)
             readLensProfile(text, settings);
         else
             readYaml(text, settings);
-        // A camera of any size shows whether the values make sense.
+        // A camera shows whether the values make sense; if its size is unknown, one with the principal point as centre.
         CameraSettings own = settings;
         own.compatible.clear();
-        own.makeCamera(own.size.area() > 0 ? own.size : cv::Size(640, 480)).check();
+        const auto side = [](double centre) { return int(std::min(std::max(1., 2 * centre + 1), 65535.)); };
+        own.makeCamera(own.size.empty() ? cv::Size(side(own.K(0, 2)), side(own.K(1, 2))) : own.size).check();
         for (const CompatibleSetting& setting : settings.compatible)
             if (setting.refusal.empty())
                 settings.with(setting).makeCamera(setting.size).check();

@@ -57,6 +57,19 @@ bool haveSameShape(const cv::Size& a, const cv::Size& b)
     return std::abs(double(a.width) * b.height / (double(a.height) * b.width) - 1) <= 0.02;
 }
 
+// A camera matrix of images of another size, where the file doesn't tell of which. Scaling moves the principal point
+// along both sides of the image: that of images 1.5 times as large is a half (of each side a quarter) off the centre,
+// of those 2/3 as large a third. To cut off a third of the height moves it by a quarter.
+void checkPrincipalPoint(const cv::Matx33d& K, const cv::Size& imageSize)
+{
+    const double farthest = 0.3, x = (K(0, 2) + 0.5) / imageSize.width, y = (K(1, 2) + 0.5) / imageSize.height;
+    if (std::abs(x - 0.5) + std::abs(y - 0.5) > farthest)
+        throw InputError(cv::format(
+            "the camera file has no image_width and image_height, and its principal point (%g, %g) is far from the "
+            "centre of the image of %d x %d pixels: it seems to be for images of another size; if it isn't, add them",
+            K(0, 2), K(1, 2), imageSize.width, imageSize.height));
+}
+
 } // namespace
 
 bool CameraSettings::hasLineDelay() const
@@ -120,6 +133,8 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
         throw InputError(cv::format("the image has %d x %d pixels, but the camera file is for %d x %d%s",
                                     imageSize.width, imageSize.height, size.width, size.height,
                                     isScaled ? " and others of this shape" : ""));
+    if (calibrated && size.empty())
+        checkPrincipalPoint(K, imageSize);
     const cv::Matx33d intrinsics = isScaled ? scaledIntrinsics(K, widthFactor, heightFactor) : K;
     RollingShutterCamera camera = calibrated ? RollingShutterCamera(imageSize, intrinsics, lens, lensModel)
                                              : RollingShutterCamera::fromFocal(imageSize, focal);

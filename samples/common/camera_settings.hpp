@@ -46,7 +46,8 @@ struct CameraSettings
     CameraSettings();
 
     /** The camera for an image.
-    Throws InputError if the image hasn't the size of a calibration, or the shape if that is scaled. */
+    Throws InputError if the image hasn't the size of a calibration, or the shape if that is scaled, or if a calibration
+    of unknown size is evidently of another. */
     cv::rsackermann::RollingShutterCamera makeCamera(const cv::Size& imageSize) const;
 
     /** The same with the calibration that counts for images of a size, and no others: the first one of that size, else

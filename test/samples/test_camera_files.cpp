@@ -295,6 +295,37 @@ TEST(CameraFiles, mounted_upside_down_or_on_its_side)
     }
 }
 
+// A matrix alone is evidently not that of larger or smaller images, whose centre is elsewhere.
+TEST(CameraFiles, matrix_of_images_of_another_size)
+{
+    const std::string matrix = "camera_matrix: [816, 0, 319.5, 0, 815, 189.5, 0, 0, 1]\n";
+    for (const std::string& file : {matrix, std::string("cam0:\n  camera_model: pinhole\n  intrinsics: [816, 815, "
+                                                        "319.5, 189.5]\n")})
+    {
+        const rsackermann_samples::CameraSettings s = read(file);
+        // 253 lines are left of 380 if a third is cut off, at the top or at the bottom.
+        for (const cv::Size& size : {cv::Size(640, 380), cv::Size(640, 253), cv::Size(720, 420)})
+            EXPECT_EQ(319.5, s.makeCamera(size).cameraMatrix(0, 2)) << size;
+        for (const cv::Size& size :
+             {cv::Size(1280, 760), cv::Size(960, 570), cv::Size(427, 253), cv::Size(320, 190), cv::Size(640, 190)})
+            EXPECT_THROW(s.makeCamera(size), rsackermann_samples::InputError) << size;
+    }
+    try
+    {
+        read(matrix).makeCamera(cv::Size(320, 190));
+        FAIL();
+    }
+    catch (const rsackermann_samples::InputError& e)
+    {
+        const std::string message = e.what();
+        EXPECT_NE(std::string::npos, message.find("principal point (319.5, 189.5)")) << message;
+        EXPECT_NE(std::string::npos, message.find("320 x 190")) << message;
+        EXPECT_NE(std::string::npos, message.find("no image_width and image_height")) << message;
+    }
+    // Who says of which size it is, is believed.
+    EXPECT_EQ(319.5, read(matrix + "image_width: 320\nimage_height: 190\n").makeCamera({320, 190}).cameraMatrix(0, 2));
+}
+
 // OpenCV would take 51 GB, or refuse them in its own words, before it sees that there is one element.
 TEST(CameraFiles, size_of_matrices)
 {
