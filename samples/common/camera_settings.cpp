@@ -70,6 +70,19 @@ void checkPrincipalPoint(const cv::Matx33d& K, const cv::Size& imageSize)
             K(0, 2), K(1, 2), imageSize.width, imageSize.height));
 }
 
+// A focal length in millimetres, for instance. A lens that spreads all directions evenly over the shorter side has a
+// focal length of that side / 2 pi; a pinhole camera, which keeps straight lines straight, would see 145 degrees.
+void checkFocalLength(const RollingShutterCamera& camera)
+{
+    const cv::Size& size = camera.imageSize;
+    const double least = std::min(size.width, size.height) / (2 * CV_PI),
+                 focal = std::min(camera.cameraMatrix(0, 0), camera.cameraMatrix(1, 1));
+    if (camera.lensModel == LENS_PINHOLE && focal < least)
+        throw InputError(cv::format("the focal length of %g is too short for an image of %d x %d pixels: it is in "
+                                    "pixels, %.0f at least if the lens is no fisheye",
+                                    focal, size.width, size.height, std::ceil(least)));
+}
+
 } // namespace
 
 bool CameraSettings::hasLineDelay() const
@@ -157,6 +170,7 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     if (focalSigma > 0)
         camera.focalSigma = focalSigma;
     camera.check();
+    checkFocalLength(camera);
     return camera;
 }
 

@@ -47,7 +47,7 @@ struct CameraSettings
 
     /** The camera for an image.
     Throws InputError if the image hasn't the size of a calibration, or the shape if that is scaled, or if a calibration
-    of unknown size is evidently of another. */
+    of unknown size is evidently of another, or the focal length too short for pixels. */
     cv::rsackermann::RollingShutterCamera makeCamera(const cv::Size& imageSize) const;
 
     /** The same with the calibration that counts for images of a size, and no others: the first one of that size, else

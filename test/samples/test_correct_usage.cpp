@@ -184,6 +184,28 @@ TEST(CorrectUsage, values_unlike_those_of_cameras_in_cars)
     EXPECT_NE(std::string::npos, outcome.messages.find("the read-out of 3.8e-05 isn't one of")) << outcome.messages;
 }
 
+TEST(CorrectUsage, focal_length_that_is_not_in_pixels)
+{
+    const std::string image = streetFolder() + "/rolling.png", message = " is too short for an image of 640 x 380 "
+                                                                         "pixels: it is in pixels, 61 at least";
+    for (const char* focal : {"3.6", "35", "60"})
+    {
+        const Outcome outcome = correct({image, "--report=-", std::string("--focal=") + focal});
+        EXPECT_EQ(1, outcome.exitCode) << focal;
+        EXPECT_NE(std::string::npos, outcome.messages.find(focal + message)) << outcome.messages;
+    }
+    EXPECT_EQ(0, correct({image, "--report=-", "--focal=61"}).exitCode);
+    const TemporaryFolder folder;
+    const std::string matrix = "width: 640\nheight: 380\nk: [60, 0, 319.5, 0, 65, 189.5, 0, 0, 1]\n";
+    for (const char* lens : {"plumb_bob\nd: [0, 0, 0, 0, 0]\n", "equidistant\nd: [0, 0, 0, 0]\n"})
+    {
+        writeContent(folder / "camera.yml", matrix + "distortion_model: " + lens);
+        const Outcome outcome = correct({image, "--report=-", "--camera=" + (folder / "camera.yml")});
+        EXPECT_EQ(lens[0] == 'p' ? 2 : 0, outcome.exitCode) << lens << outcome.messages;
+        EXPECT_EQ(lens[0] == 'p', outcome.messages.find("60" + message) != std::string::npos) << outcome.messages;
+    }
+}
+
 // The car is elsewhere then.
 TEST(CorrectUsage, reference_line_far_away)
 {
