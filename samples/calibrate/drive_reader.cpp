@@ -37,7 +37,7 @@ public:
         DriveFrame frame;
         frame.facts = log_.of(input.name, input.number, UNKNOWN);
         if (std::isnan(frame.facts.time))
-            frame.facts.time = next_;
+            frame.facts.time = next_ + (input.intervals - 1) * INTERVAL;
         next_ = frame.facts.time + INTERVAL; // even if it can't be read: the next one comes after it
         if (!input.isFile())
             throw InputError(input.error);

@@ -108,7 +108,10 @@ bool Batch::isLeftOut(size_t index, const Task& task) const
 
 FrameFacts Batch::factsOf(size_t index) const
 {
-    return job_.log.of(inputs_[index].name, inputs_[index].number, std::numeric_limits<double>::quiet_NaN());
+    const Input& input = inputs_[index];
+    FrameFacts facts = job_.log.of(input.name, input.number, std::numeric_limits<double>::quiet_NaN());
+    facts.intervals = input.intervals;
+    return facts;
 }
 
 std::launch Batch::launchPolicy() const
@@ -140,7 +143,7 @@ NextFrame Batch::nextOf(size_t index)
         return NextFrame();
     NextFrame next;
     const std::string error =
-        errorOf([&]() { next = NextFrame(imageOf(index + 1).get().pixels, factsOf(index + 1).time); });
+        errorOf([&]() { next = NextFrame(imageOf(index + 1).get().pixels, corrector_.timeAfter(factsOf(index + 1))); });
     return error.empty() ? next : NextFrame();
 }
 

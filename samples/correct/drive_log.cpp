@@ -99,7 +99,7 @@ double interpolated(const std::vector<FrameFacts>& samples, double time, double 
 
 FrameFacts::FrameFacts()
     : time(UNKNOWN), speed(UNKNOWN), speedSigma(UNKNOWN), yawRate(UNKNOWN), yawRateSigma(UNKNOWN), roll(UNKNOWN),
-      pitch(UNKNOWN), gravitySigma(UNKNOWN), isLogged(false)
+      pitch(UNKNOWN), gravitySigma(UNKNOWN), intervals(1), isLogged(false)
 {
 }
 

@@ -19,6 +19,7 @@ struct FrameFacts
     double speed, speedSigma;         //!< km/h
     double yawRate, yawRateSigma;     //!< deg/s
     double roll, pitch, gravitySigma; //!< degrees
+    double intervals;                 //!< that have passed since the frame before if the time isn't given, of no log
     bool isLogged;                    //!< whether the log knows the frame: its time if there are samples, else its name
 
     FrameFacts();

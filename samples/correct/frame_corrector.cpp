@@ -47,7 +47,12 @@ void FrameCorrector::prepare(const cv::Size& size)
 void FrameCorrector::beginFrame(const FrameFacts& facts)
 {
     facts_ = facts;
-    time_ = orElse(facts.time, time_ + job_.params.frameInterval);
+    time_ = timeAfter(facts);
+}
+
+double FrameCorrector::timeAfter(const FrameFacts& facts) const
+{
+    return orElse(facts.time, time_ + facts.intervals * job_.params.frameInterval);
 }
 
 void FrameCorrector::useFacts()

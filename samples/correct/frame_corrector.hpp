@@ -39,6 +39,9 @@ public:
     @param facts from the log, or only its time. */
     void beginFrame(const FrameFacts& facts);
 
+    //! Seconds at which the image after the present one was taken, known or assumed.
+    double timeAfter(const FrameFacts& facts) const;
+
     //! Whether the image after the one that is corrected next says something: for the first one of a drive, which has
     //! none before.
     bool wantsNext() const { return job_.params.sequence && (isFirst_ || job_.smooth); }

@@ -9,6 +9,8 @@
 #include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/imgcodecs.hpp"
 #include <algorithm>
+#include <climits>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -143,7 +145,10 @@ struct NumberPattern
     }
 };
 
-std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::string& folder)
+// @param intervals receives by how many frames each is after the one before: the nearest numbers are those of
+// neighbours.
+std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::string& folder,
+                                  std::vector<double>& intervals)
 {
     std::set<std::pair<long, std::string>> found; // f_1 and f_01 have the same number
     for (const std::string& path : filesOf(folder.empty() ? "." : folder))
@@ -153,8 +158,18 @@ std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::strin
             found.insert(std::make_pair(number, folder + fileName(path)));
     }
     std::vector<std::string> images;
+    long last = found.empty() ? 0 : found.begin()->first, step = LONG_MAX;
     for (const std::pair<long, std::string>& entry : found)
+    {
+        const long gap = entry.first - last;
+        if (gap > 0)
+            step = std::min(step, gap);
+        intervals.push_back(double(gap));
         images.push_back(entry.second);
+        last = entry.first;
+    }
+    for (double& interval : intervals)
+        interval = std::max(std::round(interval / double(step)), 1.);
     return images;
 }
 
@@ -174,7 +189,7 @@ std::vector<std::string> linesOf(const std::string& path)
     return lines;
 }
 
-std::vector<std::string> expand(const std::string& argument, InputList& list)
+std::vector<std::string> expand(const std::string& argument, InputList& list, std::vector<double>& intervals)
 {
     if (fs::isDirectory(argument))
         return imagesOf(argument, list.warnings);
@@ -188,7 +203,7 @@ std::vector<std::string> expand(const std::string& argument, InputList& list)
     NumberPattern pattern;
     const std::string name = fileName(argument);
     if (pattern.parse(name))
-        return imagesOf(pattern, argument.substr(0, argument.size() - name.size()));
+        return imagesOf(pattern, argument.substr(0, argument.size() - name.size()), intervals);
     throw InputError("there is no such file");
 }
 
@@ -197,21 +212,23 @@ std::vector<std::string> expand(const std::string& argument, InputList& list)
 InputList listInputs(const std::vector<std::string>& arguments)
 {
     InputList list;
-    const auto add = [&list](const std::string& name, const std::string& error) {
-        list.inputs.push_back(Input{name, int(list.inputs.size()), error});
+    const auto add = [&list](const std::string& name, double intervals, const std::string& error) {
+        list.inputs.push_back(Input{name, int(list.inputs.size()), intervals, error});
     };
     for (const std::string& argument : arguments)
         try
         {
-            const std::vector<std::string> files = expand(argument, list);
+            std::vector<double> intervals;
+            const std::vector<std::string> files = expand(argument, list, intervals);
+            intervals.resize(files.size(), 1);
             if (files.empty())
                 throw InputError("there are no images");
-            for (const std::string& file : files)
-                add(file, isPipe(file) ? PIPE : "");
+            for (size_t i = 0; i < files.size(); i++)
+                add(files[i], intervals[i], isPipe(files[i]) ? PIPE : "");
         }
         catch (const InputError& e)
         {
-            add(argument, e.what());
+            add(argument, 1, e.what());
         }
     list.single = arguments.size() == 1 && list.inputs.size() == 1 && list.inputs[0].name == arguments[0];
     return list;

@@ -15,6 +15,7 @@ struct Input
 {
     std::string name;
     int number;        //!< its place in the list, from 0; a shard keeps it
+    double intervals;  //!< from frame to frame since the one before: 1, or more if numbers of a pattern are missing
     std::string error; //!< why the argument stands for nothing; empty: it is a file
 
     bool isFile() const { return error.empty(); }

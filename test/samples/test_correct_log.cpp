@@ -189,6 +189,16 @@ TEST_F(CorrectLog, time_between_frames_of_a_drive)
     const std::vector<Json> far = resultsOf(runWithLog("file,time_s\na.png,0\nb.png,0.1\n", inputs, {"--carry"}));
     ASSERT_EQ(2u, untold.size());
     EXPECT_EQ(untold, close);
+    // Frames whose numbers are missing in a pattern have had their time.
+    cv::imwrite(folder_ / "n1.png", street);
+    cv::imwrite(folder_ / "n2.png", street);
+    cv::imwrite(folder_ / "n5.png", nearer);
+    const Arguments numbered = {folder_ / "n%d.png"};
+    const Json missing = resultsOf(run(numbered, {"--carry"}))[2],
+               told = resultsOf(
+                   runWithLog("frame,time_s\n0,0\n1,0.0333333333333\n2,0.133333333333\n", numbered, {"--carry"}))[2];
+    for (const char* key : {"speed_km_h", "speed_sigma"})
+        EXPECT_NEAR(told[key].get<double>(), missing[key].get<double>(), 1e-6 * told[key].get<double>()) << key;
     // The first one is given by the second.
     EXPECT_NE(untold[0], far[0]);
     EXPECT_NE(untold[1], far[1]);

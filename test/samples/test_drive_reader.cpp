@@ -75,6 +75,24 @@ TEST_F(ReadDrive, image_that_cannot_be_read_takes_its_time)
     }
 }
 
+// Of a numbered pattern, whose frames may be every second one, or all.
+TEST_F(ReadDrive, missing_numbers_take_their_time)
+{
+    for (const int step : {1, 2})
+    {
+        names_ = {folder_ / cv::format("of_%d_%%d.png", step)};
+        for (const int number : {5, 6, 7, 9, 10})
+            cv::imwrite(folder_ / cv::format("of_%d_%d.png", step, step * number),
+                        cv::Mat(48, 64, CV_8U, cv::Scalar(7)));
+        const std::vector<double> t = times();
+        ASSERT_EQ(5u, t.size());
+        for (const int i : {0, 1, 2})
+            EXPECT_NEAR(i / 30., t[i], 1e-9);
+        for (const int i : {3, 4})
+            EXPECT_NEAR((i + 1) / 30., t[i], 1e-9);
+    }
+}
+
 // A video may be named with or without its folders, in rows of frames as well as in samples.
 TEST_F(ReadDrive, names_of_videos_in_a_log)
 {
