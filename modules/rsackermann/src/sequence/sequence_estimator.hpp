@@ -78,7 +78,7 @@ private:
     AckermannMotion motionOfImage;
     Mat labelsOfImage;
     bool isRepeated = false; // and shows a motion
-    SequenceFilter filter; // without what is given
+    SequenceFilter filter;   // without what is given
     RowRates rates;
     SequenceFit last;  // whose points showed the motion
     SequenceFit alone; // the same without what is given
