@@ -4,7 +4,10 @@
 usage: check_depth_network.py ROOT PACKAGE_FOLDER SIMULATE_PROGRAM
 """
 
+import contextlib
+import io
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -73,6 +76,33 @@ class DepthNetwork(unittest.TestCase):
         self.assertEqual(0, result.returncode, result.stderr)
         self.assertIn('depth used: inverse depth', result.stdout)
         self.assertLess(self.difference('used.png'), self.difference('mirrored.png'))
+
+    def result(self, network, *options):
+        """The image and what is said of the depth; of an option that is there twice the last one counts."""
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            status = correct_with_depth_network.main(
+                [os.path.join(self.folder, 'street', 'rolling.png'), '--model', os.path.join(self.folder, network),
+                 '--output', os.path.join(self.folder, 'option.png'), '--input_size', str(WIDTH), str(HEIGHT),
+                 '--focal', str(FOCAL), '--line_delay', str(READ_OUT / HEIGHT), *options])
+        self.assertEqual(0, status)
+        image = cv2.imread(os.path.join(self.folder, 'option.png'))
+        os.remove(os.path.join(self.folder, 'option.png'))
+        return image.tobytes(), said.getvalue()
+
+    def test_each_option_has_an_effect(self):
+        given, summed = 'relative/given.onnx', 'relative/sum.onnx'
+        table = {'model': (given, os.path.join(self.folder, summed)), 'network': (summed, 'dpt'),
+                 'input_size': (summed, '320', '190'), 'mean': (summed, '1', '2', '3'), 'scale': (summed, '1', '2', '3'),
+                 'bgr': (summed,), 'depth_kind': (given, 'metric'), 'focal': (given, '700'),
+                 'line_delay': (given, '5e-5'), 'speed': (given, '40'), 'yaw_rate': (given, '20'), 'wall': (given, '2')}
+        shown = io.StringIO()
+        with contextlib.redirect_stdout(shown), self.assertRaises(SystemExit):
+            correct_with_depth_network.main(['--help'])
+        self.assertEqual(set(table) | {'help', 'output'}, set(re.findall('--([a-z_]+)', shown.getvalue())))
+        plain = {network: self.result(network) for network in (given, summed)}
+        for name, (network, *values) in table.items():
+            self.assertTrue(self.result(network, '--' + name, *values) != plain[network], name)
 
     def test_depth_that_contradicts(self):
         for network in ('mirrored/given', 'relative/constant'):
