@@ -145,6 +145,22 @@ TEST_F(DepthNetwork, corrects_as_a_file_with_the_same_depth)
     }
 }
 
+TEST_F(DepthNetwork, options_do_what_they_do_without_a_network)
+{
+    std::set<std::string> results;
+    for (const char* option : {"--depth_kind=relative", "--wall=2", "--speed_sigma=9", "--yaw_rate_sigma=7",
+                               "--height=1.9", "--roll=1", "--reference=first"})
+    {
+        SCOPED_TRACE(option);
+        EXPECT_EQ(0, run("relative/given", {option}).exitCode);
+        EXPECT_TRUE(results.insert(contentOf(output)).second); // has an effect
+        Arguments others = {"--depth=" + depthOutput, "--depth_kind=relative"};
+        if (others[1] != option)
+            others.push_back(option);
+        EXPECT_EQ(corrected(others), contentOf(output));
+    }
+}
+
 TEST_F(DepthNetwork, that_contradicts_the_image_is_not_used)
 {
     const std::string without = corrected();
