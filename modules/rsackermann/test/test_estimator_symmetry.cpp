@@ -261,6 +261,41 @@ TEST_P(EstimatorSymmetry, units_and_order)
     }
 }
 
+// Of values that are given, how usual they are changes nothing of what is seen instead.
+TEST_P(EstimatorSymmetry, seen_however_usual)
+{
+    const Change changes[] = {{"reverse", [](Setting& s) { s.params.reverseProbability = 1e-3; }},
+                              {"speed", [](Setting& s) { s.params.priorSpeed *= 2; }},
+                              {"yaw rate", [](Setting& s) { s.params.priorYawRate /= 2; }}};
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Setting s = settingOf(MODES[GetParam()], {"speed and yaw rate", [](Setting& setting) {
+                                                  for (const int k : {2, 3})
+                                                      KNOWN[k].make(setting);
+                                              }});
+    for (const bool isWrong : {false, true})
+    {
+        if (isWrong)
+            s.prior = REVERSED.of(s.prior);
+        Mat labels;
+        const AckermannMotion expected = estimate(s, labels);
+        for (const Change& change : changes)
+        {
+            SCOPED_TRACE(testing::Message() << isWrong << " " << change.name);
+            Setting other = s;
+            change.make(other);
+            if (s.metric.yawRate == 0 && other.params.priorYawRate != s.params.priorYawRate)
+                continue; // a usual one is as fast
+            const AckermannMotion m = estimate(other, labels);
+            const double part = 1e-3; // by where the measurement of the noise begins
+            EXPECT_NEAR(expected.seenYawRate, m.seenYawRate, part * expected.seenYawRateSigma);
+            EXPECT_NEAR(expected.seenYawRateSigma, m.seenYawRateSigma, part * expected.seenYawRateSigma);
+            EXPECT_NEAR(expected.seenSpeed, m.seenSpeed, part * expected.seenSpeedSigma);
+            EXPECT_NEAR(expected.seenSpeedSigma, m.seenSpeedSigma, part * expected.seenSpeedSigma);
+            EXPECT_EQ(expected.contradictsPrior, m.contradictsPrior);
+        }
+    }
+}
+
 // A focal length that is hardly known adds to the variances what another focal length changes.
 TEST_P(EstimatorSymmetry, another_focal_length)
 {
