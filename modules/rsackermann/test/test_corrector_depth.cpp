@@ -94,58 +94,66 @@ TEST_F(CorrectorDepth, needs_a_value_that_is_known)
 // Millimetres taken for metres aren't used, whatever form they have, but by maps of a motion that is given.
 TEST_F(CorrectorDepth, is_refused_in_another_unit)
 {
-    RNG rng(11);
-    const Mat segments = simulation::randomSegments(simulation::Simulator::fromMetric(camera, 0.3, 15, 2.5, 3, 0),
-                                                    simulation::SegmentOptions(), rng)
-                             .ends;
-    MotionPrior prior;
-    prior.speed = 15;
-    prior.speedSigma = 0.3;
     Mat& values = depth.values;
     for (int y = 0; y < values.rows; y++) // a road
         values.row(y).setTo(camera.height / std::max((y - camera.cameraMatrix(1, 2)) / camera.cameraMatrix(1, 1), 0.1));
-    for (const bool isSequence : {false, true})
-        for (const int type : {CV_32F, CV_16U})
-            for (const int whose : {DEPTH_RAW, DEPTH_CORRECTED})
-                for (const double unit : {1., 1.5, 1 / 1.5, 3.9, 1 / 3.9, 100., 0.001})
-                {
-                    SCOPED_TRACE(testing::Message() << isSequence << " " << type << " " << whose << " " << unit);
-                    RollingShutterCorrector::Params params;
-                    params.sequence = isSequence;
-                    params.trackPoints = false;
-                    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
-                    corrector->setPrior(prior);
-                    DepthMap given(Mat(), whose, (type == CV_16U ? 0.01 : 1) * unit);
-                    depth.values.convertTo(given.values, type, type == CV_16U ? 100 : 1);
-                    Mat corrected, expected;
-                    const AckermannMotion found =
-                        corrector->correctWithSegments(image, segments, corrected, noArray(), given);
-                    ASSERT_EQ(MOTION_OK, found.status);
-                    const bool showsHeight = whose == DEPTH_RAW, // above the road
-                        isPlausible = std::abs(std::log(unit)) < std::log(showsHeight ? 2 : 10);
-                    EXPECT_EQ(isPlausible, corrector->isDepthUsed());
-                    corrector->correctWithMotion(image, found, expected, noArray(), isPlausible ? given : DepthMap());
-                    EXPECT_EQ(0, cvtest::norm(expected, corrected, NORM_INF));
-                    corrector->correctWithMotion(image, found, corrected, noArray(), given);
-                    EXPECT_TRUE(corrector->isDepthUsed());
-                }
+    for (const double speed : {15., -15.})
+        for (const bool isSequence : {false, true})
+            for (const int type : {CV_32F, CV_16U})
+                for (const int whose : {DEPTH_RAW, DEPTH_CORRECTED})
+                    for (const double unit : {1., 1.5, 1 / 1.5, 3.9, 1 / 3.9, 100., 0.001})
+                    {
+                        SCOPED_TRACE(testing::Message()
+                                     << speed << " " << isSequence << " " << type << " " << whose << " " << unit);
+                        RNG rng(11);
+                        const Mat segments =
+                            simulation::randomSegments(simulation::Simulator::fromMetric(camera, 0.3, speed, 2.5, 3, 0),
+                                                       simulation::SegmentOptions(), rng)
+                                .ends;
+                        MotionPrior prior;
+                        prior.speed = speed;
+                        prior.speedSigma = 0.3;
+                        RollingShutterCorrector::Params params;
+                        params.sequence = isSequence;
+                        params.trackPoints = false;
+                        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+                        corrector->setPrior(prior);
+                        DepthMap given(Mat(), whose, (type == CV_16U ? 0.01 : 1) * unit);
+                        depth.values.convertTo(given.values, type, type == CV_16U ? 100 : 1);
+                        Mat corrected, expected;
+                        const AckermannMotion found =
+                            corrector->correctWithSegments(image, segments, corrected, noArray(), given);
+                        ASSERT_EQ(MOTION_OK, found.status);
+                        ASSERT_GT(speed * found.direction, 0);
+                        const bool showsHeight = whose == DEPTH_RAW, // above the road
+                            isPlausible = std::abs(std::log(unit)) < std::log(showsHeight ? 2 : 10);
+                        EXPECT_EQ(isPlausible, corrector->isDepthUsed());
+                        corrector->correctWithMotion(image, found, expected, noArray(),
+                                                     isPlausible ? given : DepthMap());
+                        EXPECT_EQ(0, cvtest::norm(expected, corrected, NORM_INF));
+                        corrector->correctWithMotion(image, found, corrected, noArray(), given);
+                        EXPECT_TRUE(corrector->isDepthUsed());
+                    }
 }
 
 // The pixels are those of the new camera, whose image may be a small one.
 TEST_F(CorrectorDepth, unit_of_a_new_camera)
 {
-    AckermannMotion onRoad = motionFromMetric(camera, 0.3, 15, 0, 0, 0);
-    onRoad.scale = SCALE_ROAD;
     WarpMapGenerator::Params params;
     params.newCameraMatrix = Matx33d::diag(Vec3d(0.25, 0.25, 1)) * camera.cameraMatrix;
     params.newSize = Size(camera.imageSize.width / 4, camera.imageSize.height / 4);
     Mat road(params.newSize, CV_32F, Scalar(0));
     for (int y = road.rows / 2 + 1; y < road.rows; y++)
         road.row(y).setTo(camera.height * params.newCameraMatrix(1, 1) / (y - params.newCameraMatrix(1, 2)));
-    for (const double unit : {1., 100., 0.001})
-        EXPECT_EQ(unit != 1,
-                  cv::rsackermann::isInAnotherUnit(camera, params, onRoad, DepthMap(road, DEPTH_CORRECTED, unit)))
-            << unit;
+    for (const double speed : {15., -15.})
+        for (const double unit : {1., 100., 0.001})
+        {
+            AckermannMotion onRoad = motionFromMetric(camera, 0.3, speed, 0, 0, 0);
+            onRoad.scale = SCALE_ROAD;
+            EXPECT_EQ(unit != 1,
+                      cv::rsackermann::isInAnotherUnit(camera, params, onRoad, DepthMap(road, DEPTH_CORRECTED, unit)))
+                << speed << " " << unit;
+        }
 }
 
 TEST_F(CorrectorDepth, relative_needs_no_metres)
