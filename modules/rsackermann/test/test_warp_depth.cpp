@@ -125,7 +125,7 @@ INSTANTIATE_TEST_CASE_P(RSAckermann, WarpDepth,
                         testing::Combine(testing::Values(ALL_LENSES), testing::Values(DEPTH_RAW, DEPTH_CORRECTED),
                                          testing::Bool()));
 
-typedef testing::TestWithParam<std::tuple<int, bool>> WarpDepthMaps; // DepthCamera, whether to distort
+typedef testing::TestWithParam<std::tuple<int, bool, double>> WarpDepthMaps; // DepthCamera, whether to distort, speed
 
 RollingShutterCamera paperCameraWithHeight()
 {
@@ -137,10 +137,10 @@ RollingShutterCamera paperCameraWithHeight()
 //! A camera and a motion with both walls and a road, and a depth with boxes in front of a plane.
 struct Boxes
 {
-    Boxes() : camera(paperCameraWithHeight())
+    explicit Boxes(double speed = 16) : camera(paperCameraWithHeight())
     {
         camera.distCoeffs = {-0.2, 0.05, 1e-3, -1e-3, 0.01};
-        motion = motionFromMetric(camera, 0.5, 16, 2.5, 3, 0.02);
+        motion = motionFromMetric(camera, 0.5, speed, 2.5, 3, 0.02);
         values.create(camera.imageSize);
         for (int y = 0; y < values.rows; y++)
             for (int x = 0; x < values.cols; x++)
@@ -220,7 +220,8 @@ TEST_P(WarpDepthMaps, few_points)
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
     RNG rng(5);
-    const Scene scene(paperCameraWithHeight(), motionFromMetric(paperCameraWithHeight(), 0.5, 16, 2.5, 3, 0.02),
+    const double speed = std::get<2>(GetParam());
+    const Scene scene(paperCameraWithHeight(), motionFromMetric(paperCameraWithHeight(), 0.5, speed, 2.5, 3, 0.02),
                       Vec3d(0.03, 0.02, 0.15));
     const DepthMap all = scene.depth(ofCamera);
     DepthMap few(Mat(Mat1f(all.values.size(), 0.f)), ofCamera);
@@ -244,7 +245,7 @@ TEST_P(WarpDepthMaps, sixteen_bits_with_a_scale)
 {
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
-    const Boxes boxes;
+    const Boxes boxes(std::get<2>(GetParam()));
     Mat units, metres;
     boxes.values.convertTo(units, CV_16U, 256);
     units.convertTo(metres, CV_32F, 1. / 256);
@@ -259,8 +260,8 @@ TEST_P(WarpDepthMaps, relative_equals_metric)
 {
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
-    Boxes boxes;
-    const double way = 16 * boxes.camera.secondsPerUnitTime();
+    Boxes boxes(std::get<2>(GetParam()));
+    const double way = std::abs(std::get<2>(GetParam())) * boxes.camera.secondsPerUnitTime();
     boxes.values(Rect(300, 200, 20, 20)).setTo(0.1); // nearer than possible
     boxes.values(Rect(400, 100, 30, 30)).setTo(1e9);
     DepthMap relative(Mat(boxes.values.size(), CV_32F), ofCamera, 0.5 * way, DEPTH_RELATIVE);
@@ -285,7 +286,7 @@ TEST_P(WarpDepthMaps, relative_equals_metric)
 // A box hides a stripe on one side, which is as wide as it moves against what is behind.
 TEST_P(WarpDepthMaps, boxes_hide)
 {
-    const Boxes boxes;
+    const Boxes boxes(std::get<2>(GetParam()));
     const Result result(boxes.camera, std::get<1>(GetParam()), boxes.motion,
                         DepthMap(boxes.values, std::get<0>(GetParam())));
     const int hidden = countNonZero(result.mask == MASK_HIDDEN);
@@ -300,7 +301,7 @@ TEST_P(WarpDepthMaps, nothing_known)
 {
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
-    Boxes boxes;
+    Boxes boxes(std::get<2>(GetParam()));
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     for (const bool hasOffset : {false, true})
     {
@@ -337,26 +338,26 @@ TEST_P(WarpDepthMaps, what_is_too_near_is_unknown)
     boxes.camera.imageSize = Size(160, 96);
     boxes.camera.cameraMatrix = Matx33d(204, 0, 79, 0, 204, 47, 0, 0, 1);
     boxes.camera.lineDelay *= 4;
-    for (const double speed : {16., -16.})
-        for (int scan = SCAN_TOP_TO_BOTTOM; scan <= SCAN_RIGHT_TO_LEFT; scan++)
-            for (const double share : {0., 0.3, 1.})
+    const double speed = std::get<2>(GetParam());
+    for (int scan = SCAN_TOP_TO_BOTTOM; scan <= SCAN_RIGHT_TO_LEFT; scan++)
+        for (const double share : {0., 0.3, 1.})
+        {
+            RollingShutterCamera camera = boxes.camera;
+            camera.scanDirection = scan;
+            const double last = (camera.isRowShutter() ? camera.imageSize.height : camera.imageSize.width) - 1;
+            camera.referenceRow = share * last;
+            const AckermannMotion motion = motionFromMetric(camera, 0.5, speed, 2.5, 3, 0.02);
+            const double nearest = 2 * std::abs(speed) * std::max(share, 1 - share) * last * camera.lineDelay;
+            Mat1f values(camera.imageSize, 0.f);
+            const Result unknown(camera, distort, motion, DepthMap(values.clone(), ofCamera));
+            for (const double factor : {0.98, 1.02})
             {
-                RollingShutterCamera camera = boxes.camera;
-                camera.scanDirection = scan;
-                const double last = (camera.isRowShutter() ? camera.imageSize.height : camera.imageSize.width) - 1;
-                camera.referenceRow = share * last;
-                const AckermannMotion motion = motionFromMetric(camera, 0.5, speed, 2.5, 3, 0.02);
-                const double nearest = 2 * 16 * std::max(share, 1 - share) * last * camera.lineDelay;
-                Mat1f values(camera.imageSize, 0.f);
-                const Result unknown(camera, distort, motion, DepthMap(values.clone(), ofCamera));
-                for (const double factor : {0.98, 1.02})
-                {
-                    values = float(factor * nearest);
-                    const Result result(camera, distort, motion, DepthMap(values, ofCamera));
-                    EXPECT_EQ(factor < 1, result.difference(unknown) < 0.01)
-                        << speed << ", " << scan << ", " << share << ", " << factor;
-                }
+                values = float(factor * nearest);
+                const Result result(camera, distort, motion, DepthMap(values, ofCamera));
+                EXPECT_EQ(factor < 1, result.difference(unknown) < 0.01)
+                    << speed << ", " << scan << ", " << share << ", " << factor;
             }
+        }
 }
 
 // Of many boxes in front of one another the nearest one is seen: each pixel of the depth is moved to where the other
@@ -367,58 +368,58 @@ TEST_P(WarpDepthMaps, nearest_of_many_boxes)
     if (ofRaw == distort)
         return; // the depth is that of the map's own pixels: there is nothing to search for
     RNG rng(8);
-    for (const double speed : {16., -16.})
-        for (const int scan : {SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP, SCAN_LEFT_TO_RIGHT})
+    const double speed = std::get<2>(GetParam());
+    for (const int scan : {SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP, SCAN_LEFT_TO_RIGHT})
+    {
+        SCOPED_TRACE(testing::Message() << speed << ", " << scan);
+        RollingShutterCamera camera(Size(160, 96), Matx33d(150, 0, 70, 0, 155, 50, 0, 0, 1));
+        camera.lineDelay = 3e-4;
+        camera.height = 1.2;
+        camera.referenceRow = 30;
+        camera.scanDirection = scan;
+        camera.setRollPitch(0.03, -0.05);
+        const AckermannMotion motion = motionFromMetric(camera, 0.8, speed, 2.5, 3, 0.02);
+        const Simulator simulator = Simulator::fromMetric(camera, 0.8, speed, 0, 0, 0);
+        Mat1f values(camera.imageSize, 9.f);
+        for (int i = 0; i < 40; i++)
         {
-            SCOPED_TRACE(testing::Message() << speed << ", " << scan);
-            RollingShutterCamera camera(Size(160, 96), Matx33d(150, 0, 70, 0, 155, 50, 0, 0, 1));
-            camera.lineDelay = 3e-4;
-            camera.height = 1.2;
-            camera.referenceRow = 30;
-            camera.scanDirection = scan;
-            camera.setRollPitch(0.03, -0.05);
-            const AckermannMotion motion = motionFromMetric(camera, 0.8, speed, 2.5, 3, 0.02);
-            const Simulator simulator = Simulator::fromMetric(camera, 0.8, speed, 0, 0, 0);
-            Mat1f values(camera.imageSize, 9.f);
-            for (int i = 0; i < 40; i++)
-            {
-                const Rect box(rng.uniform(0, 150), rng.uniform(0, 90), rng.uniform(6, 40), rng.uniform(6, 40));
-                values(box & Rect(Point(), values.size())) = rng.uniform(2.5f, 8.f);
-            }
-            Mat1f nearest(values.size(), 0.f); // inverse depths
-            Mat_<Point> from(values.size(), Point());
-            for (int y = 0; y < values.rows; y++)
-                for (int x = 0; x < values.cols; x++)
-                {
-                    const Point2d pixel(x, y);
-                    const double t = ofRaw ? simulator.time(pixel) : 0;
-                    const Vec3d P = simulator.drive.position(t) +
-                                    simulator.drive.turn(simulator.bearing(pixel) * double(values(y, x)), t);
-                    Point2d place;
-                    if (!(ofRaw ? simulator.pixelOf(P, place) && simulator.inside(place) : simulator.project(P, place)))
-                        continue;
-                    const Point at(cvRound(place.x), cvRound(place.y));
-                    if (1 / values(y, x) <= nearest(at))
-                        continue;
-                    nearest(at) = 1 / values(y, x);
-                    from(at) = Point(x, y);
-                }
-            const Result result(camera, distort, motion, DepthMap(values, std::get<0>(GetParam())));
-            int compared = 0, wrong = 0;
-            for (int y = 1; y + 1 < values.rows; y++)
-                for (int x = 1; x + 1 < values.cols; x++)
-                {
-                    // Inside of a surface
-                    const Mat around = nearest(Rect(x - 1, y - 1, 3, 3));
-                    if (nearest(y, x) == 0 || countNonZero(around == nearest(y, x)) < 9)
-                        continue;
-                    compared++;
-                    const Point2d found(result.map1.at<float>(y, x), result.map2.at<float>(y, x));
-                    wrong += cv::norm(found - Point2d(from(y, x))) > 1.5 || result.mask.at<uchar>(y, x) != MASK_SEEN;
-                }
-            EXPECT_GT(compared, 3000);
-            EXPECT_LE(wrong, 0.01 * compared); // where many pixels of the depth share one
+            const Rect box(rng.uniform(0, 150), rng.uniform(0, 90), rng.uniform(6, 40), rng.uniform(6, 40));
+            values(box & Rect(Point(), values.size())) = rng.uniform(2.5f, 8.f);
         }
+        Mat1f nearest(values.size(), 0.f); // inverse depths
+        Mat_<Point> from(values.size(), Point());
+        for (int y = 0; y < values.rows; y++)
+            for (int x = 0; x < values.cols; x++)
+            {
+                const Point2d pixel(x, y);
+                const double t = ofRaw ? simulator.time(pixel) : 0;
+                const Vec3d P = simulator.drive.position(t) +
+                                simulator.drive.turn(simulator.bearing(pixel) * double(values(y, x)), t);
+                Point2d place;
+                if (!(ofRaw ? simulator.pixelOf(P, place) && simulator.inside(place) : simulator.project(P, place)))
+                    continue;
+                const Point at(cvRound(place.x), cvRound(place.y));
+                if (1 / values(y, x) <= nearest(at))
+                    continue;
+                nearest(at) = 1 / values(y, x);
+                from(at) = Point(x, y);
+            }
+        const Result result(camera, distort, motion, DepthMap(values, std::get<0>(GetParam())));
+        int compared = 0, wrong = 0;
+        for (int y = 1; y + 1 < values.rows; y++)
+            for (int x = 1; x + 1 < values.cols; x++)
+            {
+                // Inside of a surface
+                const Mat around = nearest(Rect(x - 1, y - 1, 3, 3));
+                if (nearest(y, x) == 0 || countNonZero(around == nearest(y, x)) < 9)
+                    continue;
+                compared++;
+                const Point2d found(result.map1.at<float>(y, x), result.map2.at<float>(y, x));
+                wrong += cv::norm(found - Point2d(from(y, x))) > 1.5 || result.mask.at<uchar>(y, x) != MASK_SEEN;
+            }
+        EXPECT_GT(compared, 3000);
+        EXPECT_LE(wrong, 0.01 * compared); // where many pixels of the depth share one
+    }
 }
 
 // The step between known and unknown depths is spread over the hole.
@@ -426,7 +427,7 @@ TEST_P(WarpDepthMaps, holes_have_no_seams)
 {
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
-    const Boxes boxes;
+    const Boxes boxes(std::get<2>(GetParam()));
     Mat1f values(boxes.camera.imageSize, 5.f);
     const Result whole(boxes.camera, distort, boxes.motion, DepthMap(values.clone(), ofCamera));
     for (int x = 20; x < values.cols; x += 120)
@@ -454,7 +455,7 @@ TEST_P(WarpDepthMaps, types_and_threads)
 {
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
-    const Boxes boxes;
+    const Boxes boxes(std::get<2>(GetParam()));
     const DepthMap depth(boxes.values, ofCamera);
     const Result expected(boxes.camera, distort, boxes.motion, depth);
     const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(boxes.camera);
@@ -489,7 +490,7 @@ TEST_P(WarpDepthMaps, a_mask_changes_nothing)
 {
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
-    Boxes boxes;
+    Boxes boxes(std::get<2>(GetParam()));
     for (int holes = 0; holes < 2; holes++)
     {
         if (holes > 0)
@@ -508,7 +509,7 @@ TEST_P(WarpDepthMaps, edges_of_the_values)
     applyTestTag(CV_TEST_TAG_LONG);
     const int ofCamera = std::get<0>(GetParam());
     const bool distort = std::get<1>(GetParam());
-    const Boxes boxes;
+    const Boxes boxes(std::get<2>(GetParam()));
     RNG rng(5);
     const float odd[] = {0.f,
                          1e-30f,
@@ -529,7 +530,8 @@ TEST_P(WarpDepthMaps, edges_of_the_values)
 }
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, WarpDepthMaps,
-                        testing::Combine(testing::Values(DEPTH_RAW, DEPTH_CORRECTED), testing::Bool()));
+                        testing::Combine(testing::Values(DEPTH_RAW, DEPTH_CORRECTED), testing::Bool(),
+                                         testing::Values(16., -12.)));
 
 // Without a way in metres depths change nothing, or mean nothing.
 TEST(RSAckermann_WarpDepth, other_motions)
