@@ -136,6 +136,32 @@ TEST(RSAckermann_DisplacementField, variance_is_that_of_small_changes)
     }
 }
 
+// Of rows that are tilted as well: each rate alone, and both.
+TEST(RSAckermann_DisplacementField, variance_of_tilts_is_that_of_small_changes)
+{
+    for (int c = 0; c < CAMERAS; c++)
+    {
+        const RollingShutterCamera camera = makeCamera(c);
+        const DisplacementField field(camera);
+        for (const Vec2d& sigmas : {Vec2d(2e-4, 0), Vec2d(0, 3e-4), Vec2d(2e-4, 3e-4)}) // of pitch and roll
+        {
+            DisplacementField::Variances got = DisplacementField::Variances::all(1), expected = got;
+            field.addTiltVariance(sigmas[0], sigmas[1], got);
+            for (int axis = 0; axis < 2; axis++)
+            {
+                AckermannMotion tilted;
+                (axis == 0 ? tilted.pitchRate : tilted.rollRate) = sigmas[axis];
+                DisplacementField::Values moved;
+                field.addTilt(RowTilt(camera, tilted), moved);
+                for (int k = 0; k < POINTS; k++)
+                    expected[k] += moved[2 * k] * moved[2 * k] + moved[2 * k + 1] * moved[2 * k + 1];
+            }
+            for (int k = 0; k < POINTS; k++)
+                EXPECT_NEAR(expected[k], got[k], 1e-9 * expected[k]) << "camera " << c << ", point " << k;
+        }
+    }
+}
+
 TEST(RSAckermann_DisplacementField, mean_distance)
 {
     DisplacementField::Values a, b;
