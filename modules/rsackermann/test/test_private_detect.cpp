@@ -255,4 +255,24 @@ TEST(RSAckermann_PrivateDetect, pieces_without_an_edge_stay)
                     }
 }
 
+// An image that was made smaller shows each place where its scale says, whatever its size.
+TEST(RSAckermann_PrivateDetect, smaller_images_leave_out_what_is_odd)
+{
+    RNG rng(5);
+    Mat large(1803, 2203, CV_8U);
+    rng.fill(large, RNG::UNIFORM, 0, 256);
+    for (const Size& size : {Size(1403, 1201), Size(1402, 1201), Size(1403, 1200), large.size()})
+    {
+        SCOPED_TRACE(size);
+        cv::rsackermann::SegmentFinder finder, ofEven;
+        finder.prepare(large(Rect(Point(), size)));
+        const int scale = finder.reduction();
+        EXPECT_EQ(size == large.size() ? 4 : 2, scale);
+        ofEven.prepare(large(Rect(0, 0, size.width / scale * scale, size.height / scale * scale)));
+        ASSERT_EQ(scale, ofEven.reduction());
+        ASSERT_EQ(ofEven.reduced().size(), finder.reduced().size());
+        EXPECT_EQ(0, cvtest::norm(ofEven.reduced(), finder.reduced(), NORM_INF));
+    }
+}
+
 }} // namespace opencv_test::
