@@ -381,6 +381,22 @@ TEST_P(CalibrationEquations, rows_that_turn)
     RecordProperty("plain", format("%.4f", plain.residual()));
     RecordProperty("turned", format("%.4f", turned.residual()));
     EXPECT_LT(turned.residual(), 0.2 * plain.residual());
+    // Both ends of verticals turn as points do.
+    const double unit = turned.camera.secondsPerUnitTime();
+    for (const CalibrationFrame& f : turned.frames)
+        for (const UprightSegment& v : f.verticals)
+        {
+            const UprightSegment back = f.rowTurns.removedFrom(v, unit);
+            const Vec3d *const ends[] = {&v.u, &v.v}, *const backEnds[] = {&back.u, &back.v};
+            for (const int k : {0, 1})
+            {
+                TrackedBearing point = f.bearings[0];
+                point.now = Point2d((*ends[k])[0], (*ends[k])[1]);
+                point.timeNow = k == 0 ? v.timeU : v.timeV;
+                const Point2d expected = f.rowTurns.removedFrom(point, unit).now;
+                EXPECT_LT(cv::norm(Vec3d(expected.x, expected.y, 1) - *backEnds[k]), 1e-12);
+            }
+        }
 }
 
 // At which instants a gyro shows how rows turn depends on the line delay; how neighbours show it doesn't.
