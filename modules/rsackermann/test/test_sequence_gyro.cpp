@@ -293,6 +293,50 @@ TEST(RSAckermann_Gyro, another_clock_is_found)
     }
 }
 
+// Of another sequence nothing is left, whatever the gyro was in it.
+TEST(RSAckermann_Gyro, reset_forgets_every_history)
+{
+    struct History
+    {
+        const char* name;
+        double delay, factor; // of the gyro, by which it shows too much
+        int frames;
+    } const histories[] = {
+        {"short", 0, 1, 3}, {"right", 0, 1, 60}, {"another clock", 0.8, 1, 60}, {"wrong", 0, -1, 60}};
+    for (const History& history : histories)
+    {
+        SCOPED_TRACE(history.name);
+        RNG rng(320);
+        const Turning turning(rng, 0.3 * DEGREE);
+        Mat times, values;
+        measure(turning, {history.delay, 0, Vec3d(), Vec3d(), 1}, 3, rng, times, values);
+        GyroRates used, unused;
+        used.samples.add(times, values * history.factor);
+        for (int k = 1; k <= history.frames; k++)
+            used.add(turnOfPoints(turning, k, 0.3 * DEGREE, rng));
+        EXPECT_EQ(history.factor < 0, used.isWrong());
+        if (history.delay > 0)
+        {
+            EXPECT_NEAR(history.delay, used.alignment().delay, 0.01);
+        }
+        used.reset();
+        measure(turning, {0.01, 0, Vec3d(), Vec3d(), 1}, 3, rng, times, values);
+        used.samples.clear();
+        for (GyroRates* gyro : {&used, &unused})
+            gyro->samples.add(times, values);
+        for (int k = 1; k <= 10; k++)
+        {
+            const TurnOfPoints turn = turnOfPoints(turning, k, 0.3 * DEGREE, rng);
+            for (GyroRates* gyro : {&used, &unused})
+                gyro->add(turn);
+            EXPECT_EQ(unused.alignment().delay, used.alignment().delay) << k;
+            EXPECT_EQ(unused.alignment().bias, used.alignment().bias) << k;
+            EXPECT_EQ(unused.alignmentSigma(), used.alignmentSigma()) << k;
+            EXPECT_EQ(unused.contradicts(), used.contradicts()) << k;
+        }
+    }
+}
+
 // Neither if only one axis turns, which some delay fits by chance, nor if the gyro would have a bias as none has.
 TEST(RSAckermann_Gyro, another_clock_is_not_made_up)
 {
