@@ -178,14 +178,12 @@ TEST_F(Calibrate, shaking_and_a_gyro_show_the_line_delay)
     ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=30", "--speed=40", "--yaw_rate=0", "--left=6", "--right=8",
                            "--shake=phone", "--gyro_bias=0.5", "--gyro_delay=0.01"})
                      .exitCode);
-    CameraSettings truth = readCamera(drive + "/camera.yml");
-    const double lineDelay = truth.makeCamera(truth.size).lineDelay;
-    const Arguments given = {drive + "/frames",
-                             "--camera=" + drive + "/camera.yml",
-                             "--log=" + drive + "/log.csv",
-                             cv::format("--line_delay=%.17g", 0.7 * lineDelay),
-                             "--output=" + output_,
-                             "--overwrite"};
+    CameraSettings camera = readCamera(drive + "/camera.yml");
+    const double lineDelay = camera.makeCamera(camera.size).lineDelay;
+    camera.readOut *= 0.7; // which the line delay replaces
+    rsackermann_samples::writeCameraFile(folder_ / "readout.yml", camera);
+    const Arguments given = {drive + "/frames", "--camera=" + (folder_ / "readout.yml"), "--log=" + drive + "/log.csv",
+                             "--output=" + output_, "--overwrite"};
     Arguments arguments = given;
     arguments.push_back("--gyro=" + drive + "/gyro.csv");
     Outcome outcome = calibrate(arguments);
