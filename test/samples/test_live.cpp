@@ -20,9 +20,10 @@ const double LINE_DELAY = 25e-3 / SIZE.height;
 class Live : public testing::Test
 {
 protected:
-    Live() : video_(folder_ / "drive.avi"), picture_(folder_ / "picture.png")
+    Live() : video_(folder_ / "drive.avi"), slow_(folder_ / "slow.avi"), picture_(folder_ / "picture.png")
     {
-        cv::VideoWriter writer(video_, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30, SIZE);
+        const int code = cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+        cv::VideoWriter writer(video_, code, 30, SIZE), slow(slow_, code, 10, SIZE);
         for (int before = 3; before >= 0; before--)
         {
             // A line far behind the image is the one at whose instant the car is where it is in the last frame.
@@ -30,14 +31,16 @@ protected:
             simulate({"--output=" + street_.path(), "--overwrite", "--size=480x300", "--focal=400",
                       cv::format("--line_delay=%.9g", LINE_DELAY), "--left=6", "--right=7", "--speed=54",
                       "--yaw_rate=30", "--noise=0", cv::format("--reference=%.9g", reference)});
-            writer.write(cv::imread(street_ / "rolling.png"));
+            const cv::Mat frame = cv::imread(street_ / "rolling.png");
+            writer.write(frame);
+            slow.write(frame);
         }
         writer.write(cv::Mat(SIZE, CV_8UC3, cv::Scalar::all(90)));
         camera_ = "--camera=" + (street_ / "camera.yml");
     }
 
     TemporaryFolder folder_, street_;
-    std::string camera_, video_, picture_;
+    std::string camera_, video_, slow_, picture_; // slow_: the same frames, 10 a second
 };
 
 TEST_F(Live, raw_and_corrected_image_are_side_by_side)
@@ -52,6 +55,18 @@ TEST_F(Live, raw_and_corrected_image_are_side_by_side)
     EXPECT_LT(differenceInside(raw(left), picture(left)), 0.5 * differenceInside(truth(left), picture(left)));
     EXPECT_LT(differenceInside(truth(left), picture(right)), 0.7 * differenceInside(truth(left), picture(left)));
     EXPECT_GT(cv::norm(raw.rowRange(0, numbers), picture(cv::Rect(0, 0, SIZE.width, numbers)), cv::NORM_INF), 150);
+}
+
+TEST_F(Live, goes_by_the_times_of_frames)
+{
+    cv::Mat pictures[2];
+    for (const bool isSlow : {false, true})
+    {
+        ASSERT_EQ(0, live({isSlow ? slow_ : video_, camera_, "--frames=4", "--picture=" + picture_}).exitCode);
+        pictures[isSlow] = cv::imread(picture_);
+    }
+    const cv::Rect corrected(SIZE.width, SIZE.height / 6, SIZE.width, SIZE.height - SIZE.height / 6);
+    EXPECT_GT(cv::norm(pictures[0](corrected), pictures[1](corrected), cv::NORM_INF), 20);
 }
 
 TEST_F(Live, goes_on_to_the_end)
@@ -97,7 +112,7 @@ TEST_F(Live, usage)
     EXPECT_EQ(2, live({street_ / "rolling.png", "--picture=" + (street_ / "rolling.png")}).exitCode);
     EXPECT_EQ(before, contentOf(street_ / "rolling.png"));
     EXPECT_EQ(2, live({video_, "--picture=" + (folder_ / "picture.unknown")}).exitCode);
-    EXPECT_EQ((std::vector<std::string>{"drive.avi"}), namesIn(folder_.path()));
+    EXPECT_EQ((std::vector<std::string>{"drive.avi", "slow.avi"}), namesIn(folder_.path()));
 }
 
 }} // namespace
