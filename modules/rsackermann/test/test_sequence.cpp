@@ -777,6 +777,30 @@ TEST(RSAckermann_Sequence, points_of_a_smaller_image)
         }
 }
 
+// What is odd of an image that the tracker makes smaller is left out: no place moves.
+TEST(RSAckermann_Sequence, points_of_images_of_odd_sizes)
+{
+    const Mat texture = randomTexture(Size(1007, 603), 3);
+    for (const int parts : {2, 4}) // that become one pixel
+    {
+        const Size odd(1000 + parts - 1, 600 + parts - 1), even(1000, 600);
+        std::vector<PointPair> pairs[2];
+        for (int k = 0; k < 2; k++)
+        {
+            PointTracker tracker(size_t(even.area() / (parts * parts)));
+            for (int i = 0; i < 2; i++)
+                tracker.track(texture(Rect(Point(4 * i, 0), k ? even : odd)).clone(), 1, pairs[k]);
+        }
+        ASSERT_GT(pairs[1].size(), 50u);
+        ASSERT_EQ(pairs[1].size(), pairs[0].size());
+        for (size_t i = 0; i < pairs[0].size(); i++)
+        {
+            EXPECT_EQ(pairs[1][i].now, pairs[0][i].now);
+            EXPECT_EQ(pairs[1][i].other, pairs[0][i].other);
+        }
+    }
+}
+
 // What a car comes nearer to isn't shifted as a whole: a displacement belongs to what has the texture of its window.
 TEST(RSAckermann_Sequence, points_are_where_their_displacement_is)
 {

@@ -52,8 +52,10 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
     image = gray;
     for (; image.total() > maxPixels; halvings++)
     {
+        // An odd last row or column is left out, so that no place moves.
+        const Size size(std::max(image.cols / 2, 1), std::max(image.rows / 2, 1));
         Mat& target = smaller[halvings % 2];
-        resize(image, target, Size(std::max(image.cols / 2, 1), std::max(image.rows / 2, 1)), 0, 0, INTER_AREA);
+        resize(image(Rect(Point(), size * 2) & Rect(Point(), image.size())), target, size, 0, 0, INTER_AREA);
         image = target;
     }
     // Down to the smallest image that the window fits in: that one is the last.
