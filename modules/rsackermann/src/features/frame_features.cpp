@@ -68,6 +68,13 @@ void FrameFeatures::track(const RollingShutterCamera& camera, const GrayFrame& f
         fineTracker.reset();
 }
 
+bool FrameFeatures::isFirstOfScene() const
+{
+    const auto isBefore = [](const TrackedBearing& b) { return b.pitch == FLOW_PITCH_BEFORE; };
+    return SAME_SCENE * tracker.pointCount() > LEAST_POINTS &&
+           size_t(std::count_if(bearings.begin(), bearings.end(), isBefore)) < LEAST_POINTS;
+}
+
 // Between frames of different scenes some points find something that looks like them.
 void FrameFeatures::follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame,
                            double passed, const GrayFrame* next, std::vector<TrackedBearing>& found)

@@ -60,8 +60,9 @@ public:
     //! Points that somebody else has tracked in the frame before: images of other frames don't count any more.
     void setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed);
 
-    //! Whether there is so much to track that next to nothing of it means another scene.
-    bool hasManyPoints() const { return SAME_SCENE * tracker.pointCount() > LEAST_POINTS; }
+    //! Whether there is so much to track that next to nothing of it in the frame before means another scene, or that
+    //! there is no such frame.
+    bool isFirstOfScene() const;
 
     //! The next frame belongs to another sequence.
     void reset();

@@ -223,16 +223,14 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     const double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
         reset();
-    const bool follows = filter.advance(frame.seconds, camera, params);
     features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, next);
+    if (!isRepeated && features.isFirstOfScene())
+        resetState();
+    const bool follows = filter.advance(frame.seconds, camera, params);
     const bool hasPoints = features.bearings.size() >= LEAST_POINTS;
     const double before = follows ? passed : 0, after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
     if (!hasPoints)
-    {
-        if (follows && !isRepeated && features.hasManyPoints())
-            resetState();
         return false;
-    }
     selectCandidates(segments, camera, params, features.verticals, features.others);
     AckermannMotion compared;
     if (!update(prior, rates.yawAboutFit(before, after, readOut(camera)),
