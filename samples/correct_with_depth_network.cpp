@@ -38,7 +38,7 @@ const char* const KEYS =
     "{depth_output |      | what the network has said, as TIFF, for --depth of rsackermann_correct; a folder as for "
     "--output}"
     "{overwrite  |        | replace existing files}"
-    "{wall       |        | metres to the left (or only) wall; makes the speed metric}";
+    "{wall       |        | metres to the left wall, or the only one seen; makes the speed metric}";
 
 struct Task
 {

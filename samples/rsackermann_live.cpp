@@ -34,7 +34,7 @@ const char* const ABOUT =
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
 const char* const KEYS = "{help    |   | print this message}"
-                         "{wall    |   | metres to the left (or only) wall; makes the speed metric}"
+                         "{wall    |   | metres to the left wall, or the only one seen; makes the speed metric}"
                          "{frames  | 0 | end after that many frames; 0: go on}"
                          "{picture |   | image file for the last picture shown, instead of a window}";
 

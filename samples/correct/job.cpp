@@ -23,7 +23,7 @@ using namespace cv::rsackermann;
 
 const char* const JOB_KEYS =
     "{help       |        | print this message}"
-    "{wall       |        | metres to the left (or only) wall; makes the speed metric}"
+    "{wall       |        | metres to the left wall, or the only one seen; makes the speed metric}"
     "{scale_from_road |   | without --wall: estimate its distance from --height and wall segments that stand on the road}"
     "{log        |        | CSV file with values for each frame (columns file, frame, time_s, speed_kmh, "
     "speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg, pitch_deg, gravity_sigma_deg); it overrides "

@@ -178,11 +178,11 @@ std::string reportLine(const FrameReport& frame)
 }
 
 // Words on a given value and what is seen instead.
-static std::string comparison(const char* name, const char* unit, double given, double givenSigma, const char* source,
-                              double seen, double seenSigma)
+static std::string comparison(const char* name, const char* unit, double given, double givenSigma,
+                              const std::string& source, double seen, double seenSigma)
 {
     return cv::format("given is a %s of %.1f %s (sigma %.1f), but %s %.1f (sigma %.1f)", name, given, unit, givenSigma,
-                      source, seen, seenSigma);
+                      source.c_str(), seen, seenSigma);
 }
 
 std::string contradiction(const FrameReport& frame)
@@ -190,14 +190,17 @@ std::string contradiction(const FrameReport& frame)
     const AckermannMotion& m = frame.motion;
     const MotionPrior& p = frame.prior;
     const double sigmas = 3;
-    const char* source = m.rotationCurve.empty() ? "the image shows" : "image and gyro show";
+    const std::string source = m.rotationCurve.empty() ? "the image shows" : "image and gyro show",
+                      ofSpeed = m.scale == SCALE_WALL
+                                    ? cv::format("with a wall at %.1f m %s", m.wallDistance, source.c_str())
+                                    : source;
     std::string words;
     if (m.seenYawRateSigma > 0 && p.yawRateSigma > 0 &&
         std::abs(m.seenYawRate - p.yawRate) > sigmas * std::hypot(m.seenYawRateSigma, p.yawRateSigma))
         words = comparison("yaw rate", "deg/s", p.yawRate / DEGREE, p.yawRateSigma / DEGREE, source,
                            m.seenYawRate / DEGREE, m.seenYawRateSigma / DEGREE);
     if (m.seenSpeedSigma > 0 && std::abs(m.seenSpeed - p.speed) > sigmas * std::hypot(m.seenSpeedSigma, p.speedSigma))
-        words += (words.empty() ? "" : "; ") + comparison("speed", "km/h", p.speed / KMH, p.speedSigma / KMH, source,
+        words += (words.empty() ? "" : "; ") + comparison("speed", "km/h", p.speed / KMH, p.speedSigma / KMH, ofSpeed,
                                                           m.seenSpeed / KMH, m.seenSpeedSigma / KMH);
     if (words.empty() && m.contradictsPrior)
         words = cv::format("given is a speed of %.1f km/h (sigma %.1f), but the image shows the other direction",

@@ -38,6 +38,16 @@ void expectVerdict(const Json& line, const char* seenKey, const char* sigmaKey, 
     }
 }
 
+// A wrong distance of the wall, in feet for instance, isn't blamed on the speed alone.
+TEST(Contradictions, speed_beside_a_wall)
+{
+    const Arguments image = {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",
+                             "--speed=60", "--report=-"};
+    EXPECT_EQ(std::string::npos, correct(image + Arguments{"--wall=2.5"}).messages.find("given is"));
+    const std::string words = correct(image + Arguments{"--wall=8.2"}).messages;
+    EXPECT_NE(std::string::npos, words.find("with a wall at 8.2 m the image shows")) << words;
+}
+
 // The yaw rate is that of the frames where no motion is near the given one, and not dropped.
 TEST(Contradictions, yaw_rate_of_a_sequence)
 {

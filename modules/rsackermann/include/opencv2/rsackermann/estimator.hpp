@@ -88,7 +88,8 @@ public:
         CV_PROP_RW double maxYawRate;
         //! Metres per second, default 200 km/h; used if lineDelay and the wall's distance are known
         CV_PROP_RW double maxSpeed;
-        CV_PROP_RW double wallDistance; //!< metres to the left (or only) wall; 0: unknown (default)
+        CV_PROP_RW double
+            wallDistance; //!< metres to the left wall, or to the only one that is seen; 0: unknown (default)
         //! Distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0
         //! (default): priorWallDistance over priorHeight
         CV_PROP_RW double roadRatio;

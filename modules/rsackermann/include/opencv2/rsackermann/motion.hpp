@@ -188,7 +188,7 @@ public:
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
-    CV_PROP_RW double wallDistance;    //!< metres to the left (or only) wall; 0: unknown
+    CV_PROP_RW double wallDistance;    //!< metres to the left wall, or to the only one that is seen; 0: unknown
     CV_PROP_RW int scale;              //!< one of #MotionScale
     //! Of a speed that gives the metres (#SCALE_SPEED, in sequences #SCALE_ROAD as well), its standard deviation in
     //! metres per second; 0 (default): wallDistance is exact
