@@ -48,23 +48,24 @@ void SequenceEstimator::resetState()
     seen = std::numeric_limits<double>::quiet_NaN();
 }
 
-static bool isSame(const GrayFrame& frame, const Mat& other)
+static bool isSame(const Mat& a, const Mat& b)
 {
-    return frame.gray.size() == other.size() && !other.empty() && norm(frame.gray, other, NORM_INF) == 0;
+    return a.size() == b.size() && (a.empty() || norm(a, b, NORM_INF) == 0);
 }
 
 AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                             const MotionPrior& prior, Mat& labels)
 {
     // The same image again has the same motion. By when the car has gone on isn't known then.
-    if (isSame(frame, image) && segments.rows == labelsOfImage.rows)
+    if (isSeen() && isSame(frame.gray, image) && isSame(segments, segmentsOfImage))
     {
         labels = labelsOfImage.clone();
         isRepeated = motionOfImage.status == MOTION_OK;
         return motionOfImage;
     }
-    motionOfImage = estimateNew(frame, isSame(frame, next.gray) ? GrayFrame() : next, segments, prior, labels);
+    motionOfImage = estimateNew(frame, next, segments, prior, labels);
     labelsOfImage = labels.clone();
+    segmentsOfImage = segments.clone();
     frame.gray.copyTo(image);
     isRepeated = false;
     return motionOfImage;

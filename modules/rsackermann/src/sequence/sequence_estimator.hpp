@@ -76,7 +76,7 @@ private:
     FrameFeatures features;
     Mat image; // the last one
     AckermannMotion motionOfImage;
-    Mat labelsOfImage;
+    Mat segmentsOfImage, labelsOfImage;
     bool isRepeated = false; // and shows a motion
     SequenceFilter filter;   // without what is given
     RowRates rates;
