@@ -56,14 +56,17 @@ static bool isSame(const Mat& a, const Mat& b)
 AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                             const MotionPrior& prior, Mat& labels)
 {
-    // The same image again has the same motion. By when the car has gone on isn't known then.
+    // The same image again, of a car that moves, isn't one in which it stands: it has the same motion. By when the car
+    // has gone on isn't known then.
+    const bool moved = isSeen() && motionOfImage.status == MOTION_OK;
     if (isSeen() && isSame(frame.gray, image) && isSame(segments, segmentsOfImage))
     {
         labels = labelsOfImage.clone();
-        isRepeated = motionOfImage.status == MOTION_OK;
+        isRepeated = moved;
         return motionOfImage;
     }
-    motionOfImage = estimateNew(frame, next, segments, prior, labels);
+    const bool isNextSame = moved && isSame(frame.gray, next.gray);
+    motionOfImage = estimateNew(frame, isNextSame ? GrayFrame() : next, segments, prior, labels);
     labelsOfImage = labels.clone();
     segmentsOfImage = segments.clone();
     frame.gray.copyTo(image);
