@@ -29,6 +29,33 @@ void Warnings::end()
 {
     if (hasFrame_ && !job_.log.empty() && !isLogUsed_)
         warn(job_.log.whyUseless());
+    addRounding();
+}
+
+// Intervals that differ by one unit of the times' last decimal are those of a steady clock, rounded.
+void Warnings::addRounding()
+{
+    double shortest = cv::rsackermann::LONGEST_INTERVAL, longest = 0;
+    for (size_t i = 1; i < times_.size(); i++)
+    {
+        shortest = std::min(shortest, times_[i] - times_[i - 1]);
+        longest = std::max(longest, times_[i] - times_[i - 1]);
+    }
+    for (double unit : {0.1, 0.01})
+    {
+        const auto isRounded = [unit](double time) {
+            return std::abs(time / unit - std::round(time / unit)) < 1e-4; // as numbers of 1e9 s are exact
+        };
+        // The difference of two rounded times errs by unit / sqrt(6), a given speed by default by 5 %.
+        if (!std::all_of(times_.begin(), times_.end(), isRounded) ||
+            std::abs(longest - shortest - unit) > 1e-4 * unit || unit / std::sqrt(6.) < 0.05 * longest)
+            continue;
+        warn(cv::format(
+            "times seem to be rounded to %g s: intervals of %g and %g s alternate, by which speeds err; give "
+            "times with more decimals, or none",
+            unit, shortest, longest));
+        return;
+    }
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.
@@ -52,6 +79,8 @@ void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>
         lastTime_ = std::numeric_limits<double>::quiet_NaN();
     for (const FrameReport& frame : frames)
     {
+        if (job_.params.sequence && !isVideo && std::isfinite(frame.time))
+            times_.push_back(frame.time);
         const double gap = frame.time - lastTime_;
         lastTime_ = frame.time;
         if (!job_.params.sequence || hasGap_ || !(gap <= 0 || gap >= cv::rsackermann::LONGEST_INTERVAL))

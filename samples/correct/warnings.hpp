@@ -10,6 +10,7 @@
 #include "report.hpp"
 #include <limits>
 #include <set>
+#include <vector>
 
 namespace rsackermann_samples {
 
@@ -28,6 +29,7 @@ public:
 private:
     void addContradiction(const std::string& input, const std::vector<FrameReport>& frames);
     void addTimes(const std::string& input, const std::vector<FrameReport>& frames);
+    void addRounding();
     void addReference(const FrameReport& frame);
     void compareGyro(const FrameReport& frame);
     std::string doubtOfGyro() const;
@@ -42,6 +44,7 @@ private:
     double squaresOfPoints_ = 0, squaresOfGyro_ = 0;             // of the rates of frames, rad/s
     double gyroTime_ = std::numeric_limits<double>::quiet_NaN(); // of the frame before
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence
+    std::vector<double> times_;                                  // of images of a sequence
     std::set<std::string> given_;                                // warnings that hold for all inputs
 };
 

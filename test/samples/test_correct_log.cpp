@@ -5,6 +5,7 @@
 #include "program.hpp"
 
 #include "opencv2/imgproc.hpp"
+#include <sstream>
 
 namespace opencv_test { namespace {
 
@@ -286,6 +287,30 @@ TEST_F(CorrectLog, refused)
         const Outcome outcome = runWithLog(log.first, {image_});
         EXPECT_EQ(2, outcome.exitCode) << log.first;
         EXPECT_NE(std::string::npos, outcome.messages.find(log.second)) << log.first << outcome.messages;
+    }
+}
+
+// Of 30 frames/s; those of 25 frames/s have two decimals.
+TEST(CorrectLogTimes, that_are_rounded)
+{
+    const TemporaryFolder folder;
+    const char* const logs[] = {"0.00 0.03 0.07 0.10 0.13", "0.000 0.033 0.067 0.100 0.133", "0.00 0.04 0.08 0.12 0.16",
+                                "1e9 1000000000.03 1000000000.07 1000000000.1 1000000000.13"};
+    for (int k = 0; k < 4; k++)
+    {
+        std::istringstream times(logs[k]);
+        std::string log = "file,time_s\n", time;
+        for (int i = 0; times >> time; i++)
+        {
+            const std::string name = cv::format("%d.png", i);
+            cv::imwrite(folder / name, cv::Mat(48, 64, CV_8U, cv::Scalar(40)));
+            log += name + "," + time + "\n";
+        }
+        writeContent(folder / "log.csv", log);
+        const Outcome outcome = correct(
+            {folder.path(), "--focal=60", "--readout=0.03", "--carry", "--report=-", "--log=" + (folder / "log.csv")});
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(k % 3 == 0, outcome.messages.find("rounded to 0.01 s") != std::string::npos) << outcome.messages;
     }
 }
 
