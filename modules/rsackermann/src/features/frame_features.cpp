@@ -68,9 +68,19 @@ void FrameFeatures::track(const RollingShutterCamera& camera, const GrayFrame& f
         fineTracker.reset();
 }
 
+static bool isBefore(const TrackedBearing& b)
+{
+    return b.pitch == FLOW_PITCH_BEFORE;
+}
+
+void FrameFeatures::leaveOutFrameBefore()
+{
+    for (std::vector<TrackedBearing>* all : {&bearings, &fineBearings})
+        all->erase(std::remove_if(all->begin(), all->end(), isBefore), all->end());
+}
+
 bool FrameFeatures::isFirstOfScene() const
 {
-    const auto isBefore = [](const TrackedBearing& b) { return b.pitch == FLOW_PITCH_BEFORE; };
     return SAME_SCENE * tracker.pointCount() > LEAST_POINTS &&
            size_t(std::count_if(bearings.begin(), bearings.end(), isBefore)) < LEAST_POINTS;
 }

@@ -64,6 +64,9 @@ public:
     //! there is no such frame.
     bool isFirstOfScene() const;
 
+    //! Leaves out what is seen in the frame before.
+    void leaveOutFrameBefore();
+
     //! The next frame belongs to another sequence.
     void reset();
 

@@ -277,7 +277,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
     const Minimum best = search(problem, focal, isUninitialised, fit);
     double cost;
     const std::vector<TrackedBearing> above = aboveOwnCar(bearings, focal, cost);
-    if (fit.moves && above.size() < bearings.size())
+    if (fit.moves && above.size() < bearings.size() && above.size() >= LEAST_POINTS)
     {
         FrameFitProblem ofScene(camera, above, verticals, prediction);
         const Minimum scene = search(ofScene, focal, isUninitialised, other);

@@ -27,6 +27,8 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
                                params_.gravitySigma == params.gravitySigma &&
                                params_.vehiclePitchSigma == params.vehiclePitchSigma;
     const int kept = isSameGravity ? SEQUENCE_VALUES : SEQUENCE_ROLL;
+    if (!isSameGravity)
+        image.release();
     camera = camera_;
     params = params_;
     filter.state.change(camera, params, kept);
@@ -56,16 +58,16 @@ static bool isSame(const Mat& a, const Mat& b)
 AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                             const MotionPrior& prior, Mat& labels)
 {
-    // The same image again, of a car that moves, isn't one in which it stands: it has the same motion. By when the car
-    // has gone on isn't known then.
-    const bool moved = isSeen() && motionOfImage.status == MOTION_OK;
-    if (isSeen() && isSame(frame.gray, image) && isSame(segments, segmentsOfImage))
+    // The same image again, of a car that moves, isn't one in which it stands: it has the same motion.
+    const bool moved = isKnown && motionOfImage.status == MOTION_OK;
+    if (moved && isSame(frame.gray, image) && isSame(segments, segmentsOfImage))
     {
         labels = labelsOfImage.clone();
-        isRepeated = moved;
+        isRepeated = true;
         return motionOfImage;
     }
-    const bool isNextSame = moved && isSame(frame.gray, next.gray);
+    // As the next one it tells nothing either if the one before does.
+    const bool isNextSame = filter.isFollowedBy(frame.seconds) && isSame(frame.gray, next.gray);
     motionOfImage = estimateNew(frame, isNextSame ? GrayFrame() : next, segments, prior, labels);
     labelsOfImage = labels.clone();
     segmentsOfImage = segments.clone();
@@ -78,14 +80,18 @@ AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const Gra
                                                const MotionPrior& prior, Mat& labels)
 {
     AckermannMotion motion;
-    if (isRepeated)
-        features.reset();
-    if (estimateFromPoints(frame, next, segments, prior, motion, labels))
+    isKnown = estimateFromPoints(frame, next, segments, prior, motion, labels);
+    if (isKnown)
         return motion;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
     if (isRepeated)
+    {
+        selectCandidates(segments, camera, params, features.verticals, features.others);
+        motion.candidates = int(features.verticals.size());
         expectMotion(prior, motion, labels);
-    if (motion.status == MOTION_OK)
+    }
+    isKnown = motion.status == MOTION_OK;
+    if (isKnown)
         return motion;
     motion = estimateAlone(frame.seconds, segments, prior, labels);
     if (motion.status == MOTION_TOO_FEW_SEGMENTS)
@@ -227,9 +233,12 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     const double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
         reset();
+    const bool wasSeen = isSeen();
     features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, next);
-    if (!isRepeated && features.isFirstOfScene())
+    if (features.isFirstOfScene())
         resetState();
+    else if (isRepeated && wasSeen) // by when the car has gone on isn't known, unless all images come again
+        features.leaveOutFrameBefore();
     const bool follows = filter.advance(frame.seconds, camera, params);
     const bool hasPoints = features.bearings.size() >= LEAST_POINTS;
     const double before = follows ? passed : 0, after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
@@ -274,7 +283,10 @@ bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, con
     aided.state.measure(ofFit);
     const bool isNear = aided.update(features, camera, params, last, changes);
     if (!isSeen)
+    {
+        alone = last;
         return isNear;
+    }
     compareWithSeen(alone, prior, yawAboutFit, motion);
     if (!isNear || motion.contradictsPrior)
         last = alone;

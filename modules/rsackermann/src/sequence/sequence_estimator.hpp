@@ -74,10 +74,11 @@ private:
     AckermannEstimator::Params params;
     Ptr<AckermannEstimator> single;
     FrameFeatures features;
-    Mat image; // the last one
+    Mat image; // the last one, with what was found in it
     AckermannMotion motionOfImage;
     Mat segmentsOfImage, labelsOfImage;
-    bool isRepeated = false; // and shows a motion
+    bool isKnown = false;    // by its points, or expected as its image before came again
+    bool isRepeated = false; // came again
     SequenceFilter filter;   // without what is given
     RowRates rates;
     SequenceFit last;  // whose points showed the motion
