@@ -35,25 +35,32 @@ void Warnings::end()
 // Intervals that differ by one unit of the times' last decimal are those of a steady clock, rounded.
 void Warnings::addRounding()
 {
-    double shortest = cv::rsackermann::LONGEST_INTERVAL, longest = 0;
+    std::vector<double> intervals;
     for (size_t i = 1; i < times_.size(); i++)
-    {
-        shortest = std::min(shortest, times_[i] - times_[i - 1]);
-        longest = std::max(longest, times_[i] - times_[i - 1]);
-    }
+        if (times_[i] > times_[i - 1])
+            intervals.push_back(times_[i] - times_[i - 1]);
+    if (intervals.empty())
+        return;
+    const double shortest = *std::min_element(intervals.begin(), intervals.end());
     for (double unit : {0.1, 0.01})
     {
-        const auto isRounded = [unit](double time) {
-            return std::abs(time / unit - std::round(time / unit)) < 1e-4; // as numbers of 1e9 s are exact
+        const double longer = shortest + unit, tolerance = 1e-4 * unit; // numbers of 1e9 s are exact to less
+        const auto isRounded = [=](double time) { return std::abs(std::remainder(time, unit)) < tolerance; };
+        const auto countOf = [&](double interval) {
+            return std::count_if(intervals.begin(), intervals.end(),
+                                 [=](double other) { return std::abs(other - interval) < tolerance; });
         };
-        // The difference of two rounded times errs by unit / sqrt(6), a given speed by default by 5 %.
-        if (!std::all_of(times_.begin(), times_.end(), isRounded) ||
-            std::abs(longest - shortest - unit) > 1e-4 * unit || unit / std::sqrt(6.) < 0.05 * longest)
+        // One in ten rounds by what is seen: the difference of two rounded times errs by unit / sqrt(6). An interval of
+        // twice the other is that of a frame that is missing.
+        const size_t least = intervals.size() / 10 + 1;
+        if (!std::all_of(times_.begin(), times_.end(), isRounded) || longer > 1.9 * shortest ||
+            unit / std::sqrt(6.) < 0.05 * shortest || size_t(countOf(shortest)) < least ||
+            size_t(countOf(longer)) < least)
             continue;
         warn(cv::format(
             "times seem to be rounded to %g s: intervals of %g and %g s alternate, by which speeds err; give "
-            "times with more decimals, or none",
-            unit, shortest, longest));
+            "times with more decimals, or none if frames follow each other at 30 frames/s",
+            unit, shortest, longer));
         return;
     }
 }
