@@ -352,6 +352,41 @@ TEST(RSAckermann_Posterior, one_wall_of_two)
     EXPECT_LT(left, 0.2 * raw);
 }
 
+// Some of the lines that belong to nothing point along some street: they don't make its direction surer than it is.
+TEST(RSAckermann_Posterior, direction_among_lines_of_nothing)
+{
+    const int frames = 40;
+    double squares = 0;
+    int within = 0;
+    for (int i = 0; i < frames; i++)
+    {
+        RNG rng(900 + i);
+        const double direction = rng.gaussian(6 * degree);
+        const Simulator street = Simulator::fromMetric(carCamera(), 0.05, rng.uniform(8., 20.), 6, 8, direction);
+        Mat segments = streetSegments(street, rng);
+        for (int k = 0; k < 25; k++)
+        {
+            const double angle = rng.uniform(-60., 60.) * degree, length = rng.uniform(80., 250.);
+            const Vec4d line(rng.uniform(0., 2048.), rng.uniform(0., 1024.), length * std::cos(angle),
+                             length * std::sin(angle));
+            segments.push_back(Mat(Vec4d(line[0], line[1], line[0] + line[2], line[1] + line[3])).t());
+        }
+        AckermannEstimator::Params params;
+        params.gravitySigma = 0;
+        const AckermannMotion motion = estimate(carCamera(), segments, MotionPrior(), params);
+        if (motion.status != MOTION_OK)
+            continue;
+        const double delta = motion.delta();
+        const double sigma = std::sqrt(motion.metricCovariance(carCamera())(2, 2)) / (1 + delta * delta);
+        const double z = (std::atan(delta) - direction) / sigma;
+        squares += z * z / frames;
+        within += std::abs(z) < 2;
+    }
+    RecordProperty("rms", cv::format("%.2f", std::sqrt(squares)));
+    EXPECT_LT(squares, 2 * 2);
+    EXPECT_GE(within, frames * 9 / 10);
+}
+
 // A camera that isn't given how a shutter's rows are timed has no yaw rate, and neither has a motion of which nothing
 // is known.
 TEST(RSAckermann_Posterior, nothing_is_known_without_segments)

@@ -85,6 +85,10 @@ public:
         addSceneWithoutVerticals(rest);
         addMoving(moving);
         result = mixture.best();
+        Vec<double, PARAMETERS> byAzimuth; // derivative of the model
+        byAzimuth[P_B] = -result.model[P_D];
+        byAzimuth[P_D] = result.model[P_B];
+        result.covariance += varianceOfOtherStreets(problem, leastOf(rest, moving)) * byAzimuth * byAzimuth.t();
         return true;
     }
 

@@ -113,6 +113,10 @@ there.
 */
 bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model);
 
+/** Mean square of the angle, in radians, between the walls of a fit and all streets that are possible if as many of the
+other segments as agree with a street may do so by chance (doc/theory.md, "Posterior"). */
+double varianceOfOtherStreets(const RefinementProblem& problem, const Fit& fit);
+
 /** How far away walls may be for their segments to end above the road.
 @param threshold pixels, residual of a segment that counts half as one of a wall.
 */

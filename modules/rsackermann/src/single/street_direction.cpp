@@ -28,30 +28,96 @@ static Model turnStreet(const Model& model, const MotionHypothesis& hypothesis, 
     return aligned;
 }
 
+namespace {
+
+// The segments that aren't verticals, compensated by a motion, and how far they are from pointing along a street or
+// across it.
+class StreetSearch
+{
+public:
+    StreetSearch(const RefinementProblem& problem_, const Model& model)
+        : problem(problem_), padded(problem_.otherArrays.paddedSize()), points(4 * size_t(padded)),
+          range(problem_.streetDeviation > 0 ? std::min(2 * problem_.streetDeviation, CV_PI / 2) : CV_PI / 2)
+    {
+        compensateSegments(problem.otherArrays, PreparedModel(model, problem.heading, problem.roadRatio),
+                           points.data());
+    }
+
+    // Calls function(azimuth, cost) for all azimuths that are possible. @param coarseness of the loss, in sigmas
+    template <class Function>
+    void forEachAzimuth(double coarseness, const Function& function) const
+    {
+        const double scale = problem.focal / (coarseness * problem.directionSigma);
+        for (double offset = -range; offset <= range; offset += STREET_STEP)
+        {
+            const double azimuth = problem.heading.angle + offset;
+            function(azimuth, streetCost(points.data(), padded, std::sin(azimuth), std::cos(azimuth), scale));
+        }
+    }
+
+private:
+    const RefinementProblem& problem;
+    const int padded;
+    AutoBuffer<float> points;
+    const double range;
+};
+
+} // namespace
+
 bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Model& model)
 {
     if (problem.others.empty())
         return false;
-    const int padded = problem.otherArrays.paddedSize();
-    AutoBuffer<float> points(4 * size_t(padded));
-    compensateSegments(problem.otherArrays, PreparedModel(model, problem.heading, problem.roadRatio), points.data());
-
-    const double scale = problem.focal / (COARSENESS * problem.directionSigma);
     double bestCost = DBL_MAX, best = 0;
-    const double range = problem.streetDeviation > 0 ? std::min(2 * problem.streetDeviation, CV_PI / 2) : CV_PI / 2;
-    for (double offset = -range; offset <= range; offset += STREET_STEP)
-    {
-        const double azimuth = problem.heading.angle + offset;
-        const double cost = streetCost(points.data(), padded, std::sin(azimuth), std::cos(azimuth), scale);
+    StreetSearch(problem, model).forEachAzimuth(COARSENESS, [&](double azimuth, double cost) {
         if (cost < bestCost)
         {
             bestCost = cost;
             best = azimuth;
         }
-    }
+    });
     const double before = hypothesis.translates() ? std::atan2(model[P_D], model[P_B]) : model[P_STREET];
     model = turnStreet(model, hypothesis, best);
     return std::abs(std::sin(best - before)) > 1e-9; // more than rounding
+}
+
+double varianceOfOtherStreets(const RefinementProblem& problem, const Fit& fit)
+{
+    const int count = int(problem.others.size());
+    if (count == 0 || !fit.hypothesis.translates())
+        return 0;
+    Model ofVerticals = fit.model;
+    Matx<double, PARAMETERS, PARAMETERS> covariance;
+    const int iterations = 8;
+    refine(problem, fit.hypothesis, VERTICALS_ONLY, iterations, ofVerticals, &covariance);
+    const Vec2d wall(ofVerticals[P_B], ofVerticals[P_D]), byWall = Vec2d(-wall[1], wall[0]) / wall.dot(wall);
+    const double variance = byWall.dot(covariance.get_minor<2, 2>(P_B, P_B) * byWall);
+    if (!(variance > 0))
+        return 0;
+
+    std::vector<double> azimuths, agreeing;
+    StreetSearch(problem, fit.model).forEachAzimuth(problem.lossScale, [&](double azimuth, double cost) {
+        azimuths.push_back(azimuth);
+        agreeing.push_back(count - cost);
+    });
+    const double logChance = std::log(cv::mean(agreeing)[0] / count);
+    std::vector<double> logWeights;
+    for (size_t i = 0; i < azimuths.size(); i++)
+    {
+        const double k = agreeing[i], offset = std::sin(azimuths[i] - std::atan2(wall[1], wall[0]));
+        logWeights.push_back(std::lgamma(k + 1) + std::lgamma(count - k + 1) - k * logChance -
+                             offset * offset / (2 * variance));
+    }
+    const double largest = *std::max_element(logWeights.begin(), logWeights.end());
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < azimuths.size(); i++)
+    {
+        const double weight = std::exp(logWeights[i] - largest),
+                     offset = std::sin(azimuths[i] - std::atan2(fit.model[P_D], fit.model[P_B]));
+        sum += weight;
+        squares += weight * offset * offset;
+    }
+    return squares / sum;
 }
 
 }} // namespace cv::rsackermann
