@@ -171,6 +171,11 @@ std::string DriveLog::nameOf(const std::string& file) const
     return "";
 }
 
+bool DriveLog::hasNumberAlone() const
+{
+    return !named_.empty() && named_.begin()->first.first.empty(); // the first one in the order of names
+}
+
 const FrameFacts* DriveLog::named(const std::string& file, int number) const
 {
     for (const std::string& name : {file, fileName(file), std::string()})

@@ -55,6 +55,8 @@ public:
     std::string nameOf(const std::string& file) const;
     //! Whether a row names the frame.
     bool names(const std::string& file, int number) const { return named(file, number) != nullptr; }
+    //! Whether a row names a frame by its number alone.
+    bool hasNumberAlone() const;
     //! Whether a speed or a yaw rate is given anywhere.
     bool hasSpeed() const { return has(&FrameFacts::speed); }
     bool hasYawRate() const { return has(&FrameFacts::yawRate); }

@@ -36,7 +36,7 @@ cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts, const cv::rsackerm
 
 void checkLog(const DriveLog& log, const InputList& inputs, const std::string& program)
 {
-    size_t images = 0, unknown = 0;
+    size_t images = 0, unknown = 0, videos = 0;
     std::map<std::string, std::string> inputsOfNames;
     for (const Input& input : inputs.inputs)
     {
@@ -45,12 +45,15 @@ void checkLog(const DriveLog& log, const InputList& inputs, const std::string& p
         if (!name.empty() && other != input.name)
             throw UsageError("the log's " + name + " is both " + other + " and " + input.name +
                              "; name them with their folders");
+        videos += isVideo(input.name);
         if (input.isFile() && !isVideo(input.name))
         {
             images++;
             unknown += !log.names(input.name, input.number);
         }
     }
+    if (videos > 1 && log.hasNumberAlone())
+        throw UsageError("the log's column frame needs the column file: there are several videos");
     if (images > 0 && unknown == images)
         throw UsageError("the log names none of the images (columns file or frame), and samples need their times");
     if (log.shortestStep() > RAREST_SAMPLES)

@@ -27,7 +27,8 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
 
 void Warnings::end()
 {
-    if (hasFrame_ && !job_.log.empty() && !isLogUsed_)
+    // The frames of a log may all be in other shards.
+    if (hasFrame_ && !job_.log.empty() && !isLogUsed_ && job_.shardCount == 1)
         warn(job_.log.whyUseless());
     addRounding();
 }

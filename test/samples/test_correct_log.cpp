@@ -144,6 +144,8 @@ TEST_F(CorrectLog, each_image_has_its_row)
     // The number of an image is that in the list of inputs, whatever part of them is done.
     EXPECT_EQ((std::vector<Json>{b}),
               resultsOf(runWithLog("frame,speed_kmh\n0,10\n1,40\n2,70\n", inputs, {"--shard=2/3"})));
+    const Outcome other = runWithLog("frame,speed_kmh\n0,10\n", inputs, {"--shard=2/3"});
+    EXPECT_EQ(std::string::npos, other.messages.find("no effect")) << other.messages;
 }
 
 // Images of two drives are often called the same.

@@ -420,6 +420,24 @@ TEST_F(CorrectVideo, log_of_no_frame)
     }
 }
 
+TEST_F(CorrectVideo, number_of_a_frame_of_two_videos)
+{
+    const std::string other = in_ / "other.avi";
+    writeVideo(other);
+    const std::pair<const char*, int> logs[] = {{"frame,speed_kmh\n2,66\n", 2},
+                                                {"file,frame,speed_kmh\nother.avi,1,60\n,2,66\n", 2},
+                                                {"file,frame,speed_kmh\nother.avi,2,66\n", 0}};
+    for (const std::pair<const char*, int>& log : logs)
+    {
+        writeContent(in_ / "log.csv", log.first);
+        const Outcome outcome = correct({video_, other, "--report=-", "--log=" + (in_ / "log.csv")});
+        EXPECT_EQ(log.second, outcome.exitCode) << log.first << outcome.messages;
+        EXPECT_EQ(log.second == 2,
+                  outcome.messages.find("the log's column frame needs the column file") != std::string::npos)
+            << outcome.messages;
+    }
+}
+
 TEST_F(CorrectVideo, lines_are_for_images)
 {
     writeContent(in_ / "lines.txt", "1 2 3 4\n");
