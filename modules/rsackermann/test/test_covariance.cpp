@@ -18,8 +18,6 @@ struct Knowledge
     double speedSigma;   // m/s, of the error of a known speed; 0: it isn't known
     double focalNoise;   // standard deviation of the relative error of the focal length, which the estimator knows of
     double delayNoise;   // the same of the line delay
-    // Least shares within two and three sigma: yaw rate, speed, vanishing point, ratio of the walls
-    double within2[4], within3[4];
 };
 
 void PrintTo(const Knowledge& knowledge, std::ostream* out)
@@ -148,23 +146,21 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
         RecordProperty(cv::format("within_2_sigma_of_value_%d", k).c_str(), cv::format("%.3f", share2).c_str());
         RecordProperty(cv::format("within_3_sigma_of_value_%d", k).c_str(), cv::format("%.3f", share3).c_str());
         EXPECT_GE(c.known, frames * 4 / 5) << names[k];
-        EXPECT_GE(share2, knowledge.within2[k]) << names[k];
+        EXPECT_GE(share2, 0.9) << names[k];
         if (k < 2)
         {
             EXPECT_LE(share2, 0.99) << names[k]; // broad priors widen those of the walls
         }
-        EXPECT_GE(share3, knowledge.within3[k]) << names[k];
+        EXPECT_GE(share3, 0.98) << names[k];
     }
 }
 
-// The posterior of uncertain gravity is described by one covariance only, which its tails of speed and walls exceed.
-const Knowledge knowledges[] = {
-    {"verticals", 0, 0, 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-    {"street_lines", 40, 0, 0, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-    {"speed", 40, 0, 0.5, 0, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-    {"focal_length_off_by_10_percent", 40, 0, 0, 0.1, 0, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-    {"line_delay_off_by_10_percent", 40, 0, 0, 0, 0.1, {0.9, 0.9, 0.9, 0.9}, {0.98, 0.98, 0.98, 0.98}},
-    {"gravity_off_by_1_degree", 40, 1, 0, 0, 0, {0.9, 0.85, 0.8, 0.85}, {0.97, 0.93, 0.87, 0.95}}};
+const Knowledge knowledges[] = {{"verticals", 0, 0, 0, 0, 0},
+                                {"street_lines", 40, 0, 0, 0, 0},
+                                {"speed", 40, 0, 0.5, 0, 0},
+                                {"focal_length_off_by_10_percent", 40, 0, 0, 0.1, 0},
+                                {"line_delay_off_by_10_percent", 40, 0, 0, 0, 0.1},
+                                {"gravity_off_by_1_degree", 40, 1, 0, 0, 0}};
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, RSAckermann_Covariance, testing::ValuesIn(knowledges));
 
