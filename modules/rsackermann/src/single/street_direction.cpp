@@ -98,9 +98,9 @@ double varianceOfOtherStreets(const RefinementProblem& problem, const Fit& fit)
     std::vector<double> azimuths, agreeing;
     StreetSearch(problem, fit.model).forEachAzimuth(problem.lossScale, [&](double azimuth, double cost) {
         azimuths.push_back(azimuth);
-        agreeing.push_back(count - cost);
+        agreeing.push_back(std::max(count - cost, 0.)); // the cost is rounded
     });
-    const double logChance = std::log(cv::mean(agreeing)[0] / count);
+    const double logChance = std::log(std::max(cv::mean(agreeing)[0] / count, DBL_MIN));
     std::vector<double> logWeights;
     for (size_t i = 0; i < azimuths.size(); i++)
     {
