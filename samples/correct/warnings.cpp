@@ -59,7 +59,7 @@ void Warnings::addRounding()
             size_t(countOf(longer)) < least)
             continue;
         warn(cv::format(
-            "times seem to be rounded to %g s: intervals of %g and %g s alternate, by which speeds err; give "
+            "times seem to be rounded to %g s: intervals of %g and %g s alternate, by which speeds and yaw rates err; give "
             "times with more decimals, or none if frames follow each other at 30 frames/s",
             unit, shortest, longer));
         return;

@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
+#include "../src/sequence/clock_noise.hpp"
 #include "../src/sequence/frame_fit.hpp"
 #include "../src/sequence/sequence_filter.hpp"
 
@@ -378,9 +379,10 @@ TEST_P(Scans, states_of_cameras_that_shake_have_true_sigmas)
             const std::vector<TrackedBearing> bearings = shakenBearings(simulator, size, rng);
             for (int k = 0; k < 2; k++)
             {
-                const SequenceState fitted = fitFrame(camera, bearings, std::vector<UprightSegment>(), states[k], false,
-                                                      k == 0 ? Vec2d(size, size) : Vec2d())
-                                                 .state;
+                FitNuisances nuisances;
+                nuisances.pitchChange = nuisances.rollChange = k == 0 ? size : 0;
+                const SequenceState fitted =
+                    fitFrame(camera, bearings, std::vector<UprightSegment>(), states[k], false, nuisances).state;
                 const double error = fitted.value[SEQUENCE_SPEED] - truth.speed;
                 errors[k] += error * error;
                 squares[k] += error * error / fitted.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED);
@@ -393,6 +395,71 @@ TEST_P(Scans, states_of_cameras_that_shake_have_true_sigmas)
     EXPECT_LT(errors[0], 0.5 * errors[1]);
     EXPECT_LT(squares[0], count);
     EXPECT_GT(squares[1], 1.5 * count);
+}
+
+// Times that jitter, as those at which a computer received the frames, look like a speed that does: the state is as
+// uncertain as they make it, and the speed is a mean. Those of a clock without errors cost nothing.
+TEST_P(Scans, states_of_frames_whose_times_jitter_have_true_sigmas)
+{
+    RNG rng(9);
+    const RollingShutterCamera camera = driveCamera(GetParam());
+    const double interval = 1. / 30;
+    for (const double jitter : {0., 0.003})
+    {
+        int count = 0;
+        // Of the speeds, with errors of the times in mind and without
+        double errors[2] = {0, 0}, squares[2] = {0, 0}, variances[2] = {0, 0};
+        for (int i = 0; i < 4; i++)
+        {
+            const Truth truth = {rng.uniform(-0.2, 0.2), rng.uniform(6., 14.), rng.uniform(6., 15.),
+                                 rng.uniform(6., 15.), 0};
+            const Simulator simulator = simulate(camera, truth);
+            SequenceState state = stateOf(camera, truth);
+            state.covariance(SEQUENCE_ROAD, SEQUENCE_ROAD) *= 1e-4; // a speed is as uncertain as the camera's height
+            SequenceState states[2] = {state, state};
+            ClockNoise noise;
+            double errorBefore = 0;
+            for (int frame = 0; frame < 40; frame++)
+            {
+                const double error = rng.gaussian(jitter), given = interval + error - errorBefore;
+                errorBefore = error;
+                const std::vector<TrackedBearing> bearings =
+                    bearingsOf(camera, randomPairs(simulator, interval, 250, 0.3, 0, rng), given);
+                FitNuisances nuisances;
+                nuisances.interval = noise.sigma();
+                for (int k = 0; k < 2; k++)
+                {
+                    states[k].predict(given);
+                    const SequenceFit fit = fitFrame(camera, bearings, std::vector<UprightSegment>(), states[k], false,
+                                                     k == 0 ? nuisances : FitNuisances());
+                    if (k == 0)
+                        noise.add(fit.values[SEQUENCE_SPEED], given);
+                    states[k] = fit.state;
+                    const double off = fit.state.value[SEQUENCE_SPEED] - truth.speed,
+                                 variance = fit.state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED);
+                    if (frame < 10)
+                        continue; // that show the errors
+                    errors[k] += off * off;
+                    squares[k] += off * off / variance;
+                    variances[k] += variance;
+                }
+                count += frame >= 10;
+            }
+        }
+        SCOPED_TRACE(testing::Message() << jitter << ": " << errors[0] / count << " " << errors[1] / count << ", "
+                                        << squares[0] / count << " " << squares[1] / count << ", "
+                                        << variances[0] / variances[1]);
+        EXPECT_LT(squares[0], 1.5 * count);
+        if (jitter == 0)
+        {
+            EXPECT_LT(variances[0], 1.2 * variances[1]);
+        }
+        else
+        {
+            EXPECT_LT(errors[0], 0.5 * errors[1]);
+            EXPECT_GT(squares[1], 2 * count);
+        }
+    }
 }
 
 INSTANTIATE_TEST_CASE_P(RSAckermann_Sequence, Scans, testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));

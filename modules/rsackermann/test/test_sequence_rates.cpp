@@ -263,8 +263,10 @@ TEST(RSAckermann_RowRates, first_changes_are_as_large_as_other_rates)
         RowRates rates;
         rates.begin(turnsToNextFrame(0.03, -0.04), interval, 0);
         EXPECT_NEAR(0.5 / std::sqrt(2.), yawSigmaOf(rates), 1e-12);
-        for (int axis = 0; axis < 2; axis++)
-            EXPECT_NEAR(0.5 * std::sqrt(1.5), rates.expectedChanges(interval)[axis], 1e-12);
+        FitNuisances nuisances;
+        rates.expectChanges(interval, nuisances);
+        EXPECT_NEAR(0.5 * std::sqrt(1.5), nuisances.pitchChange, 1e-12);
+        EXPECT_NEAR(0.5 * std::sqrt(1.5), nuisances.rollChange, 1e-12);
         // The next frame knows no change yet; then those that are seen count as well.
         SequenceFit fit = turnsToNextFrame(0, 0);
         rates.update(fit, interval, 0, 0);

@@ -136,31 +136,39 @@ public:
         }
     }
 
-    // The state of a minimum, beside changes of the rates of pitch and roll (doc/theory.md, "Rates of rows").
-    // @param changes their standard deviations.
-    void setState(const Minimum& m, const Vec2d& changes, SequenceState& state) const
+    // The state of a minimum, beside changes of the rates of pitch and roll, and intervals that are known vaguely
+    // (doc/theory.md, "Rates of rows").
+    void setState(const Minimum& m, const FitNuisances& nuisances, SequenceState& state) const
     {
-        enum { TURNS = FLOW_YAW_CHANGE - FLOW_PITCH_BEFORE, ALL = FLOW_VALUES + TURNS };
+        enum { TURNS = FLOW_YAW_CHANGE - FLOW_PITCH_BEFORE, OTHERS = TURNS + 2, ALL = FLOW_VALUES + OTHERS };
         NormalEquations<ALL> equations;
         rsackermann::addPoints<ALL>(
             bearings, pointWeights, 1,
             [&](const TrackedBearing& s, Eigen::Matrix<double, ALL, 2>& J) {
                 FlowGradient byValues;
                 const Point2d r = residual.evaluate(s, m.at.data(), byValues.data());
-                J << byValues, s.timeNow * unit * byValues.middleRows<TURNS>(FLOW_PITCH_BEFORE);
+                // In an interval that is longer a slower car has gone as far.
+                const Eigen::RowVector2d byInterval = m.at[SEQUENCE_YAW_RATE] * byValues.row(SEQUENCE_YAW_RATE) +
+                                                      m.at[SEQUENCE_SPEED] * byValues.row(SEQUENCE_SPEED);
+                const bool isBefore = s.pitch == FLOW_PITCH_BEFORE;
+                J << byValues, s.timeNow * unit * byValues.middleRows<TURNS>(FLOW_PITCH_BEFORE), isBefore * byInterval,
+                    !isBefore * byInterval;
                 return r;
             },
             equations);
-        // All of the changes in standard deviations, which may be 0.
-        typedef Eigen::Matrix<double, TURNS, TURNS> TurnMatrix;
-        const Eigen::Vector4d sigmas(changes[0], changes[1], changes[0], changes[1]);
+        // All of them in standard deviations, which may be 0.
+        typedef Eigen::Matrix<double, OTHERS, OTHERS> OtherMatrix;
+        typedef Eigen::Matrix<double, OTHERS, 1> OtherVector;
+        const OtherVector sigmas = (OtherVector() << nuisances.pitchChange, nuisances.rollChange, nuisances.pitchChange,
+                                    nuisances.rollChange, nuisances.interval, nuisances.interval)
+                                       .finished();
         const FlowEquations::Matrix P = scaledInverse(m.equations.symmetric());
-        const Eigen::Matrix<double, TURNS, FLOW_VALUES> C =
-            sigmas.asDiagonal() * equations.information.bottomLeftCorner<TURNS, FLOW_VALUES>();
-        const TurnMatrix D = sigmas.asDiagonal() * equations.symmetric().bottomRightCorner<TURNS, TURNS>() *
-                             sigmas.asDiagonal(),
-                         K = scaledInverse<TurnMatrix>(TurnMatrix::Identity() + D - C * P * C.transpose());
-        const Unknowns x = m.at + P * C.transpose() * K * sigmas.asDiagonal() * equations.gradient.tail<TURNS>();
+        const Eigen::Matrix<double, OTHERS, FLOW_VALUES> C =
+            sigmas.asDiagonal() * equations.information.bottomLeftCorner<OTHERS, FLOW_VALUES>();
+        const OtherMatrix D = sigmas.asDiagonal() * equations.symmetric().bottomRightCorner<OTHERS, OTHERS>() *
+                              sigmas.asDiagonal(),
+                          K = scaledInverse<OtherMatrix>(OtherMatrix::Identity() + D - C * P * C.transpose());
+        const Unknowns x = m.at + P * C.transpose() * K * sigmas.asDiagonal() * equations.gradient.tail<OTHERS>();
         const FlowEquations::Matrix covariance = P + P * C.transpose() * K * C * P;
         std::copy(x.data(), x.data() + SEQUENCE_VALUES, state.value.val);
         for (int i = SEQUENCE_LEFT; i <= SEQUENCE_ROAD; i++)
@@ -257,11 +265,11 @@ Minimum search(FrameFitProblem& problem, double focal, bool isUninitialised, Seq
 }
 
 // A minimum as the fit of a frame.
-SequenceFit toFit(const FrameFitProblem& problem, const Minimum& best, const Vec2d& changes, SequenceFit fit)
+SequenceFit toFit(const FrameFitProblem& problem, const Minimum& best, const FitNuisances& nuisances, SequenceFit fit)
 {
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     problem.measureTurns(best.at, fit.before, fit.after);
-    problem.setState(best, changes, fit.state);
+    problem.setState(best, nuisances, fit.state);
     return fit;
 }
 
@@ -269,7 +277,7 @@ SequenceFit toFit(const FrameFitProblem& problem, const Minimum& best, const Vec
 
 SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
                      const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
-                     bool isUninitialised, const Vec2d& changes)
+                     bool isUninitialised, const FitNuisances& nuisances)
 {
     const double focal = camera.cameraMatrix(0, 0);
     FrameFitProblem problem(camera, bearings, verticals, prediction);
@@ -282,9 +290,9 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
         FrameFitProblem ofScene(camera, above, verticals, prediction);
         const Minimum scene = search(ofScene, focal, isUninitialised, other);
         if (scene.equations.cost + cost < best.equations.cost)
-            return toFit(ofScene, scene, changes, other);
+            return toFit(ofScene, scene, nuisances, other);
     }
-    return toFit(problem, best, changes, fit);
+    return toFit(problem, best, nuisances, fit);
 }
 
 }} // namespace cv::rsackermann

@@ -39,16 +39,22 @@ struct SequenceFit
     explicit SequenceFit(const SequenceState& prediction_) : prediction(prediction_), state(prediction_) {}
 };
 
+//! Standard deviations of what a frame's points depend on beside the unknowns of the fit.
+struct FitNuisances
+{
+    double pitchChange = 0, rollChange = 0; //!< of these rates from frame to frame, rad/s
+    double interval = 0;                    //!< relative, of the time between frames
+};
+
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to
 the verticals of the present one, together with the state of the frames before (doc/theory.md, "Sequence").
 @param prediction of the state at the present frame.
 @param isUninitialised whether the prediction is hardly more than the usual values: motions that differ from it are
 tried, too.
-@param changes expected changes of the rates of pitch and roll from frame to frame, rad/s.
 */
 SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
                      const std::vector<UprightSegment>& verticals, const SequenceState& prediction,
-                     bool isUninitialised, const Vec2d& changes = Vec2d());
+                     bool isUninitialised, const FitNuisances& nuisances = FitNuisances());
 
 }} // namespace cv::rsackermann
 

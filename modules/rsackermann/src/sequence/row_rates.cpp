@@ -231,10 +231,11 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
     yawBeyond.sigma = yawAboutFit(0, after, readOut);
 }
 
-Vec2d RowRates::expectedChanges(double interval) const
+void RowRates::expectChanges(double interval, FitNuisances& nuisances) const
 {
     const double usual = std::sqrt(2.) * TURN_SIGMA / std::abs(interval);
-    return Vec2d(pitch.expectedChange(usual), roll.expectedChange(usual));
+    nuisances.pitchChange = pitch.expectedChange(usual);
+    nuisances.rollChange = roll.expectedChange(usual);
 }
 
 void RowRates::set(const MeasuredTurns& measured)

@@ -126,8 +126,8 @@ public:
     @param readOut seconds in which a frame is read. */
     void begin(const SequenceFit& fit, double after, double readOut);
 
-    //! Standard deviations of the changes of the rates of pitch and roll from frame to frame, rad/s.
-    Vec2d expectedChanges(double interval) const;
+    //! Sets by how much the rates of pitch and roll change from frame to frame.
+    void expectChanges(double interval, FitNuisances& nuisances) const;
 
     //! Of the present frame, by a gyro.
     void set(const MeasuredTurns& measured);

@@ -47,6 +47,7 @@ void SequenceEstimator::resetState()
 {
     filter.reset(camera, params);
     rates = RowRates(RowRates::usualSteering(params));
+    clockNoise = ClockNoise();
     seen = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -246,13 +247,19 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         return false;
     selectCandidates(segments, camera, params, features.verticals, features.others);
     AckermannMotion compared;
-    if (!update(prior, rates.yawAboutFit(before, after, readOut(camera)),
-                rates.expectedChanges(follows ? passed : after), compared))
+    FitNuisances nuisances;
+    rates.expectChanges(follows ? passed : after, nuisances);
+    nuisances.interval = clockNoise.sigma();
+    if (!update(prior, rates.yawAboutFit(before, after, readOut(camera)), nuisances, compared))
     {
         resetState();
         return false;
     }
     seen = filter.time;
+    if (follows && alone.moves)
+        clockNoise.add(alone.values[SEQUENCE_SPEED], passed);
+    else
+        clockNoise.interrupt();
     updateRates(before, after);
     const std::vector<UprightSegment>& verticals = features.verticals;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
@@ -268,11 +275,11 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
 
 // What is given counts in its own frame alone: its error may be that of all frames. Goes by the frames alone if no
 // motion is near what is given, or they contradict it. Returns whether they show one of this scene.
-bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, const Vec2d& changes,
+bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, const FitNuisances& nuisances,
                                AckermannMotion& motion)
 {
     SequenceFilter aided = filter;
-    const bool isSeen = filter.update(features, camera, params, alone, changes);
+    const bool isSeen = filter.update(features, camera, params, alone, nuisances);
     last = alone;
     if (!isGiven(prior))
         return isSeen;
@@ -281,7 +288,7 @@ bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, con
     if (prior.yawRateSigma > 0)
         ofFit.yawRateSigma = std::hypot(prior.yawRateSigma, yawAboutFit);
     aided.state.measure(ofFit);
-    const bool isNear = aided.update(features, camera, params, last, changes);
+    const bool isNear = aided.update(features, camera, params, last, nuisances);
     if (!isSeen)
     {
         alone = last;

@@ -7,6 +7,7 @@
 
 #include "sequence_filter.hpp"
 #include "row_rates.hpp"
+#include "clock_noise.hpp"
 #include "gyro_rates.hpp"
 
 namespace cv { namespace rsackermann {
@@ -55,7 +56,7 @@ private:
                                 const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
-    bool update(const MotionPrior& prior, double yawAboutFit, const Vec2d& changes, AckermannMotion& motion);
+    bool update(const MotionPrior& prior, double yawAboutFit, const FitNuisances& nuisances, AckermannMotion& motion);
     void compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, double yawAboutFit,
                          AckermannMotion& motion) const;
     AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
@@ -81,6 +82,7 @@ private:
     bool isRepeated = false; // came again
     SequenceFilter filter;   // without what is given
     RowRates rates;
+    ClockNoise clockNoise;
     SequenceFit last;  // whose points showed the motion
     SequenceFit alone; // the same without what is given
     double seen;       // time of that; not finite if there is none

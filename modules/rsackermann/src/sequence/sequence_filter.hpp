@@ -43,12 +43,12 @@ struct SequenceFilter
     }
 
     /** Fits the state to a frame; it is forgotten if that shows another scene.
-    @param changes those of fitFrame().
     @return whether the fit is one of this scene. */
     bool update(const FrameFeatures& frame, const RollingShutterCamera& camera,
-                const AckermannEstimator::Params& params, SequenceFit& fit, const Vec2d& changes = Vec2d())
+                const AckermannEstimator::Params& params, SequenceFit& fit,
+                const FitNuisances& nuisances = FitNuisances())
     {
-        fit = fitFrame(camera, frame.bearings, frame.verticals, state, isUninitialised, changes);
+        fit = fitFrame(camera, frame.bearings, frame.verticals, state, isUninitialised, nuisances);
         if (fit.agreeing < SAME_SCENE)
         {
             reset(camera, params);
