@@ -395,6 +395,30 @@ TEST_P(SequenceModes, same_image_again)
     }
 }
 
+// Nor does an encoder leave it as it was.
+TEST_P(SequenceModes, nearly_same_image_again)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    std::vector<Mat> repeated = frames;
+    const int at = FRAMES / 2;
+    Mat again = frames[at - 1].clone(), noise(again.size(), CV_8S);
+    RNG(5).fill(noise, RNG::NORMAL, 0, 0.6);
+    cv::add(again, noise, again, noArray(), CV_8U);
+    repeated.insert(repeated.begin() + at, again);
+    const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING),
+                                       undisturbed = createCorrector(setting, Twin(), NOTHING);
+    AckermannMotion expected;
+    for (int i = 0; i <= FRAMES; i++)
+    {
+        SCOPED_TRACE(i);
+        const AckermannMotion m = correctFrame(*corrector, repeated, i, NOTHING);
+        if (i != at)
+            expected = correctFrame(*undisturbed, frames, i < at ? i : i - 1, NOTHING);
+        ASSERT_EQ(expected.status, m.status);
+        EXPECT_NEAR(expected.alpha, m.alpha, 2 * std::sqrt(m.covariance(0, 0)) + 1e-12);
+    }
+}
+
 // Nor does a car stand of which each image comes twice.
 TEST_P(SequenceModes, each_image_twice)
 {

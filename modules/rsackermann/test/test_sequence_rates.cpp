@@ -74,6 +74,23 @@ Errors errorsOf(const Swing& swing, int frames, const ShownChanges& rows)
     return e;
 }
 
+// Where shaking begins the means before let expect nothing.
+TEST(RSAckermann_RateProcess, begins_with_the_last_mean)
+{
+    for (const double first : {4., -8.})
+    {
+        RNG rng(4);
+        RateProcess process;
+        for (int i = 0; i < 6; i++)
+            process.add(InstantRate(rng.gaussian(0.01), 0.01), rng.gaussian(0.01), 0.1);
+        process.add(InstantRate(first, 0.01), 0, 0.1);
+        const InstantRate now = process.now(0.1);
+        EXPECT_GT(now.value / first, 0.3);
+        EXPECT_LT(now.value / first, 1.2);
+        EXPECT_LT(std::abs(now.value - first), 3 * now.sigma);
+    }
+}
+
 // A suspension, and an arm of 5 Hz: with the next frame better than without, without better than the last mean, and
 // better still if the rows show changes, whatever the scene adds to all of them.
 TEST(RSAckermann_RowRates, of_oscillations)

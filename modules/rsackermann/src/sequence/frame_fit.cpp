@@ -229,7 +229,11 @@ double expect(const FrameFitProblem& problem, const Unknowns& u, double focal, S
     const int unknowns = 6;
     Unknowns still = u;
     still[SEQUENCE_YAW_RATE] = still[SEQUENCE_SPEED] = 0;
-    fit.moves = problem.pointCost(still) - problem.pointCost(u) > 2 * unknowns;
+    const double ofStill = problem.pointCost(still);
+    fit.moves = ofStill - problem.pointCost(u) > 2 * unknowns;
+    Unknowns predicted = u;
+    predicted.head<SEQUENCE_VALUES>() = problem.expected.head<SEQUENCE_VALUES>();
+    fit.stands = !fit.moves && problem.pointCost(predicted) - ofStill > 2 * unknowns;
     return problem.bearings.empty() ? 0 : double(share.count) / double(problem.bearings.size());
 }
 

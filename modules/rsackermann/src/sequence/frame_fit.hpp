@@ -33,6 +33,7 @@ struct SequenceFit
     double values[FLOW_VALUES] = {}; //!< state and turns
     NeighbourTurns before, after;    //!< the same turns, with their changes
     bool moves = false;              //!< whether the points rule out a camera at rest
+    bool stands = false;             //!< whether they rule out the predicted motion instead
     double residual = 1;             //!< of the points that agree, over their displacement in the raw image
     double agreeing = 0; //!< share of the points that agree with the motion, without those on the car itself
 

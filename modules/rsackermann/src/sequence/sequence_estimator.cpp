@@ -73,7 +73,6 @@ AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFr
     labelsOfImage = labels.clone();
     segmentsOfImage = segments.clone();
     frame.gray.copyTo(image);
-    isRepeated = false;
     return motionOfImage;
 }
 
@@ -81,11 +80,14 @@ AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const Gra
                                                const MotionPrior& prior, Mat& labels)
 {
     AckermannMotion motion;
-    isKnown = estimateFromPoints(frame, next, segments, prior, motion, labels);
+    bool isCopy = false;
+    isKnown = estimateFromPoints(frame, next, segments, prior, motion, labels, isCopy);
+    const bool isAfterCopy = isRepeated;
+    isRepeated = isCopy;
     if (isKnown)
         return motion;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
-    if (isRepeated)
+    if (isAfterCopy || isCopy)
     {
         selectCandidates(segments, camera, params, features.verticals, features.others);
         motion.candidates = int(features.verticals.size());
@@ -227,9 +229,17 @@ static double readOut(const RollingShutterCamera& camera)
     return camera.lineDelay * camera.imageSize.height;
 }
 
-// Returns whether there were points to go by.
+// A car that was fast a moment ago doesn't stand: nearly the same image comes again.
+static bool showsCopy(const SequenceFit& fit)
+{
+    const double speed = fit.prediction.value[SEQUENCE_SPEED];
+    return fit.stands &&
+           speed * speed > CONTRADICTION * CONTRADICTION * fit.prediction.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED);
+}
+
+// Returns whether there were points to go by. isCopy: whether they are those of the image before.
 bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
-                                           const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
+                                           const MotionPrior& prior, AckermannMotion& motion, Mat& labels, bool& isCopy)
 {
     const double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
@@ -240,6 +250,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         resetState();
     else if (isRepeated && wasSeen) // by when the car has gone on isn't known, unless all images come again
         features.leaveOutFrameBefore();
+    const SequenceFilter filterBefore = filter;
     const bool follows = filter.advance(frame.seconds, camera, params);
     const bool hasPoints = features.bearings.size() >= LEAST_POINTS;
     const double before = follows ? passed : 0, after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
@@ -247,6 +258,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         return false;
     selectCandidates(segments, camera, params, features.verticals, features.others);
     AckermannMotion compared;
+    const SequenceFit fitBefore = last;
     FitNuisances nuisances;
     rates.expectChanges(follows ? passed : after, nuisances);
     nuisances.interval = clockNoise.sigma();
@@ -255,11 +267,15 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         resetState();
         return false;
     }
-    seen = filter.time;
-    if (follows && alone.moves)
-        clockNoise.add(alone.values[SEQUENCE_SPEED], passed);
-    else
+    isCopy = showsCopy(alone);
+    if (isCopy)
+    {
+        filter = filterBefore; // at the time of that image
+        last = fitBefore;
         clockNoise.interrupt();
+        return false;
+    }
+    seen = filter.time;
     updateRates(before, after);
     const std::vector<UprightSegment>& verticals = features.verticals;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
@@ -320,6 +336,10 @@ void SequenceEstimator::updateRates(double before, double after)
     bool isSeen[2] = {false, false}; // in the earlier and in the later neighbour
     for (size_t i = 0; i < features.bearings.size(); i++)
         isSeen[features.bearings[i].pitch == FLOW_PITCH_BEFORE ? 0 : 1] = true;
+    if (before != 0 && isSeen[before > 0 ? 0 : 1] && alone.moves)
+        clockNoise.add(alone.values[SEQUENCE_SPEED], before);
+    else
+        clockNoise.interrupt();
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
         rates.update(alone, before, isSeen[before > 0 ? 1 : 0] ? after : 0, readOut(camera));
     else if (after != 0 && isSeen[after > 0 ? 1 : 0])

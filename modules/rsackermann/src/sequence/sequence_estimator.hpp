@@ -55,7 +55,7 @@ private:
     AckermannMotion estimateNew(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                 const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
-                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
+                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels, bool& isCopy);
     bool update(const MotionPrior& prior, double yawAboutFit, const FitNuisances& nuisances, AckermannMotion& motion);
     void compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, double yawAboutFit,
                          AckermannMotion& motion) const;
@@ -79,7 +79,7 @@ private:
     AckermannMotion motionOfImage;
     Mat segmentsOfImage, labelsOfImage;
     bool isKnown = false;    // by its points, or expected as its image before came again
-    bool isRepeated = false; // came again
+    bool isRepeated = false; // came again, or nearly
     SequenceFilter filter;   // without what is given
     RowRates rates;
     ClockNoise clockNoise;
