@@ -4,7 +4,6 @@
 
 #include "../../precomp.hpp"
 #include "../../parallel_loop.hpp"
-#include "../../prefetch.hpp"
 #include "depth_kernels.hpp"
 #include "inverse_depth_image.hpp"
 
@@ -38,6 +37,18 @@ bool readRow(const DepthMap& depth, const Point& first, int width, double neares
         return scaleDepths(values, width, float(depth.scale), float(depth.shift), float(nearest), inverse);
     return invertDepths(values, width, float(1 / depth.scale), std::max(float(nearest / depth.scale), FLT_MIN), FLT_MAX,
                         inverse);
+}
+
+// Has the processor bring a part of a row from memory, where rows of a part of an image are far from each other.
+void prefetchRow(const uchar* first, int bytes)
+{
+#ifdef __GNUC__
+    const int line = 64; // bytes that come together
+    for (int i = 0; i < bytes; i += line)
+        __builtin_prefetch(first + i);
+#else
+    (void)first, (void)bytes;
+#endif
 }
 
 } // namespace

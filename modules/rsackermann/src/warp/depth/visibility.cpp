@@ -59,8 +59,8 @@ void Visibility::findByPatches(const Patches& patches, float low, float high, co
     if (std::max(block.width, block.height) > SMALLEST)
         forEachQuarter(block, [&](const Rect& quarter) { findByPatches(patches, low, high, quarter, tile); });
     else
-        findHidden(patches.back, patches.backFirst, depths.values(), high, DISTANCE, block, tile.x(block.tl()),
-                   tile.y(block.tl()), tile.step, Point2f(lastX, lastY), tile.mask(block));
+        findHidden(patches.back, patches.backFirst, depths.values(), high, DISTANCE, block.tl(), tile.at(block),
+                   Point2f(lastX, lastY), tile.mask(block));
 }
 
 void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile) const

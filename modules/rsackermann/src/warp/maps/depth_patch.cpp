@@ -36,6 +36,19 @@ DepthVariable::DepthVariable(const Point2d& pixel, double lowest, double highest
     scale = float(2 / (to - from));
 }
 
+bool DepthVariable::coefficients(const Point2d& pixel, const DepthPlaces& places, DepthPlaces::Guess& guess,
+                                 Point2d (&c)[POWERS]) const
+{
+    Point2d p[POWERS];
+    for (int k = 0; k < POWERS; k++)
+        if (!places.find(pixel, inverseDepth(k - 1), p[k], guess))
+            return false;
+    c[0] = p[1];
+    c[1] = (p[2] - p[0]) / 2;
+    c[2] = (p[2] + p[0]) / 2 - p[1];
+    return true;
+}
+
 // Between opposite corners.
 static bool isSmooth(const Rect& square, double inverseDepth, const DepthPlaces& places)
 {
@@ -57,68 +70,32 @@ bool DepthPatch::fit(const Rect& square, double lowest, double highest, const De
 
     if (places.hasKnots() && !isSmooth(square, lowest, places))
         return false;
+    return interpolate(first, square.width, places) && isExact(first, square.width / (NODES - 1.), places, times);
+}
+
+bool DepthPatch::interpolate(const Point2d& first, double size, const DepthPlaces& places)
+{
+    const double step = size / (NODES - 1);
+    double valuesX[POWERS][NODES][NODES], valuesY[POWERS][NODES][NODES]; // [power][row][column]
     DepthPlaces::Guess guess;
-    return interpolate(first, square.width, places, guess) && addBend(first, square.width, places, guess) &&
-           isExact(first, square.width / (NODES - 1.), places, times);
-}
-
-// Of a polynomial of degree 2, of which 3 x 3 values are given, the others of NODES x NODES.
-static void extend(double values[DepthPatch::NODES][DepthPatch::NODES])
-{
-    for (int m = 0; m < 3; m++)
-        values[m][3] = 3 * (values[m][2] - values[m][1]) + values[m][0];
-    for (int n = 0; n < DepthPatch::NODES; n++)
-        values[3][n] = 3 * (values[2][n] - values[1][n]) + values[0][n];
-}
-
-// From the middle depth to the nearest one.
-bool DepthPatch::interpolate(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess)
-{
-    const double step = size / (NODES - 1), middle = variable.inverseDepth(0), nearest = variable.inverseDepth(1);
-    double x0[NODES][NODES], y0[NODES][NODES], x1[NODES][NODES], y1[NODES][NODES]; // [row][column]
     for (int m = 0; m < NODES; m++)
         for (int i = 0; i < NODES; i++)
         {
             const int n = m % 2 ? NODES - 1 - i : i; // on from where the last row ended
-            const Point2d pixel = first + Point2d(n * step, m * step);
-            Point2d place, near;
-            if (!places.find(pixel, middle, place, guess) || !places.find(pixel, nearest, near, guess))
+            Point2d c[POWERS];
+            if (!variable.coefficients(first + Point2d(n * step, m * step), places, guess, c))
                 return false;
-            x0[m][n] = place.x;
-            y0[m][n] = place.y;
-            x1[m][n] = near.x - place.x;
-            y1[m][n] = near.y - place.y;
+            for (int k = 0; k < POWERS; k++)
+            {
+                valuesX[k][m][n] = c[k].x;
+                valuesY[k][m][n] = c[k].y;
+            }
         }
-    x[0] = Bicubic(x0, step);
-    y[0] = Bicubic(y0, step);
-    x[1] = Bicubic(x1, step);
-    y[1] = Bicubic(y1, step);
-    return true;
-}
-
-// What is left at the farthest depth belongs to v (v - 1) / 2, which vanishes at the other two.
-bool DepthPatch::addBend(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess)
-{
-    const int nodes = NODES - 1;
-    const double step = size / (nodes - 1), farthest = variable.inverseDepth(-1);
-    double leftX[NODES][NODES], leftY[NODES][NODES];
-    for (int m = 0; m < nodes; m++)
-        for (int n = 0; n < nodes; n++)
-        {
-            const Point2d pixel(n * step, m * step);
-            Point2d place;
-            if (!places.find(first + pixel, farthest, place, guess))
-                return false;
-            const Point2d left = (place - at(pixel, -1)) / 2;
-            leftX[m][n] = left.x;
-            leftY[m][n] = left.y;
-        }
-    extend(leftX);
-    extend(leftY);
-    x[2] = Bicubic(leftX, step);
-    y[2] = Bicubic(leftY, step);
-    x[1].subtract(x[2]);
-    y[1].subtract(y[2]);
+    for (int k = 0; k < POWERS; k++)
+    {
+        x[k] = Bicubic(valuesX[k], step);
+        y[k] = Bicubic(valuesY[k], step);
+    }
     return true;
 }
 

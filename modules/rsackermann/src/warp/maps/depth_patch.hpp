@@ -16,6 +16,8 @@ A place is a quotient of linear functions of u. If bend is the root of its denom
 */
 struct DepthVariable
 {
+    enum { POWERS = 3 }; // of a polynomial in it that gives a place
+
     float bend, middle, scale;
 
     DepthVariable() : bend(0), middle(0), scale(1) {}
@@ -30,19 +32,19 @@ struct DepthVariable
         const double v = middle + value / scale;
         return v / (1 + bend * v);
     }
+
+    //! Those of the polynomial through the places of a pixel at -1, 0 and 1; false if one of them doesn't exist.
+    bool coefficients(const Point2d& pixel, const DepthPlaces& places, DepthPlaces::Guess& guess,
+                      Point2d (&c)[POWERS]) const;
 };
 
 /** A square part of a map at all depths of a range: a polynomial in column, row and a variable of the depth.
 
-By the depth a place moves by a few pixels only, and nearly evenly in the variable: two powers of it are enough, and the
-coefficient of the second one is small.
+By the depth a place moves by a few pixels only, and nearly evenly in the variable: two powers of it are enough.
 */
 struct DepthPatch
 {
-    enum { NODES = Bicubic::NODES, POWERS = 3 };
-
-    //! In columns and rows, of the coefficient of a power of the variable.
-    static constexpr int degree(int power) { return power < 2 ? NODES - 1 : NODES - 2; }
+    enum { NODES = Bicubic::NODES, POWERS = DepthVariable::POWERS };
 
     Bicubic x[POWERS], y[POWERS]; //!< of the powers of the variable
     DepthVariable variable;
@@ -54,8 +56,7 @@ struct DepthPatch
     bool fit(const Rect& square, double lowest, double highest, const DepthPlaces& places, double times = 1);
 
 private:
-    bool interpolate(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess);
-    bool addBend(const Point2d& first, double size, const DepthPlaces& places, DepthPlaces::Guess& guess);
+    bool interpolate(const Point2d& first, double size, const DepthPlaces& places);
     bool isExact(const Point2d& first, double step, const DepthPlaces& places, double times) const;
     Point2d at(const Point2d& pixel, double depth) const;
 };

@@ -10,28 +10,20 @@
 
 namespace cv { namespace rsackermann {
 
-void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
-                     float* y, size_t step)
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Coordinates& to)
 {
-    CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, to), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
-                     size_t step)
+void evaluateDepthPatch(const DepthPatch& patch, const Mat1f& depths, const Coordinates& to)
 {
-    CV_CPU_DISPATCH(evaluatePatches, (patches, depths, count, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(evaluateDepthPatch, (patch, depths, to), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
-                        float* y, size_t step)
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first,
+                      const Coordinates& to)
 {
-    CV_CPU_DISPATCH(evaluateDepthPatch, (patch, depths, depthStep, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
-}
-
-void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
-                      float* x, float* y, size_t step)
-{
-    CV_CPU_DISPATCH(searchDepthPatch, (patch, depths, start, first, size, x, y, step), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(searchDepthPatch, (patch, depths, start, first, to), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction)

@@ -11,30 +11,22 @@
 
 namespace cv { namespace rsackermann {
 
-/** The first size pixels of a square, x and y each with step floats a row. Each pixel is taken from the nearest plane.
+/** The pixels of a square from its first one on, each from the nearest plane.
 @param patches one for each plane.
-@param depths of the planes, relative to the first pixel.
-@param count of planes.
-*/
-void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
-                     float* y, size_t step);
+@param depths of the planes: the pixel takes the patch with the largest.
+@param count of planes. */
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Coordinates& to);
 
-//! The same with depths that aren't linear; the pixel takes the patch with the largest.
-void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
-                     size_t step);
-
-/** The same with an inverse depth of each pixel.
-@param depths of the first pixel, with depthStep floats a row. */
-void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
-                        float* y, size_t step);
+//! The same with an inverse depth of each pixel.
+void evaluateDepthPatch(const DepthPatch& patch, const Mat1f& depths, const Coordinates& to);
 
 /** A part of a patch with the inverse depths of the other image, which differ so little that a pixel shows one surface
 only.
 @param depths all of the other image, at least 2 x 2.
 @param start a depth in the middle of all that can be met.
-@param first, size the pixels of the square. */
-void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
-                      float* x, float* y, size_t step);
+@param first pixel of the patch. */
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first,
+                      const Coordinates& to);
 
 //! A row of coordinates in the formats CV_16SC2 and CV_16UC1, with INTER_BITS fractional bits; whole parts are
 //! saturated.

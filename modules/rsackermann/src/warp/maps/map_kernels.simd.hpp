@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../../opencv_versions.hpp"
-#include "../../prefetch.hpp"
 #include "opencv2/imgproc.hpp"
 #include "depth_patch.hpp"
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
@@ -14,14 +13,10 @@ namespace cv { namespace rsackermann {
 
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
-void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
-                     float* y, size_t step);
-void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
-                     size_t step);
-void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
-                        float* y, size_t step);
-void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first, const Size& size,
-                      float* x, float* y, size_t step);
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Coordinates& to);
+void evaluateDepthPatch(const DepthPatch& patch, const Mat1f& depths, const Coordinates& to);
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& depths, float start, const Point& first,
+                      const Coordinates& to);
 void packFixedPoint(const float* x, const float* y, int width, short* whole, ushort* fraction);
 void packMask(const float* x, const float* y, int width, float low, float highX, float highY, uchar* mask);
 
@@ -29,21 +24,15 @@ void packMask(const float* x, const float* y, int width, float low, float highX,
 
 namespace {
 
-// Columns from first to last - 1; the ones behind them may be overwritten.
-void evaluateRun(const MapPatch& patch, int row, int first, int last, int width, float* x, float* y)
+// A row of one patch.
+void evaluateRow(const MapPatch& patch, int row, int width, float* x, float* y)
 {
     const PackCubic cubicX(RowCubic(patch.x, row).c), cubicY(RowCubic(patch.y, row).c);
-    int i = first;
-    for (; i < last && i <= width - Pack::COUNT; i += Pack::COUNT)
+    for (int i = 0; i < width; i += Pack::COUNT)
     {
         const Pack column = columnsFrom(i);
-        cubicX.at(column).store(x + i);
-        cubicY.at(column).store(y + i);
-    }
-    if (i < last)
-    {
-        storeFirst(cubicX.at(columnsFrom(i)), last - i, x + i);
-        storeFirst(cubicY.at(columnsFrom(i)), last - i, y + i);
+        storeFirst(cubicX.at(column), width - i, x + i);
+        storeFirst(cubicY.at(column), width - i, y + i);
     }
 }
 
@@ -79,113 +68,67 @@ void evaluateNearest(const RowPatch* patches, int count, int width, float* x, fl
     }
 }
 
-// The plane that is nearest at a column and, of those, the one that comes nearer fastest.
-int nearestPlane(const PlaneInverseDepth* depths, int count, int column, int row)
-{
-    int best = 0;
-    for (int k = 1; k < count; k++)
-    {
-        const double ahead = depths[k].at(column, row) - depths[best].at(column, row);
-        if (ahead > 0 || (ahead == 0 && depths[k].perColumn > depths[best].perColumn))
-            best = k;
-    }
-    return best;
-}
-
-// The column at which another plane becomes nearer than the present one.
-int endOfPlane(const PlaneInverseDepth* depths, int count, int plane, int column, int row, int width)
-{
-    int end = width;
-    for (int k = 0; k < count; k++)
-    {
-        const double approach = depths[k].perColumn - depths[plane].perColumn;
-        if (!(approach > 0))
-            continue;
-        const double left = (depths[plane].at(column, row) - depths[k].at(column, row)) / approach;
-        if (left < end - column)
-            end = column + std::max(cvCeil(left), 1);
-    }
-    return end;
-}
-
 } // namespace
 
-void evaluatePatches(const MapPatch* patches, const PlaneInverseDepth* depths, int count, const Size& size, float* x,
-                     float* y, size_t step)
-{
-    for (int row = 0; row < size.height; row++, x += step, y += step)
-    {
-        prefetchMap(x, y, size, row, step);
-        for (int column = 0; column < size.width;)
-        {
-            const int plane = nearestPlane(depths, count, column, row);
-            const int end = endOfPlane(depths, count, plane, column, row, size.width);
-            evaluateRun(patches[plane], row, column, end, size.width, x, y);
-            column = end;
-        }
-    }
-}
-
-void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Size& size, float* x, float* y,
-                     size_t step)
+void evaluatePatches(const MapPatch* patches, const Bicubic* depths, int count, const Coordinates& to)
 {
     AutoBuffer<RowPatch, 4> rows(count);
-    for (int row = 0; row < size.height; row++, x += step, y += step)
+    for (int row = 0; row < to.size.height; row++)
     {
-        prefetchMap(x, y, size, row, step);
+        float *x = to.x + row * to.step, *y = to.y + row * to.step;
         if (count == 1)
         {
-            evaluateRun(patches[0], row, 0, size.width, size.width, x, y);
+            evaluateRow(patches[0], row, to.size.width, x, y);
             continue;
         }
         for (int i = 0; i < count; i++)
             rows[i] = RowPatch(patches[i], depths[i], row);
-        evaluateNearest(rows.data(), count, size.width, x, y);
+        evaluateNearest(rows.data(), count, to.size.width, x, y);
     }
 }
 
-void evaluateDepthPatch(const DepthPatch& patch, const float* depths, size_t depthStep, const Size& size, float* x,
-                        float* y, size_t step)
+void evaluateDepthPatch(const DepthPatch& patch, const Mat1f& depths, const Coordinates& to)
 {
     const PackVariable variable(patch.variable);
-    for (int row = 0; row < size.height; row++, depths += depthStep, x += step, y += step)
+    for (int row = 0; row < to.size.height; row++)
     {
-        prefetchMap(x, y, size, row, step);
         const RowDepthPatch places(patch, row);
-        for (int i = 0; i < size.width; i += Pack::COUNT)
+        for (int i = 0; i < to.size.width; i += Pack::COUNT)
         {
+            const int count = to.size.width - i;
+            const size_t at = row * to.step + i;
             const PackCurve::Place place =
-                PackCurve(places, variable, columnsFrom(i)).at(loadFirst(depths + i, size.width - i));
-            storeFirst(place.x, size.width - i, x + i);
-            storeFirst(place.y, size.width - i, y + i);
+                PackCurve(places, variable, columnsFrom(i)).at(loadFirst(depths[row] + i, count));
+            storeFirst(place.x, count, to.x + at);
+            storeFirst(place.y, count, to.y + at);
         }
     }
 }
 
 // From what the rows above let expect a second step is rarely needed.
-void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, const Point& first, const Size& size,
-                      float* x, float* y, size_t step)
+void searchDepthPatch(const DepthPatch& patch, const Mat1f& image, float start, const Point& first,
+                      const Coordinates& to)
 {
     const int steps = 4;
     const float enough = 1e-3f; // pixels that a step moves a place: what is left is less than the half of it
     const PackDepths other(image);
     const PackVariable variable(patch.variable);
-    const int columns = int(alignSize(size.width, Pack::COUNT));
+    const int columns = int(alignSize(to.size.width, Pack::COUNT));
     AutoBuffer<float> depths(columns), growths(columns);
     std::fill(depths.data(), depths.data() + columns, patch.variable.at(start));
     std::fill(growths.data(), growths.data() + columns, 0.f);
     RowOfDepths pixels(other, variable);
-    for (int row = 0; row < size.height; row++, x += step, y += step)
+    for (int row = 0; row < to.size.height; row++)
     {
         const RowDepthPatch places(patch, first.y + row);
-        prefetchMap(x, y, size, row, step);
         for (int i = 0; i < columns; i += RowOfDepths::MOST)
         {
             pixels.start(depths.data() + i, growths.data() + i, std::min(columns - i, int(RowOfDepths::MOST)));
             bool isOnWay = true;
             for (int k = 0; k < steps && isOnWay; k++)
                 isOnWay = pixels.step(places, first.x + i) > enough;
-            pixels.finish(depths.data() + i, growths.data() + i, size.width - i, x + i, y + i, row == 0);
+            const size_t at = row * to.step + i;
+            pixels.finish(depths.data() + i, growths.data() + i, to.size.width - i, to.x + at, to.y + at, row == 0);
         }
     }
 }

@@ -32,21 +32,19 @@ struct PackPolynomial
     }
 };
 
+typedef PackPolynomial<Bicubic::NODES - 1> PackCubic;
+
 // A polynomial along one row. Next to the terms that are constant along the row the rest is small: single precision
 // takes no more from it than from the coordinate.
-template <int DEGREE>
-struct RowPolynomial
+struct RowCubic
 {
-    float c[DEGREE + 1];
+    float c[Bicubic::NODES];
 
-    RowPolynomial() {}
-    RowPolynomial(const Bicubic& bicubic, double row) { bicubic.alongRow<DEGREE>(row, c); }
+    RowCubic() {}
+    RowCubic(const Bicubic& bicubic, double row) { bicubic.alongRow(row, c); }
 
-    Pack at(const Pack& column) const { return PackPolynomial<DEGREE>(c).at(column); }
+    Pack at(const Pack& column) const { return PackCubic(c).at(column); }
 };
-
-typedef RowPolynomial<Bicubic::NODES - 1> RowCubic;
-typedef PackPolynomial<Bicubic::NODES - 1> PackCubic;
 
 inline Pack columnsFrom(int first)
 {
@@ -55,43 +53,44 @@ inline Pack columnsFrom(int first)
 }
 
 // A polynomial in column and row, to single precision.
-template <int DEGREE>
 struct FloatBicubic
 {
-    RowPolynomial<DEGREE> c[DEGREE + 1];
+    RowCubic c[Bicubic::NODES];
 
+    FloatBicubic() {}
     explicit FloatBicubic(const Bicubic& bicubic)
     {
-        for (int m = 0; m <= DEGREE; m++)
-            std::copy(bicubic.c[m], bicubic.c[m] + DEGREE + 1, c[m].c);
+        for (int m = 0; m < Bicubic::NODES; m++)
+            std::copy(bicubic.c[m], bicubic.c[m] + Bicubic::NODES, c[m].c);
     }
 
     Pack at(const Pack& column, const Pack& row) const
     {
-        PackPolynomial<DEGREE> along;
-        for (int m = 0; m <= DEGREE; m++)
+        PackCubic along;
+        for (int m = 0; m < Bicubic::NODES; m++)
             along.c[m] = c[m].at(column);
         return along.at(row);
     }
 };
 
 // The coefficients of the powers of the depth: polynomials along one row, or for pixels anywhere in the patch.
-template <template <int> class Polynomial>
+template <class Polynomial>
 struct DepthPowers
 {
-    Polynomial<DepthPatch::degree(0)> x0, y0;
-    Polynomial<DepthPatch::degree(1)> x1, y1;
-    Polynomial<DepthPatch::degree(2)> x2, y2;
+    Polynomial x[DepthPatch::POWERS], y[DepthPatch::POWERS];
 
     template <class... Row>
     explicit DepthPowers(const DepthPatch& patch, Row... row)
-        : x0(patch.x[0], row...), y0(patch.y[0], row...), x1(patch.x[1], row...), y1(patch.y[1], row...),
-          x2(patch.x[2], row...), y2(patch.y[2], row...)
     {
+        for (int k = 0; k < DepthPatch::POWERS; k++)
+        {
+            x[k] = Polynomial(patch.x[k], row...);
+            y[k] = Polynomial(patch.y[k], row...);
+        }
     }
 };
 
-typedef DepthPowers<RowPolynomial> RowDepthPatch;
+typedef DepthPowers<RowCubic> RowDepthPatch;
 typedef DepthPowers<FloatBicubic> FloatDepthPatch;
 
 struct PackVariable
@@ -127,12 +126,11 @@ struct PackCurve
     template <class Powers, class... At>
     PackCurve(const Powers& powers, const PackVariable& variable_, const At&... at) : variable(variable_)
     {
-        x.c[0] = powers.x0.at(at...);
-        y.c[0] = powers.y0.at(at...);
-        x.c[1] = powers.x1.at(at...);
-        y.c[1] = powers.y1.at(at...);
-        x.c[2] = powers.x2.at(at...);
-        y.c[2] = powers.y2.at(at...);
+        for (int k = 0; k < DepthPatch::POWERS; k++)
+        {
+            x.c[k] = powers.x[k].at(at...);
+            y.c[k] = powers.y[k].at(at...);
+        }
     }
 
     Place of(const Pack& value) const { return Place{x.at(value), y.at(value)}; }

@@ -20,6 +20,14 @@ struct Bicubic
 
     Bicubic() : c() {}
 
+    //! A linear function.
+    Bicubic(double at0, double perColumn, double perRow) : c()
+    {
+        c[0][0] = at0;
+        c[0][1] = perColumn;
+        c[1][0] = perRow;
+    }
+
     //! @param values those at the pixels (n step, m step).
     Bicubic(const double values[NODES][NODES], double step)
     {
@@ -32,20 +40,13 @@ struct Bicubic
             interpolate(step, c[0][n], c[1][n], c[2][n], c[3][n]);
     }
 
-    void subtract(const Bicubic& other)
+    //! The coefficients of the powers of the column in a row.
+    void alongRow(double row, float (&polynomial)[NODES]) const
     {
-        for (int i = 0; i < NODES * NODES; i++)
-            c[i / NODES][i % NODES] -= other.c[i / NODES][i % NODES];
-    }
-
-    //! The coefficients of the powers of the column in a row, of which those above the degree vanish.
-    template <int DEGREE>
-    void alongRow(double row, float (&polynomial)[DEGREE + 1]) const
-    {
-        for (int n = 0; n <= DEGREE; n++)
+        for (int n = 0; n < NODES; n++)
         {
-            double v = c[DEGREE][n];
-            for (int m = DEGREE - 1; m >= 0; m--)
+            double v = c[NODES - 1][n];
+            for (int m = NODES - 2; m >= 0; m--)
                 v = v * row + c[m][n];
             polynomial[n] = float(v);
         }
@@ -119,11 +120,12 @@ be anywhere: the centres between the nodes are checked, too.
     }
 };
 
-//! Scaled inverse depth of a plane of the scene, which is linear over the pixels of the global-shutter image.
-struct PlaneInverseDepth
+//! Where the coordinates of a block of pixels of a map are, with step floats from row to row.
+struct Coordinates
 {
-    double at0, perColumn, perRow;
-    double at(double column, double row) const { return at0 + column * perColumn + row * perRow; }
+    float *x, *y;
+    size_t step;
+    Size size;
 };
 
 /** Which planes of a square may be nearest somewhere in it.

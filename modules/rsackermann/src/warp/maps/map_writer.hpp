@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_WRITER_HPP
 #define OPENCV_RSACKERMANN_SRC_WARP_MAPS_MAP_WRITER_HPP
 
-#include "opencv2/core.hpp"
+#include "map_patch.hpp"
 #include <functional>
 
 namespace cv { namespace rsackermann {
@@ -55,6 +55,13 @@ public:
         //! Coordinates of a pixel, with step floats from row to row.
         float* x(const Point& pixel) const { return firstX + offset(pixel); }
         float* y(const Point& pixel) const { return firstY + offset(pixel); }
+        //! Those of a block.
+        Coordinates at(const Rect& block) const { return {x(block.tl()), y(block.tl()), step, block.size()}; }
+        //! Those of the tile's rows of a square, which may end later.
+        Coordinates rowsOf(const Rect& square) const
+        {
+            return at(Rect(square.tl(), Size(square.width, (square & part).height)));
+        }
         //! @param exists whether there is a place.
         void set(const Point& pixel, bool exists, const Point2d& place = Point2d());
         //! The mask of some pixels of the tile, in which they are seen unless a filler marks them; or empty.

@@ -16,12 +16,11 @@ namespace {
 struct PackDepths
 {
     const float* depths;
-    int step, last; // values from row to row, and to the last one
+    int step; // values from row to row
     float lastX, lastY;
 
     explicit PackDepths(const Mat1f& image)
-        : depths(image[0]), step(int(image.step1())), last(step * (image.rows - 1) + image.cols - 1),
-          lastX(float(image.cols - 1)), lastY(float(image.rows - 1))
+        : depths(image[0]), step(int(image.step1())), lastX(float(image.cols - 1)), lastY(float(image.rows - 1))
     {
     }
 

@@ -25,17 +25,16 @@ public:
             c[k] = Point2d(patch.x[k].at(pixel.x, pixel.y), patch.y[k].at(pixel.x, pixel.y));
     }
 
-    //! Through the exact places of a pixel at three depths of a range; those that don't exist are far outside.
+    //! Through the exact places of a pixel at three depths of a range; far outside if one of them doesn't exist.
     SquareCurve(const DepthPlaces& places, const Point2d& pixel, double lowest, double highest)
         : variable(pixel, lowest, highest, places)
     {
-        Point2d p[DepthPatch::POWERS];
-        for (int k = 0; k < DepthPatch::POWERS; k++)
-            if (!places.find(pixel, variable.inverseDepth(k - 1), p[k]))
-                p[k] = Point2d(FAR_OUTSIDE, FAR_OUTSIDE);
-        c[0] = p[1];
-        c[1] = (p[2] - p[0]) / 2;
-        c[2] = (p[2] + p[0]) / 2 - p[1];
+        Point2d exact[DepthPatch::POWERS];
+        DepthPlaces::Guess guess;
+        if (variable.coefficients(pixel, places, guess, exact))
+            std::copy(exact, exact + DepthPatch::POWERS, c);
+        else
+            c[0] = Point2f(FAR_OUTSIDE, FAR_OUTSIDE);
     }
 
     Point2f at(float inverseDepth) const

@@ -4,7 +4,6 @@
 
 // For *.simd.hpp files, as simd_pack.hpp: the search for depths that differ little.
 
-#include "../../prefetch.hpp"
 #include "pack_depths.hpp"
 
 namespace cv { namespace rsackermann {
@@ -35,7 +34,6 @@ public:
     float step(const RowDepthPatch& places, int firstColumn)
     {
         findPlaces(places, firstColumn);
-        prefetchBelow();
         lookUp();
         return moveOn();
     }
@@ -71,14 +69,6 @@ private:
             cell.y.store(cellY + i);
             PackDepths::store(cell.index, indices + i);
         }
-    }
-
-    // Rows of a tile are far from each other in memory.
-    void prefetchBelow() const
-    {
-        const int rowsAhead = 6, ahead = std::min(indices[0] + rowsAhead * other.step, other.last - count);
-        if (ahead > 0)
-            prefetchRow(other.depths + ahead, count * sizeof(float));
     }
 
     // The widest vectors look values up more slowly than two half as wide.

@@ -15,21 +15,22 @@ namespace cv { namespace rsackermann {
 own.
 @param depths all of the other image, at least 2 x 2.
 @param low, high inverse depths between which they are.
-@param first, size the pixels of the square.
-@param mask of these pixels, in which those are marked that the other image doesn't show; or empty. */
+@param first pixel of the patch.
+@param mask of the pixels, in which those are marked that the other image doesn't show; or empty. */
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
-                    const Size& size, float* x, float* y, size_t step, Mat1b mask);
+                    const Coordinates& to, Mat1b mask);
 
 /** Which pixels of a block something in front hides from the other image.
 @param patch, first of the other image's pixels in the map's own image.
 @param depths all of the map's own image.
 @param high the largest inverse depth that can be in front.
 @param distance pixels within which surfaces hide nothing of one another.
-@param block of pixels of the map, with the places x and y.
+@param start first pixel of the block.
+@param shown places of its pixels.
 @param last pixel of the other image: what is outside of it counts as seen.
 @param mask of the block, in which they are marked. */
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Rect& block, const float* x, const float* y, size_t step, const Point2f& last, Mat1b mask);
+                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b mask);
 
 }} // namespace cv::rsackermann
 

@@ -46,8 +46,7 @@ protected:
             if (!fitPatch(nodes, visible[i], patches[i]) || (count > 1 && !fitDepth(nodes, visible[i], depths[i])))
                 return false;
 
-        const Size size(square.width, (square & tile.area()).height);
-        evaluatePatches(patches, depths, count, size, tile.x(square.tl()), tile.y(square.tl()), tile.step);
+        evaluatePatches(patches, depths, count, tile.rowsOf(square));
         return true;
     }
 

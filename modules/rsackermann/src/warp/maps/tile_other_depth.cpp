@@ -68,11 +68,9 @@ private:
         float stretch;
         narrowReach(patch, Rect(block.tl() - first, block.size()), depths, low, high, stretch);
         if (stretch <= LARGEST_STRETCH)
-            searchDepthPatch(patch, depths.values(), 0.5f * (low + high), block.tl() - first, block.size(),
-                             tile.x(block.tl()), tile.y(block.tl()), tile.step);
+            searchDepthPatch(patch, depths.values(), 0.5f * (low + high), block.tl() - first, tile.at(block));
         else if (std::max(block.width, block.height) <= smallest)
-            searchSurfaces(patch, depths.values(), low, high, block.tl() - first, block.size(), tile.x(block.tl()),
-                           tile.y(block.tl()), tile.step, tile.mask(block));
+            searchSurfaces(patch, depths.values(), low, high, block.tl() - first, tile.at(block), tile.mask(block));
         else
             forEachQuarter(block, [&](const Rect& quarter) { fillBlock(patch, first, low, high, quarter, tile); });
     }

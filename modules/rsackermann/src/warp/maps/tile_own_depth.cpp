@@ -32,8 +32,7 @@ protected:
         DepthPatch patch;
         if (!patch.fit(square, low, high, places))
             return false;
-        evaluateDepthPatch(patch, values[0], values.step1(), seen.size(), tile.x(seen.tl()), tile.y(seen.tl()),
-                           tile.step);
+        evaluateDepthPatch(patch, values, tile.at(seen));
         if (visibility)
             visibility->find(patch, square.tl(), seen, tile);
         return true;

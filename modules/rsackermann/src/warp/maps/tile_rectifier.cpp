@@ -39,9 +39,7 @@ public:
         for (int i = 0; i < PLANES; i++)
         {
             const Vec3d w = scene.direction * (upright.t() * normals[i]);
-            planes[i].perColumn = w[0];
-            planes[i].perRow = w[1];
-            planes[i].at0 = w[2];
+            planes[i] = Bicubic(w[2], w[0], w[1]);
         }
     }
 
@@ -50,15 +48,13 @@ protected:
     {
         if (!isSmooth(square))
             return false;
-        PlaneInverseDepth visible[PLANES];
+        Bicubic visible[PLANES];
         MapPatch patches[PLANES];
         const int count = visiblePlanes(square, visible);
         for (int i = 0; i < count; i++)
             if (!fitPatch(square, visible[i], patches[i]))
                 return false;
-
-        const Size size(square.width, (square & tile.area()).height);
-        evaluatePatches(patches, visible, count, size, tile.x(square.tl()), tile.y(square.tl()), tile.step);
+        evaluatePatches(patches, visible, count, tile.rowsOf(square));
         return true;
     }
 
@@ -99,7 +95,7 @@ private:
     }
 
     // A linear function that is nowhere above another one at the corners of a square is nowhere above it in between.
-    int visiblePlanes(const Rect& square, PlaneInverseDepth visible[PLANES]) const
+    int visiblePlanes(const Rect& square, Bicubic visible[PLANES]) const
     {
         if (!shutter.moving)
         {
@@ -118,12 +114,12 @@ private:
         for (int i = 0; i < count; i++)
         {
             visible[i] = planes[indices[i]];
-            visible[i].at0 = atCorners[indices[i]][0];
+            visible[i].c[0][0] = atCorners[indices[i]][0];
         }
         return count;
     }
 
-    bool fitPatch(const Rect& square, const PlaneInverseDepth& depth, MapPatch& patch) const
+    bool fitPatch(const Rect& square, const Bicubic& depth, MapPatch& patch) const
     {
         // First the first row and column of the places, then the last corner: they give the row times of the others.
         static const int order[MapPatch::NODES * MapPatch::NODES][2] = {{0, 0}, {3, 0}, {0, 3}, {3, 3}, {1, 0}, {2, 0},
@@ -175,7 +171,7 @@ private:
         return true;
     }
 
-    bool solve(const Rect& square, double column, double row, const PlaneInverseDepth& depth, Rectifier::Guess& guess,
+    bool solve(const Rect& square, double column, double row, const Bicubic& depth, Rectifier::Guess& guess,
                Point2d& place) const
     {
         const Vec3d pixel(square.x + column, square.y + row, 1), b = upright * pixel;
@@ -185,10 +181,10 @@ private:
 
     const ShutterGeometry& shutter;
     Rectifier forPixels, forPatches;
-    Matx33d inverse;                  // pixel of the global-shutter camera to ray
-    Matx33d upright;                  // pixel of the global-shutter camera to bearing
-    Point2d timeSlope;                // row time per pixel of the global-shutter camera, but for motion and distortion
-    PlaneInverseDepth planes[PLANES]; // times the direction, relative to pixel (0, 0)
+    Matx33d inverse;        // pixel of the global-shutter camera to ray
+    Matx33d upright;        // pixel of the global-shutter camera to bearing
+    Point2d timeSlope;      // row time per pixel of the global-shutter camera, but for motion and distortion
+    Bicubic planes[PLANES]; // scaled inverse depths times the direction, relative to pixel (0, 0)
 };
 
 } // namespace
