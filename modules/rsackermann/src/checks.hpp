@@ -5,7 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_CHECKS_HPP
 #define OPENCV_RSACKERMANN_SRC_CHECKS_HPP
 
-#include "opencv2/core.hpp"
+#include "opencv2/rsackermann/motion.hpp"
 
 //! Throws cv::Exception with a message, formatted as by cv::format, if an argument is bad. A macro: the exception has
 //! the function and the line.
@@ -50,6 +50,9 @@ inline void checkRange(double value, double low, double high, const char* name)
     checkFinite(value, name);
     REJECT_IF(value < low || value > high, "%s is %g; a number from %g to %g is expected", name, value, low, high);
 }
+
+//! Throws unless images, points and maps can follow the motion.
+void checkMotion(const AckermannMotion& motion);
 
 //! Whether it is one matrix or a vector of elements, or nothing; lists of matrices are none.
 inline bool isOneMatrix(const _InputArray& input)

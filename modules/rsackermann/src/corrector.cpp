@@ -9,7 +9,6 @@
 #include "checks.hpp"
 #include "features/segment_finder.hpp"
 #include "motion/metric_way.hpp"
-#include "motion/motion_check.hpp"
 #include "sequence/sequence_estimator.hpp"
 #include "single/relative_depth.hpp"
 #include "storage.hpp"

@@ -6,7 +6,6 @@
 #include "camera/lens.hpp"
 #include "checks.hpp"
 #include "motion/compensation.hpp"
-#include "motion/motion_check.hpp"
 #include "opencv2/imgproc.hpp"
 #include "scene/planes.hpp"
 #include "warp/points.hpp"

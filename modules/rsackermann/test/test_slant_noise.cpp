@@ -5,17 +5,11 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_simulator.hpp"
-#include "../src/single/slant_noise.hpp"
+#include "../src/factors/slant_noise.hpp"
 
 namespace opencv_test { namespace {
 
 const double FOCAL = 1000, OTHER_LEAN = 8 * degree;
-
-Slants noSlants()
-{
-    const MotionLimits limits(simulation::paperCamera(), AckermannEstimator::Params());
-    return Slants(RefinementProblem(limits), Model(), false);
-}
 
 //! Student's t with three degrees of freedom.
 double student(RNG& rng)
@@ -33,7 +27,7 @@ void addSlant(double slant, double pixels, Slants& slants)
 //! Slants of verticals that lean by student() * lean and are placed to student() * pixels, among others.
 Slants drawSlants(int count, double lean, double pixels, double share, RNG& rng)
 {
-    Slants slants = noSlants();
+    Slants slants;
     for (int i = 0; i < count; i++)
     {
         const double length = rng.uniform(40., 300.), scale = std::hypot(lean, pixels / length);
@@ -107,7 +101,7 @@ TEST(RSAckermann_SlantNoise, from_what_was_found_before)
 
 TEST(RSAckermann_SlantNoise, few_segments_are_as_usual)
 {
-    Slants one = noSlants();
+    Slants one;
     addSlant(1e-5, 200, one);
     // One segment counts as much as what is usual.
     EXPECT_GT(fitSlantNoise(one, FOCAL).lean, 0.02 * degree);
@@ -147,7 +141,7 @@ TEST(RSAckermann_SlantNoise, dependence)
 // Where the loss of a vertical ends, that of another line begins.
 TEST(RSAckermann_SlantNoise, loss_ends_where_other_lines_are_as_probable)
 {
-    Slants slants = noSlants();
+    Slants slants;
     for (int i = 0; i < 5; i++)
         addSlant(0, 200, slants);
     SlantNoise noise = {0.15, 0.3 * degree, 0.5, 6 * degree, 0};

@@ -14,9 +14,10 @@ namespace cv { namespace rsackermann {
 struct Jet
 {
     double value;
-    double derivative[PARAMETERS];
+    Vec<double, PARAMETERS> derivative;
 
-    Jet(double v = 0) : value(v) { std::fill(derivative, derivative + PARAMETERS, 0.); }
+    Jet(double v = 0) : value(v) {}
+    Jet(double v, const Vec<double, PARAMETERS>& d) : value(v), derivative(d) {}
 
     static Jet variable(double v, Parameter p)
     {
@@ -26,36 +27,21 @@ struct Jet
     }
 
     //! f(x) of this jet x, given the value and the derivative of f there.
-    Jet apply(double f, double slope) const
-    {
-        Jet r(f);
-        for (int i = 0; i < PARAMETERS; i++)
-            r.derivative[i] = slope * derivative[i];
-        return r;
-    }
+    Jet apply(double f, double slope) const { return Jet(f, slope * derivative); }
 };
-
-//! a x + b y of the derivatives, with the given value.
-inline Jet combine(double value, double a, const Jet& x, double b, const Jet& y)
-{
-    Jet r(value);
-    for (int i = 0; i < PARAMETERS; i++)
-        r.derivative[i] = a * x.derivative[i] + b * y.derivative[i];
-    return r;
-}
 
 inline Jet operator+(const Jet& x, const Jet& y)
 {
-    return combine(x.value + y.value, 1, x, 1, y);
+    return Jet(x.value + y.value, x.derivative + y.derivative);
 }
 inline Jet operator-(const Jet& x, const Jet& y)
 {
-    return combine(x.value - y.value, 1, x, -1, y);
+    return Jet(x.value - y.value, x.derivative - y.derivative);
 }
 inline Jet operator/(const Jet& x, const Jet& y)
 {
     const double q = x.value / y.value;
-    return combine(q, 1 / y.value, x, -q / y.value, y);
+    return Jet(q, (x.derivative - q * y.derivative) * (1 / y.value));
 }
 inline Jet operator*(double a, const Jet& x)
 {
@@ -65,7 +51,7 @@ inline Jet operator*(double a, const Jet& x)
 inline Jet length(const Jet& x, const Jet& y)
 {
     const double l = std::sqrt(x.value * x.value + y.value * y.value);
-    return l > 0 ? combine(l, x.value / l, x, y.value / l, y) : Jet();
+    return l > 0 ? Jet(l, (x.value / l) * x.derivative + (y.value / l) * y.derivative) : Jet();
 }
 
 }} // namespace cv::rsackermann

@@ -38,4 +38,14 @@ double streetCost(const float* points, int padded, double streetX, double street
     CV_CPU_DISPATCH(streetCost, (points, padded, streetX, streetZ, scale), CV_CPU_DISPATCH_MODES_ALL);
 }
 
+SlantSums sumSlants(const Slants& slants, const SlantNoise& noise, double error)
+{
+    CV_CPU_DISPATCH(sumSlants, (slants, noise, error), CV_CPU_DISPATCH_MODES_ALL);
+}
+
+double slantLikelihood(const Slants& slants, const SlantNoise& noise, double error)
+{
+    CV_CPU_DISPATCH(slantLikelihood, (slants, noise, error), CV_CPU_DISPATCH_MODES_ALL);
+}
+
 }} // namespace cv::rsackermann

@@ -8,6 +8,7 @@
 #include "prepared_model.hpp"
 #include "robust_losses.hpp"
 #include "segment_arrays.hpp"
+#include "slant_noise.hpp"
 
 // Sums over the residuals of all segments, in vectors of the widest kind that the processor has.
 
@@ -60,6 +61,20 @@ compensated segments (segment_residuals.hpp) times scale.
 @param padded size of their arrays.
 */
 double streetCost(const float* points, int padded, double streetX, double streetZ, double scale);
+
+//! What one step of expectation and maximisation needs.
+struct SlantSums
+{
+    double verticals;    //!< expected number
+    double squares;      //!< expected squares of the lean's part of their slants, weighed
+    double otherSquares; //!< of the slants of the others
+};
+
+//! @param error of the detector, in radians * length
+SlantSums sumSlants(const Slants& slants, const SlantNoise& noise, double error);
+
+//! Logarithm of the likelihood of the slants.
+double slantLikelihood(const Slants& slants, const SlantNoise& noise, double error);
 
 }} // namespace cv::rsackermann
 

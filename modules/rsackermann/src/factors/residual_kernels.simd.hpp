@@ -6,6 +6,8 @@
 #include "../simd_pack.hpp"
 #include "direction_terms.hpp"
 #include "vertical_terms.hpp"
+#include <functional>
+#include <numeric>
 #endif
 #include "residual_kernels.hpp"
 
@@ -21,6 +23,8 @@ double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model,
                       double best, int& inliers);
 void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, float* points);
 double streetCost(const float* points, int padded, double streetX, double streetZ, double scale);
+SlantSums sumSlants(const Slants& slants, const SlantNoise& noise, double error);
+double slantLikelihood(const Slants& slants, const SlantNoise& noise, double error);
 
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
@@ -155,6 +159,48 @@ private:
     Pack weight[BLOCK], residual[BLOCK], scaled[PARAMETERS][BLOCK];
 };
 
+// Some slants' densities as those of verticals and of other lines, each with its share.
+struct Densities
+{
+    Doubles variance; // of verticals
+    SlantDensity<Doubles> vertical, other;
+    Doubles ofVertical, ofOther;
+
+    //! @param count of the slants from the first one on.
+    Densities(const double* slant, const double* length, int count, const SlantNoise& noise, double error)
+        : Densities(loadFirst(slant, count), Doubles(error) / loadFirst(length, count), noise)
+    {
+    }
+
+private:
+    Densities(const Doubles& slant, const Doubles& placed, const SlantNoise& noise)
+        : variance(Doubles(noise.lean * noise.lean) + placed * placed),
+          vertical(squareRoot(variance), variance, slant * slant),
+          other(noise.otherLean, noise.otherLean * noise.otherLean, slant * slant),
+          ofVertical(Doubles(1 - noise.share) * vertical.value), ofOther(Doubles(noise.share) * other.value)
+    {
+    }
+};
+
+// Calls use(densities, count) for all slants.
+template <class Use>
+void forEachDensities(const Slants& slants, const SlantNoise& noise, double error, const Use& use)
+{
+    for (int i = 0; i < int(slants.size()); i += Doubles::COUNT)
+    {
+        const int count = std::min(int(slants.size()) - i, int(Doubles::COUNT));
+        use(Densities(&slants.slant[i], &slants.length[i], count, noise, error), count);
+    }
+}
+
+// Of the first values.
+double sumOf(const Doubles& values, int count)
+{
+    double all[Doubles::COUNT];
+    values.store(all);
+    return std::accumulate(all, all + count, 0.);
+}
+
 } // namespace
 
 void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
@@ -253,6 +299,31 @@ double streetCost(const float* points, int padded, double streetX, double street
         sum = sum + moment2 / (length2 + moment2);
     }
     return sum.sum();
+}
+
+SlantSums sumSlants(const Slants& slants, const SlantNoise& noise, double error)
+{
+    const Doubles one(1), lean2(noise.lean * noise.lean);
+    SlantSums sums = {0, 0, 0};
+    forEachDensities(slants, noise, error, [&](const Densities& d, int count) {
+        const Doubles isVertical = d.ofVertical / (d.ofVertical + d.ofOther), part = lean2 / d.variance;
+        sums.verticals += sumOf(isVertical, count);
+        sums.squares += sumOf(isVertical * (part * part * d.vertical.weighedSquare() + lean2 * (one - part)), count);
+        sums.otherSquares += sumOf((one - isVertical) * d.other.weighedSquare(), count);
+    });
+    return sums;
+}
+
+double slantLikelihood(const Slants& slants, const SlantNoise& noise, double error)
+{
+    double sum = 0;
+    forEachDensities(slants, noise, error, [&](const Densities& d, int count) {
+        double densities[Doubles::COUNT];
+        (d.ofVertical + d.ofOther).store(densities);
+        // Far from overflow: densities are between 1e-12 and 1e7.
+        sum += std::log(std::accumulate(densities, densities + count, 1., std::multiplies<double>()));
+    });
+    return sum;
 }
 
 #endif // CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY

@@ -6,7 +6,6 @@
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "compensation.hpp"
-#include "motion_check.hpp"
 #include "row_tilt.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../storage.hpp"

@@ -8,6 +8,7 @@
 #include "../factors/driving_prior.hpp"
 #include "../factors/robust_losses.hpp"
 #include "../factors/segment_residuals.hpp"
+#include "../factors/slant_noise.hpp"
 #include "../motion/row_tilt.hpp"
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
@@ -15,7 +16,6 @@
 #include "depth_alignment.hpp"
 #include "displacement_field.hpp"
 #include "relative_depth.hpp"
-#include "slant_noise.hpp"
 #include <Eigen/LU>
 
 namespace cv { namespace rsackermann {

@@ -3,13 +3,14 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../factors/segment_residuals.hpp"
+#include "../factors/slant_noise.hpp"
 #include "../factors/robust_losses.hpp"
 #include "../optim/median.hpp"
 #include "../parallel_loop.hpp"
 #include "consensus.hpp"
 #include "lo_ransac.hpp"
 #include "motion_mixture.hpp"
-#include "slant_noise.hpp"
 #include "yaw_sweep.hpp"
 
 namespace cv { namespace rsackermann {
@@ -23,6 +24,20 @@ namespace {
 const Fit& cheapest(const std::vector<Fit>& fits)
 {
     return *std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
+}
+
+// By how much the candidates lean that a model should have made upright.
+Slants slantsOf(const RefinementProblem& problem, const Model& model, bool translates)
+{
+    const PreparedModel prepared(model, problem.heading, problem.roadRatio, translates);
+    Slants slants;
+    for (const UprightSegment& c : problem.verticals)
+    {
+        int wall;
+        slants.length.push_back(norm(c.u - c.v));
+        slants.slant.push_back(verticalResidual(c, prepared, wall, 0) / slants.length.back());
+    }
+    return slants;
 }
 
 // A motion hypothesis with the logarithm of its prior probability, given that the camera moves.
@@ -223,7 +238,7 @@ private:
 
     void setNoise(const Fit& fit)
     {
-        const Slants slants(problem, fit.model, fit.hypothesis.translates());
+        const Slants slants = slantsOf(problem, fit.model, fit.hypothesis.translates());
         noise = fitSlantNoise(slants, problem.focal);
         problem.sigma = noise.pixels;
         problem.lean = noise.lean;
@@ -254,7 +269,7 @@ private:
     // refinement.
     double ownNoiseOf(const Fit& fit) const
     {
-        const Slants slants(problem, fit.model, fit.hypothesis.translates());
+        const Slants slants = slantsOf(problem, fit.model, fit.hypothesis.translates());
         return ownNoiseOf(slants);
     }
 
@@ -305,7 +320,7 @@ private:
             other.weigh();
             Fit fit = rest;
             fit.refine(other);
-            const double likelihood = ownNoiseOf(Slants(other, fit.model, false)) + logJacobian;
+            const double likelihood = ownNoiseOf(slantsOf(other, fit.model, false)) + logJacobian;
             logWeights[i] = logEvidence(problem, fit) + (likelihood - ownNoise) / dependence + prior.logRest() -
                             OTHER_LENSES[i] * OTHER_LENSES[i] / 2;
         });
@@ -320,7 +335,7 @@ private:
         Fit unseen(MotionHypothesis(MODEL_1LA, 0));
         unseen.model[P_STREET] = problem.heading.angle;
         unseen.model[P_ALPHA] = prior.given().alpha;
-        const Slants slants(problem, unseen.model, false), ofRest(problem, rest.model, false);
+        const Slants slants = slantsOf(problem, unseen.model, false), ofRest = slantsOf(problem, rest.model, false);
         const double tilts = problem.gravitySigma * problem.vehiclePitchSigma,
                      otherCost = rest.cost - costOf(ofRest) / dependence,
                      probability =

@@ -4,7 +4,6 @@
 
 #include "../precomp.hpp"
 #include "../checks.hpp"
-#include "../motion/motion_check.hpp"
 #include "../storage.hpp"
 #include "maps/maps.hpp"
 #include "maps/remap_limits.hpp"

@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_RSACKERMANN_SRC_SINGLE_SLANT_NOISE_HPP
-#define OPENCV_RSACKERMANN_SRC_SINGLE_SLANT_NOISE_HPP
+#ifndef OPENCV_RSACKERMANN_SRC_FACTORS_SLANT_NOISE_HPP
+#define OPENCV_RSACKERMANN_SRC_FACTORS_SLANT_NOISE_HPP
 
-#include "refinement.hpp"
+#include "opencv2/core.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -14,7 +14,6 @@ struct Slants
 {
     std::vector<double> slant, length; // tangents, and lengths of the segments for a focal length of 1
 
-    Slants(const RefinementProblem& problem, const Model& model, bool translates);
     size_t size() const { return slant.size(); }
 };
 
@@ -64,36 +63,6 @@ struct SlantDensity
     T weighedSquare() const { return T(4. / 3) * fading * slant2; }
 };
 
-//! Slants as vectors take them: one array for each of their numbers, filled up to a multiple of the largest vector.
-class SlantArrays
-{
-public:
-    explicit SlantArrays(const Slants& slants);
-
-    int size() const { return count; }
-    int paddedSize() const { return int(slant2.size()); }
-    const double* slantSquares() const { return slant2.data(); }
-    const double* inverseLengthSquares() const { return inverseLength2.data(); } //!< 0 where there is no slant
-
-private:
-    int count;
-    std::vector<double> slant2, inverseLength2;
-};
-
-//! What one step of expectation and maximisation needs.
-struct SlantSums
-{
-    double verticals;    //!< expected number
-    double squares;      //!< expected squares of the lean's part of their slants, weighed
-    double otherSquares; //!< of the slants of the others
-};
-
-//! @param error of the detector, in radians * length
-SlantSums sumSlants(const SlantArrays& slants, const SlantNoise& noise, double error);
-
-//! Logarithm of the likelihood of the slants.
-double slantLikelihood(const SlantArrays& slants, const SlantNoise& noise, double error);
-
 }} // namespace cv::rsackermann
 
-#endif // OPENCV_RSACKERMANN_SRC_SINGLE_SLANT_NOISE_HPP
+#endif // OPENCV_RSACKERMANN_SRC_FACTORS_SLANT_NOISE_HPP

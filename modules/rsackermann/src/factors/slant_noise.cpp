@@ -3,41 +3,14 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "slant_noise.hpp"
-#include "../factors/robust_losses.hpp"
-#include "../factors/segment_residuals.hpp"
 #include "../optim/median.hpp"
+#include "residual_kernels.hpp"
 
 namespace cv { namespace rsackermann {
 
 static const double OTHER_LEAN = 3 * CV_PI / 180;                 // usual scale for lines that aren't vertical
 static const double DISTINCT = 2;                                 // least ratio of both scales
 static const double DETECTOR_ERRORS[] = {0.005, 0.05, 0.15, 0.4}; // pixels that are tried
-
-Slants::Slants(const RefinementProblem& problem, const Model& model, bool translates)
-{
-    const PreparedModel prepared(model, problem.heading, problem.roadRatio, translates);
-    for (size_t i = 0; i < problem.verticals.size(); i++)
-    {
-        int wall;
-        const UprightSegment& c = problem.verticals[i];
-        const double l = norm(c.u - c.v);
-        length.push_back(l);
-        slant.push_back(verticalResidual(c, prepared, wall, 0) / l);
-    }
-}
-
-SlantArrays::SlantArrays(const Slants& slants) : count(int(slants.size()))
-{
-    const size_t padded = alignSize(slants.size(), SegmentArrays::MAX_LANES);
-    slant2.resize(padded);
-    inverseLength2.resize(padded);
-    for (size_t i = 0; i < slants.size(); i++)
-    {
-        slant2[i] = slants.slant[i] * slants.slant[i];
-        inverseLength2[i] = 1 / (slants.length[i] * slants.length[i]);
-    }
-}
 
 namespace {
 
@@ -49,16 +22,16 @@ double scaleOf(double squares, double count, double usual)
 }
 
 // One step of expectation and maximisation.
-void improve(const SlantArrays& slants, double error, SlantNoise& noise)
+void improve(const Slants& slants, double error, SlantNoise& noise)
 {
     const SlantSums sums = sumSlants(slants, noise, error);
-    const double count = slants.size(), others = count - sums.verticals;
+    const double count = double(slants.size()), others = count - sums.verticals;
     noise.share = std::min(0.95, (others + 1) / (count + 2));
     noise.lean = scaleOf(sums.squares, sums.verticals, PRIOR_LEAN);
     noise.otherLean = std::max(DISTINCT * noise.lean, scaleOf(sums.otherSquares, others, OTHER_LEAN));
 }
 
-double logLikelihood(const SlantArrays& slants, double error, const SlantNoise& noise)
+double logLikelihood(const Slants& slants, double error, const SlantNoise& noise)
 {
     const double unusual = std::log(noise.lean / PRIOR_LEAN), otherUnusual = std::log(noise.otherLean / OTHER_LEAN);
     return slantLikelihood(slants, noise, error) - 0.5 * (unusual * unusual + otherUnusual * otherUnusual);
@@ -74,7 +47,7 @@ double SlantNoise::lossScale(const Slants& slants, double focal) const
     return std::sqrt(2 * std::log1p((1 - share) / share * otherLean / scale));
 }
 
-static SlantNoise improved(const SlantArrays& slants, double focal, int steps, SlantNoise noise)
+static SlantNoise improved(const Slants& slants, double focal, int steps, SlantNoise noise)
 {
     for (int i = 0; i < steps; i++)
         improve(slants, noise.pixels / focal, noise);
@@ -87,13 +60,12 @@ SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* s
     // The likelihood has a maximum with few, exact verticals, and one with many that lean.
     const double leans[] = {PRIOR_LEAN, PRIOR_LEAN / 8}, shares[] = {0.3, 0.5};
     const int few = 6, more = 6;
-    const SlantArrays arrays(slants);
     std::vector<SlantNoise> noises;
     for (int k = 0; k < 2; k++)
         for (int j = 0; j < (start ? 1 : 4); j++)
         {
             const SlantNoise noise = {start ? start->pixels : DETECTOR_ERRORS[j], leans[k], shares[k], OTHER_LEAN, 0};
-            noises.push_back(improved(arrays, focal, few, noise));
+            noises.push_back(improved(slants, focal, few, noise));
         }
     SlantNoise best = *std::max_element(noises.begin(), noises.end(), [](const SlantNoise& a, const SlantNoise& b) {
         return a.logLikelihood < b.logLikelihood;
@@ -108,7 +80,7 @@ SlantNoise fitSlantNoise(const Slants& slants, double focal, const SlantNoise* s
         squares += weight * noise.pixels * noise.pixels;
     }
     best.pixels = std::sqrt(squares / sum);
-    return improved(arrays, focal, more, best);
+    return improved(slants, focal, more, best);
 }
 
 static SlantDensity<double> densityOf(double slant, double scale)
