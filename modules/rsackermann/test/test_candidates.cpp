@@ -5,6 +5,8 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_private_problem.hpp"
+#include "test_lens_models.hpp"
+#include "test_warp_cameras.hpp"
 
 namespace opencv_test { namespace {
 
@@ -111,6 +113,32 @@ TEST(RSAckermann_Candidates, sorts_segments)
                 std::abs(verticals[0].u[0] - verticals[0].v[0]) + std::abs(verticals[1].u[0] - verticals[1].v[0]),
                 1e-9);
     EXPECT_NEAR(100 / 816., verticals[0].timeV - verticals[0].timeU, 1e-9);
+}
+
+// How far the image of a straight segment of the raw image is from its chord, in pixels, by OpenCV's inverse of the
+// lens.
+TEST(RSAckermann_Candidates, sagitta_of_each_lens)
+{
+    for (const int lens : {ALL_LENSES})
+    {
+        SCOPED_TRACE(lens);
+        const RollingShutterCamera camera = lensCamera(lens);
+        const Vec4d segment(70, 20, 75, 350);
+        const std::vector<Point2d> raw = {Point2d(segment[0], segment[1]), Point2d(segment[2], segment[3]),
+                                          Point2d((segment[0] + segment[2]) / 2, (segment[1] + segment[3]) / 2)};
+        std::vector<Point2d> p;
+        if (lens == FISHEYE_LENS)
+            cv::fisheye::undistortPoints(raw, p, camera.cameraMatrix, camera.distCoeffs);
+        else
+            cv::undistortPoints(raw, p, camera.cameraMatrix, camera.distCoeffs, noArray(), noArray(),
+                                TermCriteria(TermCriteria::COUNT + TermCriteria::EPS, 100, 1e-12));
+        std::vector<UprightSegment> verticals, others;
+        selectCandidates(Mat(segment.t()), camera, AckermannEstimator::Params(), verticals, others);
+        ASSERT_EQ(1u, verticals.size());
+        const double expected = camera.cameraMatrix(0, 0) * cv::norm(p[2] - 0.5 * (p[0] + p[1]));
+        EXPECT_EQ(lens != NO_LENS, expected > 1) << expected;
+        EXPECT_NEAR(expected, verticals[0].sagitta, 1e-3);
+    }
 }
 
 // Wherever they are in the image, of whatever shape it is, but not where a part of them is beyond it.
