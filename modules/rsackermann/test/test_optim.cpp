@@ -83,6 +83,16 @@ TEST(RSAckermann_Optim, curved_valley)
     EXPECT_LT(stats.steps, 40);
 }
 
+// Where steps have to be far shorter than they look at first, what a short one gains says nothing about the minimum.
+TEST(RSAckermann_Optim, minimum_that_is_far_away)
+{
+    const MockProblem problem([](const Unknowns& x) { return Eigen::VectorXd::Constant(1, std::atan(x[0])); });
+    Unknowns x = vectorOf({1e3});
+    SmallEquations at;
+    EXPECT_TRUE(minimize(problem, MinimizerOptions(100, 0.003), x, at).converged);
+    EXPECT_NEAR(0, x[0], 0.1);
+}
+
 TEST(RSAckermann_Optim, steps_are_limited)
 {
     const MockProblem problem(rosenbrock);
