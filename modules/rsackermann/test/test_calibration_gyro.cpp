@@ -218,18 +218,24 @@ TEST(RSAckermann_CalibrationWithGyro, that_is_wrong_changes_nothing)
     EXPECT_EQ(0, calibrator->calibrate().gyroFrames);
 }
 
+// Whenever its clock began.
 TEST(RSAckermann_CalibrationWithGyro, bad_samples_throw)
 {
-    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera(0.025));
-    const Mat times = (Mat_<double>(3, 1) << 0, 0.01, 0.02), rates(3, 3, CV_64F, Scalar(0));
-    EXPECT_THROW(calibrator->addGyro(times, rates.colRange(0, 2)), cv::Exception);
-    EXPECT_THROW(calibrator->addGyro(times, Mat(3, 3, CV_32F, Scalar(0))), cv::Exception);
-    calibrator->addGyro(times, rates);
-    EXPECT_THROW(calibrator->addGyro(times, rates), cv::Exception); // not after those
-    calibrator->clearGyro();
-    EXPECT_NO_THROW(calibrator->addGyro(times, rates));
-    calibrator->clear();
-    EXPECT_NO_THROW(calibrator->addGyro(times, rates));
+    for (const double began : {0., 1.6e9})
+    {
+        SCOPED_TRACE(began);
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera(0.025));
+        const Mat times = (Mat_<double>(3, 1) << began, began + 0.01, began + 0.02), rates(3, 3, CV_64F, Scalar(0));
+        EXPECT_THROW(calibrator->addGyro(times, rates.colRange(0, 2)), cv::Exception);
+        EXPECT_THROW(calibrator->addGyro(times, Mat(3, 3, CV_32F, Scalar(0))), cv::Exception);
+        calibrator->addGyro(times, rates);
+        EXPECT_THROW(calibrator->addGyro(times, rates), cv::Exception); // not after those
+        EXPECT_NO_THROW(calibrator->addGyro(times + 0.03, rates));
+        calibrator->clearGyro();
+        EXPECT_NO_THROW(calibrator->addGyro(times, rates));
+        calibrator->clear();
+        EXPECT_NO_THROW(calibrator->addGyro(times, rates));
+    }
 }
 
 }} // namespace opencv_test
