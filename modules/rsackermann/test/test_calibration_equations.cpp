@@ -360,6 +360,27 @@ TEST_P(CalibrationEquations, frames_that_are_all_the_same)
         }
 }
 
+// The mean tilts follow the heading: where it is given they are no surer than it is.
+TEST_P(CalibrationEquations, tilts_follow_a_given_heading)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const double known = 1e-3, step = 0.01;
+    Recording recording(MODES[GetParam()], 2);
+    recording.frames.assign(8, recording.frames[1]); // that don't scatter
+    for (size_t k = 0; k < recording.frames.size(); k++)
+        recording.frames[k].drive = int(k);
+    const MountFit a = recording.fit(known);
+    recording.camera.heading += step;
+    const MountFit b = recording.fit(known);
+    const double sigma = std::hypot(a.sigma[MOUNT_ROLL], a.sigma[MOUNT_PITCH]),
+                 moved =
+                     std::hypot(b.value[MOUNT_ROLL] - a.value[MOUNT_ROLL], b.value[MOUNT_PITCH] - a.value[MOUNT_PITCH]),
+                 expected = moved / step * known * Recording::sigmaBefore()[MOUNT_HEADING];
+    RecordProperty("ratio", format("%.3f", sigma / expected));
+    EXPECT_GT(moved, 0.02 * step);
+    EXPECT_GT(sigma, 0.9 * expected); // what else is given adds to it
+}
+
 // Of a camera that shakes points are nearer to where they should be if rows are turned back.
 TEST_P(CalibrationEquations, rows_that_turn)
 {
