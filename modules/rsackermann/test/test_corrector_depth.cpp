@@ -94,17 +94,22 @@ TEST_F(CorrectorDepth, needs_a_value_that_is_known)
 // Millimetres taken for metres aren't used, whatever form they have, but by maps of a motion that is given.
 TEST_F(CorrectorDepth, is_refused_in_another_unit)
 {
-    Mat& values = depth.values;
-    for (int y = 0; y < values.rows; y++) // a road
-        values.row(y).setTo(camera.height / std::max((y - camera.cameraMatrix(1, 2)) / camera.cameraMatrix(1, 1), 0.1));
-    for (const double speed : {15., -15.})
+    const double modes[][2] = {{15, 1.3}, {-15, 1.3}, {15, 4.2}}; // speed; height of the camera
+    for (const auto& mode : modes)
+    {
+        const double speed = mode[0];
+        camera.height = mode[1];
+        Mat& values = depth.values;
+        for (int y = 0; y < values.rows; y++) // a road
+            values.row(y).setTo(camera.height /
+                                std::max((y - camera.cameraMatrix(1, 2)) / camera.cameraMatrix(1, 1), 0.1));
         for (const bool isSequence : {false, true})
             for (const int type : {CV_32F, CV_16U})
                 for (const int whose : {DEPTH_RAW, DEPTH_CORRECTED})
                     for (const double unit : {1., 1.5, 1 / 1.5, 3.9, 1 / 3.9, 100., 0.001})
                     {
-                        SCOPED_TRACE(testing::Message()
-                                     << speed << " " << isSequence << " " << type << " " << whose << " " << unit);
+                        SCOPED_TRACE(testing::Message() << speed << " " << camera.height << " " << isSequence << " "
+                                                        << type << " " << whose << " " << unit);
                         RNG rng(11);
                         const Mat segments =
                             simulation::randomSegments(simulation::Simulator::fromMetric(camera, 0.3, speed, 2.5, 3, 0),
@@ -134,6 +139,7 @@ TEST_F(CorrectorDepth, is_refused_in_another_unit)
                         corrector->correctWithMotion(image, found, corrected, noArray(), given);
                         EXPECT_TRUE(corrector->isDepthUsed());
                     }
+    }
 }
 
 // The pixels are those of the new camera, whose image may be a small one.
