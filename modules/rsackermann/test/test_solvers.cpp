@@ -54,10 +54,11 @@ A derived class says what the rolling shutter does: simulate() fills v for a giv
 class Generator
 {
 public:
-    Generator() : leastAlpha(0), mostAlpha(0.05) {}
+    Generator() : leastAlpha(0), mostAlpha(0.05), limit(SolverOptions().maxAlpha) {}
     virtual ~Generator() {}
 
     double leastAlpha, mostAlpha; // of |alpha|
+    double limit;                 // of the options
 
     Problem problem(Motion motion, bool twoWalls, RNG& rng)
     {
@@ -86,6 +87,7 @@ private:
         const double direction =
             twoWalls ? rng.uniform(-0.4, 0.4) + (rng.uniform(0, 2) ? CV_PI : 0) : rng.uniform(-CV_PI, CV_PI);
         result.options.heading = randomHeading(rng);
+        result.options.maxAlpha = limit;
         result.truth.alpha = alpha;
         result.truth.wallSlope = beta * std::cos(direction);
         result.truth.wallOffset = beta * std::sin(direction);
@@ -287,6 +289,8 @@ std::vector<double> bestErrors(Generator& generator, Solver solver, Motion motio
         for (int j = 0; j < n; j++)
         {
             EXPECT_TRUE(admissible(solutions[j], problem.options)) << "problem " << i;
+            for (int k = 0; k < j; k++) // the same one twice is none
+                EXPECT_GT(std::abs(solutions[j].alpha - solutions[k].alpha), 1e-10) << "problem " << i;
             best = std::min(best, difference(solutions[j], problem.truth));
         }
         errors.push_back(best);
@@ -347,6 +351,16 @@ TEST_P(RSAckermann_WallSolvers, finds_motions_at_the_limit)
     expectFound(generator, run4LAExact, BOTH, GetParam(), 8, 0.99);
     expectFound(generator, runKnownSpeed, BOTH, GetParam(), 8, 0.99);
     expectFound(generator, runKnownWallDirection, BOTH, GetParam(), 6, 0.99);
+}
+
+// So far away that polynomials hardly follow.
+TEST_P(RSAckermann_WallSolvers, far_limits)
+{
+    ExactGenerator generator;
+    generator.limit = 1.5;
+    expectFound(generator, run4LAExact, BOTH, GetParam(), 8, 0.9);
+    expectFound(generator, runKnownSpeed, BOTH, GetParam(), 8, 0.9);
+    expectFound(generator, runKnownWallDirection, BOTH, GetParam(), 6, 0.9);
 }
 
 TEST_P(RSAckermann_WallSolvers, solveKnownYawRate_finds_exact_motion)
