@@ -40,7 +40,7 @@ TEST_P(WarpPoints, round_trips)
         const AckermannMotion motion = randomMotion(camera, rng);
         WarpMapGenerator::Params params;
         if (round % 2)
-            params.newCameraMatrix = Matx33d(600, 0, 290, 0, 640, 210, 0, 0, 1);
+            params.newCameraMatrix = Matx33d(600, 3, 290, 0, 640, 210, 0, 0, 1);
         const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera, params);
         const Mat raw = randomPixels(camera.imageSize, 200, rng);
         Mat depths(200, 1, CV_64F);
@@ -207,7 +207,7 @@ TEST_P(WarpPoints, depths)
         }
         WarpMapGenerator::Params params;
         if (round % 3 == 0)
-            params.newCameraMatrix = Matx33d(600, 0, 290, 0, 640, 210, 0, 0, 1);
+            params.newCameraMatrix = Matx33d(600, 3, 290, 0, 640, 210, 0, 0, 1);
         for (int i = 0; i < global.rows && round % 3 == 0; i++)
         {
             const Vec3d p =

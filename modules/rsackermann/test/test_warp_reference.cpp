@@ -34,7 +34,7 @@ TEST_P(WarpReference, rectify_map)
         WarpMapGenerator::Params params;
         if (round % 2)
         {
-            params.newCameraMatrix = Matx33d(600, 0, 290, 0, 640, 210, 0, 0, 1);
+            params.newCameraMatrix = Matx33d(600, 3, 290, 0, 640, 210, 0, 0, 1);
             params.newSize = Size(601, 423);
         }
         const Matx33d K = round % 2 ? params.newCameraMatrix : camera.cameraMatrix;
