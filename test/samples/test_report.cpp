@@ -190,4 +190,29 @@ TEST(Report, has_no_number_for_what_is_unknown)
     EXPECT_TRUE(Json::parse(reportLine(report))["yaw_rate_deg_s"].is_null());
 }
 
+// Of both values the words name those that are further from what is seen than both errors together let expect.
+TEST(Report, names_what_contradicts)
+{
+    const double sigmas[][2] = {{1, 0.1}, {0.1, 1}, {1, 1}}; // given and seen, in units of 0.01 rad/s and 1 m/s
+    for (const auto& sigma : sigmas)
+        for (int k = 0; k < 4; k++)
+        {
+            const bool isYawRate = (k & 1) != 0, isSpeed = (k & 2) != 0;
+            SCOPED_TRACE(testing::Message() << sigma[0] << " " << sigma[1] << " " << k);
+            FrameReport report = exampleReport();
+            AckermannMotion& m = report.motion;
+            m.contradictsPrior = isYawRate || isSpeed;
+            const double both = std::hypot(sigma[0], sigma[1]);
+            report.prior.yawRateSigma = 0.01 * sigma[0];
+            m.seenYawRateSigma = 0.01 * sigma[1];
+            m.seenYawRate = report.prior.yawRate - 0.01 * both * (isYawRate ? 3.1 : 2.9);
+            report.prior.speedSigma = sigma[0];
+            m.seenSpeedSigma = sigma[1];
+            m.seenSpeed = report.prior.speed + both * (isSpeed ? 3.1 : 2.9);
+            const std::string words = contradiction(report);
+            EXPECT_EQ(isYawRate, words.find("yaw rate") != std::string::npos) << words;
+            EXPECT_EQ(isSpeed, words.find("speed") != std::string::npos) << words;
+        }
+}
+
 }} // namespace opencv_test::
