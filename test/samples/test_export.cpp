@@ -1016,7 +1016,8 @@ TEST_F(ExportGyroLog, is_read_as_the_rates_of_the_report)
 {
     json still = frame("4.png", 1.3, 0, 0, 0);
     still["status"] = "not_significant";
-    const Outcome outcome = run({frame("1.png", 1, 30, 0, 0), frame("3.png", 1 + 1 / 15., -12, 3, -4.5),
+    const json first = frame("3.png", 0.9, 1, 2, 3); // of a frame that is there twice the last line counts
+    const Outcome outcome = run({frame("1.png", 1, 30, 0, 0), first, frame("3.png", 1 + 1 / 15., -12, 3, -4.5),
                                  frame("2.png", 1 + 1 / 30., 7, -20, 10), still});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     const rsackermann_samples::GyroRecording log = rsackermann_samples::readGyro(folder / "drive.gcsv", "test");
