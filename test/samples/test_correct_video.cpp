@@ -7,6 +7,8 @@
 #include "opencv2/imgproc.hpp"
 #include "opencv2/videoio.hpp"
 
+#include <sstream>
+
 namespace opencv_test { namespace {
 
 typedef nlohmann::ordered_json Json;
@@ -117,18 +119,21 @@ TEST_F(CorrectVideo, endings_of_cameras)
 }
 
 // A drive whose picture grows as that of a street, so that each frame follows from the one before.
-void writeApproach(const std::string& path, int frames)
+cv::Mat approachingFrame(int i)
 {
     const cv::Mat street = streetImage();
-    cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), FRAMES_PER_SECOND, street.size());
+    cv::Mat frame;
+    const double larger = 1 + 0.03 * i, kept = (1 - larger) / 2;
+    cv::warpAffine(street, frame, cv::Matx23d(larger, 0, kept * street.cols, 0, larger, kept * street.rows),
+                   street.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+    return frame;
+}
+
+void writeApproach(const std::string& path, int frames)
+{
+    cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), FRAMES_PER_SECOND, streetImage().size());
     for (int i = 0; i < frames; i++)
-    {
-        cv::Mat frame;
-        const double larger = 1 + 0.03 * i, kept = (1 - larger) / 2;
-        cv::warpAffine(street, frame, cv::Matx23d(larger, 0, kept * street.cols, 0, larger, kept * street.rows),
-                       street.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
-        writer.write(frame);
-    }
+        writer.write(approachingFrame(i));
 }
 
 TEST_F(CorrectVideo, motion_is_carried_where_asked_for)
@@ -162,6 +167,39 @@ TEST_F(CorrectVideo, motion_is_carried_where_asked_for)
     // The frames in the middle have one on either side.
     for (int i = 1; i + 1 < frames; i++)
         EXPECT_LT(sigma[2][i], sigma[1][i]) << i;
+}
+
+// Images before and after a video are no frames of its sequence, be they as near.
+TEST_F(CorrectVideo, motion_is_not_carried_between_images_and_videos)
+{
+    const int frames = 3;
+    const std::string approach = in_ / "approach.avi", before = in_ / "before.png", after = in_ / "after.png";
+    writeApproach(approach, frames);
+    cv::imwrite(before, approachingFrame(0));
+    cv::imwrite(after, approachingFrame(frames));
+    const auto motionsOf = [](const Arguments& inputs, const char* way) {
+        const Outcome outcome =
+            correct(inputs + Arguments{"--camera=" + streetFolder() + "/camera.yml", "--wall=2.5", way, "--report=-"});
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        std::vector<std::string> motions;
+        std::istringstream stream(outcome.output);
+        for (std::string line; std::getline(stream, line);)
+        {
+            const Json json = Json::parse(line);
+            motions.push_back(Json({json["alpha"], json["yaw_rate_sigma"], json["expected_px_left"]}).dump());
+        }
+        return motions;
+    };
+    for (const char* way : {"--carry", "--smooth"})
+    {
+        std::vector<std::string> apart;
+        for (const std::string& input : {before, approach, after})
+        {
+            const std::vector<std::string> motions = motionsOf({input}, way);
+            apart.insert(apart.end(), motions.begin(), motions.end());
+        }
+        EXPECT_EQ(apart, motionsOf({before, approach, after}, way)) << way;
+    }
 }
 
 TEST_F(CorrectVideo, images_and_videos_to_a_folder)
