@@ -350,15 +350,20 @@ TEST_P(SequenceModes, seen_beside_what_is_given)
 {
     SCOPED_TRACE(MODES[GetParam()].name);
     const Ptr<RollingShutterCorrector> always = createCorrector(setting, Twin(), GIVEN),
-                                       atLast = createCorrector(setting, Twin(), NOTHING);
+                                       atLast = createCorrector(setting, Twin(), NOTHING),
+                                       never = createCorrector(setting, Twin(), NOTHING);
     for (int i = 0; i < FRAMES; i++)
     {
         if (i + 1 == FRAMES)
             atLast->setPrior(always->getPrior());
-        const AckermannMotion a = correctFrame(*always, frames, i, GIVEN), b = correctFrame(*atLast, frames, i, GIVEN);
+        const AckermannMotion a = correctFrame(*always, frames, i, GIVEN), b = correctFrame(*atLast, frames, i, GIVEN),
+                              alone = correctFrame(*never, frames, i, NOTHING);
         if (i + 1 < FRAMES)
             continue;
-        EXPECT_GT(b.seenYawRateSigma, 0);
+        // Of the instant, as that of the motion is.
+        const double sigma = std::sqrt(alone.metricCovariance(setting.camera)(0, 0));
+        RecordProperty("ratio", format("%.3f", b.seenYawRateSigma / sigma));
+        EXPECT_GT(b.seenYawRateSigma, 0.9 * sigma);
         EXPECT_GT(b.seenSpeedSigma, 0);
         expectSame(b, a);
     }
