@@ -19,8 +19,8 @@ double RateProcess::predict() const
 {
     if (!(products(0, 0) > 0))
         return 0;
-    // Coefficients of 0 weigh as much as some frames do, with rates as large as the last one: where shaking begins, it
-    // is the answer to hardly any.
+    // Coefficients of 0 weigh as much as some frames do, with the mean square of the rates up to the last one: where
+    // shaking begins, it is the answer to hardly any.
     const double prior = ASSUMED_FRAMES * (products(0, 0) + past[0] * past[0]) / (count + 1);
     Matx22d information = products;
     information(0, 0) += prior;

@@ -80,8 +80,7 @@ AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const Gra
                                                const MotionPrior& prior, Mat& labels)
 {
     AckermannMotion motion;
-    bool isCopy = false;
-    isKnown = estimateFromPoints(frame, next, segments, prior, motion, labels, isCopy);
+    isKnown = estimateFromPoints(frame, next, segments, prior, motion, labels);
     const bool isAfterCopy = isRepeated;
     isRepeated = isCopy;
     if (isKnown)
@@ -229,33 +228,47 @@ static double readOut(const RollingShutterCamera& camera)
     return camera.lineDelay * camera.imageSize.height;
 }
 
-// A car that was fast a moment ago doesn't stand: nearly the same image comes again.
-static bool showsCopy(const SequenceFit& fit)
+// A car that was fast a moment ago, and isn't given to be slow, doesn't stand: nearly the same image comes again.
+static bool showsCopy(const SequenceFit& fit, const MotionPrior& prior)
 {
-    const double speed = fit.prediction.value[SEQUENCE_SPEED];
-    return fit.stands &&
-           speed * speed > CONTRADICTION * CONTRADICTION * fit.prediction.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED);
+    const double speed = fit.prediction.value[SEQUENCE_SPEED],
+                 sigma = std::sqrt(fit.prediction.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
+    return fit.stands && std::abs(speed) > CONTRADICTION * sigma &&
+           !contradicts(speed, sigma, prior.speed, prior.speedSigma);
 }
 
-// Returns whether there were points to go by. isCopy: whether they are those of the image before.
-bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
-                                           const MotionPrior& prior, AckermannMotion& motion, Mat& labels, bool& isCopy)
+// Whether what was tracked stands still.
+static bool isStill(const std::vector<TrackedBearing>& bearings)
 {
+    const auto still =
+        std::count_if(bearings.begin(), bearings.end(), [](const TrackedBearing& b) { return b.isStill; });
+    return size_t(still) > bearings.size() / 2;
+}
+
+// Returns whether there were points to go by.
+bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
+                                           const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
+{
+    isCopy = false;
     const double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
         reset();
-    const bool wasSeen = isSeen();
+    const bool wasSeen = seen == filter.time;
     features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, next);
     if (features.isFirstOfScene())
         resetState();
-    else if (isRepeated && wasSeen) // by when the car has gone on isn't known, unless all images come again
+    else if (isRepeated && wasSeen && !isStill(features.bearings))
+        // By when the car has gone on isn't known, unless all images come again.
         features.leaveOutFrameBefore();
     const SequenceFilter filterBefore = filter;
     const bool follows = filter.advance(frame.seconds, camera, params);
     const bool hasPoints = features.bearings.size() >= LEAST_POINTS;
     const double before = follows ? passed : 0, after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
     if (!hasPoints)
+    {
+        clockNoise.interrupt();
         return false;
+    }
     selectCandidates(segments, camera, params, features.verticals, features.others);
     AckermannMotion compared;
     const SequenceFit fitBefore = last;
@@ -267,7 +280,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         resetState();
         return false;
     }
-    isCopy = showsCopy(alone);
+    isCopy = showsCopy(alone, prior);
     if (isCopy)
     {
         filter = filterBefore; // at the time of that image

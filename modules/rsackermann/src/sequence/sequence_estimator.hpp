@@ -41,7 +41,7 @@ public:
     bool alignDepth(const Mat& segments, const MotionPrior& prior, AckermannMotion& motion, DepthMap& depth) const;
 
     //! Whether points showed the motion of the last frame.
-    bool isSeen() const { return seen == filter.time; }
+    bool isSeen() const { return seen == filter.time && !isCopy; }
 
     //! The next frame belongs to another sequence.
     void reset();
@@ -55,7 +55,7 @@ private:
     AckermannMotion estimateNew(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                 const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
-                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels, bool& isCopy);
+                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     bool update(const MotionPrior& prior, double yawAboutFit, const FitNuisances& nuisances, AckermannMotion& motion);
     void compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, double yawAboutFit,
                          AckermannMotion& motion) const;
@@ -80,6 +80,7 @@ private:
     Mat segmentsOfImage, labelsOfImage;
     bool isKnown = false;    // by its points, or expected as its image before came again
     bool isRepeated = false; // came again, or nearly
+    bool isCopy = false;     // nearly
     SequenceFilter filter;   // without what is given
     RowRates rates;
     ClockNoise clockNoise;

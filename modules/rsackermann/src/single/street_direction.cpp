@@ -43,14 +43,18 @@ public:
                            points.data());
     }
 
-    // Calls function(azimuth, cost) for all azimuths that are possible. @param coarseness of the loss, in sigmas
+    double first() const { return problem.heading.angle - range; }
+
+    // Calls function(azimuth, cost) for azimuths that are possible. @param coarseness of the loss, in sigmas
+    // @param through one that is among them, or whole steps away.
     template <class Function>
-    void forEachAzimuth(double coarseness, const Function& function) const
+    void forEachAzimuth(double coarseness, double through, const Function& function) const
     {
-        const double scale = problem.focal / (coarseness * problem.directionSigma);
-        for (double offset = -range; offset <= range; offset += STREET_STEP)
+        const double scale = problem.focal / (coarseness * problem.directionSigma),
+                     shift = std::remainder(through - first(), STREET_STEP);
+        for (double offset = 0; offset <= 2 * range; offset += STREET_STEP)
         {
-            const double azimuth = problem.heading.angle + offset;
+            const double azimuth = first() + offset + shift;
             function(azimuth, streetCost(points.data(), padded, std::sin(azimuth), std::cos(azimuth), scale));
         }
     }
@@ -69,7 +73,8 @@ bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypo
     if (problem.others.empty())
         return false;
     double bestCost = DBL_MAX, best = 0;
-    StreetSearch(problem, model).forEachAzimuth(COARSENESS, [&](double azimuth, double cost) {
+    const StreetSearch search(problem, model);
+    search.forEachAzimuth(COARSENESS, search.first(), [&](double azimuth, double cost) {
         if (cost < bestCost)
         {
             bestCost = cost;
@@ -96,7 +101,8 @@ double varianceOfOtherStreets(const RefinementProblem& problem, const Fit& fit)
         return 0;
 
     std::vector<double> azimuths, agreeing;
-    StreetSearch(problem, fit.model).forEachAzimuth(problem.lossScale, [&](double azimuth, double cost) {
+    const double own = std::atan2(fit.model[P_D], fit.model[P_B]);
+    StreetSearch(problem, fit.model).forEachAzimuth(problem.lossScale, own, [&](double azimuth, double cost) {
         azimuths.push_back(azimuth);
         agreeing.push_back(std::max(count - cost, 0.)); // the cost is rounded
     });
@@ -112,8 +118,7 @@ double varianceOfOtherStreets(const RefinementProblem& problem, const Fit& fit)
     double sum = 0, squares = 0;
     for (size_t i = 0; i < azimuths.size(); i++)
     {
-        const double weight = std::exp(logWeights[i] - largest),
-                     offset = std::sin(azimuths[i] - std::atan2(fit.model[P_D], fit.model[P_B]));
+        const double weight = std::exp(logWeights[i] - largest), offset = std::sin(azimuths[i] - own);
         sum += weight;
         squares += weight * offset * offset;
     }
