@@ -462,6 +462,18 @@ TEST_P(Scans, states_of_frames_whose_times_jitter_have_true_sigmas)
     }
 }
 
+TEST(RSAckermann_Sequence, noise_of_the_clock_is_finite_beside_rest)
+{
+    for (const Vec3d& speeds : {Vec3d(0, 10, 0), Vec3d(10, 0, 10), Vec3d(10, -10, 10), Vec3d(0, 0, 0)})
+    {
+        ClockNoise noise;
+        for (int i = 0; i < 3; i++)
+            noise.add(speeds[i], 0.1);
+        EXPECT_GE(noise.sigma(), 0);
+        EXPECT_LT(noise.sigma(), 1);
+    }
+}
+
 INSTANTIATE_TEST_CASE_P(RSAckermann_Sequence, Scans, testing::Values(int(SCAN_TOP_TO_BOTTOM), int(SCAN_BOTTOM_TO_TOP)));
 
 TEST(RSAckermann_Sequence, rest_is_rest)

@@ -23,7 +23,9 @@ public:
         if (known > 1)
         {
             products = kept * products + change * difference;
-            squares = kept * squares + speed * speed;
+            // Of the three speeds, so that one near 0 doesn't divide by nothing.
+            const double first = last - change;
+            squares = kept * squares + (first * first + last * last + speed * speed) / 3;
             count = kept * count + 1;
         }
         change = difference;
