@@ -68,6 +68,7 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
         distanceErrors.push_back(std::abs(motion.wallDistance / left - 1));
         double found = 0;
         EXPECT_TRUE(motion.speed(camera, found));
+        EXPECT_LT(std::abs(found - speed), 3 * std::sqrt(motion.metricCovariance(camera)(1, 1)));
         speedErrors.push_back(std::abs(found / speed - 1));
 
         params.scaleFromRoad = false;
@@ -81,7 +82,7 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
     EXPECT_LT(speedErrors[10], 0.15);
 }
 
-// Each wall tells its own distance; what the speed rests on is the mean of both, whatever their ratio is taken for.
+// Each wall tells its own distance, and what stands above the road is none.
 TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
 {
     RNG rng(12);
@@ -97,28 +98,39 @@ TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
             if (k == 0 || (both.at<double>(i, 0) < 320) == (k == 1))
                 segments.push_back(both.row(i));
         const RefinementProblem problem = makeProblem(camera, AckermannEstimator::Params(), segments);
-        Model model = modelOf(simulator);
-        EXPECT_NEAR(left / camera.height, findRoadRatio(problem, model, 2), 0.06 * left / camera.height) << k;
+        const Model model = modelOf(simulator);
         // What is said of the road is said by the walls that have segments.
-        const RoadLimit limit = findRoadLimit(problem, model, 2);
-        const double far = std::log(1.5 * left / camera.height);
+        RoadLimit limit = findRoadLimit(problem, model, 2);
+        const double there = std::log(left / camera.height), far = there + std::log(1.5);
         Model none = model;
         none[P_LAMBDA] = 0; // the left wall alone
         EXPECT_EQ(k != 2, limit.likelihood(none, problem.heading, far) < 0.5) << k;
         none[P_B] *= -1; // the right one
         none[P_D] *= -1;
         EXPECT_EQ(k != 1, limit.likelihood(none, problem.heading, far) < 0.5) << k;
-        EXPECT_NEAR(1, limit.likelihood(model, problem.heading, std::log(0.5 * left / camera.height)), 1e-6) << k;
-        EXPECT_EQ(0, findRoadRatio(problem, Model(), 2));
+        const double near = there + std::log(0.5);
+        EXPECT_NEAR(1, limit.likelihood(model, problem.heading, near), 1e-6) << k;
+        limit.addContacts();
+        const double agreed = limit.likelihood(model, problem.heading, there);
+        EXPECT_GT(agreed, 100 * limit.likelihood(model, problem.heading, near)) << k;
+        EXPECT_GT(agreed, 100 * limit.likelihood(model, problem.heading, far)) << k;
         EXPECT_TRUE(findRoadLimit(problem, Model(), 2).empty());
     }
-    // With a wrong ratio both walls still tell their mean.
-    const RefinementProblem problem = makeProblem(camera, AckermannEstimator::Params(), both);
-    Model model = modelOf(simulator);
-    const double wrong = 1.2;
-    model[P_LAMBDA] *= wrong;
-    const double ratio = findRoadRatio(problem, model, 5);
-    EXPECT_NEAR(left / camera.height * std::sqrt(wrong), ratio, 0.06 * ratio);
+}
+
+// Whatever ends agree on is the road or something else: another distance stays as possible as what is unusual.
+TEST(RSAckermann_RoadContact, ends_that_agree_may_be_of_something_else)
+{
+    RoadLimit limit;
+    for (int i = 0; i < 50; i++)
+        limit.add(false, 20 * std::exp(0.03 * (i % 5 - 2)), 1);
+    limit.addContacts();
+    const Model model = modelOf(Simulator::fromMetric(simulation::paperCamera(), 0, 12, 3, 0, 0));
+    const Heading heading(0);
+    const double there = limit.likelihood(model, heading, std::log(20.)),
+                 near = limit.likelihood(model, heading, std::log(3.));
+    EXPECT_GT(there, 20 * near);
+    EXPECT_GT(near, there / 2000);
 }
 
 // In a narrow street that is passed at a usual speed the walls alone would make the road half as far away as it is.

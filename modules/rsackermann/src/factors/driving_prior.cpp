@@ -47,8 +47,8 @@ static void measureLogarithm(double value, double sigma, double& mean, double& l
 
 DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera,
                            const AckermannEstimator::Params& params, const MotionLimits& limits)
-    : given_(prior, camera), logRatioSigma(params.priorWallRatioLogSigma),
-      heading_(camera.heading), headingSigma(params.wallDeviationSigma), height(camera.height),
+    : given_(prior, camera), logRatioSigma(params.priorWallRatioLogSigma), heading_(camera.heading),
+      headingSigma(params.wallDeviationSigma), height(camera.height),
       speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation), standing(params.standingProbability),
       reverse(params.reverseProbability)
 {
@@ -65,8 +65,9 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     logSpeed = logMetres + std::log(timed.secondsPerUnitTime() / wallDistance);
     logSpeedSigma = std::hypot(speedSigma, unit > 0 ? 0 : params.priorReadoutTimeLogSigma);
     logWallSigma = knowsWall ? 0 : params.priorWallDistanceLogSigma;
-    roadRatioIsGiven = params.roadRatio > 0;
-    ratio = roadRatioIsGiven ? params.roadRatio : wallDistance / (height > 0 ? height : params.priorHeight);
+    roadIsSought_ = params.scaleFromRoad && height > 0 && !knowsWall;
+    roadRatioIsGiven = params.roadRatio > 0 && !roadIsSought_;
+    ratio = params.roadRatio > 0 ? params.roadRatio : wallDistance / (height > 0 ? height : params.priorHeight);
     logHeightSigma = height > 0 || roadRatioIsGiven ? 0 : params.priorHeightLogSigma;
     // A camera of unknown height that looks to the side may not see the road at all.
     roadIsSeen = height > 0 || heading_.looksAlong();
@@ -185,38 +186,6 @@ double DrivingPrior::logRest() const
     return std::log(probability / (1 - probability)) - 0.5 * z * z;
 }
 
-// Of the table of likelihoods, in steps of HEIGHT_SIGMA around a distance of one height: 0.01 to 100 heights.
-enum { BINS = 160 };
-
-static double binOf(double logRatio)
-{
-    return BINS / 2 + logRatio / HEIGHT_SIGMA;
-}
-
-void RoadLimit::add(bool onRightWall, double ratio, double weight)
-{
-    const double logRatio = std::log(ratio), part = weight / DEPENDENCE;
-    if (!(std::abs(logRatio) < DBL_MAX))
-        return;
-    std::vector<double>& values = walls[onRightWall].values;
-    values.resize(BINS, 1);
-    for (int i = 0; i < BINS; i++)
-    {
-        const double z = binOf(logRatio) - i, certain = 4; // sigmas
-        if (z < certain)
-            values[i] *= std::pow(UNUSUAL + (1 - UNUSUAL) * 0.5 * std::erfc(-z / std::sqrt(2.)), part);
-    }
-}
-
-double RoadLimit::Table::at(double logRatio) const
-{
-    if (values.empty())
-        return 1;
-    const double place = std::min(std::max(binOf(logRatio), 0.), BINS - 1.001);
-    const int i = int(place);
-    return values[i] + (place - i) * (values[i + 1] - values[i]);
-}
-
 void DrivingPrior::road(const Model& model, const RoadLimit& limit, double& G, double& variance) const
 {
     G = variance = 0;
@@ -250,8 +219,8 @@ void DrivingPrior::limitRoad(const RoadLimit& limit, const Model& model, double&
 {
     if (limit.empty() || !(variance > 0))
         return;
-    const int steps = 48;
     const double farthest = 4, sigma = std::sqrt(variance), logWall = std::log(std::hypot(model[P_B], model[P_D]));
+    const int steps = std::max(48, cvCeil(2 * farthest * sigma / HEIGHT_SIGMA)); // no coarser than the limit's table
     double sum = 0, first = 0, second = 0;
     for (int i = 0; i <= steps; i++)
     {

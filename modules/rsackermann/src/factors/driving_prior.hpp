@@ -10,46 +10,11 @@
 #include "../motion/contradiction.hpp"
 #include "../motion/sequence_values.hpp"
 #include "jet.hpp"
+#include "road_limit.hpp"
 
 namespace cv { namespace rsackermann {
 
 const double EXACT_GRAVITY = 1e-4; //!< radians: a gravity that is given as exact is as good as that
-const double HEIGHT_SIGMA = 0.06;  //!< relative, of a given height: a car bounces on its suspension
-const double UNUSUAL = 0.1;        //!< probability of what is seldom in a street
-
-/** How far away walls may be, in heights of the camera, for the ends of their segments to be above the road
-(doc/theory.md, "Prior").
-
-An end at the ratio r of distance and height is above the road if the wall's distance is at most r heights of the
-camera. It counts as a part of a contact, since ends of one facade err together.
-*/
-class RoadLimit
-{
-public:
-    bool empty() const { return walls[0].values.empty() && walls[1].values.empty(); }
-
-    //! An end of a segment of a wall. @param weight up to 1, of a segment that is one of the wall.
-    void add(bool onRightWall, double ratio, double weight);
-
-    //! Likelihood of a distance of a motion's left (or only) wall. @param logRatio logarithm of it over the height.
-    double likelihood(const Model& m, const Heading& heading, double logRatio) const
-    {
-        if (hasRightWallOnly(m, heading))
-            return walls[1].at(logRatio);
-        return walls[0].at(logRatio) * (m[P_LAMBDA] > 0 ? walls[1].at(logRatio - std::log(m[P_LAMBDA])) : 1);
-    }
-
-private:
-    // By the logarithm of the ratio.
-    struct Table
-    {
-        std::vector<double> values; // empty: 1 everywhere
-
-        double at(double logRatio) const;
-    };
-
-    Table walls[2]; // left and right
-};
 
 //! The values of a MotionPrior in the units of the estimation; a sigma of 0: not given.
 struct GivenValues
@@ -107,6 +72,8 @@ public:
                    ? (given_.speed < 0 ? -1 : 1)
                    : 0;
     }
+    //! Whether walls that stand on the road are to say how far away they are.
+    bool roadIsSought() const { return roadIsSought_; }
     //! Distance of the left (or only) wall over the height of the camera.
     double roadRatio() const { return ratio; }
 
@@ -136,7 +103,7 @@ private:
     double speedWallCorrelation; // of the logarithms: drivers slow down where walls are near
     double standing;             // probability
     double reverse;              // probability of driving backward
-    bool roadRatioIsGiven;
+    bool roadIsSought_, roadRatioIsGiven;
     bool roadIsSeen;
 };
 

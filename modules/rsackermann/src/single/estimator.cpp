@@ -160,11 +160,10 @@ private:
             return;
         motion.expectedResidual = found.expectedResidual;
         motion.probabilityWorse = found.probabilityWorse;
-        report(problem, prior, found, motion);
+        report(prior, found, motion);
     }
 
-    void report(const RefinementProblem& problem, const MotionPrior& prior, const Posterior& found,
-                AckermannMotion& motion) const
+    void report(const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const
     {
         const Model& m = found.model;
         motion.model = found.hypothesis.motion;
@@ -175,15 +174,14 @@ private:
         const bool isGiven = params.wallDistance > 0 || prior.speed != 0;
         if (!(speed > 0) || (isGiven && setGivenScale(camera, params, prior, motion)))
             return;
-        if (params.scaleFromRoad && camera.height > 0)
+        if (found.roadSigma > 0)
         {
-            const double ratio = findRoadRatio(problem, m, params.threshold);
-            if (ratio > 0)
-            {
-                motion.scale = SCALE_ROAD;
-                motion.wallDistance = ratio * camera.height;
-                motion.roadSlope = motion.direction * speed * ratio;
-            }
+            motion.scale = SCALE_ROAD;
+            motion.wallDistance = std::abs(motion.roadSlope) / speed * camera.height;
+            const Vec4d wall = Vec4d(0, motion.wallSlope, motion.wallOffset, 0) * (1 / speed);
+            motion.speedSigma = std::abs(motion.roadSlope) * camera.height / camera.secondsPerUnitTime() *
+                                std::sqrt(found.roadSigma * found.roadSigma +
+                                          wall.dot(Vec4d((motion.covariance * wall).val)) / (speed * speed));
         }
     }
 };

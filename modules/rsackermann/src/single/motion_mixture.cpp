@@ -323,6 +323,15 @@ Posterior MotionMixture::best() const
     Posterior result;
     result.model = correction.model;
     result.G = correction.G;
+    if (prior.roadIsSought())
+    {
+        double expectedG, expectedVariance, G, variance;
+        prior.road(result.model, RoadLimit(), expectedG, expectedVariance);
+        prior.road(result.model, limit, G, variance);
+        const double information = G * G / variance, expectedInformation = expectedG * expectedG / expectedVariance;
+        if (information > 2 * expectedInformation)
+            result.roadSigma = 1 / std::sqrt(information);
+    }
     result.expectedRaw = expected.raw;
     result.expectedResidual = expected.residual;
     result.probabilityWorse = expected.probabilityWorse;

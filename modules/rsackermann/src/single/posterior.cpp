@@ -300,7 +300,12 @@ private:
             if (moving[i].hypothesis.translates() && !moving[i].minima.empty() &&
                 cheapest(moving[i].minima).cost < best.cost)
                 best = cheapest(moving[i].minima);
-        return best.cost < DBL_MAX ? findRoadLimit(problem, best.model, params.threshold) : RoadLimit();
+        if (!(best.cost < DBL_MAX))
+            return RoadLimit();
+        RoadLimit limit = findRoadLimit(problem, best.model, params.threshold);
+        if (prior.roadIsSought())
+            limit.addContacts();
+        return limit;
     }
 
     // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.

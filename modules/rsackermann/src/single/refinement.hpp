@@ -117,21 +117,13 @@ bool startFromStreetDirection(const RefinementProblem& problem, const MotionHypo
 other segments as agree with a street may do so by chance (doc/theory.md, "Posterior"). */
 double varianceOfOtherStreets(const RefinementProblem& problem, const Fit& fit);
 
-/** How far away walls may be for their segments to end above the road.
+/** How far away walls may be for their segments to end on the road or above it (doc/theory.md, "Estimation").
+
+At the lower end of a segment that stands on the road, wall and road are equally near: w = G y. Others give larger
+ratios.
 @param threshold pixels, residual of a segment that counts half as one of a wall.
 */
 RoadLimit findRoadLimit(const RefinementProblem& problem, const Model& model, double threshold);
-
-/** How far away the left (or only) wall is in heights of the camera, from wall segments that stand on the road
-(doc/theory.md, "Estimation").
-
-At the lower end of such a segment wall and road are equally near: w = G y. Other segments end above the road
-and give larger ratios, each its own, so that the smallest ratio on which several segments of a wall agree is taken; of
-two walls the mean.
-@param threshold pixels below which the residual of a segment makes it an inlier.
-@return 0 if it isn't shown.
-*/
-double findRoadRatio(const RefinementProblem& problem, const Model& model, double threshold);
 
 }} // namespace cv::rsackermann
 

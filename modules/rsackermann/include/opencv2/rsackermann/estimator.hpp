@@ -91,10 +91,10 @@ public:
         CV_PROP_RW double
             wallDistance; //!< metres to the left wall, or to the only one that is seen; 0: unknown (default)
         //! Distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0
-        //! (default): priorWallDistance over priorHeight
+        //! (default): priorWallDistance over priorHeight. With scaleFromRoad it is only expected
         CV_PROP_RW double roadRatio;
         //! If wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on
-        //! the road, default false
+        //! the road, if they say more of it than what is expected; default false
         CV_PROP_RW bool scaleFromRoad;
         /** radians; standard deviation of the vehicle's roll: the error of the camera's upright rotation against the
         verticals of the scene, which is then corrected. 0: the upright rotation is exact; default 1 degree, for the
