@@ -157,7 +157,7 @@ public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)),
           generator(WarpMapGenerator::create(camera, params_.warp)), sequence(camera, params_.estimator, estimator),
-          time(0), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false), isTracked_(false),
+          time(0), hasTime(false), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false), isTracked_(false),
           isDepthUsed_(false)
     {
         params_.check();
@@ -207,6 +207,9 @@ public:
     void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
     {
         sequence.gyro.samples.add(matrixOf(times, "times"), matrixOf(rates, "rates"));
+        const double memory = 60; // seconds, more than delays and the turns of points need
+        if (hasTime)
+            sequence.gyro.samples.forgetBefore(time - memory);
     }
 
     bool getGyroAlignment(double& delay, Vec3d& axes, Vec3d& bias) const CV_OVERRIDE
@@ -241,6 +244,7 @@ public:
     {
         sequence.reset();
         passTo(0);
+        hasTime = false;
     }
 
     void clear() CV_OVERRIDE
@@ -388,6 +392,7 @@ private:
     void passTo(double seconds)
     {
         time = seconds;
+        hasTime = true;
         timestamp = std::numeric_limits<double>::quiet_NaN();
         next = GrayFrame();
     }
@@ -524,6 +529,7 @@ private:
     SequenceEstimator sequence;
     GrayFrame next;   // what is known of the image after the next one
     double time;      // of the last frame
+    bool hasTime;     // whether there was one
     double timestamp; // of the next one; not finite: not given
 
     // of the last image

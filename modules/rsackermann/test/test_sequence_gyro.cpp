@@ -391,6 +391,15 @@ TEST(RSAckermann_Gyro, samples_and_gaps)
     EXPECT_THROW(samples.add(descending, r), cv::Exception);
     EXPECT_EQ(0.52, samples.lastTime()); // nothing of it was added
     samples.add(Mat(), Mat());
+    samples.forgetBefore(0.01); // that would keep most
+    EXPECT_TRUE(samples.covers(0, 0.02));
+    samples.forgetBefore(0.505);
+    EXPECT_FALSE(samples.covers(0.5, 0.505));
+    EXPECT_TRUE(samples.covers(0.51, 0.52));
+    samples.forgetBefore(9);
+    EXPECT_EQ(0.52, samples.lastTime()); // the next ones follow it
+    samples.add(t.rowRange(3, 6) + 0.03, r.rowRange(3, 6));
+    EXPECT_TRUE(samples.covers(0.51, 0.55));
 }
 
 // Backward in time the same turns come in another order, gaps as well.

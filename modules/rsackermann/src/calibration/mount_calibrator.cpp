@@ -172,9 +172,11 @@ public:
     void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
     {
         const Mat seconds = matrixOf(times, "times");
-        if (seconds.type() == CV_64F && !seconds.empty())
-            setOrigin(seconds.at<double>(0));
-        gyro.add(seconds, matrixOf(rates, "rates"), origin);
+        const bool begins = !hasOrigin && seconds.type() == CV_64F && !seconds.empty();
+        const double first = begins ? seconds.at<double>(0) : origin;
+        gyro.add(seconds, matrixOf(rates, "rates"), first);
+        if (begins) // nothing was wrong with them
+            setOrigin(first);
     }
 
     void clearGyro() CV_OVERRIDE { gyro.clear(); }

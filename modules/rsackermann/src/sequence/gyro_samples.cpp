@@ -38,7 +38,6 @@ void GyroSamples::add(const Mat& times_, const Mat& rates, double origin)
             if (!(std::abs(rates.at<double>(i, k)) <= fastest()))
                 checkRange(rates.at<double>(i, k), -fastest(), fastest(), format("rates(%d, %d)", i, k).c_str());
     }
-    samples.reserve(samples.size() + size_t(rates.rows));
     for (int i = 0; i < rates.rows; i++)
     {
         samples.push_back({time[i] - origin, Vec3d(rates.ptr<double>(i)), Vec3d(), Vec3d(), 0});
@@ -46,6 +45,15 @@ void GyroSamples::add(const Mat& times_, const Mat& rates, double origin)
         for (size_t k = std::max<size_t>(samples.size(), 3) - 2; k < samples.size(); k++)
             integrate(k);
     }
+}
+
+void GyroSamples::forgetBefore(double time)
+{
+    const auto last = samples.end() - std::min<size_t>(samples.size(), 2); // that the next ones go on from
+    const auto kept = std::lower_bound(samples.begin(), last, time,
+                                       [](const Sample& sample, double t) { return sample.time < t; });
+    if (kept - samples.begin() > samples.end() - kept)
+        samples.erase(samples.begin(), kept);
 }
 
 // From the sample before a later one to that: a cubic through the rates, whose slopes are those of the chords on both

@@ -24,6 +24,8 @@ public:
     //! @param origin seconds that are taken off the times.
     void add(const Mat& times, const Mat& rates, double origin = 0);
     void clear() { samples.clear(); }
+    //! Forgets samples before a time once they are the most.
+    void forgetBefore(double time);
     bool empty() const { return samples.empty(); }
     double lastTime() const { return samples.back().time; }
 

@@ -136,7 +136,8 @@ public:
     An image is corrected with samples that reach beyond both its ends; others are corrected without the gyro, and so is
     an image in a gap of more than 0.1 s.
     @param times seconds, on the clock of setTimestamp(), as N x 1 matrix CV_64F or vector<double>: increasing, and
-    after those of earlier calls; throws cv::Exception otherwise.
+    after those of earlier calls; throws cv::Exception otherwise. A call may forget samples that are more than a minute
+    earlier than the last image.
     @param rates rad/s about the axes of the camera (x to the right, y down, z ahead): N x 3 matrix CV_64F.
      */
     CV_WRAP virtual void addGyro(InputArray times, InputArray rates) = 0;
