@@ -830,6 +830,58 @@ TEST(RSAckermann_Sequence, points_are_tracked)
     EXPECT_TRUE(pairs.empty());
 }
 
+// As far as their prediction may be wrong; of several the right one counts, unless one before it is good enough.
+TEST(RSAckermann_Sequence, points_are_looked_for_where_they_are_expected)
+{
+    const Mat texture = randomTexture(Size(1000, 600), 3);
+    const Size size(600, 400);
+    const Point shift(170, -90), off(5, -4);
+    const auto expected = [=](const Point& error) {
+        return [=](const Point2d& now) { return now - Point2d(shift + error); };
+    };
+    const auto share = [&](const PointPredictions& predictions) {
+        PointTracker tracker(COARSE_PIXELS);
+        std::vector<PointPair> pairs;
+        tracker.track(texture(Rect(Point(200, 100), size)).clone(), 1, pairs, predictions);
+        tracker.track(texture(Rect(Point(200, 100) - shift, size)).clone(), 1, pairs, predictions);
+        int right = 0;
+        for (const PointPair& pair : pairs)
+            right += cv::norm(pair.now - pair.other - Point2d(shift)) < 0.2;
+        EXPECT_GE(right, 0.9 * pairs.size());
+        return double(right) / tracker.pointCount();
+    };
+    const double inBoth = (1 - 170 / 600.) * (1 - 90 / 400.);
+    PointPredictions predictions;
+    predictions.all = {expected(off)};
+    EXPECT_GT(share(predictions), 0.8 * inBoth);
+    predictions.all = {PointPrediction(), expected(off)};
+    EXPECT_GT(share(predictions), 0.8 * inBoth);
+    predictions.all = {expected(off), PointPrediction()};
+    predictions.enough = 0.3;
+    EXPECT_GT(share(predictions), 0.8 * inBoth);
+}
+
+// Exposure and lamps change what is seen of a texture, but not where it is.
+TEST(RSAckermann_Sequence, points_in_another_light)
+{
+    const Mat texture = randomTexture(Size(640, 420), 2);
+    const Mat before = texture(Rect(0, 0, 600, 400)).clone(), now = texture(Rect(8, 5, 600, 400)).clone();
+    size_t found[2];
+    for (const int changes : {0, 1})
+    {
+        PointTracker tracker(COARSE_PIXELS);
+        std::vector<PointPair> pairs;
+        tracker.track(before, 1, pairs);
+        tracker.track(changes ? Mat(now * 0.7 + 50) : now, 1, pairs);
+        found[changes] = pairs.size();
+        std::vector<double> errors;
+        for (const PointPair& pair : pairs)
+            errors.push_back(cv::norm(pair.now - pair.other + Point2d(8, 5)));
+        EXPECT_LT(median(errors), 0.2);
+    }
+    EXPECT_GT(found[1], 0.7 * found[0]);
+}
+
 // A pixel of an image that was made smaller is in the middle of those that it was made of, by others and by the
 // tracker.
 TEST(RSAckermann_Sequence, points_of_a_smaller_image)

@@ -10,6 +10,7 @@
 #include "../features/segment_finder.hpp"
 #include "../storage.hpp"
 #include "../sequence/frame_terms.hpp"
+#include "../sequence/point_prediction.hpp"
 #include "../sequence/sequence_filter.hpp"
 #include "drive_turns.hpp"
 #include "mount_solver.hpp"
@@ -147,8 +148,9 @@ public:
         seconds = sinceOrigin(seconds, prior);
         finder.find(image, params.estimator.detector, params.estimator.minLength, found);
         const GrayFrame frame(finder.reduced(), finder.reduction(), seconds);
-        const bool isAdded =
-            add(segmentRows(found), seconds, prior, [&](double passed) { features.track(start, frame, passed); });
+        const bool isAdded = add(segmentRows(found), seconds, prior, [&](double passed) {
+            features.track(start, frame, passed, predictPoints(start, gates, filter));
+        });
         finder.release();
         return isAdded;
     }

@@ -52,7 +52,7 @@ void FrameFeatures::setPoints(const RollingShutterCamera& camera, const std::vec
 }
 
 void FrameFeatures::track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
-                          const GrayFrame& next)
+                          const FramePrediction& predict, const GrayFrame& next)
 {
     bearings.clear();
     fineBearings.clear();
@@ -60,10 +60,10 @@ void FrameFeatures::track(const RollingShutterCamera& camera, const GrayFrame& f
         return;
     const double ahead = next.seconds - frame.seconds;
     const bool hasNext = !next.gray.empty() && ahead != 0 && std::abs(ahead) < LONGEST_INTERVAL;
-    follow(camera, tracker, frame, passed, hasNext ? &next : 0, bearings);
+    follow(camera, tracker, frame, passed, predict, hasNext ? &next : 0, bearings);
     // A recorded drive has the time for it. In small images it would be the same points.
     if (hasNext && frame.gray.total() > COARSE_PIXELS)
-        follow(camera, fineTracker, frame, passed, &next, fineBearings);
+        follow(camera, fineTracker, frame, passed, predict, &next, fineBearings);
     else
         fineTracker.reset();
 }
@@ -86,15 +86,33 @@ bool FrameFeatures::isFirstOfScene() const
 }
 
 // Between frames of different scenes some points find something that looks like them.
-void FrameFeatures::follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame,
-                           double passed, const GrayFrame* next, std::vector<TrackedBearing>& found)
+PointPredictions FramePrediction::at(double seconds, bool isSameScene) const
 {
-    points.track(frame.gray, frame.scale, pairs);
-    if (pairs.size() >= SAME_SCENE * points.pointCount())
+    PointPredictions result;
+    const auto add = [&](const Function& f) {
+        if (f)
+            result.all.insert(result.all.begin(), [f, seconds](const Point2d& now) { return f(now, seconds); });
+    };
+    add(usual);
+    if (isSameScene && known)
+    {
+        add(known);
+        result.enough = SAME_SCENE;
+    }
+    return result;
+}
+
+void FrameFeatures::follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame,
+                           double passed, const FramePrediction& predict, const GrayFrame* next,
+                           std::vector<TrackedBearing>& found)
+{
+    points.track(frame.gray, frame.scale, pairs, predict.at(passed, true));
+    const bool isSameScene = pairs.size() >= SAME_SCENE * points.pointCount();
+    if (isSameScene)
         addBearings(camera, pairs, passed, found);
     if (!next)
         return;
-    points.trackNext(next->gray, pairs);
+    points.trackNext(next->gray, pairs, predict.at(frame.seconds - next->seconds, isSameScene));
     if (pairs.size() >= SAME_SCENE * points.pointCount())
         addBearings(camera, pairs, frame.seconds - next->seconds, found);
 }

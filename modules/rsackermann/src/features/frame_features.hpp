@@ -31,6 +31,17 @@ void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair
                  std::vector<TrackedBearing>& bearings);
 
 //! A frame in 8 bit grey, smaller by scale; empty: points aren't tracked in it.
+//! Where points are expected in an image that was taken some seconds before the present one.
+struct FramePrediction
+{
+    typedef std::function<Point2d(const Point2d& now, double seconds)> Function;
+
+    Function known; //!< by the frames before; empty if there are none
+    Function usual; //!< of any scene, in which the car may as well stand; empty: nothing is usual
+
+    PointPredictions at(double seconds, bool isSameScene) const;
+};
+
 struct GrayFrame
 {
     Mat gray;
@@ -55,7 +66,7 @@ public:
     @param passed seconds since the frame before.
     @param next empty if it isn't known. */
     void track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
-               const GrayFrame& next = GrayFrame());
+               const FramePrediction& predict, const GrayFrame& next = GrayFrame());
 
     //! Points that somebody else has tracked in the frame before: images of other frames don't count any more.
     void setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed);
@@ -72,7 +83,7 @@ public:
 
 private:
     void follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame, double passed,
-                const GrayFrame* next, std::vector<TrackedBearing>& found);
+                const FramePrediction& predict, const GrayFrame* next, std::vector<TrackedBearing>& found);
 
     PointTracker tracker, fineTracker;
     std::vector<PointPair> pairs;

@@ -12,6 +12,7 @@ namespace cv { namespace rsackermann {
 static const int WINDOW = 11;       // pixels, of the tracker
 static const int CELL = 8;          // pixels of the halved image; each cell has one point at most
 static const double TEXTURE = 4e-4; // least of cornerMinEigenVal for grey values from 0 to 1
+static const int REACH = 3;         // halvings: a point may be 40 pixels off its expected place
 static const double RETURN = 0.3;   // pixels by which a point that is followed back may miss its origin
 
 double PointTracker::reach(const Size& imageSize, size_t maxPixels)
@@ -58,6 +59,11 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
         resize(image(Rect(Point(), size * 2) & Rect(Point(), image.size())), target, size, 0, 0, INTER_AREA);
         image = target;
     }
+    // Without the brightness around a point, which light and exposure change: what is followed is texture.
+    const int surroundings = 4 * WINDOW;
+    boxFilter(image, around, -1, Size(surroundings, surroundings));
+    addWeighted(image, 1, around, -1, 128, texture);
+    image = texture;
     // Down to the smallest image that the window fits in: that one is the last.
     const int allLevels = 31;
     levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), allLevels, true, BORDER_REFLECT_101,
@@ -87,19 +93,31 @@ Point2f PointTracker::centreOf(const Point2f& point) const
     return point + Point2f(float(offset[0]), float(offset[1]));
 }
 
-// The points that are found in another image, from where they are followed back.
-void PointTracker::follow(const std::vector<Mat>& to, std::vector<PointPair>& pairs)
+// The points that are found in another image, from where they are followed back as far as the prediction was.
+void PointTracker::follow(const std::vector<Mat>& to, const PointPrediction& predict, std::vector<PointPair>& pairs)
 {
     pairs.clear();
     if (points.empty() || to.empty() || now[0].size() != to[0].size())
         return;
-    const Size window(WINDOW, WINDOW);
-    const TermCriteria criteria(TermCriteria::COUNT + TermCriteria::EPS, 10, 0.03);
-    calcOpticalFlowPyrLK(now, to, points, there, found, error, window, levels, criteria);
-    returned = points;
-    calcOpticalFlowPyrLK(to, now, there, returned, foundAgain, error, window, 1, criteria, OPTFLOW_USE_INITIAL_FLOW);
     const double shift = (scale - 1) / 2.; // centre of the first pixel of the small image
     const Point2d origin(shift, shift);
+    predicted.clear();
+    for (const Point2f& point : points)
+    {
+        const Point2d raw = Point2d(point) * scale + origin;
+        predicted.push_back(point + Point2f(((predict ? predict(raw) : raw) - raw) * (1. / scale)));
+    }
+    const Size window(WINDOW, WINDOW);
+    const TermCriteria criteria(TermCriteria::COUNT + TermCriteria::EPS, 10, 0.03);
+    const int reached = predict ? std::min(levels, REACH) : levels;
+    there = predicted;
+    calcOpticalFlowPyrLK(now, to, points, there, found, error, window, reached, criteria, OPTFLOW_USE_INITIAL_FLOW);
+    returned.clear();
+    for (size_t i = 0; i < points.size(); i++)
+        returned.push_back(there[i] - (predicted[i] - points[i]));
+    // What is as near as it was expected leads back by itself; by more halvings something else would, too.
+    calcOpticalFlowPyrLK(to, now, there, returned, foundAgain, error, window, predict ? 1 : reached, criteria,
+                         OPTFLOW_USE_INITIAL_FLOW);
     const Rect2d inside(0, 0, now[0].cols - 1, now[0].rows - 1);
     for (size_t i = 0; i < points.size(); i++)
     {
@@ -113,21 +131,36 @@ void PointTracker::follow(const std::vector<Mat>& to, std::vector<PointPair>& pa
     }
 }
 
-void PointTracker::track(const Mat& gray, int scale_, std::vector<PointPair>& pairs)
+void PointTracker::follow(const std::vector<Mat>& to, const PointPredictions& predictions,
+                          std::vector<PointPair>& pairs)
+{
+    pairs.clear();
+    for (const PointPrediction& predict : predictions.all)
+    {
+        follow(to, predict, tried);
+        if (tried.size() > pairs.size())
+            pairs.swap(tried);
+        if (pairs.size() >= predictions.enough * points.size())
+            break;
+    }
+}
+
+void PointTracker::track(const Mat& gray, int scale_, std::vector<PointPair>& pairs,
+                         const PointPredictions& predictions)
 {
     std::swap(before, now);
     Mat image;
     scale = scale_ << makePyramid(gray, now, image);
     findPoints(image);
-    follow(before, pairs);
+    follow(before, predictions, pairs);
 }
 
-void PointTracker::trackNext(const Mat& gray, std::vector<PointPair>& pairs)
+void PointTracker::trackNext(const Mat& gray, std::vector<PointPair>& pairs, const PointPredictions& predictions)
 {
     // Its place is that of the image before, which has been used; track() will make it again.
     Mat image;
     makePyramid(gray, before, image);
-    follow(before, pairs);
+    follow(before, predictions, pairs);
 }
 
 }} // namespace cv::rsackermann

@@ -6,6 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_FEATURES_POINT_TRACKER_HPP
 
 #include "opencv2/core.hpp"
+#include <functional>
 
 namespace cv { namespace rsackermann {
 
@@ -21,10 +22,21 @@ struct PointPair
     Point2d other, now;
 };
 
+//! Where a point of the raw present image is expected in another one. Empty: at the same place.
+typedef std::function<Point2d(const Point2d& now)> PointPrediction;
+
+//! Of which the one counts from which most points are found.
+struct PointPredictions
+{
+    std::vector<PointPrediction> all = {PointPrediction()};
+    double enough = 1; //!< share of points that makes those after it needless
+};
+
 /** Tracks points of the present image in the one before and, if it is there, in the one after.
 
 Points are spread over the image: one for each cell of a grid, if there is one with texture in all directions. They are
-looked for in the present image and followed back and forth; those that don't return are left out.
+looked for in the present image and followed from where they are expected, and back; those that don't return are left
+out.
 */
 class PointTracker
 {
@@ -34,10 +46,12 @@ public:
 
     /** @param gray present image, 8 bit, which may have been made smaller by scale.
     @param pairs receives the points, in pixels of the raw images; none for the first image. */
-    void track(const Mat& gray, int scale, std::vector<PointPair>& pairs);
+    void track(const Mat& gray, int scale, std::vector<PointPair>& pairs,
+               const PointPredictions& predictions = PointPredictions());
 
     //! The same for the image after the one that track() had last.
-    void trackNext(const Mat& gray, std::vector<PointPair>& pairs);
+    void trackNext(const Mat& gray, std::vector<PointPair>& pairs,
+                   const PointPredictions& predictions = PointPredictions());
 
     //! Number of points that the last image has.
     size_t pointCount() const { return points.size(); }
@@ -52,15 +66,17 @@ private:
     int makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image);
     void findPoints(const Mat& gray);
     Point2f centreOf(const Point2f& point) const;
-    void follow(const std::vector<Mat>& to, std::vector<PointPair>& pairs);
+    void follow(const std::vector<Mat>& to, const PointPredictions& predictions, std::vector<PointPair>& pairs);
+    void follow(const std::vector<Mat>& to, const PointPrediction& predict, std::vector<PointPair>& pairs);
 
     size_t maxPixels;
     std::vector<Mat> before, now; // pyramids, each level with its gradients
     int levels, scale;            // of the present one
-    Mat smaller[2], half, response;
-    std::vector<Point2f> points, there, returned;
+    Mat smaller[2], around, texture, half, response;
+    std::vector<Point2f> points, predicted, there, returned;
     std::vector<uchar> found, foundAgain;
     std::vector<float> error;
+    std::vector<PointPair> tried;
 };
 
 }} // namespace cv::rsackermann

@@ -8,6 +8,7 @@
 #include "../single/inliers_and_scale.hpp"
 #include "../single/displacement_field.hpp"
 #include "scene_fit.hpp"
+#include "point_prediction.hpp"
 #include "sequence_estimator.hpp"
 
 namespace cv { namespace rsackermann {
@@ -254,7 +255,8 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     if (!filter.isFollowedBy(frame.seconds))
         reset();
     const bool wasSeen = seen == filter.time;
-    features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, next);
+    features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, predictPoints(camera, params, filter),
+                   next);
     if (features.isFirstOfScene())
         resetState();
     else if (isRepeated && wasSeen && !isStill(features.bearings))

@@ -1,0 +1,68 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "../camera/lens.hpp"
+#include "../factors/flow_residual.hpp"
+#include "point_prediction.hpp"
+
+namespace cv { namespace rsackermann {
+
+namespace {
+
+class Predictor
+{
+public:
+    Predictor(const RollingShutterCamera& camera_, const SequenceState& state)
+        : camera(camera_), lens(camera_), flow(camera_)
+    {
+        std::copy(state.value.val, state.value.val + SEQUENCE_VALUES, values);
+    }
+
+    Point2d operator()(const Point2d& raw, double seconds) const
+    {
+        Point2d ray, result;
+        if (!unproject(lens, raw, ray))
+            return raw;
+        const Vec3d now = camera.uprightRotation * Vec3d(ray.x, ray.y, 1);
+        if (!(now[2] > IN_FRONT))
+            return raw;
+        const double time = camera.rowTime(raw);
+        const TrackedBearing point = {Point2d(),
+                                      Point2d(now[0] / now[2], now[1] / now[2]),
+                                      time - seconds / camera.secondsPerUnitTime(),
+                                      time,
+                                      FLOW_PITCH_BEFORE,
+                                      FLOW_ROLL_BEFORE,
+                                      false};
+        // The residual of one that would be at the centre.
+        const Point2d other = flow.evaluate(point, values, 0) * (1 / camera.cameraMatrix(0, 0));
+        const Vec3d there = camera.uprightRotation.t() * Vec3d(other.x, other.y, 1);
+        return there[2] > IN_FRONT && lens.project(there[0] / there[2], there[1] / there[2], result.x, result.y)
+                   ? result
+                   : raw;
+    }
+
+private:
+    RollingShutterCamera camera;
+    Lens<double> lens;
+    FlowResidual flow;
+    double values[FLOW_VALUES] = {};
+};
+
+} // namespace
+
+FramePrediction predictPoints(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
+                              const SequenceFilter& filter)
+{
+    FramePrediction result;
+    if (!(camera.secondsPerUnitTime() > 0))
+        return result;
+    result.usual = Predictor(camera, SequenceState(camera, params));
+    if (!filter.isUninitialised)
+        result.known = Predictor(camera, filter.state);
+    return result;
+}
+
+}} // namespace cv::rsackermann
