@@ -788,6 +788,37 @@ TEST_P(SequenceModes, given_values_that_nothing_fits)
     }
 }
 
+// A given value that the frames contradict takes none with it that they confirm.
+TEST_P(SequenceModes, one_given_value_is_wrong)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const double unit = setting.camera.secondsPerUnitTime();
+    for (const bool isYawRate : {false, true})
+    {
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING);
+        MotionPrior prior;
+        prior.speed = (isYawRate ? 1 : 3.6) * setting.metric.speed;
+        prior.speedSigma = 0.1;
+        prior.yawRate = setting.metric.yawRate + setting.yawChange * (FRAMES - 1) * INTERVAL + (isYawRate ? 1 : 0);
+        prior.yawRateSigma = 0.002;
+        AckermannMotion m;
+        for (int i = 0; i < FRAMES; i++)
+        {
+            if (i == FRAMES - 1)
+                corrector->setPrior(prior);
+            m = correctFrame(*corrector, frames, i, NOTHING);
+        }
+        EXPECT_TRUE(m.contradictsPrior);
+        double speed;
+        EXPECT_TRUE(m.speed(setting.camera, speed));
+        EXPECT_EQ(isYawRate ? SCALE_SPEED : SCALE_ROAD, m.scale);
+        if (isYawRate)
+            EXPECT_NEAR(prior.speed, speed, 0.2);
+        else
+            EXPECT_NEAR(prior.yawRate * unit / 2, m.alpha, 0.004 * unit / 2);
+    }
+}
+
 // Without a gravity it is the gyro and what is given that know the yaw rate of a single image, each by its weight.
 // A gyro is nothing that is given, which a single image could contradict.
 TEST(RSAckermann_SequenceModes, nothing_is_seen_beside_a_gyro)

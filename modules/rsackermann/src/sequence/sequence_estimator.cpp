@@ -217,10 +217,20 @@ static bool isGiven(const MotionPrior& prior)
     return prior.yawRateSigma > 0 || prior.speedSigma > 0 || prior.wallDirectionSigma > 0;
 }
 
-// What is given, unless it contradicts what is seen.
+// What is given without what contradicts what is seen.
 static MotionPrior usable(const MotionPrior& prior, const AckermannMotion& compared)
 {
-    return compared.contradictsPrior ? MotionPrior() : prior;
+    MotionPrior result = prior;
+    if (!compared.contradictsPrior)
+        return result;
+    const bool isYawRate =
+        contradicts(compared.seenYawRate, compared.seenYawRateSigma, prior.yawRate, prior.yawRateSigma);
+    if (isYawRate)
+        result.yawRateSigma = 0;
+    // Or its direction.
+    if (!isYawRate || contradicts(compared.seenSpeed, compared.seenSpeedSigma, prior.speed, prior.speedSigma))
+        result.speedSigma = 0;
+    return result;
 }
 
 // Seconds in which a frame is read.
@@ -304,29 +314,38 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     return true;
 }
 
-// What is given counts in its own frame alone: its error may be that of all frames. Goes by the frames alone if no
-// motion is near what is given, or they contradict it. Returns whether they show one of this scene.
+// What is given counts in its own frame alone: its error may be that of all frames. Goes by the frames without what
+// they contradict, or alone if no motion is near what is given. Returns whether they show one of this scene.
 bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, const FitNuisances& nuisances,
                                AckermannMotion& motion)
 {
-    SequenceFilter aided = filter;
+    const SequenceFilter before = filter;
     const bool isSeen = filter.update(features, camera, params, alone, nuisances);
+    // Sets the last fit.
+    const auto fitWith = [&](MotionPrior given) {
+        // Points show means, and a given yaw rate is that of the instant.
+        if (given.yawRateSigma > 0)
+            given.yawRateSigma = std::hypot(given.yawRateSigma, yawAboutFit);
+        SequenceFilter aided = before;
+        aided.state.measure(given);
+        return aided.update(features, camera, params, last, nuisances);
+    };
     last = alone;
     if (!isGiven(prior))
         return isSeen;
-    // Points show means, and a given yaw rate is that of the instant.
-    MotionPrior ofFit = prior;
-    if (prior.yawRateSigma > 0)
-        ofFit.yawRateSigma = std::hypot(prior.yawRateSigma, yawAboutFit);
-    aided.state.measure(ofFit);
-    const bool isNear = aided.update(features, camera, params, last, nuisances);
+    bool isNear = fitWith(prior);
     if (!isSeen)
     {
         alone = last;
         return isNear;
     }
     compareWithSeen(alone, prior, yawAboutFit, motion);
-    if (!isNear || motion.contradictsPrior)
+    if (motion.contradictsPrior)
+    {
+        const MotionPrior rest = usable(prior, motion);
+        isNear = isGiven(rest) && fitWith(rest);
+    }
+    if (!isNear)
         last = alone;
     return true;
 }
