@@ -157,8 +157,8 @@ public:
     RollingShutterCorrectorImpl(const RollingShutterCamera& camera, const Params& params_)
         : estimator(AckermannEstimator::create(camera, params_.estimator)),
           generator(WarpMapGenerator::create(camera, params_.warp)), sequence(camera, params_.estimator, estimator),
-          time(0), hasTime(false), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false), isTracked_(false),
-          isDepthUsed_(false)
+          time(0), hasTime(false), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false),
+          isTracked_(false), isDepthUsed_(false)
     {
         params_.check();
         checkTiming(camera, params_);
@@ -206,10 +206,11 @@ public:
 
     void addGyro(InputArray times, InputArray rates) CV_OVERRIDE
     {
-        sequence.gyro.samples.add(matrixOf(times, "times"), matrixOf(rates, "rates"));
-        const double memory = 60; // seconds, more than delays and the turns of points need
-        if (hasTime)
-            sequence.gyro.samples.forgetBefore(time - memory);
+        const Mat seconds = matrixOf(times, "times");
+        sequence.gyro.samples.add(seconds, matrixOf(rates, "rates"));
+        const double memory = 60;        // seconds, more than delays and the turns of points need
+        if (hasTime && !seconds.empty()) // the samples may be of another clock
+            sequence.gyro.samples.forgetBefore(std::min(time, seconds.at<double>(0)) - memory);
     }
 
     bool getGyroAlignment(double& delay, Vec3d& axes, Vec3d& bias) const CV_OVERRIDE

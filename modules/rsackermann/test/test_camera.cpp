@@ -228,6 +228,12 @@ const BadField badFields[] = {
     BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation = Matx33d::zeros(); }),
     BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation = -c.uprightRotation; }),
     BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation *= 1.01; }),
+    BadField("uprightRotation", // with a yaw
+             [](RollingShutterCamera& c) {
+                 c.uprightRotation = Matx33d(0.8, 0, 0.6, 0, 1, 0, -0.6, 0, 0.8) * c.uprightRotation;
+             }),
+    BadField("uprightRotation", // backward
+             [](RollingShutterCamera& c) { c.uprightRotation = Matx33d::diag(Vec3d(-1, 1, -1)) * c.uprightRotation; }),
     BadField("uprightRotation", [](RollingShutterCamera& c) { c.uprightRotation(1, 2) = NaN; }),
     BadField("heading", [](RollingShutterCamera& c) { c.heading = NaN; }),
     BadField("heading", [](RollingShutterCamera& c) { c.heading = infinity; }),

@@ -242,7 +242,7 @@ TEST(RSAckermann_Gyro, contradictions_are_noticed)
             }
             else
                 camera.rng.fill(camera.values, RNG::NORMAL, 0, 0.3);
-            EXPECT_LE(camera.used(1), 3);
+            EXPECT_LE(camera.used(1), 4); // until what isn't known of a true one explains it no more
             EXPECT_TRUE(camera.gyro.contradicts());
             EXPECT_TRUE(camera.gyro.isWrong());
         }

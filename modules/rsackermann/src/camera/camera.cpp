@@ -131,6 +131,11 @@ static void checkRotation(const Matx33d& R)
     const double error = norm(R * R.t() - Matx33d::eye(), NORM_INF);
     REJECT_IF(error > 1e-6 || determinant(R) < 0,
               "camera.uprightRotation is off a rotation by %g; a rotation matrix is expected", error);
+    const double most = 0.05; // three degrees, which matter to nobody's heading
+    REJECT_IF(std::abs(R(0, 2)) > most || R(2, 2) < -most,
+              "camera.uprightRotation turns the optical axis to (%g, %g, %g); x between -%g and %g, and z ahead, are "
+              "expected: setGravity() makes one without yaw, which is the camera's heading",
+              R(0, 2), R(1, 2), R(2, 2), most, most);
 }
 
 void RollingShutterCamera::check() const

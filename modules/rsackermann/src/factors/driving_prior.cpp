@@ -58,6 +58,7 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     double logMetres = std::log(params.priorSpeed), speedSigma = params.priorSpeedLogSigma; // per second
     if (speedIsGiven())
         measureLogarithm(std::abs(prior.speed), prior.speedSigma, logMetres, speedSigma);
+    roadIsSought_ = params.scaleFromRoad && height > 0 && !knowsWall;
     const double wallDistance = knowsWall ? params.wallDistance : params.priorWallDistance;
     RollingShutterCamera timed = camera;
     if (!(unit > 0))
@@ -65,9 +66,8 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     logSpeed = logMetres + std::log(timed.secondsPerUnitTime() / wallDistance);
     logSpeedSigma = std::hypot(speedSigma, unit > 0 ? 0 : params.priorReadoutTimeLogSigma);
     logWallSigma = knowsWall ? 0 : params.priorWallDistanceLogSigma;
-    roadIsSought_ = params.scaleFromRoad && height > 0 && !knowsWall;
     roadRatioIsGiven = params.roadRatio > 0 && !roadIsSought_;
-    ratio = params.roadRatio > 0 ? params.roadRatio : wallDistance / (height > 0 ? height : params.priorHeight);
+    ratio = roadRatioIsGiven ? params.roadRatio : wallDistance / (height > 0 ? height : params.priorHeight);
     logHeightSigma = height > 0 || roadRatioIsGiven ? 0 : params.priorHeightLogSigma;
     // A camera of unknown height that looks to the side may not see the road at all.
     roadIsSeen = height > 0 || heading_.looksAlong();
@@ -220,7 +220,8 @@ void DrivingPrior::limitRoad(const RoadLimit& limit, const Model& model, double&
     if (limit.empty() || !(variance > 0))
         return;
     const double farthest = 4, sigma = std::sqrt(variance), logWall = std::log(std::hypot(model[P_B], model[P_D]));
-    const int steps = std::max(48, cvCeil(2 * farthest * sigma / HEIGHT_SIGMA)); // no coarser than the limit's table
+    // No coarser than the limit's table; beyond that it's constant.
+    const int steps = int(std::max(48., std::min(2 * farthest * sigma / HEIGHT_SIGMA, 1000.)));
     double sum = 0, first = 0, second = 0;
     for (int i = 0; i <= steps; i++)
     {

@@ -12,8 +12,6 @@
 namespace cv { namespace rsackermann {
 
 const size_t LEAST_POINTS = 20;
-//! Least share of the points that are found again, and of those that agree with one motion, in frames of one scene.
-const double SAME_SCENE = 0.3;
 
 //! A tracked point as upright bearings with z = 1, and the row times at which it was seen, from the present reference
 //! row.

@@ -47,6 +47,14 @@ void PointTracker::findPoints(const Mat& gray)
         }
 }
 
+// Down to the smallest image that the window fits in: that one is the last.
+static int buildPyramid(const Mat& image, std::vector<Mat>& pyramid)
+{
+    const int allLevels = 31;
+    return buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), allLevels, true, BORDER_REFLECT_101,
+                                   BORDER_CONSTANT, false);
+}
+
 int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image)
 {
     int halvings = 0;
@@ -59,15 +67,7 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
         resize(image(Rect(Point(), size * 2) & Rect(Point(), image.size())), target, size, 0, 0, INTER_AREA);
         image = target;
     }
-    // Without the brightness around a point, which light and exposure change: what is followed is texture.
-    const int surroundings = 4 * WINDOW;
-    boxFilter(image, around, -1, Size(surroundings, surroundings));
-    addWeighted(image, 1, around, -1, 128, texture);
-    image = texture;
-    // Down to the smallest image that the window fits in: that one is the last.
-    const int allLevels = 31;
-    levels = buildOpticalFlowPyramid(image, pyramid, Size(WINDOW, WINDOW), allLevels, true, BORDER_REFLECT_101,
-                                     BORDER_CONSTANT, false);
+    levels = buildPyramid(image, pyramid);
     return halvings;
 }
 
@@ -109,15 +109,14 @@ void PointTracker::follow(const std::vector<Mat>& to, const PointPrediction& pre
     }
     const Size window(WINDOW, WINDOW);
     const TermCriteria criteria(TermCriteria::COUNT + TermCriteria::EPS, 10, 0.03);
-    const int reached = predict ? std::min(levels, REACH) : levels;
     there = predicted;
-    calcOpticalFlowPyrLK(now, to, points, there, found, error, window, reached, criteria, OPTFLOW_USE_INITIAL_FLOW);
-    returned.clear();
-    for (size_t i = 0; i < points.size(); i++)
-        returned.push_back(there[i] - (predicted[i] - points[i]));
-    // What is as near as it was expected leads back by itself; by more halvings something else would, too.
-    calcOpticalFlowPyrLK(to, now, there, returned, foundAgain, error, window, predict ? 1 : reached, criteria,
-                         OPTFLOW_USE_INITIAL_FLOW);
+    calcOpticalFlowPyrLK(now, to, points, there, found, error, window, predict ? std::min(levels, REACH) : levels,
+                         criteria, OPTFLOW_USE_INITIAL_FLOW);
+    // From a prediction's neighbour many a place would lead back to the point itself: as good a start is as far away.
+    returned = points;
+    for (size_t i = 0; predict && i < points.size(); i++)
+        returned[i] += there[i] - predicted[i];
+    calcOpticalFlowPyrLK(to, now, there, returned, foundAgain, error, window, 1, criteria, OPTFLOW_USE_INITIAL_FLOW);
     const Rect2d inside(0, 0, now[0].cols - 1, now[0].rows - 1);
     for (size_t i = 0; i < points.size(); i++)
     {
@@ -135,6 +134,23 @@ void PointTracker::follow(const std::vector<Mat>& to, const PointPredictions& pr
                           std::vector<PointPair>& pairs)
 {
     pairs.clear();
+    followAll(to, predictions, pairs);
+    if (points.empty() || to.empty() || pairs.size() >= SAME_SCENE * points.size())
+        return;
+    // Another exposure loses what is the same.
+    Scalar mean, otherMean, deviation, otherDeviation;
+    meanStdDev(now[0], mean, deviation);
+    meanStdDev(to[0], otherMean, otherDeviation);
+    const double gain = deviation[0] / std::max(otherDeviation[0], 1.);
+    to[0].convertTo(exposed, -1, gain, mean[0] - gain * otherMean[0]);
+    buildPyramid(exposed, exposedPyramid);
+    followAll(exposedPyramid, predictions, pairs);
+}
+
+// Replaces what was found before by what is found if that is more.
+void PointTracker::followAll(const std::vector<Mat>& to, const PointPredictions& predictions,
+                             std::vector<PointPair>& pairs)
+{
     for (const PointPrediction& predict : predictions.all)
     {
         follow(to, predict, tried);

@@ -22,6 +22,9 @@ struct PointPair
     Point2d other, now;
 };
 
+//! Least share of the points that are found again, and of those that agree with one motion, in frames of one scene.
+const double SAME_SCENE = 0.3;
+
 //! Where a point of the raw present image is expected in another one. Empty: at the same place.
 typedef std::function<Point2d(const Point2d& now)> PointPrediction;
 
@@ -67,16 +70,19 @@ private:
     void findPoints(const Mat& gray);
     Point2f centreOf(const Point2f& point) const;
     void follow(const std::vector<Mat>& to, const PointPredictions& predictions, std::vector<PointPair>& pairs);
+    void followAll(const std::vector<Mat>& to, const PointPredictions& predictions, std::vector<PointPair>& pairs);
     void follow(const std::vector<Mat>& to, const PointPrediction& predict, std::vector<PointPair>& pairs);
 
     size_t maxPixels;
     std::vector<Mat> before, now; // pyramids, each level with its gradients
     int levels, scale;            // of the present one
-    Mat smaller[2], around, texture, half, response;
+    Mat smaller[2], half, response;
     std::vector<Point2f> points, predicted, there, returned;
     std::vector<uchar> found, foundAgain;
     std::vector<float> error;
     std::vector<PointPair> tried;
+    Mat exposed; // another image as if with the exposure of the present one
+    std::vector<Mat> exposedPyramid;
 };
 
 }} // namespace cv::rsackermann

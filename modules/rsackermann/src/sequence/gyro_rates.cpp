@@ -89,6 +89,17 @@ bool GyroRates::expected(const TurnOfPoints& turn, double delay, Vec3d& rate) co
     return samples.meanRate(turn.begin + delay, turn.end + delay, turn.rows.from, turn.rows.to, rate);
 }
 
+bool GyroRates::expected(const TurnOfPoints& turn, double delay, Vec3d& rate, Vec3d& slope) const
+{
+    const double h = 1e-3;
+    Vec3d before, after;
+    if (!expected(turn, delay - h, before) || !expected(turn, delay + h, after))
+        return false;
+    rate = (before + after) * 0.5;
+    slope = (after - before) * (1 / (2 * h));
+    return true;
+}
+
 void GyroRates::add(const TurnOfPoints& turn)
 {
     judge(turn);
@@ -105,24 +116,6 @@ void GyroRates::add(const TurnOfPoints& turn)
         align();
 }
 
-// Before it is used: a bias that is fitted explains a few turns whatever the gyro says.
-void GyroRates::judge(const TurnOfPoints& turn)
-{
-    Vec3d g;
-    if (!expected(turn, found.delay, g))
-        return;
-    const double large = 2 * TURN_RATE_NOISE; // what is left beyond may be wrong points
-    const double kept = turns.empty() ? 1 : std::exp(-std::abs(turn.end - turns.back().end) / RATE_MEMORY);
-    const Vec3d with = turn.rate - found.toCamera(g, 1), without = turn.rate - meanTurn * (count / (count + 1));
-    for (int k = 0; k < 3; k++)
-    {
-        left[k] = kept * left[k] + large * large * std::log1p(std::pow(with[k] / large, 2));
-        unexplained[k] = kept * unexplained[k] + large * large * std::log1p(std::pow(without[k] / large, 2));
-    }
-    meanTurn = (meanTurn * (kept * count) + turn.rate) * (1 / (kept * count + 1));
-    count = kept * count + 1;
-}
-
 // Of a rate about the i-th axis of the camera, by the unknowns. @param slope of the gyro's rate g by time.
 static GyroUnknowns derivatives(const Vec3d& g, const Vec3d& slope, int i)
 {
@@ -136,12 +129,32 @@ static GyroUnknowns derivatives(const Vec3d& g, const Vec3d& slope, int i)
     return J;
 }
 
+// Before it is used: a bias that is fitted explains a few turns whatever the gyro says. What isn't known yet of bias,
+// axes and clock isn't the gyro's fault.
+void GyroRates::judge(const TurnOfPoints& turn)
+{
+    Vec3d g, slope;
+    if (!expected(turn, found.delay, g, slope))
+        return;
+    const double large = 2 * TURN_RATE_NOISE; // what is left beyond may be wrong points
+    const double kept = turns.empty() ? 1 : std::exp(-std::abs(turn.end - turns.back().end) / RATE_MEMORY);
+    const Vec3d with = turn.rate - found.toCamera(g, 1), without = turn.rate - meanTurn * (count / (count + 1));
+    for (int k = 0; k < 3; k++)
+    {
+        const GyroUnknowns J = derivatives(g, slope, k);
+        const double beyond = std::max(0., with[k] * with[k] - J.dot(covariance * J));
+        left[k] = kept * left[k] + large * large * std::log1p(beyond / (large * large));
+        unexplained[k] = kept * unexplained[k] + large * large * std::log1p(std::pow(without[k] / large, 2));
+    }
+    meanTurn = (meanTurn * (kept * count) + turn.rate) * (1 / (kept * count + 1));
+    count = kept * count + 1;
+}
+
 // Gauss-Newton from what was found before, with Cauchy's loss.
 void GyroRates::align()
 {
     // Each frame goes on from the one before.
     const int iterations = turns.size() < DELAY_FRAMES ? 3 : 1;
-    const double h = 1e-3;
     for (int iteration = 0; iteration < iterations; iteration++)
     {
         UnknownsMatrix information = UnknownsMatrix::zeros();
@@ -157,12 +170,11 @@ void GyroRates::align()
         double weights = 0;
         for (size_t k = 0; k < turns.size(); k++)
         {
-            Vec3d before, after;
-            if (!expected(turns[k], found.delay - h, before) || !expected(turns[k], found.delay + h, after))
+            Vec3d g, slope;
+            if (!expected(turns[k], found.delay, g, slope))
                 continue;
-            const Vec3d g = (before + after) * 0.5;
             const double kept = std::exp(-std::abs(turns[k].end - turns.back().end) / RATE_MEMORY);
-            const Vec3d slope = (after - before) * (1 / (2 * h)), r = turns[k].rate - found.toCamera(g, 1);
+            const Vec3d r = turns[k].rate - found.toCamera(g, 1);
             double squared = 0;
             for (int i = 0; i < 3; i++)
                 squared += r[i] * r[i] / (noise[i] * noise[i]);

@@ -119,6 +119,7 @@ public:
 
 private:
     bool expected(const TurnOfPoints& turn, double delay, Vec3d& rate) const;
+    bool expected(const TurnOfPoints& turn, double delay, Vec3d& rate, Vec3d& slope) const;
     void judge(const TurnOfPoints& turn);
     void align();
     double shareLeft(double delay) const;

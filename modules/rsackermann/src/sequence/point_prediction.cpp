@@ -29,15 +29,14 @@ public:
         if (!(now[2] > IN_FRONT))
             return raw;
         const double time = camera.rowTime(raw);
-        const TrackedBearing point = {Point2d(),
-                                      Point2d(now[0] / now[2], now[1] / now[2]),
-                                      time - seconds / camera.secondsPerUnitTime(),
-                                      time,
-                                      FLOW_PITCH_BEFORE,
-                                      FLOW_ROLL_BEFORE,
+        const Point2d bearing(now[0] / now[2], now[1] / now[2]);
+        const TrackedBearing point = {bearing, bearing,           time - seconds / camera.secondsPerUnitTime(),
+                                      time,    FLOW_PITCH_BEFORE, FLOW_ROLL_BEFORE,
                                       false};
-        // The residual of one that would be at the centre.
-        const Point2d other = flow.evaluate(point, values, 0) * (1 / camera.cameraMatrix(0, 0));
+        const Point2d moved = flow.evaluate(point, values, 0); // the residual of one that stays
+        if (FlowResidual::isBehind(moved))
+            return raw;
+        const Point2d other = bearing + moved * (1 / camera.cameraMatrix(0, 0));
         const Vec3d there = camera.uprightRotation.t() * Vec3d(other.x, other.y, 1);
         return there[2] > IN_FRONT && lens.project(there[0] / there[2], there[1] / there[2], result.x, result.y)
                    ? result

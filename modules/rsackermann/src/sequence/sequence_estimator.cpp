@@ -223,12 +223,13 @@ static MotionPrior usable(const MotionPrior& prior, const AckermannMotion& compa
     MotionPrior result = prior;
     if (!compared.contradictsPrior)
         return result;
-    const bool isYawRate =
+    const bool isOfYawRate =
         contradicts(compared.seenYawRate, compared.seenYawRateSigma, prior.yawRate, prior.yawRateSigma);
-    if (isYawRate)
+    if (isOfYawRate)
         result.yawRateSigma = 0;
-    // Or its direction.
-    if (!isYawRate || contradicts(compared.seenSpeed, compared.seenSpeedSigma, prior.speed, prior.speedSigma))
+    // A contradiction that isn't the yaw rate's is the speed's, or its direction's.
+    const bool isOfSpeed = !isOfYawRate || compared.direction * prior.speed < 0;
+    if (isOfSpeed || contradicts(compared.seenSpeed, compared.seenSpeedSigma, prior.speed, prior.speedSigma))
         result.speedSigma = 0;
     return result;
 }
@@ -361,6 +362,7 @@ void SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, const Motio
         ofFrames.state.seen(SEQUENCE_SPEED, motion.seenSpeed, motion.seenSpeedSigma);
     AckermannMotion seenMotion;
     ofFrames.state.toMotion(camera.secondsPerUnitTime(), seenMotion);
+    motion.direction = seenMotion.direction;
     compareWithGiven(prior, ofFrames.moves && showsOtherDirection(seenMotion, prior), motion);
 }
 

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../camera/line_delay_sigma.hpp"
 #include "../camera/lens.hpp"
 #include "../checks.hpp"
 #include "../storage.hpp"
@@ -163,6 +164,18 @@ private:
         report(prior, found, motion);
     }
 
+    // Of the speed by the road: what the ends, the walls' motion, the height and the line delay leave open.
+    void setSpeedSigma(double roadSigma, AckermannMotion& motion) const
+    {
+        double speed;
+        if (!motion.speed(camera, speed))
+            return;
+        const Vec4d wall(0, motion.wallSlope, motion.wallOffset, 0);
+        const double size = wall.dot(wall), ofWall = std::sqrt(std::max(wall.dot(motion.covariance * wall), 0.)) / size;
+        motion.speedSigma = std::abs(speed) * std::hypot(std::hypot(roadSigma, ofWall),
+                                                         std::hypot(HEIGHT_SIGMA, relativeLineDelaySigma(camera)));
+    }
+
     void report(const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const
     {
         const Model& m = found.model;
@@ -178,10 +191,7 @@ private:
         {
             motion.scale = SCALE_ROAD;
             motion.wallDistance = std::abs(motion.roadSlope) / speed * camera.height;
-            const Vec4d wall = Vec4d(0, motion.wallSlope, motion.wallOffset, 0) * (1 / speed);
-            motion.speedSigma = std::abs(motion.roadSlope) * camera.height / camera.secondsPerUnitTime() *
-                                std::sqrt(found.roadSigma * found.roadSigma +
-                                          wall.dot(Vec4d((motion.covariance * wall).val)) / (speed * speed));
+            setSpeedSigma(found.roadSigma, motion);
         }
     }
 };

@@ -125,7 +125,9 @@ public:
     CV_PROP_RW double lineDelay;
     //! Raw row (column-wise shutter: column) at whose instant the corrected image is taken
     CV_PROP_RW double referenceRow;
-    CV_PROP_RW Matx33d uprightRotation; //!< turns the camera frame into the upright frame
+    //! Turns the camera frame into the upright frame, which has the optical axis, projected to the horizontal, along
+    //! +z; check() allows for 0.05 of the axis to the side
+    CV_PROP_RW Matx33d uprightRotation;
     //! Radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a
     //! camera that looks to the right
     CV_PROP_RW double heading;

@@ -91,7 +91,7 @@ public:
         CV_PROP_RW double
             wallDistance; //!< metres to the left wall, or to the only one that is seen; 0: unknown (default)
         //! Distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0
-        //! (default): priorWallDistance over priorHeight. With scaleFromRoad it is only expected
+        //! (default): priorWallDistance over priorHeight. Without effect if scaleFromRoad finds it
         CV_PROP_RW double roadRatio;
         //! If wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on
         //! the road, if they say more of it than what is expected; default false
