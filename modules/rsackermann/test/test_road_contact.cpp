@@ -68,7 +68,15 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
         distanceErrors.push_back(std::abs(motion.wallDistance / left - 1));
         double found = 0;
         EXPECT_TRUE(motion.speed(camera, found));
-        EXPECT_LT(std::abs(found - speed), 3 * std::sqrt(motion.metricCovariance(camera)(1, 1)));
+        const double sigma = std::sqrt(motion.metricCovariance(camera)(1, 1));
+        EXPECT_LT(std::abs(found - speed), 3 * sigma);
+        EXPECT_LT(sigma, 0.3 * std::abs(speed));
+        RollingShutterCamera other = camera;
+        other.lineDelaySigma = 0.2 * camera.lineDelay;
+        const AckermannMotion vague = AckermannEstimator::create(other, params)->estimate(segments, noArray(), prior);
+        EXPECT_NEAR(std::hypot(motion.speedSigma, 0.2 * found), vague.speedSigma, 0.05 * vague.speedSigma);
+        other.lineDelay = 0;
+        EXPECT_EQ(0, AckermannEstimator::create(other, params)->estimate(segments, noArray(), prior).speedSigma);
         speedErrors.push_back(std::abs(found / speed - 1));
 
         params.scaleFromRoad = false;
@@ -112,6 +120,8 @@ TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
         EXPECT_NEAR(1, limit.likelihood(model, problem.heading, near), 1e-6) << k;
         limit.addContacts();
         const double agreed = limit.likelihood(model, problem.heading, there);
+        for (const double aside : {-0.15, 0.15})
+            EXPECT_LT(limit.likelihood(model, problem.heading, there + aside), agreed) << k << " " << aside;
         EXPECT_GT(agreed, 100 * limit.likelihood(model, problem.heading, near)) << k;
         EXPECT_GT(agreed, 100 * limit.likelihood(model, problem.heading, far)) << k;
         EXPECT_TRUE(findRoadLimit(problem, Model(), 2).empty());

@@ -601,8 +601,8 @@ TEST_P(SequenceModes, dark_and_again)
                 continue;
             const Vec3d rate = setting.shakingAt(seconds) * unit;
             EXPECT_NEAR((setting.metric.yawRate + setting.yawChange * seconds) * unit / 2, m.alpha, 0.02 * unit / 2);
-            EXPECT_NEAR(rate[0], m.rollRate, std::max(0.01 * unit, 2 * m.rollRateSigma));
-            EXPECT_NEAR(rate[1], m.pitchRate, std::max(0.01 * unit, 2 * m.pitchRateSigma));
+            EXPECT_NEAR(rate[0], m.rollRate, std::max(0.01 * unit, std::min(2 * m.rollRateSigma, 0.02 * unit)));
+            EXPECT_NEAR(rate[1], m.pitchRate, 0.01 * unit);
         }
         for (int i = 0; i < FRAMES; i++)
             expectSame(first[i], correctFrame(*corrector, frames, i, source));

@@ -85,7 +85,6 @@ bool FrameFeatures::isFirstOfScene() const
            size_t(std::count_if(bearings.begin(), bearings.end(), isBefore)) < LEAST_POINTS;
 }
 
-// Between frames of different scenes some points find something that looks like them.
 PointPredictions FramePrediction::at(double seconds, bool isSameScene) const
 {
     PointPredictions result;
@@ -102,6 +101,7 @@ PointPredictions FramePrediction::at(double seconds, bool isSameScene) const
     return result;
 }
 
+// Between frames of different scenes some points find something that looks like them.
 void FrameFeatures::follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame,
                            double passed, const FramePrediction& predict, const GrayFrame* next,
                            std::vector<TrackedBearing>& found)

@@ -28,7 +28,6 @@ struct TrackedBearing
 void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair>& pairs, double seconds,
                  std::vector<TrackedBearing>& bearings);
 
-//! A frame in 8 bit grey, smaller by scale; empty: points aren't tracked in it.
 //! Where points are expected in an image that was taken some seconds before the present one.
 struct FramePrediction
 {
@@ -40,6 +39,7 @@ struct FramePrediction
     PointPredictions at(double seconds, bool isSameScene) const;
 };
 
+//! A frame in 8 bit grey, smaller by scale; empty: points aren't tracked in it.
 struct GrayFrame
 {
     Mat gray;

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../camera/line_delay_sigma.hpp"
 #include "../camera/lens.hpp"
+#include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "../storage.hpp"
 #include "../motion/contradiction.hpp"

@@ -190,7 +190,7 @@ public:
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
     CV_PROP_RW double wallDistance;    //!< metres to the left wall, or to the only one that is seen; 0: unknown
     CV_PROP_RW int scale;              //!< one of #MotionScale
-    //! Of a speed that gives the metres (#SCALE_SPEED, in sequences #SCALE_ROAD as well), its standard deviation in
+    //! Of a speed that gives the metres (#SCALE_SPEED), or that the road gives (#SCALE_ROAD), its standard deviation in
     //! metres per second; 0 (default): wallDistance is exact
     CV_PROP_RW double speedSigma;
 
