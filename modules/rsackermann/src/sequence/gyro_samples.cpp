@@ -50,8 +50,8 @@ void GyroSamples::add(const Mat& times_, const Mat& rates, double origin)
 void GyroSamples::forgetBefore(double time)
 {
     const auto last = samples.end() - std::min<size_t>(samples.size(), 2); // that the next ones go on from
-    const auto kept = std::lower_bound(samples.begin(), last, time,
-                                       [](const Sample& sample, double t) { return sample.time < t; });
+    const auto kept =
+        std::lower_bound(samples.begin(), last, time, [](const Sample& sample, double t) { return sample.time < t; });
     if (kept - samples.begin() > samples.end() - kept)
         samples.erase(samples.begin(), kept);
 }
