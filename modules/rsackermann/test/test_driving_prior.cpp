@@ -99,12 +99,48 @@ TEST(RSAckermann_DrivingPrior, density_of_the_yaw_rate)
     const DrivingPrior given = makeDrive(camera, gyro);
     EXPECT_TRUE(given.yawRateIsGiven());
     EXPECT_NEAR(0.2 * camera.secondsPerUnitTime() / 2, given.given().alpha, 1e-12);
-    EXPECT_NEAR(0.01 * camera.secondsPerUnitTime() / 2, given.alphaScale(), 1e-12);
+    const auto together = [](double a, double b) { return a * b / std::hypot(a, b); };
+    EXPECT_NEAR(together(0.01 * camera.secondsPerUnitTime() / 2, scale), given.alphaScale(), 1e-12);
+    EXPECT_NEAR(given.given().alpha, given.expectedAlpha(), 0.02 * given.given().alpha);
     RollingShutterCamera uncertain = camera;
     uncertain.lineDelaySigma = 0.1 * camera.lineDelay;
-    EXPECT_NEAR(std::hypot(0.01, 0.1 * 0.2) * camera.secondsPerUnitTime() / 2, makeDrive(uncertain, gyro).alphaScale(),
-                1e-12);
-    EXPECT_NEAR(-std::log(given.alphaScale() * std::sqrt(2 * CV_PI)), given.logYawDensity(0.3), 1e-12);
+    EXPECT_NEAR(together(std::hypot(0.01, 0.1 * 0.2) * camera.secondsPerUnitTime() / 2, scale),
+                makeDrive(uncertain, gyro).alphaScale(), 1e-12);
+}
+
+// A given yaw rate multiplies the usual density: an exact one replaces it, and a vague one leaves it as it is.
+TEST(RSAckermann_DrivingPrior, density_of_a_given_yaw_rate)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const DrivingPrior usual = makeDrive(camera);
+    const double unit = camera.secondsPerUnitTime() / 2;
+    for (const double sigma : {1e-4, 0.01, 0.1, 1., 30.})
+        for (const double rate : {0., -0.05, 0.4})
+        {
+            MotionPrior gyro;
+            gyro.yawRate = rate;
+            gyro.yawRateSigma = sigma;
+            const DrivingPrior given = makeDrive(camera, gyro);
+            const double step = 0.01 * given.alphaScale(), range = 300 * usual.alphaScale();
+            double sum = 0;
+            Jet r[DrivingPrior::MAX_YAW_RESIDUALS];
+            const int steps = int(std::min(range / step, 100000.)), middle = int(rate * unit / step);
+            for (int i = middle - steps; i <= middle + steps; i++)
+            {
+                given.evaluateYaw(i * step, false, r);
+                sum += step * std::exp(given.logYawDensity(i * step) - r[0].value * r[0].value / 2);
+            }
+            EXPECT_NEAR(1, sum, 2e-3) << rate << " +- " << sigma;
+            EXPECT_EQ(1, given.evaluateYaw((rate + sigma) * unit, false, r));
+            EXPECT_NEAR(1, r[0].value, 1e-9);
+            EXPECT_EQ(2, given.evaluateYaw((rate + sigma) * unit, true, r));
+            if (sigma > 10)
+            {
+                EXPECT_NEAR(usual.logYawDensity(0), given.logYawDensity(0), 0.01);
+                EXPECT_NEAR(usual.logRest(), given.logRest(), 1e-3);
+                EXPECT_NEAR(0, given.expectedAlpha(), 1e-4 * unit);
+            }
+        }
 }
 
 // A line delay of the median leaves the expected speed as it is; its uncertainty adds.
@@ -238,8 +274,11 @@ TEST(RSAckermann_DrivingPrior, rest)
     EXPECT_NEAR(0, makeDrive(camera).logRest(), 1e-12);
     EXPECT_NEAR(std::log(0.15 / 0.85) - 0.5 * 3 * 3, makeDrive(camera, givenSpeed(6, 2)).logRest(), 1e-9);
     MotionPrior gyro;
-    gyro.yawRateSigma = 0.01;
-    EXPECT_NEAR(std::log(0.15 / 0.85), makeDrive(camera, gyro).logRest(), 1e-12);
+    gyro.yawRateSigma = 1e-5;
+    EXPECT_NEAR(std::log(0.15 / 0.85), makeDrive(camera, gyro).logRest(), 1e-6);
+    gyro.yawRateSigma = 5 * degree; // half of it is known
+    const double probability = 0.5 * std::sqrt(0.3);
+    EXPECT_NEAR(std::log(probability / (1 - probability)), makeDrive(camera, gyro).logRest(), 1e-9);
 }
 
 // Mean and standard deviation of what the distributions give, forward, at rest or not.

@@ -151,6 +151,29 @@ TEST(RSAckermann_Prior, vague_speed_beside_a_given_wall)
     EXPECT_LE(beyond, 0.03 * count);
 }
 
+// A yaw rate that is hardly known is as good as none, and no reason to correct anything.
+TEST(RSAckermann_Prior, vague_yaw_rate_is_none)
+{
+    RNG rng(9);
+    for (int i = 0; i < 30; i++)
+    {
+        const Simulator truth =
+            Simulator::fromMetric(simulation::paperCamera(), rng.gaussian(5) * degree, rng.uniform(0., 20.),
+                                  rng.uniform(3., 8.), rng.uniform(3., 8.), 0);
+        const Mat segments = simulation::randomSegments(truth, simulation::SegmentOptions(), rng).ends;
+        MotionPrior vague;
+        vague.yawRate = rng.gaussian(1);
+        vague.yawRateSigma = 30;
+        const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(truth.camera);
+        const AckermannMotion expected = estimator->estimate(segments),
+                              motion = estimator->estimate(segments, noArray(), vague);
+        ASSERT_EQ(expected.status, motion.status) << i;
+        EXPECT_NEAR(expected.expectedRaw, motion.expectedRaw, 0.02 * expected.expectedRaw) << i;
+        EXPECT_NEAR(expected.alpha, motion.alpha, 0.1 * std::sqrt(expected.covariance(0, 0))) << i;
+        EXPECT_FALSE(motion.contradictsPrior) << i;
+    }
+}
+
 // Metric values without a scale can't be used.
 TEST(RSAckermann_Prior, without_scale)
 {

@@ -12,7 +12,7 @@ namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Prior", has the reasons.
 static const double YAW_FREEDOM = 2; // of Student's t, the distribution of yaw rates
-// Times the probability of standing: who is given a motion is seldom at rest.
+// Times the probability of standing, if a motion is given exactly: who has one is seldom at rest.
 static const double STANDING_IF_GIVEN = 0.3;
 
 GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera)
@@ -55,6 +55,8 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
     yawScale = unit > 0 ? params.priorYawRate * unit / 2 : 0.5 * limits.maxAlpha;
+    yawShare = yawRateIsGiven() ? 1 / (1 + std::pow(given_.alphaSigma / yawScale, 2)) : 0;
+    logYawSum = yawRateIsGiven() ? logSumOfYaw() : 0;
     double logMetres = std::log(params.priorSpeed), speedSigma = params.priorSpeedLogSigma; // per second
     if (speedIsGiven())
         measureLogarithm(std::abs(prior.speed), prior.speedSigma, logMetres, speedSigma);
@@ -73,16 +75,43 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     roadIsSeen = height > 0 || heading_.looksAlong();
 }
 
-Jet DrivingPrior::yawResidual(double alpha) const
+int DrivingPrior::evaluateYaw(double alpha, bool turns, Jet residuals[MAX_YAW_RESIDUALS]) const
 {
+    int n = 0;
     const Jet a = Jet::variable(alpha, P_ALPHA);
     if (yawRateIsGiven())
-        return (1 / given_.alphaSigma) * (a - given_.alpha);
+        residuals[n++] = (1 / given_.alphaSigma) * (a - given_.alpha);
+    if (!turns)
+        return n;
     const double q = alpha / yawScale, cost = (YAW_FREEDOM + 1) * std::log1p(q * q / YAW_FREEDOM), r = std::sqrt(cost),
                  halfSlope = (YAW_FREEDOM + 1) * q / (YAW_FREEDOM + q * q) / yawScale;
     // The cost of a residual is its square; next to 0 it is quadratic.
-    return r > 1e-6 ? a.apply(std::copysign(r, q), std::copysign(halfSlope / r, 1.))
-                    : std::sqrt(1 + 1 / YAW_FREEDOM) / yawScale * a;
+    residuals[n++] = r > 1e-6 ? a.apply(std::copysign(r, q), std::copysign(halfSlope / r, 1.))
+                              : std::sqrt(1 + 1 / YAW_FREEDOM) / yawScale * a;
+    return n;
+}
+
+// Student's t with two degrees of freedom has the density 1 / (2 sqrt 2) at 0.
+double DrivingPrior::usualYawDensity(double alpha) const
+{
+    const double q = alpha / yawScale;
+    return std::pow(1 + q * q / YAW_FREEDOM, -0.5 * (YAW_FREEDOM + 1)) / (2 * std::sqrt(2.) * yawScale);
+}
+
+// Over what is narrower, the given density or the usual one, whose probability is (1 + sin angle) / 2.
+double DrivingPrior::logSumOfYaw() const
+{
+    const double farthest = 6, sigma = given_.alphaSigma, relative = sigma / yawScale, wide = 30;
+    const int steps = int(relative < wide ? 60 * std::max(relative, 1.) : 60 * wide);
+    double sum = 0;
+    for (int i = 0; i < steps; i++)
+    {
+        const double place = 2 * (i + 0.5) / steps - 1, z = farthest * place, angle = CV_PI / 2 * place,
+                     beyond = (std::sqrt(YAW_FREEDOM) * yawScale * std::tan(angle) - given_.alpha) / sigma;
+        sum += relative < wide ? 2 * farthest * sigma * std::exp(-z * z / 2) * usualYawDensity(given_.alpha + z * sigma)
+                               : CV_PI / 2 * std::cos(angle) * std::exp(-beyond * beyond / 2);
+    }
+    return std::log(sum / steps);
 }
 
 DrivingPrior::ScaledSpeedLog DrivingPrior::scaledSpeedLog(int walls) const
@@ -124,9 +153,7 @@ double DrivingPrior::directionPenalty(int direction, const MotionHypothesis& hyp
 
 int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesis, Jet residuals[MAX_RESIDUALS]) const
 {
-    int n = 0;
-    if (hypothesis.turns() || yawRateIsGiven())
-        residuals[n++] = yawResidual(model[P_ALPHA]);
+    int n = evaluateYaw(model[P_ALPHA], hypothesis.turns(), residuals);
     if (hypothesis.translates())
     {
         residuals[n++] = speedResidual(model, hypothesis);
@@ -159,13 +186,9 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
     return n;
 }
 
-double DrivingPrior::logYawDensity(double a) const
+double DrivingPrior::logYawDensity(double alpha) const
 {
-    if (yawRateIsGiven())
-        return -std::log(given_.alphaSigma * std::sqrt(2 * CV_PI));
-    const double q = a / yawScale;
-    // Student's t with two degrees of freedom has the density 1 / (2 sqrt 2) at 0.
-    return -0.5 * (YAW_FREEDOM + 1) * std::log1p(q * q / YAW_FREEDOM) - std::log(2 * std::sqrt(2.) * yawScale);
+    return std::log(usualYawDensity(alpha)) - logYawSum;
 }
 
 double DrivingPrior::logVolume(const MotionHypothesis& hypothesis) const
@@ -182,7 +205,7 @@ double DrivingPrior::logRest() const
 {
     // Its residual if a speed is given.
     const double z = speedIsGiven() ? given_.speed / given_.speedSigma : 0;
-    const double probability = motionIsGiven() ? STANDING_IF_GIVEN * standing : standing;
+    const double probability = std::pow(STANDING_IF_GIVEN, givenShare()) * standing;
     return std::log(probability / (1 - probability)) - 0.5 * z * z;
 }
 

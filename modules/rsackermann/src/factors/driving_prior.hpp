@@ -37,9 +37,12 @@ public:
     DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                  const MotionLimits& limits);
 
-    enum { MAX_RESIDUALS = 6 };
+    enum { MAX_RESIDUALS = 7, MAX_YAW_RESIDUALS = 2 };
     //! Residuals in units of their standard deviations. @return their number.
     int evaluate(const Model& model, const MotionHypothesis& hypothesis, Jet residuals[MAX_RESIDUALS]) const;
+
+    //! Those of the yaw rate alone, of a motion that turns or doesn't. @return their number.
+    int evaluateYaw(double alpha, bool turns, Jet residuals[MAX_YAW_RESIDUALS]) const;
 
     //! Logarithm of the prior density of alpha; a given yaw rate is in the residuals, but for its normalisation.
     double logYawDensity(double alpha) const;
@@ -59,10 +62,13 @@ public:
 
     const GivenValues& given() const { return given_; }
     const Heading& heading() const { return heading_; }
-    double alphaScale() const { return yawRateIsGiven() ? given_.alphaSigma : yawScale; }
+    double alphaScale() const { return yawScale * std::sqrt(1 - yawShare); }
+    //! Before the image is seen.
+    double expectedAlpha() const { return yawShare * given_.alpha; }
     bool yawRateIsGiven() const { return given_.alphaSigma > 0; }
     bool speedIsGiven() const { return given_.speedSigma > 0; }
-    bool motionIsGiven() const { return yawRateIsGiven() || speedIsGiven(); }
+    //! The part of the variance of usual yaw rates that what is given takes away; 1 if a speed is given.
+    double givenShare() const { return speedIsGiven() ? 1 : yawShare; }
     //! Scaled speed sqrt(B^2 + D^2) that is to be expected.
     double expectedScaledSpeed() const { return std::exp(logSpeed); }
     //! The direction of a given speed: 1 or -1; 0: it isn't known.
@@ -89,11 +95,14 @@ private:
     double directionPenalty(int direction, const MotionHypothesis& hypothesis) const;
     //! Mean and variance of the logarithm of G for a road that is below the ends of segments.
     void limitRoad(const RoadLimit& limit, const Model& model, double& logG, double& variance) const;
-    Jet yawResidual(double alpha) const;
+    double usualYawDensity(double alpha) const;
+    double logSumOfYaw() const;
     Jet speedResidual(const Model& model, const MotionHypothesis& hypothesis) const;
 
     GivenValues given_;
     double yawScale;                // of alpha
+    double yawShare;                // of givenShare()
+    double logYawSum;               // of the density of usual yaw rates times that of the given one, unless 0
     double logSpeed, logSpeedSigma; // of the scaled speed, without the uncertainty of the wall
     double logWallSigma;            // of the logarithm of a wall's distance; 0: given
     double logRatioSigma;           // of both walls' distances

@@ -135,22 +135,26 @@ private:
 
     void addPriors(const Aligned& state, Equations& equations) const
     {
-        Model turning;
-        turning[P_ALPHA] = state[A_ALPHA];
-        Jet yaw[DrivingPrior::MAX_RESIDUALS];
-        prior.evaluate(turning, MotionHypothesis(MODEL_1LA, 0), yaw);
+        const int ofYaw = DrivingPrior::MAX_YAW_RESIDUALS, all = ofYaw + 3;
+        Jet yaw[ofYaw];
+        const int count = prior.evaluateYaw(state[A_ALPHA], !rests, yaw);
         const double c = heading.c, s = heading.s;
-        Eigen::Matrix<double, UNKNOWNS, UNKNOWNS> J;
+        Eigen::Matrix<double, UNKNOWNS, all> J;
+        Eigen::Matrix<double, all, 1> r;
         J.setZero();
-        Eigen::Matrix<double, UNKNOWNS, 1> r(yaw[0].value, rests ? 0 : (state[A_LOG_ROAD] - logRoad) / logRoadSigma,
-                                             (c * state[A_ROLL] - s * state[A_PITCH]) / rollSigma,
-                                             (s * state[A_ROLL] + c * state[A_PITCH]) / pitchSigma);
-        J(A_ALPHA, 0) = rests ? 0 : yaw[0].derivative[P_ALPHA];
-        J(A_LOG_ROAD, 1) = rests ? 0 : 1 / logRoadSigma;
-        J(A_ROLL, 2) = c / rollSigma;
-        J(A_PITCH, 2) = -s / rollSigma;
-        J(A_ROLL, 3) = s / pitchSigma;
-        J(A_PITCH, 3) = c / pitchSigma;
+        r.setZero();
+        for (int i = 0; i < count; i++)
+        {
+            r[i] = yaw[i].value;
+            J(A_ALPHA, i) = rests ? 0 : yaw[i].derivative[P_ALPHA];
+        }
+        r.tail<3>() << (rests ? 0 : (state[A_LOG_ROAD] - logRoad) / logRoadSigma),
+            (c * state[A_ROLL] - s * state[A_PITCH]) / rollSigma, (s * state[A_ROLL] + c * state[A_PITCH]) / pitchSigma;
+        J(A_LOG_ROAD, ofYaw) = rests ? 0 : 1 / logRoadSigma;
+        J(A_ROLL, ofYaw + 1) = c / rollSigma;
+        J(A_PITCH, ofYaw + 1) = -s / rollSigma;
+        J(A_ROLL, ofYaw + 2) = s / pitchSigma;
+        J(A_PITCH, ofYaw + 2) = c / pitchSigma;
         equations.cost += r.squaredNorm();
         equations.gradient += J * r;
         equations.information += J * J.transpose();

@@ -136,11 +136,11 @@ private:
             models.push_back(consensus);
         if (!hypothesis.translates())
         {
-            m[P_ALPHA] = prior.yawRateIsGiven() ? prior.given().alpha : medianAlpha();
+            m[P_ALPHA] = prior.yawRateIsGiven() ? prior.expectedAlpha() : medianAlpha();
             models.push_back(m);
             return models;
         }
-        m[P_ALPHA] = hypothesis.turns() ? prior.given().alpha : 0;
+        m[P_ALPHA] = hypothesis.turns() ? prior.expectedAlpha() : 0;
         m[P_LAMBDA] = hypothesis.walls == 2 ? 1 : 0;
         const double factors[] = {0.5, 2};
         for (int direction = 1; direction >= -1; direction -= 2)
@@ -161,7 +161,7 @@ private:
                 }
                 models.push_back(m);
             }
-        if (hypothesis.turns() && !prior.yawRateIsGiven())
+        if (hypothesis.turns())
         {
             models.push_back(models.back());
             models.back()[P_ALPHA] = medianAlpha();
@@ -339,12 +339,12 @@ private:
     {
         Fit unseen(MotionHypothesis(MODEL_1LA, 0));
         unseen.model[P_STREET] = problem.heading.angle;
-        unseen.model[P_ALPHA] = prior.given().alpha;
+        unseen.model[P_ALPHA] = prior.expectedAlpha();
         const Slants slants = slantsOf(problem, unseen.model, false), ofRest = slantsOf(problem, rest.model, false);
         const double tilts = problem.gravitySigma * problem.vehiclePitchSigma,
                      otherCost = rest.cost - costOf(ofRest) / dependence,
-                     probability =
-                         prior.motionIsGiven() ? UNUSUAL * UNUSUAL : UNUSUAL / 2; // a car's image shows a street
+                     // A car's image shows a street, all the more if somebody measures how it drives.
+            probability = UNUSUAL / 2 * std::pow(2 * UNUSUAL, prior.givenShare());
         mixture.add(unseen, std::log(probability * tilts) - otherCost / 2 +
                                 (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
     }
