@@ -810,6 +810,14 @@ Mat randomTexture(const Size& size, double blur)
     return texture;
 }
 
+//! Points of an image in the one before.
+void goOn(PointTracker& tracker, const Mat& image, int scale, std::vector<PointPair>& pairs,
+          const PointPredictions& predictions = PointPredictions())
+{
+    tracker.set(image, scale);
+    tracker.track(PointTracker::NEIGHBOUR, pairs, predictions);
+}
+
 TEST(RSAckermann_Sequence, points_are_tracked)
 {
     // A texture that is shifted by whole pixels, in an image that is searched in a quarter of its size.
@@ -817,16 +825,16 @@ TEST(RSAckermann_Sequence, points_are_tracked)
     const Point shift(24, -10);
     PointTracker tracker(COARSE_PIXELS);
     std::vector<PointPair> pairs;
-    tracker.track(texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);
+    goOn(tracker, texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);
     EXPECT_TRUE(pairs.empty());
-    tracker.track(texture(Rect(Point(50, 40) - shift, Size(1000, 500))).clone(), 1, pairs);
+    goOn(tracker, texture(Rect(Point(50, 40) - shift, Size(1000, 500))).clone(), 1, pairs);
     ASSERT_GT(pairs.size(), 100u);
     std::vector<double> errors;
     for (size_t i = 0; i < pairs.size(); i++)
         errors.push_back(cv::norm(pairs[i].now - pairs[i].other - Point2d(shift)));
     EXPECT_LT(median(errors), 0.2);
     tracker.reset();
-    tracker.track(texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);
+    goOn(tracker, texture(Rect(50, 40, 1000, 500)).clone(), 1, pairs);
     EXPECT_TRUE(pairs.empty());
 }
 
@@ -842,8 +850,8 @@ TEST(RSAckermann_Sequence, points_are_looked_for_where_they_are_expected)
     const auto share = [&](const PointPredictions& predictions) {
         PointTracker tracker(COARSE_PIXELS);
         std::vector<PointPair> pairs;
-        tracker.track(texture(Rect(Point(200, 100), size)).clone(), 1, pairs, predictions);
-        tracker.track(texture(Rect(Point(200, 100) - shift, size)).clone(), 1, pairs, predictions);
+        goOn(tracker, texture(Rect(Point(200, 100), size)).clone(), 1, pairs, predictions);
+        goOn(tracker, texture(Rect(Point(200, 100) - shift, size)).clone(), 1, pairs, predictions);
         int right = 0;
         for (const PointPair& pair : pairs)
             right += cv::norm(pair.now - pair.other - Point2d(shift)) < 0.2;
@@ -871,8 +879,8 @@ TEST(RSAckermann_Sequence, points_in_another_light)
     {
         PointTracker tracker(COARSE_PIXELS);
         std::vector<PointPair> pairs;
-        tracker.track(before, 1, pairs);
-        tracker.track(changes ? Mat(now * 0.7 + 50) : now, 1, pairs);
+        goOn(tracker, before, 1, pairs);
+        goOn(tracker, changes ? Mat(now * 0.7 + 50) : now, 1, pairs);
         found[changes] = pairs.size();
         std::vector<double> errors;
         for (const PointPair& pair : pairs)
@@ -895,7 +903,7 @@ TEST(RSAckermann_Sequence, points_of_a_smaller_image)
             {
                 PointTracker tracker(maxPixels);
                 for (int i = 0; i < 2; i++)
-                    tracker.track(texture.colRange(2 * i, 390 + 2 * i).clone(), k ? scale : 1, pairs[k]);
+                    goOn(tracker, texture.colRange(2 * i, 390 + 2 * i).clone(), k ? scale : 1, pairs[k]);
             }
             ASSERT_GT(pairs[0].size(), 100u);
             ASSERT_EQ(pairs[0].size(), pairs[1].size());
@@ -920,7 +928,7 @@ TEST(RSAckermann_Sequence, points_of_images_of_odd_sizes)
         {
             PointTracker tracker(size_t(even.area() / (parts * parts)));
             for (int i = 0; i < 2; i++)
-                tracker.track(texture(Rect(Point(4 * i, 0), k ? even : odd)).clone(), 1, pairs[k]);
+                goOn(tracker, texture(Rect(Point(4 * i, 0), k ? even : odd)).clone(), 1, pairs[k]);
         }
         ASSERT_GT(pairs[1].size(), 50u);
         ASSERT_EQ(pairs[1].size(), pairs[0].size());
@@ -943,8 +951,8 @@ TEST(RSAckermann_Sequence, points_are_where_their_displacement_is)
     warpAffine(before, now, growth, before.size(), INTER_CUBIC, BORDER_REFLECT);
     PointTracker tracker(COARSE_PIXELS);
     std::vector<PointPair> pairs;
-    tracker.track(before, 1, pairs);
-    tracker.track(now, 1, pairs);
+    goOn(tracker, before, 1, pairs);
+    goOn(tracker, now, 1, pairs);
     ASSERT_GT(pairs.size(), 500u);
     std::vector<double> errors;
     for (size_t i = 0; i < pairs.size(); i++)

@@ -149,7 +149,9 @@ public:
         finder.find(image, params.estimator.detector, params.estimator.minLength, found);
         const GrayFrame frame(finder.reduced(), finder.reduction(), seconds);
         const bool isAdded = add(segmentRows(found), seconds, prior, [&](double passed) {
-            features.track(start, frame, passed, predictPoints(start, gates, filter));
+            const FrameFeatures::Link link = features.track(start, frame, passed, predictPoints(start, gates, filter));
+            if (link == FrameFeatures::BRIDGED) // the interval is that to the frame before
+                features.leaveOutFrameBefore();
         });
         finder.release();
         return isAdded;

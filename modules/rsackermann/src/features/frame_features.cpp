@@ -42,6 +42,7 @@ void FrameFeatures::reset()
 {
     tracker.reset();
     fineTracker.reset();
+    keptSeconds = std::numeric_limits<double>::quiet_NaN();
 }
 
 void FrameFeatures::setPoints(const RollingShutterCamera& camera, const std::vector<PointPair>& tracked, double passed)
@@ -51,21 +52,38 @@ void FrameFeatures::setPoints(const RollingShutterCamera& camera, const std::vec
     addBearings(camera, tracked, passed, bearings);
 }
 
-void FrameFeatures::track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
-                          const FramePrediction& predict, const GrayFrame& next)
+FrameFeatures::Link FrameFeatures::track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
+                                         const FramePrediction& predict, const GrayFrame& next)
 {
     bearings.clear();
     fineBearings.clear();
     if (frame.gray.empty())
-        return;
+        return FOLLOWS;
     const double ahead = next.seconds - frame.seconds;
-    const bool hasNext = !next.gray.empty() && ahead != 0 && std::abs(ahead) < LONGEST_INTERVAL;
-    follow(camera, tracker, frame, passed, predict, hasNext ? &next : 0, bearings);
-    // A recorded drive has the time for it. In small images it would be the same points.
-    if (hasNext && frame.gray.total() > COARSE_PIXELS)
-        follow(camera, fineTracker, frame, passed, predict, &next, fineBearings);
+    const bool hasNext = !next.gray.empty() && ahead != 0 && std::abs(ahead) < LONGEST_INTERVAL,
+               isFine = hasNext && frame.gray.total() > COARSE_PIXELS; // in small images it would be the same points
+    tracker.set(frame.gray, frame.scale);
+    bool isSameScene = find(camera, tracker, PointTracker::NEIGHBOUR, passed, predict.known, predict, bearings);
+    const Link link = bridge(camera, frame, passed, predict);
+    if (isFine) // a recorded drive has the time for it
+    {
+        fineTracker.set(frame.gray, frame.scale);
+        find(camera, fineTracker, PointTracker::NEIGHBOUR, passed, predict.known, predict, fineBearings);
+    }
     else
         fineTracker.reset();
+    if (!hasNext)
+        return link;
+    const FramePrediction::Function known =
+        link == BRIDGED ? predict.knownKept : (isSameScene ? predict.known : FramePrediction::Function());
+    tracker.setNext(next.gray);
+    find(camera, tracker, PointTracker::NEIGHBOUR, -ahead, known, predict, bearings);
+    if (isFine)
+    {
+        fineTracker.setNext(next.gray);
+        find(camera, fineTracker, PointTracker::NEIGHBOUR, -ahead, known, predict, fineBearings);
+    }
+    return link;
 }
 
 static bool isBefore(const TrackedBearing& b)
@@ -85,7 +103,7 @@ bool FrameFeatures::isFirstOfScene() const
            size_t(std::count_if(bearings.begin(), bearings.end(), isBefore)) < LEAST_POINTS;
 }
 
-PointPredictions FramePrediction::at(double seconds, bool isSameScene) const
+PointPredictions FramePrediction::at(double seconds, const Function& ofScene) const
 {
     PointPredictions result;
     const auto add = [&](const Function& f) {
@@ -93,28 +111,88 @@ PointPredictions FramePrediction::at(double seconds, bool isSameScene) const
             result.all.insert(result.all.begin(), [f, seconds](const Point2d& now) { return f(now, seconds); });
     };
     add(usual);
-    if (isSameScene && known)
+    if (ofScene)
     {
-        add(known);
+        add(ofScene);
         result.enough = SAME_SCENE;
     }
     return result;
 }
 
-// Between frames of different scenes some points find something that looks like them.
-void FrameFeatures::follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame,
-                           double passed, const FramePrediction& predict, const GrayFrame* next,
-                           std::vector<TrackedBearing>& found)
+// Adds the points, and returns whether they are those of the same scene: between frames of different scenes some find
+// something that looks like them.
+bool FrameFeatures::find(const RollingShutterCamera& camera, PointTracker& points, PointTracker::Other other,
+                         double seconds, const FramePrediction::Function& known, const FramePrediction& predict,
+                         std::vector<TrackedBearing>& found)
 {
-    points.track(frame.gray, frame.scale, pairs, predict.at(passed, true));
-    const bool isSameScene = pairs.size() >= SAME_SCENE * points.pointCount();
+    points.track(other, pairs, predict.at(seconds, known));
+    bool isSameScene = pairs.size() >= SAME_SCENE * points.pointCount();
+    if (!isSameScene || !known)
+        isSameScene |= findMore(camera, points, other, seconds, predict);
     if (isSameScene)
-        addBearings(camera, pairs, passed, found);
-    if (!next)
-        return;
-    points.trackNext(next->gray, pairs, predict.at(frame.seconds - next->seconds, isSameScene));
-    if (pairs.size() >= SAME_SCENE * points.pointCount())
-        addBearings(camera, pairs, frame.seconds - next->seconds, found);
+        addBearings(camera, pairs, seconds, found);
+    return isSameScene;
+}
+
+FramePrediction::Shown FrameFeatures::show(const RollingShutterCamera& camera, double seconds,
+                                           const FramePrediction& predict) const
+{
+    std::vector<TrackedBearing> found;
+    addBearings(camera, pairs, seconds, found);
+    return predict.shown && found.size() >= LEAST_POINTS ? predict.shown(found) : FramePrediction::Shown();
+}
+
+// Few points may show where the others are. Returns whether they agree.
+bool FrameFeatures::findMore(const RollingShutterCamera& camera, PointTracker& points, PointTracker::Other other,
+                             double seconds, const FramePrediction& predict)
+{
+    FramePrediction::Shown shown = show(camera, seconds, predict);
+    if (!shown.function)
+        return false;
+    std::vector<PointPair> before;
+    for (double agreeing = 0; shown.function && shown.agreeing > agreeing; shown = show(camera, seconds, predict))
+    {
+        agreeing = shown.agreeing;
+        before.swap(pairs);
+        PointPredictions prediction;
+        prediction.all = {[&](const Point2d& now) { return shown.function(now, seconds); }};
+        points.track(other, pairs, prediction);
+    }
+    pairs.swap(before);
+    return true;
+}
+
+// The frame before may be damaged: what isn't found in it may be in the one before that.
+FrameFeatures::Link FrameFeatures::bridge(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
+                                          const FramePrediction& predict)
+{
+    const double sinceKept = frame.seconds - keptSeconds;
+    Link link = FOLLOWS;
+    if (bearings.size() < LEAST_POINTS)
+    {
+        link = STILL_LOST;
+        std::vector<TrackedBearing> found;
+        if (std::abs(sinceKept) < LONGEST_INTERVAL)
+        {
+            if (find(camera, tracker, PointTracker::KEPT, sinceKept, predict.knownKept, predict, found) &&
+                found.size() >= LEAST_POINTS)
+            {
+                bearings.swap(found);
+                link = BRIDGED;
+            }
+        }
+        else if (tracker.keepBefore())
+        {
+            keptSeconds = frame.seconds - passed;
+            link = LOST;
+        }
+    }
+    if (link == FOLLOWS || link == BRIDGED)
+    {
+        tracker.forgetKept();
+        keptSeconds = std::numeric_limits<double>::quiet_NaN();
+    }
+    return link;
 }
 
 }} // namespace cv::rsackermann

@@ -33,10 +33,19 @@ struct FramePrediction
 {
     typedef std::function<Point2d(const Point2d& now, double seconds)> Function;
 
-    Function known; //!< by the frames before; empty if there are none
-    Function usual; //!< of any scene, in which the car may as well stand; empty: nothing is usual
+    Function known;     //!< by the frames before; empty if there are none
+    Function knownKept; //!< by those up to the frame that is kept, see FrameFeatures::LOST
+    Function usual;     //!< of any scene, in which the car may as well stand; empty: nothing is usual
+    //! By the motion that most of the points in another image show, and how many; empty if they show none.
+    struct Shown
+    {
+        Function function;
+        double agreeing;
+    };
+    std::function<Shown(const std::vector<TrackedBearing>& bearings)> shown;
 
-    PointPredictions at(double seconds, bool isSameScene) const;
+    //! @param known that of the scene, or empty.
+    PointPredictions at(double seconds, const Function& known) const;
 };
 
 //! A frame in 8 bit grey, smaller by scale; empty: points aren't tracked in it.
@@ -54,6 +63,15 @@ struct GrayFrame
 class FrameFeatures
 {
 public:
+    //! What the frame before is good for: a frame may be damaged, or the first one of another scene. The next one shows
+    //! which.
+    enum Link {
+        FOLLOWS,
+        LOST,       //!< hardly any of its points are found: the frame before it is kept
+        STILL_LOST, //!< nor are they in that one
+        BRIDGED     //!< they are found in that one, and in no other
+    };
+
     std::vector<TrackedBearing> bearings,
         fineBearings; // those of the fit, and of the inverse-depth offset if there is time for more
     std::vector<UprightSegment> verticals, others; // of selectCandidates()
@@ -63,7 +81,7 @@ public:
     /** Tracks points in the frame before, if that belongs to the same scene, and in the one after.
     @param passed seconds since the frame before.
     @param next empty if it isn't known. */
-    void track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
+    Link track(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
                const FramePrediction& predict, const GrayFrame& next = GrayFrame());
 
     //! Points that somebody else has tracked in the frame before: images of other frames don't count any more.
@@ -80,10 +98,18 @@ public:
     void reset();
 
 private:
-    void follow(const RollingShutterCamera& camera, PointTracker& points, const GrayFrame& frame, double passed,
-                const FramePrediction& predict, const GrayFrame* next, std::vector<TrackedBearing>& found);
+    bool find(const RollingShutterCamera& camera, PointTracker& points, PointTracker::Other other, double seconds,
+              const FramePrediction::Function& known, const FramePrediction& predict,
+              std::vector<TrackedBearing>& found);
+    FramePrediction::Shown show(const RollingShutterCamera& camera, double seconds,
+                                const FramePrediction& predict) const;
+    bool findMore(const RollingShutterCamera& camera, PointTracker& points, PointTracker::Other other, double seconds,
+                  const FramePrediction& predict);
+    Link bridge(const RollingShutterCamera& camera, const GrayFrame& frame, double passed,
+                const FramePrediction& predict);
 
     PointTracker tracker, fineTracker;
+    double keptSeconds = std::numeric_limits<double>::quiet_NaN(); // time of the frame that is kept, if it is finite
     std::vector<PointPair> pairs;
 };
 

@@ -94,9 +94,10 @@ Point2f PointTracker::centreOf(const Point2f& point) const
 }
 
 // The points that are found in another image, from where they are followed back as far as the prediction was.
-void PointTracker::follow(const std::vector<Mat>& to, const PointPrediction& predict, std::vector<PointPair>& pairs)
+void PointTracker::follow(const std::vector<Mat>& to, const PointPrediction& predict, Found& result)
 {
-    pairs.clear();
+    result.pairs.clear();
+    result.points.clear();
     if (points.empty() || to.empty() || now[0].size() != to[0].size())
         return;
     const double shift = (scale - 1) / 2.; // centre of the first pixel of the small image
@@ -126,14 +127,14 @@ void PointTracker::follow(const std::vector<Mat>& to, const PointPrediction& pre
         // Texture in nearly one direction alone doesn't determine it.
         if (2 * norm(centre - Point2d(points[i])) > WINDOW || !inside.contains(centre))
             continue;
-        pairs.push_back({other * scale + origin, centre * scale + origin});
+        result.pairs.push_back({other * scale + origin, centre * scale + origin});
+        result.points.push_back(i);
     }
 }
 
 void PointTracker::follow(const std::vector<Mat>& to, const PointPredictions& predictions,
                           std::vector<PointPair>& pairs)
 {
-    pairs.clear();
     followAll(to, predictions, pairs);
     if (points.empty() || to.empty() || pairs.size() >= SAME_SCENE * points.size())
         return;
@@ -144,39 +145,62 @@ void PointTracker::follow(const std::vector<Mat>& to, const PointPredictions& pr
     const double gain = deviation[0] / std::max(otherDeviation[0], 1.);
     to[0].convertTo(exposed, -1, gain, mean[0] - gain * otherMean[0]);
     buildPyramid(exposed, exposedPyramid);
-    followAll(exposedPyramid, predictions, pairs);
+    followAll(exposedPyramid, predictions, pairsExposed);
+    if (pairsExposed.size() > pairs.size())
+        pairs.swap(pairsExposed);
 }
 
-// Replaces what was found before by what is found if that is more.
 void PointTracker::followAll(const std::vector<Mat>& to, const PointPredictions& predictions,
                              std::vector<PointPair>& pairs)
 {
-    for (const PointPrediction& predict : predictions.all)
+    tried.resize(predictions.all.size());
+    for (size_t i = 0; i < tried.size(); i++)
     {
-        follow(to, predict, tried);
-        if (tried.size() > pairs.size())
-            pairs.swap(tried);
-        if (pairs.size() >= predictions.enough * points.size())
-            break;
+        follow(to, predictions.all[i], tried[i]);
+        if (tried[i].pairs.size() >= predictions.enough * points.size())
+            tried.resize(i + 1);
     }
+    std::stable_sort(tried.begin(), tried.end(),
+                     [](const Found& a, const Found& b) { return a.pairs.size() > b.pairs.size(); });
+    if (!tried.empty() && tried[0].pairs.size() >= predictions.enough * points.size())
+        tried.resize(1);
+    pairs.clear();
+    isTaken.assign(points.size(), 0);
+    for (const Found& some : tried)
+        for (size_t i = 0; i < some.pairs.size(); i++)
+            if (!isTaken[some.points[i]])
+            {
+                isTaken[some.points[i]] = 1;
+                pairs.push_back(some.pairs[i]);
+            }
 }
 
-void PointTracker::track(const Mat& gray, int scale_, std::vector<PointPair>& pairs,
-                         const PointPredictions& predictions)
+void PointTracker::set(const Mat& gray, int scale_)
 {
     std::swap(before, now);
+    pointsBefore = before.empty() ? 0 : points.size();
     Mat image;
     scale = scale_ << makePyramid(gray, now, image);
     findPoints(image);
-    follow(before, predictions, pairs);
 }
 
-void PointTracker::trackNext(const Mat& gray, std::vector<PointPair>& pairs, const PointPredictions& predictions)
+void PointTracker::setNext(const Mat& gray)
 {
-    // Its place is that of the image before, which has been used; track() will make it again.
     Mat image;
-    makePyramid(gray, before, image);
-    follow(before, predictions, pairs);
+    makePyramid(gray, before, image); // set() will make that of the present one's next again
+}
+
+void PointTracker::track(Other other, std::vector<PointPair>& pairs, const PointPredictions& predictions)
+{
+    follow(other == KEPT ? kept : before, predictions, pairs);
+}
+
+bool PointTracker::keepBefore()
+{
+    if (pointsBefore == 0)
+        return false;
+    kept.swap(before);
+    return true;
 }
 
 }} // namespace cv::rsackermann

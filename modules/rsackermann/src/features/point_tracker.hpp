@@ -28,14 +28,14 @@ const double SAME_SCENE = 0.3;
 //! Where a point of the raw present image is expected in another one. Empty: at the same place.
 typedef std::function<Point2d(const Point2d& now)> PointPrediction;
 
-//! Of which the one counts from which most points are found.
+//! A point counts where the prediction by which most points are found finds it, or else the next one.
 struct PointPredictions
 {
     std::vector<PointPrediction> all = {PointPrediction()};
-    double enough = 1; //!< share of points that makes those after it needless
+    double enough = 1; //!< share of points that makes the other predictions needless
 };
 
-/** Tracks points of the present image in the one before and, if it is there, in the one after.
+/** Tracks points of the present image in others: the one before, the one after, and one that was kept.
 
 Points are spread over the image: one for each cell of a grid, if there is one with texture in all directions. They are
 looked for in the present image and followed from where they are expected, and back; those that don't return are left
@@ -44,17 +44,27 @@ out.
 class PointTracker
 {
 public:
+    enum Other {
+        NEIGHBOUR, //!< the image before or, after setNext(), the one after
+        KEPT
+    };
+
     //! @param maxPixels larger images are halved.
     explicit PointTracker(size_t maxPixels_) : maxPixels(maxPixels_), levels(0), scale(1) {}
 
-    /** @param gray present image, 8 bit, which may have been made smaller by scale.
-    @param pairs receives the points, in pixels of the raw images; none for the first image. */
-    void track(const Mat& gray, int scale, std::vector<PointPair>& pairs,
-               const PointPredictions& predictions = PointPredictions());
+    //! Sets the present image, 8 bit, which may have been made smaller by scale. The last one is that before it.
+    void set(const Mat& gray, int scale);
 
-    //! The same for the image after the one that track() had last.
-    void trackNext(const Mat& gray, std::vector<PointPair>& pairs,
-                   const PointPredictions& predictions = PointPredictions());
+    //! Sets the image after the present one, of the same scale: that takes the place of the one before.
+    void setNext(const Mat& gray);
+
+    //! @param pairs receives the points, in pixels of the raw images; none if there is no such image.
+    void track(Other other, std::vector<PointPair>& pairs, const PointPredictions& predictions = PointPredictions());
+
+    //! Keeps the image before. @return whether it had points.
+    bool keepBefore();
+
+    void forgetKept() { kept.clear(); }
 
     //! Number of points that the last image has.
     size_t pointCount() const { return points.size(); }
@@ -63,24 +73,37 @@ public:
     static double reach(const Size& imageSize, size_t maxPixels);
 
     //! The next image belongs to another sequence.
-    void reset() { now.clear(); }
+    void reset()
+    {
+        now.clear();
+        forgetKept();
+        points.clear();
+    }
 
 private:
     int makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image);
     void findPoints(const Mat& gray);
     Point2f centreOf(const Point2f& point) const;
+    struct Found
+    {
+        std::vector<PointPair> pairs;
+        std::vector<size_t> points; // of these
+    };
+
     void follow(const std::vector<Mat>& to, const PointPredictions& predictions, std::vector<PointPair>& pairs);
     void followAll(const std::vector<Mat>& to, const PointPredictions& predictions, std::vector<PointPair>& pairs);
-    void follow(const std::vector<Mat>& to, const PointPrediction& predict, std::vector<PointPair>& pairs);
+    void follow(const std::vector<Mat>& to, const PointPrediction& predict, Found& result);
 
     size_t maxPixels;
-    std::vector<Mat> before, now; // pyramids, each level with its gradients
-    int levels, scale;            // of the present one
+    std::vector<Mat> before, now, kept; // pyramids, each level with its gradients
+    size_t pointsBefore = 0;
+    int levels, scale; // of the present one
     Mat smaller[2], half, response;
     std::vector<Point2f> points, predicted, there, returned;
-    std::vector<uchar> found, foundAgain;
+    std::vector<uchar> found, foundAgain, isTaken;
     std::vector<float> error;
-    std::vector<PointPair> tried;
+    std::vector<Found> tried;
+    std::vector<PointPair> pairsExposed;
     Mat exposed; // another image as if with the exposure of the present one
     std::vector<Mat> exposedPyramid;
 };

@@ -53,14 +53,25 @@ private:
 } // namespace
 
 FramePrediction predictPoints(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                              const SequenceFilter& filter)
+                              const SequenceFilter& filter, const SequenceFilter* kept)
 {
     FramePrediction result;
     if (!(camera.secondsPerUnitTime() > 0))
         return result;
-    result.usual = Predictor(camera, SequenceState(camera, params));
+    const SequenceState usual(camera, params);
+    result.usual = Predictor(camera, usual);
+    result.shown = [=](const std::vector<TrackedBearing>& bearings) {
+        const SequenceFit fit = fitFrame(camera, bearings, std::vector<UprightSegment>(), usual, true, FitNuisances());
+        FramePrediction::Shown shown;
+        shown.agreeing = fit.agreeing * bearings.size();
+        if (fit.moves && fit.agreeing > 0.5)
+            shown.function = Predictor(camera, fit.state);
+        return shown;
+    };
     if (!filter.isUninitialised)
         result.known = Predictor(camera, filter.state);
+    if (kept && !kept->isUninitialised)
+        result.knownKept = Predictor(camera, kept->state);
     return result;
 }
 

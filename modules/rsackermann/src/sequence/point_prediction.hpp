@@ -10,8 +10,9 @@
 namespace cv { namespace rsackermann {
 
 //! Where points are expected in other images, by motion and planes of a sequence's state. The camera is the filter's.
+//! @param kept the filter at the frame that is kept, if there is one.
 FramePrediction predictPoints(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                              const SequenceFilter& filter);
+                              const SequenceFilter& filter, const SequenceFilter* kept = 0);
 
 }} // namespace cv::rsackermann
 

@@ -17,8 +17,23 @@ SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const 
                                      const Ptr<AckermannEstimator>& single_)
     : camera(camera_), params(params_), single(single_), filter(camera_, params_),
       rates(RowRates::usualSteering(params_)), last(filter.state), alone(filter.state),
-      seen(std::numeric_limits<double>::quiet_NaN())
+      seen(std::numeric_limits<double>::quiet_NaN()), kept(known())
 {
+}
+
+SequenceEstimator::Kept SequenceEstimator::known() const
+{
+    return {filter, rates, clockNoise, last, alone, seen};
+}
+
+void SequenceEstimator::goBackTo(const Kept& frame)
+{
+    filter = frame.filter;
+    rates = frame.rates;
+    clockNoise = frame.clockNoise;
+    last = frame.last;
+    alone = frame.alone;
+    seen = frame.seen;
 }
 
 void SequenceEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
@@ -27,12 +42,13 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
     const bool isSameGravity = camera_.uprightRotation == camera.uprightRotation &&
                                params_.gravitySigma == params.gravitySigma &&
                                params_.vehiclePitchSigma == params.vehiclePitchSigma;
-    const int kept = isSameGravity ? SEQUENCE_VALUES : SEQUENCE_ROLL;
+    const int sameValues = isSameGravity ? SEQUENCE_VALUES : SEQUENCE_ROLL;
     if (!isSameGravity)
         image.release();
     camera = camera_;
     params = params_;
-    filter.state.change(camera, params, kept);
+    for (SequenceFilter* f : {&filter, &kept.filter})
+        f->state.change(camera, params, sameValues);
 }
 
 void SequenceEstimator::reset()
@@ -41,6 +57,7 @@ void SequenceEstimator::reset()
     image.release();
     gyro.reset();
     filter.hasFrame = false;
+    interval = 0;
     resetState();
 }
 
@@ -87,18 +104,13 @@ AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const Gra
     if (isKnown)
         return motion;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
-    if (isAfterCopy || isCopy)
-    {
-        selectCandidates(segments, camera, params, features.verticals, features.others);
-        motion.candidates = int(features.verticals.size());
-        expectMotion(prior, motion, labels);
-    }
-    isKnown = motion.status == MOTION_OK;
-    if (isKnown)
+    selectCandidates(segments, camera, params, features.verticals, features.others);
+    motion.candidates = int(features.verticals.size());
+    expectMotion(prior, motion, labels);
+    isKnown = motion.status == MOTION_OK && (isAfterCopy || isCopy);
+    if (motion.status == MOTION_OK)
         return motion;
     motion = estimateAlone(frame.seconds, segments, prior, labels);
-    if (motion.status == MOTION_TOO_FEW_SEGMENTS)
-        expectMotion(prior, motion, labels);
     if (motion.status != MOTION_OK)
         turnAlone(frame.seconds, prior, motion);
     return motion;
@@ -262,13 +274,24 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
                                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
 {
     isCopy = false;
-    const double passed = frame.seconds - filter.time;
+    double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
         reset();
     const bool wasSeen = seen == filter.time;
-    features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed, predictPoints(camera, params, filter),
-                   next);
-    if (features.isFirstOfScene())
+    const FrameFeatures::Link link = features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed,
+                                                    predictPoints(camera, params, filter, &kept.filter), next);
+    const bool isFrameMissing = interval > 0 && std::abs(passed) > 1.5 * interval;
+    if (link == FrameFeatures::FOLLOWS)
+        interval = std::abs(passed);
+    if (link == FrameFeatures::LOST)
+        kept = known();
+    if (link == FrameFeatures::BRIDGED)
+    {
+        goBackTo(kept);
+        passed = frame.seconds - filter.time;
+    }
+    // Where frames are missing, or were lost themselves, one that isn't found again may well be of the same scene.
+    else if (link == FrameFeatures::LOST && features.isFirstOfScene() && !isFrameMissing)
         resetState();
     else if (isRepeated && wasSeen && !isStill(features.bearings))
         // By when the car has gone on isn't known, unless all images come again.
@@ -523,8 +546,7 @@ AckermannMotion SequenceEstimator::estimateAlone(double seconds, const Mat& segm
     {
         SequenceState expected = state;
         expected.measure(given);
-        prior.yawRate = expected.value[SEQUENCE_YAW_RATE];
-        prior.yawRateSigma = std::sqrt(expected.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
+        expected.seen(SEQUENCE_YAW_RATE, prior.yawRate, prior.yawRateSigma);
     }
     AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
     if (!filter.isUninitialised)

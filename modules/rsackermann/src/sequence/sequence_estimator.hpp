@@ -52,6 +52,16 @@ public:
     GyroRates gyro; //!< without samples if there is none
 
 private:
+    // What is known at a frame.
+    struct Kept
+    {
+        SequenceFilter filter;
+        RowRates rates;
+        ClockNoise clockNoise;
+        SequenceFit last, alone;
+        double seen;
+    };
+
     AckermannMotion estimateNew(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                 const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
@@ -63,6 +73,8 @@ private:
     AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
+    Kept known() const;
+    void goBackTo(const Kept& frame);
     void updateRates(double before, double after);
     bool measure(double seconds, MeasuredTurns& turns) const;
     void useGyro();
@@ -84,9 +96,11 @@ private:
     SequenceFilter filter;   // without what is given
     RowRates rates;
     ClockNoise clockNoise;
-    SequenceFit last;  // whose points showed the motion
-    SequenceFit alone; // the same without what is given
-    double seen;       // time of that; not finite if there is none
+    SequenceFit last;    // whose points showed the motion
+    SequenceFit alone;   // the same without what is given
+    double seen;         // time of that; not finite if there is none
+    double interval = 0; // seconds from the frame before to the last one in which its points were found
+    Kept kept;           // at the frame that FrameFeatures keeps
 };
 
 }} // namespace cv::rsackermann
