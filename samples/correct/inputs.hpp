@@ -28,7 +28,7 @@ struct InputList
     std::vector<Input> inputs;
     std::vector<std::string> lists;    //!< files whose lines are among the inputs
     std::vector<std::string> warnings; //!< of what folders hold besides
-    bool single;                       //!< there is one argument, and it is the name of a file, or of nothing
+    bool single = false;               //!< there is one argument, and it is the name of a file, or of nothing
 };
 
 /** Lists the files: an argument is an image, a video, a directory (its images by name, in which runs of digits count as

@@ -74,7 +74,7 @@ private:
 
     EdgeImage image;
     EdgeWindows windows;
-    int firstRow, spacing, count; // of the windows
+    int firstRow = 0, spacing = 1, count = 0; // of the windows
 };
 
 /** Moves segments (x1, y1, x2, y2) onto the edges that they are images of, to a fraction of a pixel, by

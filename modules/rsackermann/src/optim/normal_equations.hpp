@@ -12,15 +12,15 @@ namespace cv { namespace rsackermann {
 /** Inverse of a positive semidefinite matrix whose rows and columns may have units that differ by orders of magnitude:
 it keeps its digits because a matrix with a diagonal of ones is inverted. What nothing is known of gets a large
 variance. */
-template <class Matrix>
-Matrix scaledInverse(const Matrix& information)
+template <class Square>
+Square scaledInverse(const Square& information)
 {
-    const Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1, 0, Matrix::MaxRowsAtCompileTime, 1> scale =
+    const Eigen::Matrix<double, Square::RowsAtCompileTime, 1, 0, Square::MaxRowsAtCompileTime, 1> scale =
         (information.diagonal().array() + 1e-9).sqrt().inverse();
-    Matrix scaled = scale.asDiagonal() * information * scale.asDiagonal();
+    Square scaled = scale.asDiagonal() * information * scale.asDiagonal();
     scaled.diagonal().array() += 1e-12;
-    Matrix inverse = Matrix::Identity(scaled.rows(), scaled.cols());
-    Eigen::LLT<Eigen::Ref<Matrix>>(scaled).solveInPlace(inverse);
+    Square inverse = Square::Identity(scaled.rows(), scaled.cols());
+    Eigen::LLT<Eigen::Ref<Square>>(scaled).solveInPlace(inverse);
     return scale.asDiagonal() * inverse * scale.asDiagonal();
 }
 
