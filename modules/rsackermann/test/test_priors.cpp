@@ -174,6 +174,24 @@ TEST(RSAckermann_Prior, vague_yaw_rate_is_none)
     }
 }
 
+// Exact ones and those that say nothing are values as others.
+TEST(RSAckermann_Prior, yaw_rates_of_any_sigma)
+{
+    RNG rng(10);
+    const Simulator truth = Simulator::fromMetric(simulation::paperCamera(), 0.2, 10, 4, 5, 0);
+    const Mat segments = simulation::randomSegments(truth, simulation::SegmentOptions(), rng).ends;
+    for (const double sigma : {1e-29, 1e-12, 1e-8, 1e8, 1e29})
+    {
+        MotionPrior prior;
+        prior.yawRate = 0.2;
+        prior.yawRateSigma = sigma;
+        const AckermannMotion motion = AckermannEstimator::create(truth.camera)->estimate(segments, noArray(), prior);
+        ASSERT_EQ(MOTION_OK, motion.status) << sigma;
+        EXPECT_NEAR(0.1 * truth.camera.secondsPerUnitTime(), motion.alpha,
+                    3 * std::sqrt(motion.covariance(0, 0)) + 1e-9);
+    }
+}
+
 // Metric values without a scale can't be used.
 TEST(RSAckermann_Prior, without_scale)
 {

@@ -101,17 +101,18 @@ double DrivingPrior::usualYawDensity(double alpha) const
 // Over what is narrower, the given density or the usual one, whose probability is (1 + sin angle) / 2.
 double DrivingPrior::logSumOfYaw() const
 {
-    const double farthest = 6, sigma = given_.alphaSigma, relative = sigma / yawScale, wide = 30;
-    const int steps = int(relative < wide ? 60 * std::max(relative, 1.) : 60 * wide);
+    const double farthest = 6, wide = 30, sigma = given_.alphaSigma, relative = sigma / yawScale;
+    const bool isGivenNarrower = relative < wide || std::abs(given_.alpha) > farthest * sigma;
+    const int steps = int(60 * std::min(std::max(relative, 1.), wide));
     double sum = 0;
     for (int i = 0; i < steps; i++)
     {
         const double place = 2 * (i + 0.5) / steps - 1, z = farthest * place, angle = CV_PI / 2 * place,
                      beyond = (std::sqrt(YAW_FREEDOM) * yawScale * std::tan(angle) - given_.alpha) / sigma;
-        sum += relative < wide ? 2 * farthest * sigma * std::exp(-z * z / 2) * usualYawDensity(given_.alpha + z * sigma)
+        sum += isGivenNarrower ? 2 * farthest * sigma * std::exp(-z * z / 2) * usualYawDensity(given_.alpha + z * sigma)
                                : CV_PI / 2 * std::cos(angle) * std::exp(-beyond * beyond / 2);
     }
-    return std::log(sum / steps);
+    return std::log(std::max(sum / steps, DBL_MIN));
 }
 
 DrivingPrior::ScaledSpeedLog DrivingPrior::scaledSpeedLog(int walls) const

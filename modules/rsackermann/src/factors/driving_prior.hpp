@@ -62,7 +62,10 @@ public:
 
     const GivenValues& given() const { return given_; }
     const Heading& heading() const { return heading_; }
-    double alphaScale() const { return yawScale * std::sqrt(1 - yawShare); }
+    double alphaScale() const
+    {
+        return yawRateIsGiven() ? given_.alphaSigma * yawScale / std::hypot(given_.alphaSigma, yawScale) : yawScale;
+    }
     //! Before the image is seen.
     double expectedAlpha() const { return yawShare * given_.alpha; }
     bool yawRateIsGiven() const { return given_.alphaSigma > 0; }

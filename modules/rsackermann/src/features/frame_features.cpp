@@ -66,12 +66,11 @@ FrameFeatures::Link FrameFeatures::track(const RollingShutterCamera& camera, con
     bool isSameScene = find(camera, tracker, PointTracker::NEIGHBOUR, passed, predict.known, predict, bearings);
     const Link link = bridge(camera, frame, passed, predict);
     if (isFine) // a recorded drive has the time for it
-    {
         fineTracker.set(frame.gray, frame.scale);
-        find(camera, fineTracker, PointTracker::NEIGHBOUR, passed, predict.known, predict, fineBearings);
-    }
     else
         fineTracker.reset();
+    if (isFine && link != BRIDGED) // the turns of the fit are those to one frame
+        find(camera, fineTracker, PointTracker::NEIGHBOUR, passed, predict.known, predict, fineBearings);
     if (!hasNext)
         return link;
     const FramePrediction::Function known =
@@ -142,7 +141,8 @@ FramePrediction::Shown FrameFeatures::show(const RollingShutterCamera& camera, d
     return predict.shown && found.size() >= LEAST_POINTS ? predict.shown(found) : FramePrediction::Shown();
 }
 
-// Few points may show where the others are. Returns whether they agree.
+// Few points may show where the others are. Returns whether as many agree as the least of a scene that is found at
+// once.
 bool FrameFeatures::findMore(const RollingShutterCamera& camera, PointTracker& points, PointTracker::Other other,
                              double seconds, const FramePrediction& predict)
 {
@@ -150,7 +150,8 @@ bool FrameFeatures::findMore(const RollingShutterCamera& camera, PointTracker& p
     if (!shown.function)
         return false;
     std::vector<PointPair> before;
-    for (double agreeing = 0; shown.function && shown.agreeing > agreeing; shown = show(camera, seconds, predict))
+    double agreeing = 0;
+    for (; shown.function && shown.agreeing > agreeing; shown = show(camera, seconds, predict))
     {
         agreeing = shown.agreeing;
         before.swap(pairs);
@@ -159,7 +160,7 @@ bool FrameFeatures::findMore(const RollingShutterCamera& camera, PointTracker& p
         points.track(other, pairs, prediction);
     }
     pairs.swap(before);
-    return true;
+    return agreeing >= SAME_SCENE * SAME_SCENE * points.pointCount();
 }
 
 // The frame before may be damaged: what isn't found in it may be in the one before that.
@@ -167,30 +168,25 @@ FrameFeatures::Link FrameFeatures::bridge(const RollingShutterCamera& camera, co
                                           const FramePrediction& predict)
 {
     const double sinceKept = frame.seconds - keptSeconds;
-    Link link = FOLLOWS;
-    if (bearings.size() < LEAST_POINTS)
+    const bool isLost = bearings.size() < LEAST_POINTS,
+               isKept = sinceKept != 0 && std::abs(sinceKept) < LONGEST_INTERVAL;
+    Link link = isLost ? STILL_LOST : FOLLOWS;
+    std::vector<TrackedBearing> found;
+    if (isLost && isKept && find(camera, tracker, PointTracker::KEPT, sinceKept, predict.knownKept, predict, found) &&
+        found.size() >= LEAST_POINTS)
     {
-        link = STILL_LOST;
-        std::vector<TrackedBearing> found;
-        if (std::abs(sinceKept) < LONGEST_INTERVAL)
-        {
-            if (find(camera, tracker, PointTracker::KEPT, sinceKept, predict.knownKept, predict, found) &&
-                found.size() >= LEAST_POINTS)
-            {
-                bearings.swap(found);
-                link = BRIDGED;
-            }
-        }
-        else if (tracker.keepBefore())
-        {
-            keptSeconds = frame.seconds - passed;
-            link = LOST;
-        }
+        bearings.swap(found);
+        link = BRIDGED;
     }
-    if (link == FOLLOWS || link == BRIDGED)
+    if (!isKept || link != STILL_LOST)
     {
         tracker.forgetKept();
         keptSeconds = std::numeric_limits<double>::quiet_NaN();
+    }
+    if (isLost && !isKept && tracker.keepBefore())
+    {
+        keptSeconds = frame.seconds - passed;
+        link = LOST;
     }
     return link;
 }

@@ -68,7 +68,7 @@ public:
     enum Link {
         FOLLOWS,
         LOST,       //!< hardly any of its points are found: the frame before it is kept
-        STILL_LOST, //!< nor are they in that one
+        STILL_LOST, //!< nor are they in that one, or there is none
         BRIDGED     //!< they are found in that one, and in no other
     };
 
@@ -90,6 +90,9 @@ public:
     //! Whether there is so much to track that next to nothing of it in the frame before means another scene, or that
     //! there is no such frame.
     bool isFirstOfScene() const;
+
+    //! Whether there is a frame to go back to.
+    bool isKept() const { return std::isfinite(keptSeconds); }
 
     //! Leaves out what is seen in the frame before.
     void leaveOutFrameBefore();

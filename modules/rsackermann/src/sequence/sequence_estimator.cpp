@@ -23,7 +23,7 @@ SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const 
 
 SequenceEstimator::Kept SequenceEstimator::known() const
 {
-    return {filter, rates, clockNoise, last, alone, seen};
+    return {filter, rates, clockNoise, last, alone, seen, isRepeated};
 }
 
 void SequenceEstimator::goBackTo(const Kept& frame)
@@ -34,6 +34,7 @@ void SequenceEstimator::goBackTo(const Kept& frame)
     last = frame.last;
     alone = frame.alone;
     seen = frame.seen;
+    isRepeated = frame.isRepeated;
 }
 
 void SequenceEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
@@ -277,11 +278,11 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     double passed = frame.seconds - filter.time;
     if (!filter.isFollowedBy(frame.seconds))
         reset();
-    const bool wasSeen = seen == filter.time;
-    const FrameFeatures::Link link = features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed,
-                                                    predictPoints(camera, params, filter, &kept.filter), next);
-    const bool isFrameMissing = interval > 0 && std::abs(passed) > 1.5 * interval;
-    if (link == FrameFeatures::FOLLOWS)
+    const FrameFeatures::Link link =
+        features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed,
+                       predictPoints(camera, params, filter, features.isKept() ? &kept.filter : 0), next);
+    const bool isFrameMissing = interval > 0 && std::abs(passed) > 1.5 * interval && !isRepeated;
+    if (link == FrameFeatures::FOLLOWS && !isRepeated)
         interval = std::abs(passed);
     if (link == FrameFeatures::LOST)
         kept = known();
@@ -293,7 +294,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     // Where frames are missing, or were lost themselves, one that isn't found again may well be of the same scene.
     else if (link == FrameFeatures::LOST && features.isFirstOfScene() && !isFrameMissing)
         resetState();
-    else if (isRepeated && wasSeen && !isStill(features.bearings))
+    if (isRepeated && seen == filter.time && !isStill(features.bearings))
         // By when the car has gone on isn't known, unless all images come again.
         features.leaveOutFrameBefore();
     const SequenceFilter filterBefore = filter;

@@ -25,8 +25,7 @@ public:
     void set(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
 
     /** Goes on to the next frame and estimates its motion: from points that are seen in the frame before or in the one
-    after if there are some, else from the image alone and, if that shows nothing either, from the frames of the last
-    second.
+    after if there are some, else from the frames of the last second and, if they don't help, from the image alone.
     @param frame the image; a frame that was taken before the last one is as good.
     @param next the image after it, if that is known.
     @param segments of the image, N x 4, CV_64F.
@@ -60,6 +59,7 @@ private:
         ClockNoise clockNoise;
         SequenceFit last, alone;
         double seen;
+        bool isRepeated;
     };
 
     AckermannMotion estimateNew(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,

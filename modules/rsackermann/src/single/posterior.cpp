@@ -136,8 +136,11 @@ private:
             models.push_back(consensus);
         if (!hypothesis.translates())
         {
-            m[P_ALPHA] = prior.yawRateIsGiven() ? prior.expectedAlpha() : medianAlpha();
+            m[P_ALPHA] = medianAlpha();
             models.push_back(m);
+            m[P_ALPHA] = prior.expectedAlpha();
+            if (prior.yawRateIsGiven())
+                models.push_back(m);
             return models;
         }
         m[P_ALPHA] = hypothesis.turns() ? prior.expectedAlpha() : 0;

@@ -178,8 +178,9 @@ public:
 
     The state is also reset if a camera is set that differs in more than uprightRotation and standard deviations, after
     #LONGEST_INTERVAL without an image, and if hardly any point of the image before is found again, unless images are
-    missing between them. The image after a damaged one goes on from the image before that. An image that shows no
-    points is corrected by the predicted motion, for a second and as long as that is expected to help.
+    missing between them or that one was lost itself. The image after a damaged one goes on from the image before that.
+    An image that shows no points is corrected by the predicted motion, for a second and as long as that is expected to
+    help.
      */
     CV_WRAP virtual void reset() = 0;
 
