@@ -13,7 +13,8 @@ enum { BINS = 160 };
 
 static double binOf(double logRatio)
 {
-    return BINS / 2 + logRatio / HEIGHT_SIGMA;
+    const int middle = BINS / 2;
+    return middle + logRatio / HEIGHT_SIGMA;
 }
 
 static const double farthest = 4; // sigmas
@@ -48,7 +49,8 @@ void RoadLimit::Table::addContacts()
     std::vector<double> logFoot(size), logOther(size);
     for (int k = 0; k < size; k++)
     {
-        const double share = (k / BINS + 0.5) / shares, density = share / (1 - share) * BINS / std::sqrt(2 * CV_PI);
+        const int index = k / BINS;
+        const double share = (index + 0.5) / shares, density = share / (1 - share) * BINS / std::sqrt(2 * CV_PI);
         for (const End& end : ends)
         {
             const double z = binOf(end.logRatio) - k % BINS, notThere = end.part * std::log(1 - share);

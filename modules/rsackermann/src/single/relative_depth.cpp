@@ -49,8 +49,8 @@ double RelativeDepth::medianAround(const DepthMap& depth, const Point2d& pixel, 
     int count = 0;
     for (int i = 0; i < ALONG * ALONG; i++)
     {
-        const Point2d way(i % ALONG - STEPS, i / ALONG - STEPS);
-        const double value = valueAt(depth, pixel + reach / STEPS * way);
+        const Point way(i % ALONG - STEPS, i / ALONG - STEPS);
+        const double value = valueAt(depth, pixel + reach / STEPS * Point2d(way));
         if (std::isfinite(value))
             found[count++] = value;
     }

@@ -59,8 +59,11 @@ void Visibility::findByPatches(const Patches& patches, float low, float high, co
     if (std::max(block.width, block.height) > SMALLEST)
         forEachQuarter(block, [&](const Rect& quarter) { findByPatches(patches, low, high, quarter, tile); });
     else
+    {
+        Mat1b mask = tile.mask(block);
         findHidden(patches.back, patches.backFirst, depths.values(), high, DISTANCE, block.tl(), tile.at(block),
-                   Point2f(lastX, lastY), tile.mask(block));
+                   Point2f(lastX, lastY), mask);
+    }
 }
 
 void Visibility::findByPixels(const Rect& block, const MapWriter::Tile& tile) const

@@ -121,7 +121,7 @@ private:
 
     const PackDepths& other;
     const PackVariable& variable;
-    int count; // a multiple of Pack::COUNT
+    int count = 0; // a multiple of Pack::COUNT
     CV_DECL_ALIGNED(64) float depths[MOST];
     float x[MOST], y[MOST], rateX[MOST], rateY[MOST]; // places, and by how much they move with the depths
     int indices[MOST];                                // of the upper left one of the four pixels around a place

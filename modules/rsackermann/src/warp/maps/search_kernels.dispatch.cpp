@@ -11,13 +11,13 @@
 namespace cv { namespace rsackermann {
 
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
-                    const Coordinates& to, Mat1b mask)
+                    const Coordinates& to, Mat1b& mask)
 {
     CV_CPU_DISPATCH(searchSurfaces, (patch, depths, low, high, first, to, mask), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b mask)
+                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b& mask)
 {
     CV_CPU_DISPATCH(findHidden, (patch, first, depths, high, distance, start, shown, last, mask),
                     CV_CPU_DISPATCH_MODES_ALL);

@@ -18,7 +18,7 @@ own.
 @param first pixel of the patch.
 @param mask of the pixels, in which those are marked that the other image doesn't show; or empty. */
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
-                    const Coordinates& to, Mat1b mask);
+                    const Coordinates& to, Mat1b& mask);
 
 /** Which pixels of a block something in front hides from the other image.
 @param patch, first of the other image's pixels in the map's own image.
@@ -30,7 +30,7 @@ void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, flo
 @param last pixel of the other image: what is outside of it counts as seen.
 @param mask of the block, in which they are marked. */
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b mask);
+                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b& mask);
 
 }} // namespace cv::rsackermann
 

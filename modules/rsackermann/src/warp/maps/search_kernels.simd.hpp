@@ -14,9 +14,9 @@ namespace cv { namespace rsackermann {
 CV_CPU_OPTIMIZATION_NAMESPACE_BEGIN
 
 void searchSurfaces(const DepthPatch& patch, const Mat1f& depths, float low, float high, const Point& first,
-                    const Coordinates& to, Mat1b mask);
+                    const Coordinates& to, Mat1b& mask);
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b mask);
+                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b& mask);
 #ifndef CV_CPU_OPTIMIZATION_DECLARATIONS_ONLY
 
 namespace {
@@ -33,7 +33,7 @@ void storeMask(const Mask& isHidden, int count, uchar* to)
 } // namespace
 
 void searchSurfaces(const DepthPatch& patch, const Mat1f& image, float low, float high, const Point& first,
-                    const Coordinates& to, Mat1b mask)
+                    const Coordinates& to, Mat1b& mask)
 {
     const PackDepths other(image);
     const PackVariable variable(patch.variable);
@@ -56,7 +56,7 @@ void searchSurfaces(const DepthPatch& patch, const Mat1f& image, float low, floa
 }
 
 void findHidden(const DepthPatch& patch, const Point& first, const Mat1f& depths, float high, float distance,
-                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b mask)
+                const Point& start, const Coordinates& shown, const Point2f& last, Mat1b& mask)
 {
     const int iterations = 4; // to 0.03 pixels, which is near enough for a distance
     const PackDepths own(depths);

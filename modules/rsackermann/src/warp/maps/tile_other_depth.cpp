@@ -70,7 +70,10 @@ private:
         if (stretch <= LARGEST_STRETCH)
             searchDepthPatch(patch, depths.values(), 0.5f * (low + high), block.tl() - first, tile.at(block));
         else if (std::max(block.width, block.height) <= smallest)
-            searchSurfaces(patch, depths.values(), low, high, block.tl() - first, tile.at(block), tile.mask(block));
+        {
+            Mat1b mask = tile.mask(block);
+            searchSurfaces(patch, depths.values(), low, high, block.tl() - first, tile.at(block), mask);
+        }
         else
             forEachQuarter(block, [&](const Rect& quarter) { fillBlock(patch, first, low, high, quarter, tile); });
     }
