@@ -187,7 +187,7 @@ void PointTracker::set(const Mat& gray, int scale_)
 void PointTracker::setNext(const Mat& gray)
 {
     Mat image;
-    makePyramid(gray, before, image); // set() will make that of the present one's next again
+    makePyramid(gray, before, image); // whose image has been used
 }
 
 void PointTracker::track(Other other, std::vector<PointPair>& pairs, const PointPredictions& predictions)

@@ -344,10 +344,10 @@ private:
         unseen.model[P_STREET] = problem.heading.angle;
         unseen.model[P_ALPHA] = prior.expectedAlpha();
         const Slants slants = slantsOf(problem, unseen.model, false), ofRest = slantsOf(problem, rest.model, false);
+        // A car's image shows a street, all the more if somebody measures how it drives.
         const double tilts = problem.gravitySigma * problem.vehiclePitchSigma,
                      otherCost = rest.cost - costOf(ofRest) / dependence,
-                     // A car's image shows a street, all the more if somebody measures how it drives.
-            probability = UNUSUAL / 2 * std::pow(2 * UNUSUAL, prior.givenShare());
+                     probability = UNUSUAL / 2 * std::pow(2 * UNUSUAL, prior.givenShare());
         mixture.add(unseen, std::log(probability * tilts) - otherCost / 2 +
                                 (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
     }
