@@ -13,28 +13,16 @@
 
 namespace cv { namespace rsackermann {
 
+SequenceMemory::SequenceMemory(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+    : filter(camera, params), rates(RowRates::usualSteering(params)), last(filter.state), alone(filter.state),
+      seen(std::numeric_limits<double>::quiet_NaN())
+{
+}
+
 SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
                                      const Ptr<AckermannEstimator>& single_)
-    : camera(camera_), params(params_), single(single_), filter(camera_, params_),
-      rates(RowRates::usualSteering(params_)), last(filter.state), alone(filter.state),
-      seen(std::numeric_limits<double>::quiet_NaN()), kept(known())
+    : SequenceMemory(camera_, params_), camera(camera_), params(params_), single(single_), kept(*this)
 {
-}
-
-SequenceEstimator::Kept SequenceEstimator::known() const
-{
-    return {filter, rates, clockNoise, last, alone, seen, isRepeated};
-}
-
-void SequenceEstimator::goBackTo(const Kept& frame)
-{
-    filter = frame.filter;
-    rates = frame.rates;
-    clockNoise = frame.clockNoise;
-    last = frame.last;
-    alone = frame.alone;
-    seen = frame.seen;
-    isRepeated = frame.isRepeated;
 }
 
 void SequenceEstimator::set(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_)
@@ -285,10 +273,10 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     if (link == FrameFeatures::FOLLOWS && !isRepeated)
         interval = std::abs(passed);
     if (link == FrameFeatures::LOST)
-        kept = known();
+        kept = *this;
     if (link == FrameFeatures::BRIDGED)
     {
-        goBackTo(kept);
+        SequenceMemory::operator=(kept);
         passed = frame.seconds - filter.time;
     }
     // Where frames are missing, or were lost themselves, one that isn't found again may well be of the same scene.

@@ -12,8 +12,22 @@
 
 namespace cv { namespace rsackermann {
 
+//! What is known at a frame, for the frames after it.
+struct SequenceMemory
+{
+    SequenceFilter filter; //!< without what is given
+    RowRates rates;
+    ClockNoise clockNoise;
+    SequenceFit last;        //!< whose points showed the motion
+    SequenceFit alone;       //!< the same without what is given
+    double seen;             //!< time of that; not finite if there is none
+    bool isRepeated = false; //!< the image came again, or nearly
+
+    SequenceMemory(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+};
+
 //! The estimate from consecutive frames (doc/theory.md, "Sequence").
-class SequenceEstimator
+class SequenceEstimator : private SequenceMemory
 {
 public:
     //! @param single estimates motions of frames that have nothing to do with their neighbours; of the same camera and
@@ -51,17 +65,6 @@ public:
     GyroRates gyro; //!< without samples if there is none
 
 private:
-    // What is known at a frame.
-    struct Kept
-    {
-        SequenceFilter filter;
-        RowRates rates;
-        ClockNoise clockNoise;
-        SequenceFit last, alone;
-        double seen;
-        bool isRepeated;
-    };
-
     AckermannMotion estimateNew(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                 const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
@@ -73,8 +76,6 @@ private:
     AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
-    Kept known() const;
-    void goBackTo(const Kept& frame);
     void updateRates(double before, double after);
     bool measure(double seconds, MeasuredTurns& turns) const;
     void useGyro();
@@ -90,17 +91,10 @@ private:
     Mat image; // the last one, with what was found in it
     AckermannMotion motionOfImage;
     Mat segmentsOfImage, labelsOfImage;
-    bool isKnown = false;    // by its points, or expected as its image before came again
-    bool isRepeated = false; // came again, or nearly
-    bool isCopy = false;     // nearly
-    SequenceFilter filter;   // without what is given
-    RowRates rates;
-    ClockNoise clockNoise;
-    SequenceFit last;    // whose points showed the motion
-    SequenceFit alone;   // the same without what is given
-    double seen;         // time of that; not finite if there is none
-    double interval = 0; // seconds from the frame before to the last one in which its points were found
-    Kept kept;           // at the frame that FrameFeatures keeps
+    bool isKnown = false; // by its points, or expected as its image before came again
+    bool isCopy = false;  // nearly the image before
+    double interval = 0;  // seconds from the frame before to the last one in which its points were found
+    SequenceMemory kept;  // at the frame that FrameFeatures keeps
 };
 
 }} // namespace cv::rsackermann
