@@ -473,7 +473,7 @@ TEST(RSAckermann_RowRates, of_a_given_yaw_rate)
         rates.update(fit, 0.1, 0, 0);
         fit.values[SEQUENCE_YAW_RATE] = 0.16;
         rates.update(fit, 0.1, 0, 0);
-        EXPECT_NEAR(beyond, rates.yawAboutFit(0.1, 0, 0), 1e-12);
+        EXPECT_NEAR(beyond, rates.aboutFit(0.1, 0, 0).yawRate, 1e-12);
         MotionPrior given;
         given.yawRate = 0.1;
         given.yawRateSigma = sigma;
@@ -508,8 +508,8 @@ TEST(RSAckermann_RowRates, of_a_car_that_steers_as_usual)
             state.covariance(i, i) = 0;
         state.predict(std::abs(interval));
         const double increment = std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)) / 3;
-        EXPECT_NEAR(increment / std::sqrt(3.), rates.yawAboutFit(interval, 0, 0), 0.03 * increment) << interval;
-        EXPECT_NEAR(increment / std::sqrt(6.), rates.yawAboutFit(interval, interval, 0), 0.03 * increment) << interval;
+        EXPECT_NEAR(increment / std::sqrt(3.), rates.aboutFit(interval, 0, 0).yawRate, 0.03 * increment) << interval;
+        EXPECT_NEAR(increment / std::sqrt(6.), rates.aboutFit(interval, interval, 0).yawRate, 0.03 * increment) << interval;
     }
 }
 

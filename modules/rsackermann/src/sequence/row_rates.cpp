@@ -170,14 +170,15 @@ double RowRates::usualSteering(const AckermannEstimator::Params& params)
     return 4. / 3 * params.priorYawRate * params.priorYawRate / MEMORY[SEQUENCE_YAW_RATE];
 }
 
-double RowRates::yawAboutFit(double before, double after, double readOut) const
+AboutFit RowRates::aboutFit(double before, double after, double readOut) const
 {
-    const double past = std::abs(before), future = std::abs(after);
+    const double past = std::abs(before), future = std::abs(after), longer = std::max(past, future);
     RateProcess process = yaw;
-    process.expectChange(steering * std::max(past, future));
-    if (past > 0 && future > 0)
-        return process.aboutMeans(readOut / (past + future));
-    return process.aboutLast(readOut / (2 * std::max(past, future)));
+    process.expectChange(steering * longer);
+    if (past > 0 && future > 0) // for the speed, the mean of both sides is that of the instant
+        return {process.aboutMeans(readOut / (past + future)), 0};
+    const double read = readOut / (2 * longer);
+    return {process.aboutLast(read), speed.aboutLast(read)};
 }
 
 void RowRates::update(const SequenceFit& fit, double before, double after, double readOut)
@@ -205,7 +206,15 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
         fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before;
     yaw.add(InstantRate(ofLast, last.yaw.sigma / past), last.yaw.change, before);
     yawBeyond.value = after != 0 ? yaw.beyondMeans(next.yaw.change, share) : yaw.beyondLast();
-    yawBeyond.sigma = yawAboutFit(before, after, readOut);
+    const double speedSigma = std::sqrt(fit.state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
+    speed.add(InstantRate(fit.values[SEQUENCE_SPEED], speedSigma), 0, before);
+    setSigmas(aboutFit(before, after, readOut));
+}
+
+void RowRates::setSigmas(const AboutFit& about)
+{
+    yawBeyond.sigma = about.yawRate;
+    speedBeyond.sigma = about.speed;
 }
 
 void RowRates::interrupt()
@@ -213,9 +222,10 @@ void RowRates::interrupt()
     pitch.interrupt();
     roll.interrupt();
     yaw.interrupt();
+    speed.interrupt();
     pitchNow = rollNow = InstantRate();
     curve.release();
-    yawBeyond = InstantRate();
+    yawBeyond = speedBeyond = InstantRate();
     isMeasured = false;
 }
 
@@ -229,7 +239,7 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
     pitch.expectChange(square);
     roll.expectChange(square);
     yaw.expectChange(steering * std::abs(after) + square);
-    yawBeyond.sigma = yawAboutFit(0, after, readOut);
+    setSigmas(aboutFit(0, after, readOut));
 }
 
 void RowRates::expectChanges(double interval, FitNuisances& nuisances) const
@@ -250,36 +260,33 @@ void RowRates::set(const MeasuredTurns& measured)
 }
 
 // The other values are those of the interval, whatever the instant's yaw rate.
-static void scaleYaw(double share, SequenceState& state)
+// By the variances about the instant: between what is given and the fit, which has met it.
+static void beyondFit(SequenceValue which, const InstantRate& beyond, double given, double givenSigma,
+                      SequenceState& state)
 {
-    for (int i = 0; i < SEQUENCE_VALUES; i++)
+    const double ofInstant = beyond.sigma * beyond.sigma, ofGiven = givenSigma * givenSigma;
+    if (!(givenSigma > 0))
     {
-        state.covariance(SEQUENCE_YAW_RATE, i) *= share;
-        state.covariance(i, SEQUENCE_YAW_RATE) *= share;
+        state.value[which] += beyond.value;
+        state.covariance(which, which) += ofInstant;
+        return;
     }
+    const double share = ofInstant / (ofInstant + ofGiven);
+    state.value[which] += share * (given - state.value[which]);
+    state.scale(which, 1 - share);
+    state.covariance(which, which) += share * ofGiven;
 }
 
 void RowRates::toInstant(const MotionPrior& given, SequenceState& state) const
 {
-    double &value = state.value[SEQUENCE_YAW_RATE], &variance = state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE);
-    if (isMeasured)
+    beyondFit(SEQUENCE_SPEED, speedBeyond, given.speed, given.speedSigma, state);
+    if (!isMeasured)
     {
-        value = yawNow.value;
-        scaleYaw(yawNow.sigma / std::sqrt(variance), state);
+        beyondFit(SEQUENCE_YAW_RATE, yawBeyond, given.yawRate, given.yawRateSigma, state);
         return;
     }
-    const double beyond = yawBeyond.sigma * yawBeyond.sigma;
-    if (!(given.yawRateSigma > 0))
-    {
-        value += yawBeyond.value;
-        variance += beyond;
-        return;
-    }
-    // Between the given one and that of the fit, by their variances about the instant.
-    const double ofGiven = given.yawRateSigma * given.yawRateSigma, share = beyond / (beyond + ofGiven);
-    value += share * (given.yawRate - value);
-    scaleYaw(1 - share, state);
-    variance += share * ofGiven;
+    state.value[SEQUENCE_YAW_RATE] = yawNow.value;
+    state.scale(SEQUENCE_YAW_RATE, yawNow.sigma / std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)));
 }
 
 void RowRates::toMotion(double unit, AckermannMotion& motion) const

@@ -90,6 +90,12 @@ private:
 };
 
 //! How a gyro has measured that the rows of a frame turn.
+//! Standard deviations of an instant about means between frames.
+struct AboutFit
+{
+    double yawRate, speed;
+};
+
 struct MeasuredTurns
 {
     InstantRate pitch, roll, yaw;
@@ -107,10 +113,11 @@ public:
     //! That of usual cars.
     static double usualSteering(const AckermannEstimator::Params& params);
 
-    /** Standard deviation of the yaw rate at a frame about that of its fit, with what the frames before have shown.
+    /** Standard deviations of yaw rate and speed at a frame about those of its fit, with what the frames before have
+    shown.
     @param before,after seconds from the frame before and to the one after; 0: there is none.
     @param readOut seconds in which a frame is read. */
-    double yawAboutFit(double before, double after, double readOut) const;
+    AboutFit aboutFit(double before, double after, double readOut) const;
 
     /** Goes on to a frame.
     @param before seconds from the frame before; negative if that was taken later.
@@ -132,8 +139,8 @@ public:
     //! Of the present frame, by a gyro.
     void set(const MeasuredTurns& measured);
 
-    /** Turns the yaw rate of a fit into that of the instant, by what rows show or a gyro has measured.
-    @param given that of the instant, which the state has met with the additional variance of yawAboutFit(). */
+    /** Turns yaw rate and speed of a fit into those of the instant, by what rows show or a gyro has measured.
+    @param given those of the instant, which the state has met with the additional variances of aboutFit(). */
     void toInstant(const MotionPrior& given, SequenceState& state) const;
 
     /** Sets the rates of roll and pitch of a motion.
@@ -141,10 +148,12 @@ public:
     void toMotion(double unit, AckermannMotion& motion) const;
 
 private:
+    void setSigmas(const AboutFit& about);
+
     double steering;
-    RateProcess pitch, roll, yaw;
+    RateProcess pitch, roll, yaw, speed;
     InstantRate pitchNow, rollNow, yawNow;
-    InstantRate yawBeyond; // than that of the fit
+    InstantRate yawBeyond, speedBeyond; // than those of the fit
     Mat curve;
     bool isMeasured = false; // yawNow
 };

@@ -151,9 +151,10 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
     return motion;
 }
 
-// The mean displacement by a motion, and what is left of it after a correction, as far as the motion isn't known.
+// The mean displacement by a motion, and what is left of it after a correction, as far as the motion isn't known and as
+// a share of it is the residual.
 static Model expectDisplacement(const DisplacementField& field, const RollingShutterCamera& camera,
-                                const SequenceState& state, bool isTurnAlone, AckermannMotion& motion)
+                                const SequenceState& state, bool isTurnAlone, double residual, AckermannMotion& motion)
 {
     const double unit = camera.secondsPerUnitTime(), speed = state.value[SEQUENCE_SPEED],
                  road = state.value[SEQUENCE_ROAD], G = speed * unit * road;
@@ -178,11 +179,10 @@ static Model expectDisplacement(const DisplacementField& field, const RollingShu
                    byValues * state.covariance * byValues.t(), variances);
     field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
     motion.expectedRaw = DisplacementField::meanDistance(displacement, none, variances);
-    motion.expectedResidual = DisplacementField::meanDistance(displacement, corrected, variances);
-    // Worse if the residual is half of a turn on the other side of it.
-    if (isTurnAlone)
-        motion.probabilityWorse = 0.5 * std::erfc(DisplacementField::meanDistance(corrected, none, exact) /
-                                                  (2 * std::sqrt(2.) * std::max(motion.expectedResidual, DBL_MIN)));
+    motion.expectedResidual =
+        std::hypot(DisplacementField::meanDistance(displacement, corrected, variances), motion.expectedRaw * residual);
+    motion.probabilityWorse = DisplacementField::probabilityWorse(
+        DisplacementField::meanDistance(corrected, none, exact), motion.expectedResidual);
     return model;
 }
 
@@ -205,7 +205,7 @@ void SequenceEstimator::turnAlone(double seconds, const MotionPrior& prior, Acke
     SequenceState state(camera, params);
     state.measure(prior);
     turning.toInstant(prior, state);
-    expectDisplacement(DisplacementField(camera), camera, state, true, turned);
+    expectDisplacement(DisplacementField(camera), camera, state, true, 0, turned);
     if (!(turned.expectedResidual < turned.expectedRaw))
         return;
     motion = turned;
@@ -300,7 +300,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     FitNuisances nuisances;
     rates.expectChanges(follows ? passed : after, nuisances);
     nuisances.interval = clockNoise.sigma();
-    if (!update(prior, rates.yawAboutFit(before, after, readOut(camera)), nuisances, compared))
+    if (!update(prior, rates.aboutFit(before, after, readOut(camera)), nuisances, compared))
     {
         resetState();
         return false;
@@ -327,18 +327,25 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     return true;
 }
 
+// A sigma that is 0 is none.
+static void widen(double& sigma, double other)
+{
+    if (sigma > 0)
+        sigma = std::hypot(sigma, other);
+}
+
 // What is given counts in its own frame alone: its error may be that of all frames. Goes by the frames without what
 // they contradict, or alone if no motion is near what is given. Returns whether they show one of this scene.
-bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, const FitNuisances& nuisances,
+bool SequenceEstimator::update(const MotionPrior& prior, const AboutFit& aboutFit, const FitNuisances& nuisances,
                                AckermannMotion& motion)
 {
     const SequenceFilter before = filter;
     const bool isSeen = filter.update(features, camera, params, alone, nuisances);
     // Sets the last fit.
     const auto fitWith = [&](MotionPrior given) {
-        // Points show means, and a given yaw rate is that of the instant.
-        if (given.yawRateSigma > 0)
-            given.yawRateSigma = std::hypot(given.yawRateSigma, yawAboutFit);
+        // Points show means, and what is given is of the instant.
+        widen(given.yawRateSigma, aboutFit.yawRate);
+        widen(given.speedSigma, aboutFit.speed);
         SequenceFilter aided = before;
         aided.state.measure(given);
         return aided.update(features, camera, params, last, nuisances);
@@ -352,7 +359,7 @@ bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, con
         alone = last;
         return isNear;
     }
-    compareWithSeen(alone, prior, yawAboutFit, motion);
+    compareWithSeen(alone, prior, aboutFit, motion);
     if (motion.contradictsPrior)
     {
         const MotionPrior rest = usable(prior, motion);
@@ -363,15 +370,15 @@ bool SequenceEstimator::update(const MotionPrior& prior, double yawAboutFit, con
     return true;
 }
 
-void SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, double yawAboutFit,
+void SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, const AboutFit& aboutFit,
                                         AckermannMotion& motion) const
 {
     if (prior.yawRateSigma > 0)
         ofFrames.state.seen(SEQUENCE_YAW_RATE, motion.seenYawRate, motion.seenYawRateSigma);
-    if (motion.seenYawRateSigma > 0)
-        motion.seenYawRateSigma = std::hypot(motion.seenYawRateSigma, yawAboutFit);
     if (prior.speedSigma > 0)
         ofFrames.state.seen(SEQUENCE_SPEED, motion.seenSpeed, motion.seenSpeedSigma);
+    widen(motion.seenYawRateSigma, aboutFit.yawRate);
+    widen(motion.seenSpeedSigma, aboutFit.speed);
     AckermannMotion seenMotion;
     ofFrames.state.toMotion(camera.secondsPerUnitTime(), seenMotion);
     motion.direction = seenMotion.direction;
@@ -433,9 +440,7 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     std::vector<Point2d> places;
     for (size_t i = 0; i < features.bearings.size(); i++)
         places.push_back(features.bearings[i].now);
-    const Model model = expectDisplacement(DisplacementField(camera, places), camera, fit.state, false, motion);
-    motion.expectedResidual = std::hypot(motion.expectedResidual, motion.expectedRaw * fit.residual);
-    return model;
+    return expectDisplacement(DisplacementField(camera, places), camera, fit.state, false, fit.residual, motion);
 }
 
 void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<UprightSegment>& verticals,
@@ -483,7 +488,7 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
     SequenceFit expected = last;
     expected.state = filter.state;
     AckermannMotion result;
-    compareWithSeen(expected, prior, 0, result);
+    compareWithSeen(expected, prior, AboutFit(), result);
     expected.state.measure(usable(prior, result));
     report(expected, std::vector<UprightSegment>(), usable(prior, result), result, labels);
     if (result.status != MOTION_OK)
@@ -518,6 +523,7 @@ bool SequenceEstimator::alignDepth(const Mat& segments, const MotionPrior& prior
         places.push_back(b.now);
     expectWithDepth(camera, depth, found.scale, found.shift, toAlpha * found.covariance * toAlpha, places, changed);
     changed.expectedResidual = std::hypot(changed.expectedResidual, changed.expectedRaw * found.residual);
+    changed.probabilityWorse = DisplacementField::probabilityWorse(changed.expectedRaw, changed.expectedResidual);
     if (!(changed.expectedResidual < changed.expectedRaw))
         return false;
     motion = changed;

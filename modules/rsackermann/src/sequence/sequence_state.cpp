@@ -46,6 +46,15 @@ void SequenceState::measure(const MotionPrior& prior)
     measure(SEQUENCE_DIRECTION, prior.wallDirection, prior.wallDirectionSigma);
 }
 
+void SequenceState::scale(SequenceValue which, double factor)
+{
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+    {
+        covariance(which, i) *= factor;
+        covariance(i, which) *= factor;
+    }
+}
+
 void SequenceState::change(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, int kept)
 {
     const SequenceState before = *this;

@@ -34,6 +34,9 @@ struct SequenceState
     //! Measurements of what is known from elsewhere.
     void measure(const MotionPrior& prior);
 
+    //! Multiplies the deviation of a value by a factor.
+    void scale(SequenceValue which, double factor);
+
     //! With another stationary state: the first values stay as they are.
     void change(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, int kept);
 

@@ -278,9 +278,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     const Matx22d ofAlphaAndRoad(covariance(A_ALPHA, A_ALPHA), covariance(A_ALPHA, A_LOG_ROAD),
                                  covariance(A_ALPHA, A_LOG_ROAD), covariance(A_LOG_ROAD, A_LOG_ROAD));
     expectWithDepth(camera, depth, scale, shift, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), changed);
-    // An error that exceeds half of the correction, in the opposite direction, makes it worse.
-    const double sigma = changed.expectedResidual / std::sqrt(2 / CV_PI);
-    changed.probabilityWorse = 0.5 * std::erfc(changed.expectedRaw / (2 * std::sqrt(2.) * std::max(sigma, DBL_MIN)));
+    changed.probabilityWorse = DisplacementField::probabilityWorse(changed.expectedRaw, changed.expectedResidual);
     // At rest a correction leaves itself.
     const double rests = 1 / (1 + std::exp(-logOddsOfRest(problem, equations, rest)));
     changed.expectedResidual = rests * changed.expectedRaw + (1 - rests) * changed.expectedResidual;

@@ -185,6 +185,12 @@ double DisplacementField::meanDistance(const Values& a, const Values& b, const V
     return sum / POINTS;
 }
 
+double DisplacementField::probabilityWorse(double corrected, double residual)
+{
+    const double sigma = residual / std::sqrt(2 / CV_PI);
+    return 0.5 * std::erfc(corrected / (2 * std::sqrt(2.) * std::max(sigma, DBL_MIN)));
+}
+
 int DisplacementField::mainMotion(const Model& model, double G) const
 {
     Model turning, moving = model;

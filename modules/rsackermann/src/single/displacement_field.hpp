@@ -60,6 +60,10 @@ public:
     //! Mean length over the points of the difference of two displacements, if one of them has the given variance.
     static double meanDistance(const Values& a, const Values& b, const Variances& variance);
 
+    /** Probability that a correction makes it worse: by an error of more than half of it, in the opposite direction.
+    @param corrected mean displacement that is taken off. @param residual mean distance that is expected to be left. */
+    static double probabilityWorse(double corrected, double residual);
+
     //! Variance of the displacement at each point, for a covariance of the parameters, and of G independent of it.
     void variance(const Model& model, double G, double varianceG,
                   const Matx<double, PARAMETERS, PARAMETERS>& covariance, Variances& values) const;
