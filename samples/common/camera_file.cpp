@@ -80,8 +80,8 @@ void readShutterAndMounting(const NumberSource& number, const TextSource& text, 
     require(!delay || !readOut, "line_delay and readout exclude each other");
     require(s.lineDelay >= 0 && s.readOut >= 0, "line_delay and readout must not be negative");
     require(s.lineDelay <= LONGEST_READ_OUT && s.readOut <= LONGEST_READ_OUT, "line_delay and readout are in seconds");
-    number("roll", s.roll);
-    number("pitch", s.pitch);
+    s.rollIsGiven = number("roll", s.roll);
+    s.pitchIsGiven = number("pitch", s.pitch);
     number("heading", s.heading);
     number("camera_height", s.height);
     require(std::abs(s.roll) < 90,

@@ -35,8 +35,9 @@ const char* const CAMERA_KEYS =
 
 CameraSettings::CameraSettings()
     : calibrated(false), isScaled(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0),
-      readOut(0), scan(SCAN_TOP_TO_BOTTOM), reference("middle"), roll(0), pitch(0), heading(0), height(0), rollSigma(0),
-      pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0), needsReadOut(true)
+      readOut(0), scan(SCAN_TOP_TO_BOTTOM), reference("middle"), roll(0), pitch(0), heading(0), rollIsGiven(false),
+      pitchIsGiven(false), height(0), rollSigma(0), pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0),
+      needsReadOut(true)
 {
 }
 
@@ -249,11 +250,13 @@ CameraSettings readCameraOptions(const Options& options)
     {
         s.roll = options.number("roll", -89, 89);
         s.rollSigma = 0;
+        s.rollIsGiven = true;
     }
     if (options.given("pitch"))
     {
         s.pitch = options.number("pitch", -89, 89);
         s.pitchSigma = 0;
+        s.pitchIsGiven = true;
     }
     if (options.given("heading"))
     {

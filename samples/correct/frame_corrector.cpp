@@ -62,9 +62,15 @@ void FrameCorrector::useFacts()
     settings.roll = orElse(facts_.roll, settings.roll);
     settings.pitch = orElse(facts_.pitch, settings.pitch);
     if (!std::isnan(facts_.roll)) // as the options do
+    {
         settings.rollSigma = 0;
+        settings.rollIsGiven = true;
+    }
     if (!std::isnan(facts_.pitch))
+    {
         settings.pitchSigma = 0;
+        settings.pitchIsGiven = true;
+    }
     roll_ = settings.roll;
     pitch_ = settings.pitch;
     camera_ = settings.makeCamera(camera_.imageSize);

@@ -39,7 +39,7 @@ const char* const JOB_KEYS =
     "{carry      |        | treat the inputs, or the frames of each video, as one sequence; needs the line delay}"
     "{smooth     |        | --carry, and each frame also uses the one after it}"
     "{gravity_sigma |     | standard deviation of --roll and --pitch in degrees, 0: exact (default: of the vehicle's "
-    "roll 1, of its pitch 0.3)}"
+    "roll 1, of its pitch 0.3, and of a mount that isn't given 2 and 5)}"
     "{usual_yaw_rate |    | deg/s, scale of the prior on the yaw rate if none is given (default 5, as cars turn)}"
     "{model      | auto   | motion model: auto, 4la, 3la, 1la or none; not with --carry}"
     "{lines      |        | text file with line segments x1 y1 x2 y2, a line each, instead of a detector; for one "
@@ -227,12 +227,17 @@ Job readJob(const Options& options)
     return job;
 }
 
+// Degrees, standard deviations: a mount that isn't given isn't level.
+static const double UNKNOWN_ROLL = 2, UNKNOWN_PITCH = 5;
+
 void setGravitySigma(double degrees, const CameraSettings& camera, AckermannEstimator::Params& params)
 {
     if (std::isnan(degrees))
     {
-        params.gravitySigma = std::hypot(params.gravitySigma, camera.rollSigma * DEGREE);
-        params.vehiclePitchSigma = std::hypot(params.vehiclePitchSigma, camera.pitchSigma * DEGREE);
+        const double roll = camera.rollIsGiven ? camera.rollSigma : UNKNOWN_ROLL,
+                     pitch = camera.pitchIsGiven ? camera.pitchSigma : UNKNOWN_PITCH;
+        params.gravitySigma = std::hypot(params.gravitySigma, roll * DEGREE);
+        params.vehiclePitchSigma = std::hypot(params.vehiclePitchSigma, pitch * DEGREE);
         return;
     }
     params.gravitySigma = degrees * DEGREE;

@@ -295,6 +295,20 @@ TEST(Correct, speed_and_yaw_rate_known_from_elsewhere)
         resultOf(correct(street + Arguments{"--speed=58", "--yaw_rate=41"})));
 }
 
+// A standing camera that looks down moves nothing, unless it is given as level.
+TEST(Correct, mount_that_is_not_given)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, simulate({"--output=" + (folder / "street"), "--size=640x360", "--readout=0.02", "--focal=576",
+                           "--seed=1", "--speed=0", "--yaw_rate=0", "--left=4", "--right=6", "--pitch=4"})
+                     .exitCode);
+    const Arguments image = {folder / "street/rolling.png", "--focal=576", "--report=-"};
+    EXPECT_EQ(0, resultOf(correct(image))["mean_shift_px"].get<double>());
+    EXPECT_EQ(0, resultOf(correct(image + Arguments{"--roll=0"}))["mean_shift_px"].get<double>());
+    EXPECT_LT(2, resultOf(correct(image + Arguments{"--roll=0", "--pitch=0"}))["mean_shift_px"].get<double>());
+    EXPECT_EQ(0, resultOf(correct(image + Arguments{"--roll=0", "--pitch=4"}))["mean_shift_px"].get<double>());
+}
+
 TEST(Correct, scale_from_the_road)
 {
     const Arguments image = {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",

@@ -493,6 +493,26 @@ TEST(RSAckermann_RowRates, of_a_given_yaw_rate)
     }
 }
 
+// Points show the mean since the frame before, which a car that brakes exceeds by half of the change.
+TEST(RSAckermann_RowRates, of_a_speed_that_changes)
+{
+    const double change = 0.6;
+    RowRates rates;
+    SequenceFit fit = exactFit();
+    fit.state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED) = 0;
+    for (int i = 0; i < 10; i++)
+    {
+        fit.values[SEQUENCE_SPEED] = 10 - change * i;
+        rates.update(fit, 0.5, 0, 0);
+        EXPECT_NEAR(i > 0 ? change / std::sqrt(2.) : 0, rates.aboutFit(0.5, 0, 0).speed, 1e-9);
+        EXPECT_EQ(0, rates.aboutFit(0.5, 0.5, 0).speed);
+        SequenceState state = fit.state;
+        rates.toInstant(MotionPrior(), state);
+        EXPECT_EQ(fit.state.value[SEQUENCE_SPEED], state.value[SEQUENCE_SPEED]);
+        EXPECT_NEAR(i > 0 ? change * change / 2 : 0, state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED), 1e-9);
+    }
+}
+
 // Until frames show it cars steer as usual: over longer intervals the instant may differ more from the mean.
 TEST(RSAckermann_RowRates, of_a_car_that_steers_as_usual)
 {
@@ -509,7 +529,8 @@ TEST(RSAckermann_RowRates, of_a_car_that_steers_as_usual)
         state.predict(std::abs(interval));
         const double increment = std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)) / 3;
         EXPECT_NEAR(increment / std::sqrt(3.), rates.aboutFit(interval, 0, 0).yawRate, 0.03 * increment) << interval;
-        EXPECT_NEAR(increment / std::sqrt(6.), rates.aboutFit(interval, interval, 0).yawRate, 0.03 * increment) << interval;
+        EXPECT_NEAR(increment / std::sqrt(6.), rates.aboutFit(interval, interval, 0).yawRate, 0.03 * increment)
+            << interval;
     }
 }
 

@@ -69,7 +69,8 @@ private:
                                 const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
-    bool update(const MotionPrior& prior, const AboutFit& aboutFit, const FitNuisances& nuisances, AckermannMotion& motion);
+    bool update(const MotionPrior& prior, const AboutFit& aboutFit, const FitNuisances& nuisances,
+                AckermannMotion& motion);
     void compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, const AboutFit& aboutFit,
                          AckermannMotion& motion) const;
     AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
