@@ -423,6 +423,8 @@ TEST_P(SequenceModes, motion_after_a_gap)
     const double left = exact.meanDisplacement(Simulator::fromMotion(setting.camera, m));
     RecordProperty("left", format("%.2f of %.2f, expected %.2f", left, exact.meanDisplacement(), m.expectedResidual));
     EXPECT_LT(left, 2 * m.expectedResidual);
+    EXPECT_GT(m.probabilityWorse, 0);
+    EXPECT_LT(m.probabilityWorse, 0.5); // else it isn't corrected
     if (setting.yawChange == 0)
     {
         EXPECT_LT(left, 0.6 * exact.meanDisplacement());
