@@ -43,6 +43,9 @@ const char* const KEYS =
     "rates are used}"
     "{threads    |        | maximum number of threads}";
 
+// Of a focal length that is no calibration, from a data sheet or a field of view.
+const double APPROXIMATE_FOCAL = 0.05;
+
 struct Task
 {
     InputList inputs;
@@ -64,6 +67,8 @@ Task readTask(const Options& options)
         throw UsageError("--output is missing");
     task.camera = readCameraOptions(options);
     task.camera.needsReadOut = false; // it is measured
+    if (!task.camera.calibrated && !(task.camera.focalSigma > 0))
+        task.camera.focalSigma = APPROXIMATE_FOCAL * task.camera.focal;
     if (task.camera.scan == cv::rsackermann::SCAN_LEFT_TO_RIGHT ||
         task.camera.scan == cv::rsackermann::SCAN_RIGHT_TO_LEFT)
         throw UsageError("the lines of the sensor are columns of the image (scan): no vertical shows the motion");
@@ -127,7 +132,8 @@ void print(const char* name, bool isObserved, double value, double sigma, const 
         std::printf("%-11s not observable: %s\n", name, missing);
 }
 
-void print(const MountCalibration& c, int frames)
+//! @param focal of the camera that is given.
+void print(const MountCalibration& c, double focal, int frames)
 {
     std::printf("frames      %d of %d\n", c.frames, frames);
     const char* few = "too few frames, points or verticals, or too little motion";
@@ -144,8 +150,7 @@ void print(const MountCalibration& c, int frames)
     {
         std::printf("gyro        used in %d frames\n", c.gyroFrames);
         print("gyro delay", true, c.gyroDelay * 1e3, c.gyroDelaySigma * 1e3, "ms", "");
-        const double f = c.camera.cameraMatrix(0, 0);
-        print("gyro focal", true, c.focalScale * f, c.focalScaleSigma * f, "px", "");
+        print("gyro focal", true, c.focalScale * focal, c.focalScaleSigma * focal, "px", "");
     }
     const cv::Vec3d h = c.horizon();
     std::printf("horizon     %.5f x %+.5f y %+.2f = 0 in pixels without lens distortion\n", h[0], h[1], h[2]);
@@ -207,7 +212,7 @@ int run(const Options& options)
     progress.clear();
     if (calibration.frames == 0)
         throw InputError("no frame shows a car that moves: consecutive frames are needed, at their times");
-    print(calibration, frames);
+    print(calibration, calibrator->getCamera().cameraMatrix(0, 0), frames);
     if (!task.gyro.times.empty() && calibration.gyroFrames == 0)
         std::cerr
             << "rsackermann_calibrate: the images contradict the gyro, which isn't used: its unit, axes or clock may "

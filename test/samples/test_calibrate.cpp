@@ -157,6 +157,7 @@ TEST_F(Calibrate, focal_length_takes_the_place_of_a_camera_file)
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     const CameraSettings c = readCamera(output_);
     EXPECT_EQ(500, c.K(0, 0));
+    EXPECT_NEAR(0.05 * 500, c.focalSigma, 1e-9);
     EXPECT_EQ(SIZE, c.size);
     EXPECT_NEAR(LINE_DELAY, c.lineDelay, 1e-12);
 }

@@ -96,6 +96,43 @@ void expectFound(const StreetDrive::Options& options, int drives, int seed)
     }
 }
 
+// What a wrong focal length does to mount and line delay is in their standard deviations.
+TEST(RSAckermann_Calibration, focal_length_that_is_not_exact)
+{
+    applyTestTag(CV_TEST_TAG_LONG);
+    const double wrong[] = {0.9, 1.07};
+    for (int i = 0; i < 2; i++)
+    {
+        SCOPED_TRACE(i);
+        const RollingShutterCamera truth = mounted(1);
+        RollingShutterCamera approximate = guess();
+        approximate.cameraMatrix(0, 0) *= wrong[i];
+        approximate.cameraMatrix(1, 1) *= wrong[i];
+        const auto calibrate = [&](double focalSigma) {
+            approximate.focalSigma = focalSigma;
+            const Ptr<MountCalibrator> calibrator = MountCalibrator::create(approximate);
+            drive(*calibrator, StreetDrive(truth, ROLL, PITCH, StreetDrive::Options(), 50 + i), 120, true, i);
+            return calibrator->calibrate();
+        };
+        const MountCalibration exact = calibrate(0), c = calibrate(0.07 * approximate.cameraMatrix(0, 0));
+        RecordProperty(format("drive_%d", i),
+                       format("line delay %.3f +- %.3f (%.3f), pitch %.3f +- %.3f (%.3f), heading %.3f +- %.3f (%.3f)",
+                              c.lineDelay / truth.lineDelay, c.lineDelaySigma / truth.lineDelay,
+                              exact.lineDelaySigma / truth.lineDelay, c.pitch / degree, c.pitchSigma / degree,
+                              exact.pitchSigma / degree, c.heading / degree, c.headingSigma / degree,
+                              exact.headingSigma / degree));
+        ASSERT_TRUE(c.lineDelayObserved);
+        EXPECT_EQ(approximate.cameraMatrix, c.camera.cameraMatrix);
+        EXPECT_DOUBLE_EQ(approximate.focalSigma, c.camera.focalSigma);
+        EXPECT_EQ(exact.lineDelay, c.lineDelay);
+        EXPECT_NEAR(truth.lineDelay, c.lineDelay, 2 * c.lineDelaySigma);
+        EXPECT_NEAR(ROLL, c.roll, 2 * c.rollSigma);
+        EXPECT_NEAR(PITCH, c.pitch, 2 * c.pitchSigma);
+        EXPECT_NEAR(HEADING, c.heading, 2 * c.headingSigma);
+        EXPECT_GT(std::abs(exact.lineDelay - truth.lineDelay), 3 * exact.lineDelaySigma);
+    }
+}
+
 TEST(RSAckermann_Calibration, scene_is_uneven)
 {
     applyTestTag(CV_TEST_TAG_LONG);

@@ -114,6 +114,31 @@ TEST(RSAckermann_CalibrationWithGyro, line_delay_clock_and_focal_length)
         EXPECT_GE(within[k], drives - 2) << k;
 }
 
+// Nothing is left of a focal length that isn't exact.
+TEST(RSAckermann_CalibrationWithGyro, focal_length_that_is_not_exact)
+{
+    const double wrong[] = {0.94, 1.08};
+    for (int i = 0; i < 2; i++)
+    {
+        SCOPED_TRACE(i);
+        RNG rng(700 + i);
+        const RollingShutterCamera truth = camera(0.025);
+        const StreetDrive street(truth, 0, 0, shaking(0.4 * degree), 90 + i);
+        RollingShutterCamera approximate = given(truth, 0.8, wrong[i]);
+        const Gyro gyro(street, 0, rng);
+        EXPECT_EQ(approximate.cameraMatrix, calibrate(approximate, street, &gyro).camera.cameraMatrix); // exact
+        approximate.focalSigma = 0.06 * approximate.cameraMatrix(0, 0);
+        const MountCalibration c = calibrate(approximate, street, &gyro);
+        ASSERT_TRUE(c.lineDelayObserved);
+        EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03);
+        EXPECT_NEAR(truth.lineDelay, c.lineDelay, 3 * c.lineDelaySigma);
+        // The gyro's scale is known to 3 %, the focal length was known to 6 %.
+        EXPECT_NEAR(1, c.camera.cameraMatrix(0, 0) / truth.cameraMatrix(0, 0), 0.03);
+        EXPECT_NEAR(0.027, c.camera.focalSigma / c.camera.cameraMatrix(0, 0), 0.004);
+        EXPECT_NEAR(1, c.focalScale * wrong[i], 0.02);
+    }
+}
+
 // The car's own turning counts once.
 TEST(RSAckermann_CalibrationWithGyro, bends)
 {

@@ -18,18 +18,46 @@ static const double INSTANT_STEP = std::cbrt(DBL_EPSILON);
 static const double LEANING_SCALE = 1;
 enum { HEADING_COLUMN = FRAME_VALUES, DELAY_COLUMN, PASSING_COLUMN, COLUMNS };
 
-static Point2d rotated(const Matx33d& R, const Point2d& p)
+static Vec3d mapped(const Matx33d& H, const Vec3d& p)
 {
-    const Vec3d b = R * Vec3d(p.x, p.y, 1);
-    return Point2d(b[0] / b[2], b[1] / b[2]);
+    const Vec3d b = H * p;
+    return b * (1 / b[2]);
+}
+
+static Point2d mapped(const Matx33d& H, const Point2d& p)
+{
+    const Vec3d b = mapped(H, Vec3d(p.x, p.y, 1));
+    return Point2d(b[0], b[1]);
+}
+
+void CalibrationFrame::seeThroughOtherFocal(const Matx33d& upright, double longer)
+{
+    const double shorter = 1 / longer; // times, too, are over the focal length
+    const Matx33d zoom = upright * Matx33d::diag(Vec3d(shorter, shorter, 1)) * upright.t();
+    for (TrackedBearing& point : bearings)
+    {
+        point.other = mapped(zoom, point.other);
+        point.now = mapped(zoom, point.now);
+        point.timeOther *= shorter;
+        point.timeNow *= shorter;
+    }
+    for (UprightSegment& vertical : verticals)
+    {
+        vertical.u = mapped(zoom, vertical.u);
+        vertical.v = mapped(zoom, vertical.v);
+        vertical.timeU *= shorter;
+        vertical.timeV *= shorter;
+    }
+    turn.rate[0] *= shorter;
+    turn.rate[1] *= shorter;
 }
 
 // A point from a camera of other tilt and line delay.
 static TrackedBearing transformed(const TrackedBearing& s, const Matx33d& R, double shiftBefore)
 {
     TrackedBearing result = s;
-    result.other = rotated(R, s.other);
-    result.now = rotated(R, s.now);
+    result.other = mapped(R, s.other);
+    result.now = mapped(R, s.now);
     result.timeOther += shiftBefore;
     return result;
 }

@@ -65,6 +65,9 @@ struct CalibrationFrame
     std::vector<Matx22d> pointWeights; // symmetric
     std::vector<double> slantWeights;
 
+    //! By a camera of another focal length. @param upright of the camera. @param longer over the focal length before.
+    void seeThroughOtherFocal(const Matx33d& upright, double longer);
+
     //! Whether there is no other frame between.
     bool follows(const CalibrationFrame& other) const { return drive == other.drive && before == other.time; }
 };

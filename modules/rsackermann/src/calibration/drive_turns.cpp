@@ -32,7 +32,10 @@ GyroOfDrive alignGyro(const GyroSamples& samples, const RollingShutterCamera& ca
     GyroOfDrive result;
     if (samples.empty())
         return result;
+    GyroSigmas sigmas;
+    sigmas.scale = std::hypot(sigmas.scale, camera.focalSigma / camera.cameraMatrix(0, 0));
     GyroRates rates;
+    rates.setSigmas(sigmas);
     rates.samples = samples;
     size_t aligned = 0;
     const auto alignUntil = [&](size_t end) {

@@ -20,6 +20,7 @@ struct GyroOfDrive
 
 /** Gives frames the turns of their rows, with the clock, axes and bias that the points of the seconds around them show.
 Frames without samples and those whose points contradict the gyro keep what they have.
+@param camera whose focal length has a standard deviation, by which the gyro's scale is uncertain.
 @param delayRatio the line delay over the camera's one, as far as it is known. */
 GyroOfDrive alignGyro(const GyroSamples& samples, const RollingShutterCamera& camera, double delayRatio,
                       std::vector<CalibrationFrame>& frames);

@@ -189,31 +189,20 @@ public:
     {
         CV_INSTRUMENT_REGION();
         const MountVector before = sigmaBefore();
-        MountFit fit = {MountVector::Zero(), before, before[MOUNT_DELAY]};
-        GyroOfDrive aligned;
+        DriveFit best = {{MountVector::Zero(), before, before[MOUNT_DELAY]}, GyroOfDrive()};
+        double longer = 1, focalSigma = start.focalSigma / start.cameraMatrix(0, 0);
         if (frames.size() > size_t(LEAST_WAVES))
         {
-            const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
-            std::vector<CalibrationFrame> fitted = frames;
-            std::list<GyroSamples> curves;
-            MountVector prior = before;
-            // The first pass finds how frames turn, whatever their rows do, the second one the line delay for the
-            // third.
-            const int passes = 3;
-            for (int pass = 0; pass < passes; pass++)
+            best = fitDrive(longer);
+            if (focalSigma > 0 && best.gyro.frames > 0)
             {
-                const double delayRatio = std::exp(fit.value[MOUNT_DELAY]);
-                if (pass > 0)
-                    curves = turnRowsByNeighbours(start, delayRatio, fitted);
-                aligned = alignGyro(gyro, start, delayRatio, fitted);
-                fit = fitMount(start, fitted, prior, suspension);
-                // The weights are cautious: where frames scatter less than they say, what was known before is to count
-                // less as well.
-                prior[MOUNT_DELAY] = prior[MOUNT_PASSING] =
-                    before[MOUNT_DELAY] * std::max(1., fit.turningSigma / fit.sigma[MOUNT_DELAY]);
+                takeFocalOf(best.gyro, longer, focalSigma);
+                best = fitDrive(longer);
             }
+            if (focalSigma > 0)
+                addFocalUncertainty(fitDrive(longer * (1 + focalSigma)).mount, best.mount);
         }
-        return report(fit, before, aligned);
+        return report(best, before, longer, focalSigma);
     }
 
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_MountCalibrator"; }
@@ -261,6 +250,62 @@ private:
         MountVector sigma;
         sigma << params.tiltSigma, params.tiltSigma, params.headingSigma, delay, delay;
         return sigma;
+    }
+
+    struct DriveFit
+    {
+        MountFit mount;
+        GyroOfDrive gyro;
+    };
+
+    //! @param longer the focal length over that of the camera.
+    DriveFit fitDrive(double longer) const
+    {
+        RollingShutterCamera camera = start;
+        camera.cameraMatrix(0, 0) *= longer;
+        camera.cameraMatrix(1, 1) *= longer;
+        std::vector<CalibrationFrame> fitted = frames;
+        for (CalibrationFrame& frame : fitted)
+            frame.seeThroughOtherFocal(camera.uprightRotation, longer);
+        const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
+        const MountVector before = sigmaBefore();
+        DriveFit fit = {{MountVector::Zero(), before, before[MOUNT_DELAY]}, GyroOfDrive()};
+        std::list<GyroSamples> curves;
+        MountVector prior = before;
+        // The first pass finds how frames turn, whatever their rows do, the second one the line delay for the third.
+        const int passes = 3;
+        for (int pass = 0; pass < passes; pass++)
+        {
+            const double delayRatio = std::exp(fit.mount.value[MOUNT_DELAY]);
+            if (pass > 0)
+                curves = turnRowsByNeighbours(camera, delayRatio, fitted);
+            fit.gyro = alignGyro(gyro, camera, delayRatio, fitted);
+            fit.mount = fitMount(camera, fitted, prior, suspension);
+            // The weights are cautious: where frames scatter less than they say, what was known before is to count
+            // less as well.
+            prior[MOUNT_DELAY] = prior[MOUNT_PASSING] =
+                before[MOUNT_DELAY] * std::max(1., fit.mount.turningSigma / fit.mount.sigma[MOUNT_DELAY]);
+        }
+        fit.gyro.alignment.scale *= longer;
+        fit.gyro.scaleSigma *= longer;
+        return fit;
+    }
+
+    // Where the focal length isn't exact, it is what the gyro and the camera say. How points move shows it as well, but
+    // errs by many of its standard deviations where rows turn in other ways than the curve through the frames.
+    static void takeFocalOf(const GyroOfDrive& gyro, double& longer, double& focalSigma)
+    {
+        const double shown = std::hypot(gyro.scaleSigma, GyroSigmas().scale), sum = std::hypot(shown, focalSigma),
+                     weight = focalSigma * focalSigma / (sum * sum);
+        longer = 1 + weight * (gyro.alignment.scale - 1);
+        focalSigma = shown * focalSigma / sum / longer;
+    }
+
+    static void addFocalUncertainty(const MountFit& other, MountFit& fit)
+    {
+        for (int i = 0; i < MOUNT_VALUES; i++)
+            fit.sigma[i] = std::hypot(fit.sigma[i], other.value[i] - fit.value[i]);
+        fit.turningSigma = std::hypot(fit.turningSigma, other.value[MOUNT_DELAY] - fit.value[MOUNT_DELAY]);
     }
 
     //! @param setPoints sets the points of the frame, by the seconds since the one before.
@@ -344,8 +389,10 @@ private:
         }
     }
 
-    MountCalibration report(const MountFit& fit, const MountVector& before, const GyroOfDrive& aligned) const
+    //! @param focalSigma relative.
+    MountCalibration report(const DriveFit& best, const MountVector& before, double longer, double focalSigma) const
     {
+        const MountFit& fit = best.mount;
         MountCalibration c;
         c.frames = int(frames.size());
         c.camera = given;
@@ -370,11 +417,14 @@ private:
         c.lineDelaySigma = (c.lineDelayObserved ? sigma : before)[MOUNT_DELAY] * c.lineDelay;
         if (c.lineDelayObserved)
             c.camera.lineDelaySigma = c.lineDelaySigma;
-        c.gyroFrames = aligned.frames;
-        c.gyroDelay = aligned.alignment.delay;
-        c.gyroDelaySigma = aligned.delaySigma;
-        c.focalScale = aligned.alignment.scale;
-        c.focalScaleSigma = aligned.scaleSigma;
+        c.camera.cameraMatrix(0, 0) *= longer;
+        c.camera.cameraMatrix(1, 1) *= longer;
+        c.camera.focalSigma = focalSigma * c.camera.cameraMatrix(0, 0);
+        c.gyroFrames = best.gyro.frames;
+        c.gyroDelay = best.gyro.alignment.delay;
+        c.gyroDelaySigma = best.gyro.delaySigma;
+        c.focalScale = best.gyro.alignment.scale;
+        c.focalScaleSigma = best.gyro.scaleSigma;
         return c;
     }
 

@@ -32,7 +32,7 @@ public:
     //! create()
     CV_PROP_RW int frames;
     //! That of create() with the estimated upright rotation, heading and, if it is observable, line delay, and the
-    //! standard deviation of the latter
+    //! standard deviation of the latter. With a gyro also with the focal length that both show, if focalSigma isn't 0
     CV_PROP_RW RollingShutterCamera camera;
     CV_PROP_RW double roll;           //!< radians, as in RollingShutterCamera::setRollPitch()
     CV_PROP_RW double rollSigma;      //!< standard deviation of roll
@@ -56,8 +56,8 @@ public:
     CV_PROP_RW int gyroFrames;
     CV_PROP_RW double gyroDelay;      //!< seconds by which the gyro's clock is ahead of that of the frames, at the end
     CV_PROP_RW double gyroDelaySigma; //!< standard deviation of gyroDelay
-    //! The true focal length over the one of the camera, if the gyro's scale is right: the camera keeps its own. It is
-    //! within 3 % (one standard deviation) before
+    //! The true focal length over the one of create(), if the gyro's scale is right: that is within 3 % (one standard
+    //! deviation)
     CV_PROP_RW double focalScale;
     CV_PROP_RW double focalScaleSigma; //!< standard deviation of focalScale
 };
@@ -67,7 +67,8 @@ public:
 Tracked points determine the car's motion, the images' verticals are upright, the mount stays the same while suspension
 and road tilt the car, and the slants of verticals grow with the yaw rate in proportion to the line delay. All frames
 are fitted together. Times of the frames are needed; speed and yaw rate of each frame (MotionPrior) are used if they
-are given.
+are given. A focal length that isn't exact (RollingShutterCamera::focalSigma) enters the standard deviations of all
+values.
 
 A car that leans to one side all the time, as on a road with a crown, looks like a mount that is tilted: roll is that of
 the mean of the drive. A camera far ahead of the rear axle moves across the car in bends; bends to both sides keep that
