@@ -259,7 +259,6 @@ void RowRates::set(const MeasuredTurns& measured)
     isMeasured = true;
 }
 
-// The other values are those of the interval, whatever the instant's yaw rate.
 // By the variances about the instant: between what is given and the fit, which has met it.
 static void beyondFit(SequenceValue which, const InstantRate& beyond, double given, double givenSigma,
                       SequenceState& state)
