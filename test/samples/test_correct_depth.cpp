@@ -231,7 +231,8 @@ TEST_F(CorrectDepth, metres_in_sequences)
         EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
         const nlohmann::json last = nlohmann::json::parse(outcome.output.substr(outcome.output.rfind("{\"input\"")));
         EXPECT_EQ(i < 2, last["depth_used"]) << last;
-        EXPECT_EQ(i < 2, outcome.messages.find("contradicts tracked points") == std::string::npos) << outcome.messages;
+        EXPECT_EQ(i < 2, outcome.messages.find("contradicts verticals or tracked points") == std::string::npos)
+            << outcome.messages;
         cv::FileStorage(maps + "000005.yml.gz", cv::FileStorage::READ)["map1"] >> columns[i];
     }
     const cv::Rect below(0, 250, 640, 130); // the road, where an error of 4 % is one of 0.1 px
@@ -261,6 +262,29 @@ TEST_F(CorrectDepth, in_another_unit)
         {
             EXPECT_EQ(without, residual({depth, option}));
         }
+    }
+}
+
+// As a disparity without --depth_kind, or a network's output, and what else is no depth of this image.
+TEST_F(CorrectDepth, that_the_verticals_contradict)
+{
+    cv::Mat1f metres;
+    cv::imread(street("rolling_depth.png"), cv::IMREAD_UNCHANGED).convertTo(metres, CV_32F, 1. / 256);
+    const double without = residual({});
+    std::vector<cv::Mat1f> depths(4);
+    cv::divide(50, metres, depths[0]);
+    cv::flip(metres, depths[1], 0);
+    cv::flip(metres, depths[2], 1);
+    depths[3] = cv::Mat1f(metres.size(), 10.f);
+    for (size_t i = 0; i < depths.size(); i++)
+    {
+        const std::string file = *folder_ / cv::format("wrong_%d.npy", int(i));
+        writeNpy(file, depths[i]);
+        const Outcome outcome = run({"--depth=" + file, "--report=-"});
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.output.find("\"depth_used\":false")) << i;
+        EXPECT_NE(std::string::npos, outcome.messages.find("contradicts verticals")) << i;
+        EXPECT_EQ(without, residual({"--depth=" + file})) << i;
     }
 }
 

@@ -322,7 +322,11 @@ TEST_F(CorrectVideo, depth_of_each_frame)
     cv::utils::fs::createDirectories(in_ / "depth");
     const auto depthOf = [this](int frame) { return in_ / cv::format("depth/drive_%06d.png", frame); };
     for (int i = 0; i < FRAMES; i++)
-        cv::imwrite(depthOf(i), cv::Mat(streetImage().size(), CV_16U, cv::Scalar(4000 + 1000 * i)));
+    {
+        cv::Mat depth = cv::Mat::zeros(streetImage().size(), CV_16U);
+        depth(cv::Rect(310, 320, 20, 40)) = 4000 + 1000 * i; // of the road, where no vertical is
+        cv::imwrite(depthOf(i), depth);
+    }
     const Arguments all = arguments() + Arguments{"--speed=60", "--depth=" + (in_ / "depth")};
     const Outcome outcome = correct(all + Arguments{"--maps=" + (out_ / "maps"), "--report=-"});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;

@@ -911,7 +911,9 @@ TEST_F(Export, options_that_contradict_the_report)
 // The depth isn't in the report, and maps without it would be those of the planes.
 TEST_F(Export, maps_that_follow_a_depth_are_refused)
 {
-    cv::imwrite(folder / "rolling.png", cv::Mat(380, 640, CV_16U, cv::Scalar(9000)));
+    cv::Mat depth = cv::Mat::zeros(380, 640, CV_16U);
+    depth(cv::Rect(310, 320, 20, 40)) = 4000; // of the road, where no vertical is
+    cv::imwrite(folder / "rolling.png", depth);
     ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml", "--wall=2.5",
                           "--depth=" + (folder / "rolling.png"), "--report=" + (folder / "report.jsonl")})
                      .exitCode);

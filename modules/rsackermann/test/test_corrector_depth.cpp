@@ -94,27 +94,28 @@ TEST_F(CorrectorDepth, needs_a_value_that_is_known)
 // Millimetres taken for metres aren't used, whatever form they have, but by maps of a motion that is given.
 TEST_F(CorrectorDepth, is_refused_in_another_unit)
 {
-    const double modes[][2] = {{15, 1.3}, {-15, 1.3}, {15, 4.2}}; // speed; height of the camera
-    for (const auto& mode : modes)
+    const double cars[][2] = {{15, 1.3}, {-15, 1.3}, {15, 4.2}}; // speed; height of the camera
+    for (const auto& car : cars)
     {
-        const double speed = mode[0];
-        camera.height = mode[1];
-        Mat& values = depth.values;
-        for (int y = 0; y < values.rows; y++) // a road
-            values.row(y).setTo(camera.height /
-                                std::max((y - camera.cameraMatrix(1, 2)) / camera.cameraMatrix(1, 1), 0.1));
-        for (const bool isSequence : {false, true})
+        const double speed = car[0];
+        camera.height = car[1];
+        const simulation::Simulator street = simulation::Simulator::fromMetric(camera, 0.3, speed, 2.5, 3, 0);
+        cv::divide(1, simulation::inverseDepthsOf(street), depth.values);
+        RNG rng(11);
+        const int horizon = cvCeil(camera.cameraMatrix(1, 2));
+        std::vector<Vec4f> segments;
+        const Mat1f ends = simulation::randomSegments(street, simulation::SegmentOptions(), rng).ends;
+        for (int i = 0; i < ends.rows; i++)
+            if (ends(i, 1) + ends(i, 3) < 2 * horizon)
+                segments.push_back(Vec4f(ends[i]));
+        for (const int mode : {0, 1, 2})
             for (const int type : {CV_32F, CV_16U})
                 for (const int whose : {DEPTH_RAW, DEPTH_CORRECTED})
-                    for (const double unit : {1., 1.5, 1 / 1.5, 3.9, 1 / 3.9, 100., 0.001})
+                    for (const double unit : {1., 2.5, 1 / 2.5, 3.9, 1 / 3.9, 100., 0.001})
                     {
+                        const bool isSequence = mode == 1, hasVerticals = mode != 2;
                         SCOPED_TRACE(testing::Message() << speed << " " << camera.height << " " << isSequence << " "
-                                                        << type << " " << whose << " " << unit);
-                        RNG rng(11);
-                        const Mat segments =
-                            simulation::randomSegments(simulation::Simulator::fromMetric(camera, 0.3, speed, 2.5, 3, 0),
-                                                       simulation::SegmentOptions(), rng)
-                                .ends;
+                                                        << hasVerticals << " " << type << " " << whose << " " << unit);
                         MotionPrior prior;
                         prior.speed = speed;
                         prior.speedSigma = 0.3;
@@ -125,13 +126,16 @@ TEST_F(CorrectorDepth, is_refused_in_another_unit)
                         corrector->setPrior(prior);
                         DepthMap given(Mat(), whose, (type == CV_16U ? 0.01 : 1) * unit);
                         depth.values.convertTo(given.values, type, type == CV_16U ? 100 : 1);
+                        if (!hasVerticals) // that have a depth
+                            given.values.rowRange(0, horizon).setTo(0);
                         Mat corrected, expected;
                         const AckermannMotion found =
                             corrector->correctWithSegments(image, segments, corrected, noArray(), given);
                         ASSERT_EQ(MOTION_OK, found.status);
                         ASSERT_GT(speed * found.direction, 0);
-                        const bool showsHeight = whose == DEPTH_RAW, // above the road
-                            isPlausible = std::abs(std::log(unit)) < std::log(showsHeight ? 2 : 10);
+                        // Verticals show it best, the road to a factor, and planes its order of magnitude.
+                        const double limit = whose != DEPTH_RAW ? 10 : hasVerticals ? 2 : 2.8;
+                        const bool isPlausible = std::abs(std::log(unit)) < std::log(limit);
                         EXPECT_EQ(isPlausible, corrector->isDepthUsed());
                         corrector->correctWithMotion(image, found, expected, noArray(),
                                                      isPlausible ? given : DepthMap());

@@ -10,6 +10,28 @@
 
 namespace opencv_test { namespace simulation {
 
+//! 1/m along the optical axis when a row is read, which has seen the point P.
+inline float inverseDepthOf(const Simulator& simulator, const Vec3d& P, double row)
+{
+    const Vec3d inRow = simulator.drive.toCamera(P, simulator.time(Point2d(0, row)));
+    return float(1 / (simulator.camera.uprightRotation.t() * inRow)[2]);
+}
+
+//! The same of all pixels of a street; 0 where it isn't seen. Row by row, as no closed form of the library does it.
+inline Mat1f inverseDepthsOf(const Simulator& simulator)
+{
+    Mat1f inverse(simulator.camera.imageSize);
+    for (int y = 0; y < inverse.rows; y++)
+        for (int x = 0; x < inverse.cols; x++)
+        {
+            Vec3d P;
+            const Point2d pixel(x, y);
+            inverse(y, x) =
+                simulator.locate(pixel, simulator.surface(pixel), P) ? inverseDepthOf(simulator, P, y) : 0.f;
+        }
+    return inverse;
+}
+
 //! A camera in a street with posts of random places, what it sees of them, and an inexact motion.
 struct PostsInStreet
 {
@@ -38,32 +60,13 @@ struct PostsInStreet
         pitch = std::cos(heading) * noseDown - std::sin(heading) * ofCar;
         exact.setRollPitch(roll, looksDown + pitch);
         simulator.reset(new Simulator(Simulator::fromMetric(exact, yawRate, speed, wall, 1.2 * wall, heading)));
-        drawStreet();
+        inverse = inverseDepthsOf(*simulator);
         for (int i = 0; i < 120; i++)
             addPost(rng);
         prior.yawRate = yawRate;
         prior.yawRateSigma = 0.01;
         motion = motionFromMetric(camera, 1.1 * yawRate, 0.8 * speed, wall, 1.2 * wall, heading);
         motion.covariance(0, 0) = 1;
-    }
-
-    //! Row by row, as no closed form of the library does it.
-    void drawStreet()
-    {
-        inverse.create(camera.imageSize);
-        for (int y = 0; y < inverse.rows; y++)
-            for (int x = 0; x < inverse.cols; x++)
-            {
-                Vec3d P;
-                const Point2d pixel(x, y);
-                inverse(y, x) = simulator->locate(pixel, simulator->surface(pixel), P) ? inverseDepth(P, y) : 0.f;
-            }
-    }
-
-    float inverseDepth(const Vec3d& P, double row) const
-    {
-        const Vec3d inRow = simulator->drive.toCamera(P, simulator->time(Point2d(0, row)));
-        return float(1 / (simulator->camera.uprightRotation.t() * inRow)[2]);
     }
 
     //! A flat one, whose left edge is a segment, where no other one is.
@@ -83,7 +86,8 @@ struct PostsInStreet
             const double f = (y - a.y) / (b.y - a.y);
             const int left = cvCeil(a.x + f * (b.x - a.x));
             for (int column = left; column < std::min(left + 8, inverse.cols); column++)
-                inverse(y, column) = std::max(inverse(y, column), inverseDepth(head + f * (foot - head), y));
+                inverse(y, column) =
+                    std::max(inverse(y, column), inverseDepthOf(*simulator, head + f * (foot - head), y));
         }
     }
 

@@ -9,14 +9,12 @@
 #include "../optim/normal_equations.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../scene/planes.hpp"
+#include "../single/depth_alignment.hpp"
 #include "../single/relative_depth.hpp"
 #include "frame_terms.hpp"
 #include "scene_fit.hpp"
 
 namespace cv { namespace rsackermann {
-
-//! Twice the logarithm of a ratio of evidences that is "not worth more than a bare mention" [kass1995bayes].
-static const double BARE_MENTION = 2;
 
 namespace {
 

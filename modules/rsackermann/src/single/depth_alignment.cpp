@@ -9,6 +9,7 @@
 #include "../factors/robust_losses.hpp"
 #include "../factors/segment_residuals.hpp"
 #include "../factors/slant_noise.hpp"
+#include "../motion/metric_way.hpp"
 #include "../motion/row_tilt.hpp"
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
@@ -60,6 +61,17 @@ public:
     {
         const double lean = PRIOR_LEAN * norm(segment.u - segment.v), placed = 0.25 / focal; // by the detector
         verticals.push_back({segment, height, std::hypot(lean, placed)});
+    }
+
+    //! The same at a scaled inverse depth of the compensated bearing.
+    void addPlane(const UprightSegment& segment, const Scene& planes, const Aligned& state)
+    {
+        const RowMotion row(state[A_ALPHA], heading, 0.5 * (segment.timeU + segment.timeV));
+        const Vec3d middle = tiltRotation(state[A_ROLL], state[A_PITCH]) * (0.5 * (segment.u + segment.v));
+        double N, M;
+        row.turn(middle[0], middle[2], N, M);
+        const double w = planes.inverseDepth(Vec3d(N / M, middle[1] / M, 1)), seen = w * M / (1 - w * row.tau * row.c2);
+        add(segment, direction * std::exp(-state[A_LOG_ROAD]) * seen);
     }
 
     bool empty() const { return verticals.empty(); }
@@ -181,6 +193,27 @@ double logOddsOfRest(const AlignmentProblem& problem, const AlignmentProblem::Eq
            logVolume(moving.symmetric());
 }
 
+// Whether verticals have less of a slant left by the planes than by a depth in metres.
+bool contradictsVerticals(const RelativeDepth& relative, const AlignmentProblem& none, const Mat& segments,
+                          const std::vector<UprightSegment>& verticals, double way, const AckermannMotion& motion)
+{
+    const Aligned state = none.start(motion);
+    const Scene planes(motion);
+    AlignmentProblem byDepth = none, byPlanes = none;
+    for (const UprightSegment& s : verticals)
+    {
+        double height;
+        if (!relative.besideSegment(Vec4d(segments.ptr<double>(s.index)), height))
+            continue;
+        byDepth.add(s, std::abs(way) * relative.slope() * height * std::exp(-state[A_LOG_ROAD]));
+        byPlanes.addPlane(s, planes, state);
+    }
+    AlignmentProblem::Equations ofDepth, ofPlanes;
+    byDepth.evaluate(state, ofDepth);
+    byPlanes.evaluate(state, ofPlanes);
+    return !(ofDepth.cost - ofPlanes.cost < BARE_MENTION);
+}
+
 } // namespace
 
 void setAlphaVariance(double variance, AckermannMotion& motion)
@@ -232,10 +265,11 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
 bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& given,
                 const Mat& segments, AckermannMotion& motion, DepthMap& depth)
 {
-    if (depth.kind == DEPTH_METRIC)
-        return !isRoadInAnotherUnit(depth, camera, params, motion.uprightRotation(camera));
+    const bool inMetres = depth.kind == DEPTH_METRIC;
     const RelativeDepth relative(depth, camera, motion.uprightRotation(camera));
-    if (!relative.hasRoad() || relative.edgesInCommon(segments, params.minLength) < LEAST_IN_COMMON)
+    if (inMetres
+            ? motion.status != MOTION_OK || !isMetric(camera, motion) || relative.isInAnotherUnit(camera.height, params)
+            : !relative.hasRoad() || relative.edgesInCommon(segments, params.minLength) < LEAST_IN_COMMON)
         return false;
     const DrivingPrior prior(given, camera, params, MotionLimits(camera, params));
     const int known = motion.status == MOTION_OK ? motion.direction : prior.givenDirection(),
@@ -243,6 +277,8 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     AlignmentProblem problem(camera, params, prior, direction);
     std::vector<UprightSegment> verticals, others;
     selectCandidates(segments, camera, params, verticals, others);
+    if (inMetres)
+        return !contradictsVerticals(relative, problem, segments, verticals, wayPerUnitTime(camera, motion), motion);
     for (const UprightSegment& s : verticals)
     {
         double height;

@@ -10,8 +10,12 @@
 
 namespace cv { namespace rsackermann {
 
+//! Twice the logarithm of a ratio of evidences that is "not worth more than a bare mention" [kass1995bayes].
+const double BARE_MENTION = 2;
+
 /** Finds scale and shift of a relative depth of the raw camera, and the motion that goes with it (doc/theory.md,
-"Relative depth"). One in metres stays as it is, as does the motion.
+"Relative depth"). One in metres stays as it is, as does the motion; it has to leave no more of the verticals than the
+planes do.
 
 @param segments N x 4, CV_64F.
 @param motion the motion without the depth, of any status but #MOTION_NOT_OBSERVABLE. Unless the depth is refused, its
@@ -19,7 +23,7 @@ status, yaw rate, corrections of gravity, their covariance, the road and what is
 with the depth.
 @param depth checked; receives scale and shift.
 @return false if the depth is refused: metres are those of another unit, the image contradicts it, or nothing shows that
-it belongs to the image, or it isn't expected to help. */
+it belongs to the image, it isn't expected to help, or it is in metres and the speed isn't. */
 bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& prior,
                 const Mat& segments, AckermannMotion& motion, DepthMap& depth);
 

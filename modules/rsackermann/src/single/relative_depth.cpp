@@ -227,12 +227,10 @@ double RelativeDepth::edgesInCommon(const Mat& segments, double minLength) const
     return variance > 0 ? sum / std::sqrt(variance) : 0;
 }
 
-bool isRoadInAnotherUnit(const DepthMap& depth, const RollingShutterCamera& camera,
-                         const AckermannEstimator::Params& params, const Matx33d& up)
+bool RelativeDepth::isInAnotherUnit(double cameraHeight, const AckermannEstimator::Params& params) const
 {
-    const RelativeDepth road(depth, camera, up);
-    const double height = 1 / road.slope(), expected = camera.height > 0 ? camera.height : params.priorHeight;
-    return road.hasRoad() && std::abs(std::log(height / expected)) > CONTRADICTION * params.priorHeightLogSigma;
+    const double expected = cameraHeight > 0 ? cameraHeight : params.priorHeight;
+    return hasRoad() && std::abs(std::log(slope_ * expected)) > CONTRADICTION * params.priorHeightLogSigma;
 }
 
 }} // namespace cv::rsackermann

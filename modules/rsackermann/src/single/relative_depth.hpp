@@ -45,6 +45,10 @@ public:
     Where something stands in front of something else both have an edge, if they are of the same image. */
     double edgesInCommon(const Mat& segments, double minLength) const;
 
+    /** Whether it is in metres that are evidently another unit: the height of the camera above the road that it shows
+    is three standard deviations of the prior away from the given height, or from the prior's if none is given. */
+    bool isInAnotherUnit(double cameraHeight, const AckermannEstimator::Params& params) const;
+
 private:
     enum { LEAST_PIXELS = 20 }; // of a road
 
@@ -60,12 +64,6 @@ private:
     double zero, slope_;
     double share; // of what is below the horizon that is road
 };
-
-/** Whether a depth in metres is evidently in another unit: the height of the camera above the road that it shows is
-three standard deviations of the prior away from the given height, or from the prior's if none is given.
-@param depth of the raw camera, checked, not empty. @param up rotation from the camera frame to the upright frame. */
-bool isRoadInAnotherUnit(const DepthMap& depth, const RollingShutterCamera& camera,
-                         const AckermannEstimator::Params& params, const Matx33d& up);
 
 }} // namespace cv::rsackermann
 
