@@ -159,6 +159,10 @@ void print(const MountCalibration& c, double focal, int frames)
 cv::Ptr<MountCalibrator> calibratorOf(const Task& task, const cv::Size& size)
 {
     const cv::rsackermann::RollingShutterCamera camera = task.camera.makeCamera(size);
+    const double focal = camera.cameraMatrix(0, 0);
+    if (camera.focalSigma > focal / 2) // to which what other focal lengths change isn't in proportion
+        throw UsageError(cv::format("--focal_sigma is %g px; up to half of the focal length, %g px, is expected",
+                                    camera.focalSigma, focal / 2));
     try
     {
         return MountCalibrator::create(camera, task.params);
@@ -175,7 +179,7 @@ int run(const Options& options)
     const Task task = readTask(options);
     cv::Ptr<MountCalibrator> calibrator;
     Progress progress;
-    int frames = 0, failures = 0;
+    int frames = 0, failures = 0, untimed = 0;
     bool isLogUsed = false;
     const auto fail = [&](const std::string& input, const std::string& message) {
         failures++;
@@ -190,6 +194,7 @@ int run(const Options& options)
         }
         calibrator->addFrame(frame.image, frame.facts.time, priorOf(frame.facts));
         frames++;
+        untimed += !frame.isTimeGiven;
         isLogUsed |= frame.facts.isLogged;
         progress.update(done, 1, task.output);
     };
@@ -208,6 +213,8 @@ int run(const Options& options)
         progress.clear();
         std::cerr << "rsackermann_calibrate: " << task.log.whyUseless() << std::endl;
     }
+    if (untimed > 1)
+        std::cerr << "rsackermann_calibrate: " << NO_TIMES << std::endl;
     const MountCalibration calibration = calibrator->calibrate();
     progress.clear();
     if (calibration.frames == 0)

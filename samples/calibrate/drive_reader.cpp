@@ -36,7 +36,8 @@ public:
         const Input& input = inputs_[index];
         DriveFrame frame;
         frame.facts = log_.of(input.name, input.number, UNKNOWN);
-        if (std::isnan(frame.facts.time))
+        frame.isTimeGiven = !std::isnan(frame.facts.time);
+        if (!frame.isTimeGiven)
             frame.facts.time = next_ + (input.intervals - 1) * INTERVAL;
         next_ = frame.facts.time + INTERVAL; // even if it can't be read: the next one comes after it
         if (!input.isFile())

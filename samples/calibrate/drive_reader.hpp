@@ -16,7 +16,8 @@ namespace rsackermann_samples {
 struct DriveFrame
 {
     cv::Mat image;
-    FrameFacts facts; //!< the time is known
+    FrameFacts facts;        //!< the time is known
+    bool isTimeGiven = true; //!< and not only 1/30 s after the image before
 };
 
 /** Reads all frames of a drive in their order; each video is a drive of its own. An image without a time follows after

@@ -25,6 +25,11 @@ struct FrameFacts
     FrameFacts();
 };
 
+//! Of images of a drive of which no log has the times.
+const char* const NO_TIMES =
+    "images without a time are taken for 1/30 s apart, and speeds and yaw rates are wrong where "
+    "they aren't: give --log with the column time_s";
+
 /** The log of a drive: a CSV file with a header.
 
 The columns are any of file, frame, time_s, speed_kmh, speed_sigma_kmh, yaw_rate_deg_s, yaw_rate_sigma_deg_s, roll_deg,

@@ -89,6 +89,8 @@ void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>
     {
         if (job_.params.sequence && !isVideo && std::isfinite(frame.time))
             times_.push_back(frame.time);
+        if (job_.params.sequence && !isVideo && std::isnan(frame.time) && frame.error.empty() && untimed_++ > 0)
+            warnOnce(NO_TIMES);
         const double gap = frame.time - lastTime_;
         lastTime_ = frame.time;
         if (!job_.params.sequence || hasGap_ || !(gap <= 0 || gap >= cv::rsackermann::LONGEST_INTERVAL))
@@ -180,7 +182,7 @@ void Warnings::addDepth(const FrameReport& frame)
         job_.depth.meaning().kind == DepthMeaning::RELATIVE
             ? "images that contradict --depth, or don't show that it is theirs, are corrected without it: "
               "depth_used in the report"
-            : "--depth has no effect where no depth is known, where it contradicts tracked points or is in another unit "
+            : "--depth has no effect where no depth is known, where it contradicts verticals or tracked points or is in another unit "
               "than walls and road (give --depth_scale), and on images whose speed in metres is unknown (give --speed, --wall or "
               "--scale_from_road)");
 }

@@ -41,6 +41,7 @@ private:
     const Job& job_;
     Progress& progress_;
     bool hasContradiction_ = false, hasGap_ = false, hasFrame_ = false, isLogUsed_ = false;
+    int untimed_ = 0;                                            // images of a sequence
     double squaresOfPoints_ = 0, squaresOfGyro_ = 0;             // of the rates of frames, rad/s
     double gyroTime_ = std::numeric_limits<double>::quiet_NaN(); // of the frame before
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence

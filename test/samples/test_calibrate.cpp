@@ -256,6 +256,7 @@ TEST_F(Calibrate, bad_arguments)
         {{inputs_[0], camera, output, "--carry"}, "carry"},
         {{inputs_[0], camera, output, "--detector=canny"}, "canny"},
         {{inputs_[0], camera, output, "--scan=left_to_right"}, "columns"},
+        {{inputs_[0], "--focal=500", output, "--focal_sigma=251"}, "up to half of the focal length, 250 px"},
         {{inputs_[0], camera, output, "--readout=0.3"}, "from 0.002 to 0.1 s for all lines"},
         {{inputs_[0], camera, output, "--log=" + (folder_ / "none.csv")}, "none.csv"},
         {{inputs_[0], camera, output, "--gyro=" + (folder_ / "none.csv")}, "none.csv"},
@@ -270,6 +271,7 @@ TEST_F(Calibrate, bad_arguments)
     }
     const std::pair<Arguments, const char*> failures[] = {
         {{inputs_[0], camera, output}, "no frame shows a car that moves"},
+        {{inputs_[0], inputs_[0], camera, output}, "images without a time are taken for 1/30 s apart"},
         {{inputs_[0], camera, output, "--log=" + (folder_ / "late.csv")},
          "rsackermann_calibrate: the samples of the log have no effect: all frames are outside of their times, 5000 to "
          "5001 s"},

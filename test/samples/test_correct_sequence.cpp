@@ -124,6 +124,10 @@ TEST_F(CorrectSequence, times_that_begin_another_sequence)
         EXPECT_NE(std::string::npos, messages.find(c.second)) << messages;
         EXPECT_EQ(*c.second ? 1 : 0, std::count(messages.begin(), messages.end(), '\n')) << messages;
     }
+    const std::string untimed =
+        correct({times / "%d.png", "--focal=50", "--readout=0.03", "--report=-", "--carry"}).messages;
+    EXPECT_NE(std::string::npos, untimed.find("taken for 1/30 s apart")) << untimed;
+    EXPECT_EQ(1, std::count(untimed.begin(), untimed.end(), '\n')) << untimed;
 }
 
 // The row of a log by number is the same however the inputs are named and whichever of them fail.

@@ -189,7 +189,7 @@ public:
     {
         CV_INSTRUMENT_REGION();
         const MountVector before = sigmaBefore();
-        DriveFit best = {{MountVector::Zero(), before, before[MOUNT_DELAY]}, GyroOfDrive()};
+        DriveFit best(before);
         double longer = 1, focalSigma = start.focalSigma / start.cameraMatrix(0, 0);
         if (frames.size() > size_t(LEAST_WAVES))
         {
@@ -256,6 +256,9 @@ private:
     {
         MountFit mount;
         GyroOfDrive gyro;
+
+        //! What is known before.
+        explicit DriveFit(const MountVector& before) : mount{MountVector::Zero(), before, before[MOUNT_DELAY]} {}
     };
 
     //! @param longer the focal length over that of the camera.
@@ -269,7 +272,7 @@ private:
             frame.seeThroughOtherFocal(camera.uprightRotation, longer);
         const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
         const MountVector before = sigmaBefore();
-        DriveFit fit = {{MountVector::Zero(), before, before[MOUNT_DELAY]}, GyroOfDrive()};
+        DriveFit fit(before);
         std::list<GyroSamples> curves;
         MountVector prior = before;
         // The first pass finds how frames turn, whatever their rows do, the second one the line delay for the third.
