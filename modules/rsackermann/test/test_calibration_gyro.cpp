@@ -45,12 +45,13 @@ struct Gyro
     double delay;
     Mat times, rates;
 
-    Gyro(const StreetDrive& street, double delay_, RNG& rng) : delay(delay_)
+    //! @param noise_ of a rate, deg/s.
+    Gyro(const StreetDrive& street, double delay_, RNG& rng, double noise_ = 0.1) : delay(delay_)
     {
         const Vec3d bias(0.3 * degree, -0.2 * degree, 0.1 * degree);
         for (double t = -0.5; t < FRAMES * INTERVAL + 0.5; t += 1 / 200.)
         {
-            const Vec3d noise(rng.gaussian(0.1), rng.gaussian(0.1), rng.gaussian(0.1)),
+            const Vec3d noise(rng.gaussian(noise_), rng.gaussian(noise_), rng.gaussian(noise_)),
                 rate = street.rateAt(t) + bias + noise * degree;
             times.push_back(t + delay);
             rates.push_back(Mat(rate.t()));
@@ -151,6 +152,21 @@ TEST(RSAckermann_CalibrationWithGyro, bends)
         const MountCalibration c = calibrate(given(truth, 0.8), street, &gyro);
         EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03) << i;
         EXPECT_NEAR(truth.heading / degree, c.heading / degree, 0.1) << i;
+    }
+}
+
+// Where nothing shakes the noise of a cheap gyro doesn't make the line delay shorter.
+TEST(RSAckermann_CalibrationWithGyro, noise_turns_no_rows)
+{
+    for (int i = 0; i < 3; i++)
+    {
+        RNG rng(620 + i);
+        const RollingShutterCamera truth = camera(0.025);
+        const StreetDrive street(truth, 1.2 * degree, -0.8 * degree, shaking(0, 25 * degree), 80 + i);
+        const Gyro gyro(street, 0, rng, 1);
+        const MountCalibration c = calibrate(given(truth, 0.8), street, &gyro);
+        EXPECT_NEAR(truth.lineDelay, c.lineDelay, 3 * c.lineDelaySigma) << i;
+        EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03) << i;
     }
 }
 

@@ -362,6 +362,26 @@ TEST(RSAckermann_Gyro, another_clock_is_not_made_up)
         }
 }
 
+// Of samples that also shake, by 30 deg/s at 7 Hz, and have a gap.
+TEST(RSAckermann_Gyro, noise_of_its_angles)
+{
+    RNG rng(71);
+    GyroSamples samples;
+    EXPECT_EQ(0, samples.angleNoise());
+    const double sigma = 0.002, interval = 0.005;
+    Mat times, rates;
+    for (int i = 0; i < 4000; i++)
+    {
+        const double t = i * interval + (i < 2000 ? 0 : 1), shaken = 0.5 * std::sin(14 * CV_PI * t);
+        times.push_back(t);
+        rates.push_back(Mat(Vec3d(shaken + rng.gaussian(sigma), rng.gaussian(sigma), i < 2000 ? 0 : 3).t()));
+    }
+    samples.add(times.rowRange(0, 8), rates.rowRange(0, 8));
+    EXPECT_EQ(0, samples.angleNoise());
+    samples.add(times.rowRange(8, 4000), rates.rowRange(8, 4000));
+    EXPECT_NEAR(1, samples.angleNoise() / (2. / 3 * sigma * sigma * interval), 0.1); // the third axis has none
+}
+
 // The integral of straight pieces is exact, and what isn't there isn't made up.
 TEST(RSAckermann_Gyro, samples_and_gaps)
 {

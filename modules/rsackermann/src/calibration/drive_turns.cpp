@@ -26,6 +26,30 @@ static TurnOfPoints turnOf(const CalibrationFrame& frame, const RollingShutterCa
     return turn;
 }
 
+// Where rows don't turn but for the gyro's noise, a shorter line delay would leave less of it: what is known of how
+// they turn is the share of the turns that isn't noise (regression calibration [carroll2006]).
+static void takeNoiseOff(const GyroSamples& samples, const RollingShutterCamera& camera, double delayRatio,
+                         std::vector<CalibrationFrame>& frames)
+{
+    const RowSpan rows(camera);
+    const double after = delayRatio * (rows.to - rows.from) / 2, noise = samples.angleNoise() * after;
+    Vec3d squares;
+    int count = 0;
+    for (const CalibrationFrame& frame : frames)
+        for (int sign = -1; sign <= 1 && frame.rowTurns.showDelay(); sign += 2)
+        {
+            const Vec3d turn = frame.rowTurns.unsteadyTurn(sign * after);
+            squares += turn.mul(turn);
+            count++;
+        }
+    Vec3d share;
+    for (int axis = 0; axis < 3; axis++)
+        share[axis] = squares[axis] > 0 ? std::max(1 - noise * count / squares[axis], 0.) : 0;
+    for (CalibrationFrame& frame : frames)
+        if (frame.rowTurns.showDelay())
+            frame.rowTurns.take(share);
+}
+
 GyroOfDrive alignGyro(const GyroSamples& samples, const RollingShutterCamera& camera, double delayRatio,
                       std::vector<CalibrationFrame>& frames)
 {
@@ -69,6 +93,7 @@ GyroOfDrive alignGyro(const GyroSamples& samples, const RollingShutterCamera& ca
     alignUntil(frames.size());
     if (result.frames == 0)
         return result;
+    takeNoiseOff(samples, camera, delayRatio, frames);
     result.alignment = rates.alignment();
     result.delaySigma = rates.alignmentSigma()[0];
     result.scaleSigma = rates.alignmentSigma()[7];

@@ -32,12 +32,22 @@ Vec3d RowTurns::turned(double begin, double end) const
     return toUpright * alignment.toCamera(angle, end - begin);
 }
 
+// That of the yaw rate, which turns rows in the fit.
+Vec3d RowTurns::steadyTurn(double after) const
+{
+    return Vec3d(0, ofFrame[1] * after / interval, 0);
+}
+
+Vec3d RowTurns::unsteadyTurn(double after) const
+{
+    return turned(middleOfNow, middleOfNow + after) - steadyTurn(after);
+}
+
 // A bearing as the middle row of its frame has it.
 Point2d RowTurns::atMiddle(const Point2d& p, double middleOfFrame, double after) const
 {
-    const double steady = ofFrame[1] * after / interval; // the yaw rate, which turns rows in the fit
-    const Vec3d turn = turned(middleOfFrame, middleOfFrame + after) - Vec3d(0, steady, 0), bearing(p.x, p.y, 1),
-                seen = bearing + turn.cross(bearing);
+    const Vec3d turn = (turned(middleOfFrame, middleOfFrame + after) - steadyTurn(after)).mul(share),
+                bearing(p.x, p.y, 1), seen = bearing + turn.cross(bearing);
     return Point2d(seen[0] / seen[2], seen[1] / seen[2]);
 }
 

@@ -36,8 +36,14 @@ public:
     TrackedBearing removedFrom(const TrackedBearing& point, double unit) const;
     UprightSegment removedFrom(const UprightSegment& vertical, double unit) const; //!< the same
 
+    //! By how much the rows at a time after the middle one turn otherwise than steadily. @param after seconds.
+    Vec3d unsteadyTurn(double after) const;
+    //! Of the turns about each axis only a share counts from now on.
+    void take(const Vec3d& share_) { share = share_; }
+
 private:
     Vec3d turned(double begin, double end) const;
+    Vec3d steadyTurn(double after) const;
     Point2d atMiddle(const Point2d& p, double middleOfFrame, double after) const;
 
     const GyroSamples* samples;
@@ -47,6 +53,7 @@ private:
     double middle;      // row time
     double middleOfNow; // seconds of the gyro's clock
     bool isGyro;
+    Vec3d share = Vec3d::all(1);
     Vec3d ofFrame; // turn from the middle of the frame before, about the upright axes
 };
 

@@ -47,6 +47,26 @@ void GyroSamples::add(const Mat& times_, const Mat& rates, double origin)
     }
 }
 
+double GyroSamples::angleNoise() const
+{
+    const int coefficients[] = {1, -8, 28, -56, 70, -56, 28, -8, 1}, order = 8;
+    const double sumOfSquares = 12870;
+    double squares = 0, seconds = 0;
+    int count = 0;
+    for (size_t k = order; k < samples.size(); k++)
+    {
+        if (samples[k].gaps != samples[k - order].gaps)
+            continue;
+        Vec3d difference;
+        for (int i = 0; i <= order; i++)
+            difference += coefficients[i] * samples[k - i].rate;
+        squares += difference.dot(difference) / (3 * sumOfSquares);
+        seconds += (samples[k].time - samples[k - order].time) / order;
+        count++;
+    }
+    return count > 0 ? squares / count * seconds / count : 0;
+}
+
 void GyroSamples::forgetBefore(double time)
 {
     const auto last = samples.end() - std::min<size_t>(samples.size(), 2); // that the next ones go on from

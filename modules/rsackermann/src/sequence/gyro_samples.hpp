@@ -44,6 +44,10 @@ public:
     @return false if samples are missing. */
     bool rowRate(double instant, double from, double to, Vec3d& rate) const;
 
+    /** The noise of its angles, rad^2/s: white noise of the samples, of which the eighth differences show hardly
+    anything else (doc/theory.md, "Self-calibration"). 0 if there are too few. */
+    double angleNoise() const;
+
 private:
     struct Sample
     {
