@@ -261,6 +261,13 @@ private:
         explicit DriveFit(const MountVector& before) : mount{MountVector::Zero(), before, before[MOUNT_DELAY]} {}
     };
 
+    // Of steps that follow each other like those of a geometric series.
+    static double wayLeft(double before, double step)
+    {
+        const double mostRatio = 0.9, ratio = std::abs(step) < mostRatio * std::abs(before) ? step / before : 0;
+        return step * ratio / (1 - ratio);
+    }
+
     //! @param longer the focal length over that of the camera.
     DriveFit fitDrive(double longer) const
     {
@@ -276,13 +283,24 @@ private:
         std::list<GyroSamples> curves;
         MountVector prior = before;
         // The first pass finds how frames turn, whatever their rows do, the second one the line delay for the third.
-        const int passes = 3;
+        // With a gyro the first three show where its clock is bound for (doc/theory.md, "Self-calibration").
+        const int passes = gyro.empty() ? 3 : 4;
+        double delays[4];
         for (int pass = 0; pass < passes; pass++)
         {
             const double delayRatio = std::exp(fit.mount.value[MOUNT_DELAY]);
             if (pass > 0)
                 curves = turnRowsByNeighbours(camera, delayRatio, fitted);
             fit.gyro = alignGyro(gyro, camera, delayRatio, fitted);
+            delays[pass] = fit.gyro.alignment.delay;
+            if (pass == 3)
+            {
+                const double left = wayLeft(delays[2] - delays[1], delays[3] - delays[2]);
+                fit.gyro.alignment.delay += left;
+                for (CalibrationFrame& frame : fitted)
+                    if (frame.rowTurns.showDelay())
+                        frame.rowTurns.delayBy(left);
+            }
             fit.mount = fitMount(camera, fitted, prior, suspension);
             // The weights are cautious: where frames scatter less than they say, what was known before is to count
             // less as well.

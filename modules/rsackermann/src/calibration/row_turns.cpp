@@ -32,6 +32,13 @@ Vec3d RowTurns::turned(double begin, double end) const
     return toUpright * alignment.toCamera(angle, end - begin);
 }
 
+void RowTurns::delayBy(double seconds)
+{
+    alignment.delay += seconds;
+    middleOfNow += seconds;
+    ofFrame = turned(middleOfNow - interval, middleOfNow);
+}
+
 // That of the yaw rate, which turns rows in the fit.
 Vec3d RowTurns::steadyTurn(double after) const
 {

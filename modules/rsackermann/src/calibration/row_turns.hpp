@@ -38,6 +38,8 @@ public:
 
     //! By how much the rows at a time after the middle one turn otherwise than steadily. @param after seconds.
     Vec3d unsteadyTurn(double after) const;
+    //! The gyro's clock is later by that.
+    void delayBy(double seconds);
     //! Of the turns about each axis only a share counts from now on.
     void take(const Vec3d& share_) { share = share_; }
 
