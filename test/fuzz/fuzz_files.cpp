@@ -67,7 +67,7 @@ void readFrameOfMotion()
 void goOnWithReport()
 {
     Job job;
-    job.inputs.inputs = {{"a.png", 0, ""}, {"b.mp4", 1, ""}};
+    job.inputs.inputs = {{"a.png", 0, 1, ""}, {"b.mp4", 1, 1, ""}};
     job.report = FILE_NAME;
     job.shardCount = 1;
     job.skipExisting = true;
