@@ -214,7 +214,10 @@ int run(const Options& options)
         std::cerr << "rsackermann_calibrate: " << task.log.whyUseless() << std::endl;
     }
     if (untimed > 1)
+    {
+        progress.clear();
         std::cerr << "rsackermann_calibrate: " << NO_TIMES << std::endl;
+    }
     const MountCalibration calibration = calibrator->calibrate();
     progress.clear();
     if (calibration.frames == 0)
