@@ -146,6 +146,46 @@ TEST_F(CorrectorDepth, is_refused_in_another_unit)
     }
 }
 
+// With a depth that is known, what is left is that of the given values alone.
+TEST_F(CorrectorDepth, metres_expect_what_given_values_leave)
+{
+    const simulation::Simulator street = simulation::Simulator::fromMetric(camera, 0.3, 15, 2.5, 3, 0);
+    cv::divide(1, simulation::inverseDepthsOf(street), depth.values);
+    const AckermannMotion truth = motionFromMetric(camera, 0.3, 15, 2.5, 3, 0);
+    const Ptr<WarpMapGenerator> generator = WarpMapGenerator::create(camera);
+    Mat whole[2], corrected;
+    generator->initRectifyMap(truth, whole[0], whole[1], CV_32FC1, noArray(), depth);
+    const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);
+    RNG rng(5);
+    double left = 0, expected = 0;
+    for (int trial = 0; trial < 40; trial++)
+    {
+        MotionPrior prior;
+        prior.yawRateSigma = 0.03;
+        prior.speedSigma = 0.5;
+        prior.yawRate = 0.3 + rng.gaussian(prior.yawRateSigma);
+        prior.speed = 15 + rng.gaussian(prior.speedSigma);
+        corrector->setPrior(prior);
+        const Mat1f ends = simulation::randomSegments(street, simulation::SegmentOptions(), rng).ends;
+        const AckermannMotion found = corrector->correctWithSegments(image, ends, corrected, noArray(), depth);
+        ASSERT_TRUE(corrector->isDepthUsed());
+        expected += found.expectedResidual;
+        Mat maps[2], squares;
+        corrector->getMaps(maps[0], maps[1]);
+        magnitude(maps[0] - whole[0], maps[1] - whole[1], squares);
+        left += mean(squares)[0];
+    }
+    EXPECT_NEAR(1, left / expected, 0.3);
+
+    const Mat1f ends = simulation::randomSegments(street, simulation::SegmentOptions(), rng).ends;
+    const double ofPlanes = corrector->correctWithSegments(image, ends, corrected).expectedResidual;
+    Mat few(camera.imageSize, CV_32F, Scalar(0));
+    depth.values(Rect(20, 20, 10, 10)).copyTo(few(Rect(20, 20, 10, 10)));
+    const AckermannMotion found = corrector->correctWithSegments(image, ends, corrected, noArray(), DepthMap(few));
+    ASSERT_TRUE(corrector->isDepthUsed());
+    EXPECT_GT(found.expectedResidual, 0.5 * ofPlanes);
+}
+
 // The pixels are those of the new camera, whose image may be a small one.
 TEST_F(CorrectorDepth, unit_of_a_new_camera)
 {

@@ -38,6 +38,16 @@ double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion&
     return motion.roadSlope * camera.height;
 }
 
+double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMotion& motion)
+{
+    const double unit = camera.secondsPerUnitTime(), way = std::abs(wayPerUnitTime(camera, motion));
+    const Vec4d wall(0, motion.wallSlope, motion.wallOffset, 0);
+    const double ofTime = unit * std::sqrt(motion.metricCovariance(camera)(1, 1)),
+                 ofWalls = way * std::sqrt(std::max(wall.dot(motion.covariance * wall), 0.)) /
+                           std::max(wall.dot(wall), DBL_MIN);
+    return std::max(unit > 0 ? ofTime : ofWalls, way * FLT_EPSILON);
+}
+
 double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion, const DepthMap& depth)
 {
     if (depth.kind == DEPTH_RELATIVE)

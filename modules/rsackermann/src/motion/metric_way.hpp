@@ -23,6 +23,9 @@ Throws cv::Exception if isMetric() is false.
 */
 double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion);
 
+//! Its standard deviation, by those of the speed and of the line delay, or of the walls where no time is known.
+double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMotion& motion);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_MOTION_METRIC_WAY_HPP

@@ -63,8 +63,7 @@ struct GivenScale
         if (!isMetric)
             return;
         scale = std::abs(wayPerUnitTime(camera, motion));
-        sigma = std::max(camera.secondsPerUnitTime() * std::sqrt(motion.metricCovariance(camera)(1, 1)),
-                         scale * FLT_EPSILON);
+        sigma = wayPerUnitTimeSigma(camera, motion);
     }
 };
 

@@ -23,6 +23,7 @@ namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Relative depth", has the reasons.
 static const double LEAST_IN_COMMON = 2.5; // sigmas
+static const double FILLED = 0.025;        // of the longer side: how far from a depth maps still go by it
 
 namespace {
 
@@ -231,14 +232,16 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
     const Heading heading(camera.heading);
     const Scene planes(motion);
     const int direction = motion.direction < 0 ? -1 : 1;
+    const double reach = std::max(camera.imageSize.width, camera.imageSize.height) * FILLED;
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
     for (int k = 0; k < DisplacementField::POINTS; k++)
     {
         const DisplacementField::Point& p = field.point(k);
-        const double value = RelativeDepth::valueAt(depth, p.pixel), inverse = scale * value + shift;
+        const double value = RelativeDepth::medianAround(depth, p.pixel, reach), inverse = scale * value + shift;
+        const bool isKnown = p.z > IN_FRONT && std::isfinite(inverse);
         double w = planes.inverseDepth(Vec3d(p.x, p.y, 1)), byScale = 0, byShift = 0;
-        if (p.z > IN_FRONT && std::isfinite(inverse))
+        if (isKnown)
         {
             w = direction * std::max(inverse, 0.) / p.z;
             byShift = inverse > 0 ? direction / p.z : 0;
@@ -248,8 +251,8 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
                     moved = motion.alpha * byAlpha + w * byInverse;
         displacement[2 * k] = moved[0];
         displacement[2 * k + 1] = moved[1];
-        variances[k] = 0;
-        for (int axis = 0; axis < 2; axis++)
+        variances[k] = isKnown ? 0 : CV_PI / 2 * std::pow(p.weight * motion.expectedResidual, 2);
+        for (int axis = 0; isKnown && axis < 2; axis++)
         {
             const Vec3d J(byAlpha[axis], byScale * byInverse[axis], byShift * byInverse[axis]);
             variances[k] += std::max(J.dot(covariance * J), 0.);
@@ -260,6 +263,16 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
     motion.expectedRaw =
         DisplacementField::meanDistance(displacement, DisplacementField::Values(), DisplacementField::Variances());
     motion.expectedResidual = DisplacementField::meanDistance(displacement, displacement, variances);
+}
+
+// What is expected of a motion but for the probability of another one, such as rest, at which a correction leaves
+// itself.
+static void expectHarm(double probability, AckermannMotion& motion)
+{
+    motion.probabilityWorse = probability + (1 - probability) * DisplacementField::probabilityWorse(
+                                                                    motion.expectedRaw, motion.expectedResidual);
+    motion.expectedResidual = probability * motion.expectedRaw + (1 - probability) * motion.expectedResidual;
+    motion.expectedRaw *= 1 - probability;
 }
 
 bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Params& params, const MotionPrior& given,
@@ -278,7 +291,17 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     std::vector<UprightSegment> verticals, others;
     selectCandidates(segments, camera, params, verticals, others);
     if (inMetres)
-        return !contradictsVerticals(relative, problem, segments, verticals, wayPerUnitTime(camera, motion), motion);
+    {
+        const double way = wayPerUnitTime(camera, motion), worse = motion.probabilityWorse;
+        if (contradictsVerticals(relative, problem, segments, verticals, way, motion))
+            return false;
+        const double waySigma = wayPerUnitTimeSigma(camera, motion);
+        expectWithDepth(camera, depth, std::abs(way), 0,
+                        Matx33d::diag(Vec3d(motion.covariance(0, 0), waySigma * waySigma, 0)), std::vector<Point2d>(),
+                        motion);
+        expectHarm(worse, motion);
+        return true;
+    }
     for (const UprightSegment& s : verticals)
     {
         double height;
@@ -314,12 +337,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     const Matx22d ofAlphaAndRoad(covariance(A_ALPHA, A_ALPHA), covariance(A_ALPHA, A_LOG_ROAD),
                                  covariance(A_ALPHA, A_LOG_ROAD), covariance(A_LOG_ROAD, A_LOG_ROAD));
     expectWithDepth(camera, depth, scale, shift, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), changed);
-    changed.probabilityWorse = DisplacementField::probabilityWorse(changed.expectedRaw, changed.expectedResidual);
-    // At rest a correction leaves itself.
-    const double rests = 1 / (1 + std::exp(-logOddsOfRest(problem, equations, rest)));
-    changed.expectedResidual = rests * changed.expectedRaw + (1 - rests) * changed.expectedResidual;
-    changed.expectedRaw *= 1 - rests;
-    changed.probabilityWorse = rests + (1 - rests) * changed.probabilityWorse;
+    expectHarm(1 / (1 + std::exp(-logOddsOfRest(problem, equations, rest))), changed);
     if (!(changed.expectedResidual < changed.expectedRaw))
         return false;
     motion = changed;
