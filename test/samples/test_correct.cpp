@@ -295,6 +295,33 @@ TEST(Correct, speed_and_yaw_rate_known_from_elsewhere)
         resultOf(correct(street + Arguments{"--speed=58", "--yaw_rate=41"})));
 }
 
+// Beside one wall, and with a roll that is off, verticals say so little that there may be no street: what is given
+// counts then, as far as the model has it, and is no more certain.
+TEST(Correct, given_values_where_there_may_be_no_street)
+{
+    const TemporaryFolder folder;
+    const Outcome simulated =
+        simulate({"--size=640x480", "--focal=600", "--readout=0.03", "--speed=37", "--yaw_rate=0", "--left=6.8",
+                  "--right=0", "--pitch=1", "--height=1.3", "--seed=25", "--output=" + folder.path(), "--overwrite"});
+    ASSERT_EQ(0, simulated.exitCode) << simulated.messages;
+    const auto result = [&](const char* model) {
+        const Outcome outcome =
+            correct({folder / "rolling.png", "--camera=" + (folder / "camera.yml"), "--roll=-0.4", "--yaw_rate=-0.8",
+                     "--speed=37", std::string("--model=") + model, "--report=-"});
+        return resultOf(outcome);
+    };
+    const Json both = result("auto");
+    EXPECT_GT(both["yaw_rate_sigma"].get<double>(), 0.8);
+    EXPECT_GT(both["wall_distance_m"].get<double>(), 3.4);
+    EXPECT_LT(both["wall_distance_m"].get<double>(), 14);
+    EXPECT_GT(both["expected_px_raw"].get<double>(), 1);
+    const Json turning = result("1la"), straight = result("3la");
+    EXPECT_EQ("1la", turning["model"].get<std::string>());
+    EXPECT_GT(turning["yaw_rate_sigma"].get<double>(), 0.8);
+    EXPECT_EQ("3la", straight["model"].get<std::string>());
+    EXPECT_EQ(0, straight["yaw_rate_deg_s"].get<double>());
+}
+
 // A standing camera that looks down moves nothing, unless it is given as level.
 TEST(Correct, mount_that_is_not_given)
 {

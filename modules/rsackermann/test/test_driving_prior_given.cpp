@@ -92,6 +92,55 @@ TEST(RSAckermann_DrivingPrior, line_delay_is_uncertain)
     EXPECT_NEAR(2.5 * unit, terms.given().speedSigma, 1e-12);
 }
 
+// Its covariance is that of samples of the logarithms.
+TEST(RSAckermann_DrivingPrior, expected_motion)
+{
+    const int samples = 200000;
+    Params params;
+    params.priorWallDistanceLogSigma = 0.05;
+    params.priorWallRatioLogSigma = 0.03;
+    params.wallDeviationSigma = 0.02;
+    for (const double speed : {20., -20.})
+    {
+        MotionPrior prior;
+        prior.speed = speed;
+        prior.speedSigma = 0.8;
+        prior.yawRate = 0.3;
+        prior.yawRateSigma = 0.01;
+        const DrivingPrior terms = makeTerms(prior, params, 0.4);
+        Matx<double, PARAMETERS, PARAMETERS> covariance;
+        const Model m = terms.expectedMotion(MotionHypothesis(MODEL_4LA, 2), covariance);
+        EXPECT_EQ(speed < 0 ? -1 : 1, m.direction);
+        EXPECT_EQ(terms.expectedAlpha(), m[P_ALPHA]);
+        EXPECT_NEAR(terms.alphaScale(), std::sqrt(covariance(P_ALPHA, P_ALPHA)), 1e-12);
+        RNG rng(3);
+        Matx33d sampled;
+        const double ofMean = std::hypot(0.8 / 20, 0.05 / std::sqrt(2.)); // both walls, whose ratio is independent
+        for (int i = 0; i < samples; i++)
+        {
+            const double mean = rng.gaussian(ofMean), ratio = rng.gaussian(0.03), azimuth = 0.4 + rng.gaussian(0.02),
+                         left = m.direction * terms.expectedScaledSpeed() * std::exp(mean - ratio / 2);
+            const Vec3d difference(left * std::cos(azimuth) - m[P_B], left * std::sin(azimuth) - m[P_D],
+                                   std::exp(ratio) - m[P_LAMBDA]);
+            sampled += difference * difference.t() * (1. / samples);
+        }
+        for (int i = 0; i < 3; i++)
+            for (int k = 0; k < 3; k++)
+                EXPECT_NEAR(sampled(i, k), covariance(P_B + i, P_B + k),
+                            0.03 * std::sqrt(sampled(i, i) * sampled(k, k)))
+                    << i << " " << k;
+
+        const Model turning = terms.expectedMotion(MotionHypothesis(MODEL_1LA, 0), covariance);
+        EXPECT_EQ(0, turning[P_B]);
+        EXPECT_EQ(0, turning[P_D]);
+        EXPECT_EQ(0, covariance(P_B, P_B));
+        const Model straight = terms.expectedMotion(MotionHypothesis(MODEL_3LA, 2), covariance);
+        EXPECT_EQ(0, straight[P_ALPHA]);
+        EXPECT_EQ(0, covariance(P_ALPHA, P_ALPHA));
+        EXPECT_EQ(m[P_B], straight[P_B]);
+    }
+}
+
 TEST(RSAckermann_DrivingPrior, each_piece_in_units_of_its_sigma)
 {
     const double unit = simulation::paperCamera().secondsPerUnitTime();

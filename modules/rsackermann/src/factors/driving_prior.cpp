@@ -187,6 +187,35 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
     return n;
 }
 
+Model DrivingPrior::expectedMotion(const MotionHypothesis& hypothesis,
+                                   Matx<double, PARAMETERS, PARAMETERS>& covariance) const
+{
+    Model m;
+    m[P_STREET] = heading_.angle;
+    covariance = Matx<double, PARAMETERS, PARAMETERS>::zeros();
+    if (hypothesis.turns() && yawRateIsGiven())
+    {
+        m[P_ALPHA] = expectedAlpha();
+        covariance(P_ALPHA, P_ALPHA) = alphaScale() * alphaScale();
+    }
+    if (!hypothesis.translates())
+        return m;
+    m.direction = given_.speed < 0 ? -1 : 1;
+    m[P_B] = m.direction * expectedScaledSpeed() * heading_.c;
+    m[P_D] = m.direction * expectedScaledSpeed() * heading_.s;
+    m[P_LAMBDA] = 1;
+    // Of B, D and lambda by the azimuth and the logarithms of how fast the left and the right wall pass.
+    const Matx33d byLogs(-m[P_D], m[P_B], 0, m[P_B], m[P_D], 0, 0, -1, 1);
+    const double mean = scaledSpeedLog(2).variance, half = logRatioSigma * logRatioSigma / 4,
+                 own = std::expm1(mean + half), common = mean - half;
+    const Matx33d ofLogs(headingSigma * headingSigma, 0, 0, 0, own, common, 0, common, own),
+        walls = byLogs * ofLogs * byLogs.t();
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            covariance(P_B + i, P_B + k) = walls(i, k);
+    return m;
+}
+
 double DrivingPrior::logYawDensity(double alpha) const
 {
     return std::log(usualYawDensity(alpha)) - logYawSum;

@@ -54,6 +54,11 @@ public:
     //! moves.
     double logRest() const;
 
+    /** The motion that is expected before the image is seen, of a hypothesis that translates along two walls or not at
+    all.
+    @param covariance of what is given of the yaw rate, the street and the walls. */
+    Model expectedMotion(const MotionHypothesis& hypothesis, Matx<double, PARAMETERS, PARAMETERS>& covariance) const;
+
     //! Slope G of the road's scaled inverse depth for a motion, and its variance.
     void road(const Model& model, const RoadLimit& limit, double& G, double& variance) const;
 

@@ -337,19 +337,33 @@ private:
     }
 
     // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known
-    // without the image, turning alone. Other segments are as with a camera at rest.
+    // without the image, as far as the requested model has it. Other segments are as with a camera at rest.
     void addSceneWithoutVerticals(const Fit& rest)
     {
-        Fit unseen(MotionHypothesis(MODEL_1LA, 0));
-        unseen.model[P_STREET] = problem.heading.angle;
-        unseen.model[P_ALPHA] = prior.expectedAlpha();
-        const Slants slants = slantsOf(problem, unseen.model, false), ofRest = slantsOf(problem, rest.model, false);
+        const bool translates = params.model != MODEL_1LA && prior.givenDirection() != 0,
+                   turns = params.model != MODEL_3LA;
+        if (params.model == MODEL_NONE || !(translates || turns))
+            return;
+        Fit unseen(MotionHypothesis(!translates ? MODEL_1LA : turns ? MODEL_4LA : MODEL_3LA, translates ? 2 : 0));
+        unseen.model = prior.expectedMotion(unseen.hypothesis, unseen.covariance);
+        Model turning;
+        turning[P_ALPHA] = unseen.model[P_ALPHA];
+        turning[P_STREET] = problem.heading.angle;
+        const Slants slants = slantsOf(problem, turning, false), ofRest = slantsOf(problem, rest.model, false);
         // A car's image shows a street, all the more if somebody measures how it drives.
         const double tilts = problem.gravitySigma * problem.vehiclePitchSigma,
                      otherCost = rest.cost - costOf(ofRest) / dependence,
                      probability = UNUSUAL / 2 * std::pow(2 * UNUSUAL, prior.givenShare());
-        mixture.add(unseen, std::log(probability * tilts) - otherCost / 2 +
-                                (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence);
+        const double logWeight = std::log(probability * tilts) - otherCost / 2 +
+                                 (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence;
+        // The points of a normal distribution of alpha that have its variance.
+        const double step = std::sqrt(3 * unseen.covariance(P_ALPHA, P_ALPHA));
+        unseen.covariance(P_ALPHA, P_ALPHA) = 0;
+        for (int i = -1; i <= 1; i++)
+        {
+            unseen.model[P_ALPHA] = turning[P_ALPHA] + i * step;
+            mixture.add(unseen, logWeight + std::log(i == 0 ? 2. / 3 : 1. / 6));
+        }
     }
 
     double logWeight(const Fit& fit, double logPrior) const
