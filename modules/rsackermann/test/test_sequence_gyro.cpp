@@ -382,6 +382,36 @@ TEST(RSAckermann_Gyro, noise_of_its_angles)
     EXPECT_NEAR(1, samples.angleNoise() / (2. / 3 * sigma * sigma * interval), 0.1); // the third axis has none
 }
 
+// The rates of rows err by the noise of the samples in the read-out.
+TEST(RSAckermann_Gyro, noise_of_its_rates)
+{
+    RNG rng(72);
+    const double sigma = 10 * DEGREE;
+    Mat times, values;
+    for (int i = 0; i < 8000; i++)
+    {
+        times.push_back(i / 400.);
+        values.push_back(Mat(Vec3d(rng.gaussian(sigma), rng.gaussian(sigma), rng.gaussian(sigma)).t()));
+    }
+    GyroRates gyro;
+    GyroSigmas exact;
+    exact.delay = exact.axes = exact.bias = exact.scale = 1e-9;
+    gyro.setSigmas(exact);
+    gyro.samples.add(times, values);
+    for (const RowSpan& rows : {RowSpan(-0.015, 0.015), RowSpan(0, 0.02), RowSpan(-0.02, 0)})
+    {
+        double squares = 0, expected = 0;
+        for (double seconds = 1; seconds < 19; seconds += 0.05)
+        {
+            CameraRates rates;
+            ASSERT_TRUE(gyro.at(seconds, rows, rates));
+            squares += rates.value.dot(rates.value);
+            expected += rates.sigma.dot(rates.sigma);
+        }
+        EXPECT_NEAR(0.9, squares / expected, 0.15) << rows.from; // samples of 2.5 ms are smooth noise
+    }
+}
+
 // The integral of straight pieces is exact, and what isn't there isn't made up.
 TEST(RSAckermann_Gyro, samples_and_gaps)
 {

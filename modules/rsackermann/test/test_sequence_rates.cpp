@@ -273,6 +273,48 @@ TEST(RSAckermann_RowRates, of_a_first_frame)
     EXPECT_GE(within, 0.82 * count);
 }
 
+// Of pitch and roll the first frames know what the first turns let expect.
+TEST(RSAckermann_RowRates, of_the_first_frames)
+{
+    RNG rng(9);
+    const int count = 400, frames = 4;
+    int within[frames] = {};
+    double left[frames] = {}, raw = 0;
+    for (int k = 0; k < count; k++)
+    {
+        const simulation::Oscillation pitch(0.002, 0.15, 0.25, rng), roll(0.002, 0.15, 0.25, rng);
+        const Swing swing = {[&](double seconds) { return pitch.at(seconds); }};
+        const auto fitOf = [&](int frame) { // turns are counted from a frame to one that was taken later
+            SequenceFit fit = exactFit();
+            const double now = frame * INTERVAL;
+            fit.before.pitch.angle = pitch.at(now) - pitch.at(now - INTERVAL);
+            fit.before.roll.angle = roll.at(now) - roll.at(now - INTERVAL);
+            fit.after.pitch.angle = pitch.at(now + INTERVAL) - pitch.at(now);
+            fit.after.roll.angle = roll.at(now + INTERVAL) - roll.at(now);
+            return fit;
+        };
+        RowRates rates;
+        for (int i = 0; i < frames; i++)
+        {
+            if (i == 0)
+                rates.begin(fitOf(0), INTERVAL, 0);
+            else
+                rates.update(fitOf(i), INTERVAL, 0, 0);
+            AckermannMotion motion;
+            rates.toMotion(1, motion);
+            const double error = motion.pitchRate - swing.at(i);
+            within[i] += std::abs(error) < 2 * motion.pitchRateSigma;
+            left[i] += error * error;
+        }
+        raw += std::pow(swing.at(0), 2);
+    }
+    for (int i = 0; i < frames; i++)
+    {
+        EXPECT_GE(within[i], 0.82 * count) << i;
+        EXPECT_LE(left[i], i == 0 ? raw : 0.55 * raw) << i;
+    }
+}
+
 TEST(RSAckermann_RowRates, first_changes_are_as_large_as_other_rates)
 {
     for (double interval : {0.1, -0.1})

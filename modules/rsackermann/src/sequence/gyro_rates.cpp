@@ -300,10 +300,12 @@ bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) cons
         !samples.rowRate(instant + h, rows.from, rows.to, after))
         return false;
     rates.value = found.toCamera(g, 1);
+    // Least squares through a random walk.
+    const double ofSamples = 1.2 * samples.angleNoise() / std::max(rows.to - rows.from, h);
     for (int i = 0; i < 3; i++)
     {
         const GyroUnknowns J = derivatives(g, (after - before) * (1 / (2 * h)), i);
-        rates.sigma[i] = std::sqrt((J.t() * covariance * J)(0) + noise[i] * noise[i] / 4);
+        rates.sigma[i] = std::sqrt((J.t() * covariance * J)(0) + noise[i] * noise[i] / 4 + ofSamples);
     }
     return true;
 }

@@ -44,27 +44,36 @@ void GyroSamples::add(const Mat& times_, const Mat& rates, double origin)
         // The one before has a neighbour now.
         for (size_t k = std::max<size_t>(samples.size(), 3) - 2; k < samples.size(); k++)
             integrate(k);
+        noise.add(samples);
     }
+}
+
+void GyroSamples::Noise::add(const std::vector<Sample>& samples)
+{
+    const int coefficients[] = {1, -8, 28, -56, 70, -56, 28, -8, 1}, order = 8;
+    const double sumOfSquares = 12870;
+    if (samples.size() <= size_t(order))
+        return;
+    const Sample *const last = &samples.back(), *const first = last - order;
+    if (last->gaps != first->gaps)
+        return;
+    Vec3d difference;
+    for (int i = 0; i <= order; i++)
+        difference += coefficients[i] * first[i].rate;
+    squares += difference.dot(difference) / (3 * sumOfSquares);
+    seconds += (last->time - first->time) / order;
+    count++;
 }
 
 double GyroSamples::angleNoise() const
 {
-    const int coefficients[] = {1, -8, 28, -56, 70, -56, 28, -8, 1}, order = 8;
-    const double sumOfSquares = 12870;
-    double squares = 0, seconds = 0;
-    int count = 0;
-    for (size_t k = order; k < samples.size(); k++)
-    {
-        if (samples[k].gaps != samples[k - order].gaps)
-            continue;
-        Vec3d difference;
-        for (int i = 0; i <= order; i++)
-            difference += coefficients[i] * samples[k - i].rate;
-        squares += difference.dot(difference) / (3 * sumOfSquares);
-        seconds += (samples[k].time - samples[k - order].time) / order;
-        count++;
-    }
-    return count > 0 ? squares / count * seconds / count : 0;
+    return noise.count > 0 ? noise.squares / noise.count * noise.seconds / noise.count : 0;
+}
+
+void GyroSamples::clear()
+{
+    samples.clear();
+    noise = Noise();
 }
 
 void GyroSamples::forgetBefore(double time)

@@ -23,7 +23,7 @@ public:
     //! x, y and z: N x 3, CV_64F. Throws cv::Exception if they are others, or faster than fastest().
     //! @param origin seconds that are taken off the times.
     void add(const Mat& times, const Mat& rates, double origin = 0);
-    void clear() { samples.clear(); }
+    void clear();
     //! Forgets samples before a time once they are the most.
     void forgetBefore(double time);
     bool empty() const { return samples.empty(); }
@@ -56,11 +56,22 @@ private:
         int gaps;                 // before it
     };
 
+    //! Sums of the noise in the samples' eighth differences.
+    struct Noise
+    {
+        double squares = 0, seconds = 0;
+        int count = 0;
+
+        //! That ends at the last sample.
+        void add(const std::vector<Sample>& samples);
+    };
+
     void integrate(size_t k);
     size_t before(double time) const;
     Vec3d angleAt(double time) const;
 
     std::vector<Sample> samples;
+    Noise noise;
 };
 
 }} // namespace cv::rsackermann

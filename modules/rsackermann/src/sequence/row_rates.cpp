@@ -137,14 +137,16 @@ void RateProcess::expectChange(double square)
 InstantRate RateProcess::now(double read) const
 {
     InstantRate result;
-    if (count > 0 && known > 0)
+    if (known > 0 && pairs > 0)
     {
-        const double byMeans = (past[0] + predict()) / 2, seen = trust();
+        const double byMeans = (past[0] + predict()) / 2, seen = trust(),
+                     missed =
+                         count > 0 ? errors / count : changes / pairs / 2; // means that hardly depend on each other
         result.value = byMeans + seen * (past[0] - byMeans) + beyondLast();
         // Of the last mean's error half counts, or all of it where rows show the change.
         const double ofLast =
             variance(changes / pairs, varianceOfMeans(read), shownVarianceOfLast(read), 0.25 + 0.75 * seen);
-        result.sigma = std::sqrt(ofLast + (1 - seen) * errors / count / 4);
+        result.sigma = std::sqrt(ofLast + (1 - seen) * missed / 4);
     }
     return result;
 }
@@ -240,6 +242,9 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
     roll.expectChange(square);
     yaw.expectChange(steering * std::abs(after) + square);
     setSigmas(aboutFit(0, after, readOut));
+    const double read = readOut / (2 * std::abs(after));
+    pitchNow.sigma = std::sqrt(square / 2 + std::pow(pitch.aboutLast(read), 2));
+    rollNow.sigma = std::sqrt(square / 2 + std::pow(roll.aboutLast(read), 2));
 }
 
 void RowRates::expectChanges(double interval, FitNuisances& nuisances) const
