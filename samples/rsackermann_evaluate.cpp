@@ -37,7 +37,7 @@ nlohmann::json lastLine(const std::string& path)
         throw InputError(path + " can't be read");
     std::string last;
     for (std::string line; std::getline(file, line);)
-        last = line;
+        last = isBlank(line) ? last : line;
     const nlohmann::json json = parseJson(last, false);
     if (!json.is_object())
         throw InputError(path + " is not a report");

@@ -12,6 +12,11 @@ nlohmann::json parseJson(const std::string& text, bool throws)
     return nlohmann::json::parse(text, nullptr, throws);
 }
 
+bool isBlank(const std::string& line)
+{
+    return line.find_first_not_of(" \t\r") == std::string::npos;
+}
+
 void readReportLines(const std::string& path,
                      const std::function<void(const nlohmann::json& line, const std::string& source)>& use)
 {
@@ -22,6 +27,8 @@ void readReportLines(const std::string& path,
     for (std::string text; std::getline(file, text);)
     {
         const std::string source = path + cv::format(", line %d", ++number);
+        if (isBlank(text))
+            continue;
         try
         {
             use(parseJson(text), source);

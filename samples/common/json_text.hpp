@@ -15,8 +15,11 @@ namespace rsackermann_samples {
 //! @param throws whether an exception of JSON tells of an error, or a value that is_discarded().
 nlohmann::json parseJson(const std::string& text, bool throws = true);
 
-/** Hands over each line of a report of rsackermann_correct with words for its place. Throws InputError with the place
-if a line isn't JSON or use() throws an exception of JSON. */
+//! A line as editors and other programs add them.
+bool isBlank(const std::string& line);
+
+/** Hands over each line of a report of rsackermann_correct with words for its place, but for blank ones. Throws
+InputError with the place if a line isn't JSON or use() throws an exception of JSON. */
 void readReportLines(const std::string& path,
                      const std::function<void(const nlohmann::json& line, const std::string& source)>& use);
 

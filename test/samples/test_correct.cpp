@@ -553,6 +553,11 @@ TEST(Evaluate, compares_with_the_truth)
     ASSERT_EQ(0, correct(streetArguments() + Arguments{"--gravity_sigma=0", "--report=" + (folder / "report.jsonl"),
                                                        "--maps=" + (folder / "maps.yml")})
                      .exitCode);
+    // Editors add blank lines.
+    writeContent(folder / "report.jsonl", "\n" + contentOf(folder / "report.jsonl") + " \r\n\n");
+    const Outcome exported =
+        runProgram(EXPORT_PROGRAM, {"--report=" + (folder / "report.jsonl"), "--row_poses=" + (folder / "rows")});
+    EXPECT_EQ(0, exported.exitCode) << exported.messages;
     const Outcome outcome = evaluate({"--truth=" + streetFolder() + "/truth.json",
                                       "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
