@@ -116,13 +116,29 @@ inline void checkOutput(const _OutputArray& output, const char* name, const Size
                                       given.c_str(), size.width, size.height, typeToString(type).c_str()));
 }
 
-//! Whether two arguments are one matrix, or begin with the same element of one.
+//! Whether matrices share elements: regions of one image needn't, though their rows take turns in memory.
+inline bool overlap(const Mat& a, const Mat& b)
+{
+    if (a.empty() || b.empty())
+        return false;
+    const Mat &first = a.data <= b.data ? a : b, &second = a.data <= b.data ? b : a;
+    if (first.dims > 2 || second.dims > 2)
+        return second.data < first.dataend;
+    const size_t away = size_t(second.data - first.data), step = first.step[0], width = first.cols * first.elemSize();
+    if (away >= (first.rows - 1) * step + width)
+        return false;
+    const size_t down = away / step, aside = away % step;
+    return second.step[0] != step || (aside < width && down < size_t(first.rows)) ||
+           (aside + second.cols * second.elemSize() > step && down + 1 < size_t(first.rows));
+}
+
+//! Whether two arguments are one matrix, or share elements of one.
 inline bool areOneMatrix(const _InputArray& a, const _InputArray& b)
 {
     if (a.getObj() != NULL && a.getObj() == b.getObj())
         return true;
     if (a.isMat() && b.isMat())
-        return a.getMat().data != NULL && a.getMat().data == b.getMat().data;
+        return overlap(a.getMat(), b.getMat());
     return a.isUMat() && b.isUMat() && a.getUMat().u != NULL && a.getUMat().u == b.getUMat().u &&
            a.getUMat().offset == b.getUMat().offset;
 }
@@ -130,7 +146,8 @@ inline bool areOneMatrix(const _InputArray& a, const _InputArray& b)
 //! Throws if an output would replace another argument that is still needed.
 inline void checkApart(const _InputArray& output, const char* name, const _InputArray& other, const char* otherName)
 {
-    REJECT_IF(areOneMatrix(output, other), "%s is the same matrix as %s; another one is expected", name, otherName);
+    REJECT_IF(areOneMatrix(output, other), "%s is the same matrix as %s, or overlaps it; another one is expected", name,
+              otherName);
 }
 
 //! A caller's segments, N x 4 or N x 1 with four channels, as N x 4 CV_64F; throws for everything else.

@@ -483,7 +483,7 @@ private:
         Mat image = src.getMat();
         dst.create(size, image.type());
         const Mat warped = dst.getMat();
-        if (warped.data == image.data)
+        if (overlap(warped, image))
             image = image.clone();
         MapWriter writer(size, camera.imageSize, CV_32FC1, map1, map2, mask);
         std::atomic<int64> mapTicks(0), remapTicks(0);

@@ -76,9 +76,10 @@ public:
         camera.check();
         typename Algorithm::Params params = this->getParams();
         params.read(fn);
-        this->setParams(params);
+        params.check();
         if (!fn["camera"].empty())
             this->setCamera(camera);
+        this->setParams(params);
     }
 
     static Ptr<Algorithm> load(const String& filename, const String& objname)

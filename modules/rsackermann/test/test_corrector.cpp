@@ -235,6 +235,28 @@ TEST(RSAckermann_Corrector, in_place)
     corrector->correctWithSegments(src, segments, dst);
     corrector->correctWithSegments(image, segments, image);
     EXPECT_EQ(0, cvtest::norm(image, dst, NORM_INF));
+    // A row or a column later in the same memory, either way.
+    for (const Point& shift : {Point(0, 1), Point(1, 0), Point(-1, 1)})
+        for (const bool later : {false, true})
+        {
+            Mat parent(camera.imageSize + Size(1, 1), CV_8UC1, Scalar(0));
+            const Rect here(Point(shift.x < 0 ? 1 : 0, 0), camera.imageSize), there(here.tl() + shift, here.size());
+            Mat from = parent(later ? here : there), to = parent(later ? there : here);
+            src.copyTo(from);
+            corrector->correctWithSegments(from, segments, to);
+            EXPECT_EQ(0, cvtest::norm(to, dst, NORM_INF)) << shift << later;
+            Mat mask = parent(later ? there : here);
+            EXPECT_THROW(corrector->correctWithSegments(from, segments, dst.clone(), mask), cv::Exception);
+        }
+    // Regions beside each other have their own pixels.
+    Mat parent(camera.imageSize.height, 2 * camera.imageSize.width, CV_8UC1);
+    Mat left = parent(Rect(Point(), camera.imageSize)),
+        right = parent(Rect(Point(camera.imageSize.width, 0), camera.imageSize));
+    Mat other;
+    corrector->correctWithSegments(src, segments, left, right);
+    corrector->correctWithSegments(src, segments, dst, other);
+    EXPECT_EQ(0, cvtest::norm(left, dst, NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(right, other, NORM_INF));
 }
 
 TEST(RSAckermann_Corrector, OpenCL_in_place)

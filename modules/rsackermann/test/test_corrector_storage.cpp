@@ -40,6 +40,13 @@ TEST(RSAckermann_Storage, reading_corrector_is_all_or_nothing)
 {
     checkAllOrNothing<RollingShutterCorrector>(exampleCorrectorParams(),
                                                "warp:\n   tolerance: -1\nestimator:\n   seed: 9\n");
+    // A camera that is valid, but none for a calibration.
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(exampleCamera());
+    const FileStorage in("%YAML:1.0\n---\nmax_frames: 177\ncamera:\n   scan_direction: 2\n",
+                         FileStorage::READ | FileStorage::MEMORY);
+    EXPECT_THROW(calibrator->read(in.root()), cv::Exception);
+    EXPECT_EQ(MountCalibrator::Params().maxFrames, calibrator->getParams().maxFrames);
+    expectSame(exampleCamera(), calibrator->getCamera());
 }
 
 template <class Algorithm>

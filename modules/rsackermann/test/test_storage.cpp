@@ -159,6 +159,18 @@ TEST(RSAckermann_Storage, reading_is_all_or_nothing)
                                           "seed: 9\ncamera:\n   height: -2\n   heading: 0.1\n");
     checkAllOrNothing<WarpMapGenerator>(exampleWarpParams(),
                                         "tolerance: -1\nmax_iterations: 9\ncamera:\n   height: 2\n");
+
+    // A whole camera that is good, before parameters that aren't.
+    RollingShutterCamera other = exampleCamera();
+    other.height = 2;
+    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    AckermannEstimator::create(other)->write(out);
+    std::string text = out.releaseAndGetString();
+    const std::string key = "reverse_probability: ";
+    text.replace(text.find(key), key.size(), key + "-");
+    const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(exampleCamera());
+    EXPECT_THROW(estimator->read(FileStorage(text, FileStorage::READ | FileStorage::MEMORY).root()), cv::Exception);
+    expectSame(exampleCamera(), estimator->getCamera());
 }
 
 }} // namespace
