@@ -201,7 +201,8 @@ Samples readColumns(const CsvTable& table, const std::string& program)
 const char* const GYRO_KEYS =
     "{gyro       |        | rates of a gyro on the camera, on the clock of time_s or of the video: CSV file (columns "
     "time_s, yaw_rate_deg_s, pitch_rate_deg_s, roll_rate_deg_s) or a log of Gyroflow (.gcsv)}"
-    "{gyro_delay |        | seconds by which the clock of --gyro is ahead of that of the frames (default: found in sequences that shake)}";
+    "{gyro_delay |        | seconds by which the clock of --gyro is ahead of that of the frames (default: found in "
+    "sequences that shake)}";
 
 GyroRecording readGyroOptions(const Options& options, const std::string& program)
 {

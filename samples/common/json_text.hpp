@@ -15,7 +15,7 @@ namespace rsackermann_samples {
 //! @param throws whether an exception of JSON tells of an error, or a value that is_discarded().
 nlohmann::json parseJson(const std::string& text, bool throws = true);
 
-//! A line as editors and other programs add them.
+//! Whether there is nothing in a line but spaces.
 bool isBlank(const std::string& line);
 
 /** Hands over each line of a report of rsackermann_correct with words for its place, but for blank ones. Throws

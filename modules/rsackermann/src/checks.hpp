@@ -132,7 +132,7 @@ inline bool overlap(const Mat& a, const Mat& b)
            (aside + second.cols * second.elemSize() > step && down + 1 < size_t(first.rows));
 }
 
-//! Whether two arguments are one matrix, or share elements of one.
+//! Whether two arguments are one matrix or share elements; of a UMat, whether they begin with the same one.
 inline bool areOneMatrix(const _InputArray& a, const _InputArray& b)
 {
     if (a.getObj() != NULL && a.getObj() == b.getObj())

@@ -447,6 +447,11 @@ private:
     void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,
                   const DepthMap& given)
     {
+        if (src.isMat() && dst.isMat() && src.getMat().data != dst.getMat().data && overlap(src.getMat(), dst.getMat()))
+        {
+            warpWith(motion, src.getMat().clone(), dst, mask, given);
+            return;
+        }
         Stopwatch watch;
         isDepthUsed_ = !given.empty() && motion.status == MOTION_OK &&
                        (given.kind == DEPTH_RELATIVE ||
@@ -483,7 +488,7 @@ private:
         Mat image = src.getMat();
         dst.create(size, image.type());
         const Mat warped = dst.getMat();
-        if (overlap(warped, image))
+        if (warped.data == image.data)
             image = image.clone();
         MapWriter writer(size, camera.imageSize, CV_32FC1, map1, map2, mask);
         std::atomic<int64> mapTicks(0), remapTicks(0);

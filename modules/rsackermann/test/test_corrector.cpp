@@ -245,6 +245,16 @@ TEST(RSAckermann_Corrector, in_place)
             src.copyTo(from);
             corrector->correctWithSegments(from, segments, to);
             EXPECT_EQ(0, cvtest::norm(to, dst, NORM_INF)) << shift << later;
+            src.copyTo(from);
+            corrector->correctWithSegments(from, Mat(), to); // as it is
+            EXPECT_EQ(0, cvtest::norm(to, src, NORM_INF)) << shift << later;
+            const AckermannMotion motion = motionFromMetric(camera, 0.3, 15, 2.5, 3, 0);
+            const DepthMap depth(Mat(camera.imageSize, CV_32F, Scalar(4)));
+            Mat byDepth;
+            corrector->correctWithMotion(src, motion, byDepth, noArray(), depth);
+            src.copyTo(from);
+            corrector->correctWithMotion(from, motion, to, noArray(), depth);
+            EXPECT_EQ(0, cvtest::norm(to, byDepth, NORM_INF)) << shift << later;
             Mat mask = parent(later ? there : here);
             EXPECT_THROW(corrector->correctWithSegments(from, segments, dst.clone(), mask), cv::Exception);
         }

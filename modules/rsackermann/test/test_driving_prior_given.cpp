@@ -141,6 +141,46 @@ TEST(RSAckermann_DrivingPrior, expected_motion)
     }
 }
 
+// The street is where both say, a given wall is the left one, and a camera that looks aside sees one wall.
+TEST(RSAckermann_DrivingPrior, expected_motion_of_other_scenes)
+{
+    MotionPrior prior;
+    prior.speed = 20;
+    prior.speedSigma = 0.8;
+    Matx<double, PARAMETERS, PARAMETERS> covariance;
+    const MotionHypothesis both(MODEL_3LA, 2), one(MODEL_3LA, 1);
+    const auto azimuthSigma = [&](const Model& m) {
+        const Vec3d across = Vec3d(-m[P_D], m[P_B], 0) * (1 / (m[P_B] * m[P_B] + m[P_D] * m[P_D]));
+        return std::sqrt(across.dot(covariance.get_minor<3, 3>(P_B, P_B) * across));
+    };
+    Params params;
+    params.wallDeviationSigma = 0;
+    EXPECT_NEAR(1, azimuthSigma(makeTerms(prior, params).expectedMotion(both, covariance)), 1e-9);
+    params.wallDeviationSigma = 0.03;
+    prior.wallDirection = 0.1;
+    prior.wallDirectionSigma = 0.04;
+    const Model oblique = makeTerms(prior, params).expectedMotion(both, covariance);
+    EXPECT_NEAR(0.036, std::atan2(oblique[P_D], oblique[P_B]), 1e-4); // 3-4-5
+    EXPECT_NEAR(0.024, azimuthSigma(oblique), 1e-9);
+    prior.wallDirectionSigma = 0;
+
+    params.wallDistance = 3;
+    const DrivingPrior beside = makeTerms(prior, params);
+    const Model m = beside.expectedMotion(both, covariance);
+    EXPECT_NEAR(0.8 / 20, std::sqrt(covariance(P_B, P_B)) / m[P_B], 2e-3);
+    EXPECT_NEAR(params.priorWallRatioLogSigma, std::sqrt(std::log1p(covariance(P_LAMBDA, P_LAMBDA))), 0.1);
+    for (const double heading : {CV_PI / 2, -CV_PI / 2})
+        for (const double speed : {20., -20.})
+        {
+            prior.speed = speed;
+            const Model aside = makeTerms(prior, params, heading).expectedMotion(one, covariance);
+            EXPECT_GT(aside.direction * aside[P_D], 0); // in front
+            EXPECT_EQ(0, aside[P_LAMBDA]);
+            EXPECT_EQ(0, covariance(P_LAMBDA, P_LAMBDA));
+            EXPECT_EQ(heading < 0, hasRightWallOnly(aside, Heading(heading)));
+        }
+}
+
 TEST(RSAckermann_DrivingPrior, each_piece_in_units_of_its_sigma)
 {
     const double unit = simulation::paperCamera().secondsPerUnitTime();

@@ -279,7 +279,7 @@ TEST(RSAckermann_RowRates, of_the_first_frames)
     RNG rng(9);
     const int count = 400, frames = 4;
     int within[frames] = {};
-    double left[frames] = {}, raw = 0;
+    double left[frames] = {}, raw = 0, sigmas = 0;
     for (int k = 0; k < count; k++)
     {
         const simulation::Oscillation pitch(0.002, 0.15, 0.25, rng), roll(0.002, 0.15, 0.25, rng);
@@ -304,10 +304,13 @@ TEST(RSAckermann_RowRates, of_the_first_frames)
             rates.toMotion(1, motion);
             const double error = motion.pitchRate - swing.at(i);
             within[i] += std::abs(error) < 2 * motion.pitchRateSigma;
+            sigmas += i == 0 ? std::pow(motion.pitchRateSigma, 2) : 0;
+            EXPECT_GT(motion.rollRateSigma, 0);
             left[i] += error * error;
         }
         raw += std::pow(swing.at(0), 2);
     }
+    EXPECT_LT(sigmas, 3 * raw);
     for (int i = 0; i < frames; i++)
     {
         EXPECT_GE(within[i], 0.82 * count) << i;

@@ -200,15 +200,30 @@ Model DrivingPrior::expectedMotion(const MotionHypothesis& hypothesis,
     }
     if (!hypothesis.translates())
         return m;
+    // The street is along the heading, more or less, and as it is given.
+    const double ofHeading = headingSigma > 0 ? 1 / (headingSigma * headingSigma) : 0,
+                 ofGiven = given_.streetSigma > 0 ? 1 / (given_.streetSigma * given_.streetSigma) : 0,
+                 information = ofHeading + ofGiven > 0 ? ofHeading + ofGiven : 1,
+                 azimuth = heading_.angle + ofGiven / information * std::asin(std::sin(given_.street - heading_.angle));
     m.direction = given_.speed < 0 ? -1 : 1;
-    m[P_B] = m.direction * expectedScaledSpeed() * heading_.c;
-    m[P_D] = m.direction * expectedScaledSpeed() * heading_.s;
-    m[P_LAMBDA] = 1;
-    // Of B, D and lambda by the azimuth and the logarithms of how fast the left and the right wall pass.
-    const Matx33d byLogs(-m[P_D], m[P_B], 0, m[P_B], m[P_D], 0, 0, -1, 1);
-    const double mean = scaledSpeedLog(2).variance, half = logRatioSigma * logRatioSigma / 4,
-                 own = std::expm1(mean + half), common = mean - half;
-    const Matx33d ofLogs(headingSigma * headingSigma, 0, 0, 0, own, common, 0, common, own),
+    m[P_B] = m.direction * expectedScaledSpeed() * std::cos(azimuth);
+    m[P_D] = m.direction * expectedScaledSpeed() * std::sin(azimuth);
+    m[P_LAMBDA] = hypothesis.walls == 2 ? 1 : 0;
+    if (hypothesis.walls == 1 && m.direction * m[P_D] < 0) // the wall that a camera sees which looks to the right
+    {
+        m[P_B] *= -1;
+        m[P_D] *= -1;
+    }
+    // Of B, D and lambda by the azimuth and the logarithms of how fast the left and the right wall pass. A given
+    // distance is that of the left one, else both are as far away as walls are.
+    const Matx33d byLogs(-m[P_D], m[P_B], 0, m[P_B], m[P_D], 0, 0, -m[P_LAMBDA], m[P_LAMBDA]);
+    const double shared = scaledSpeedLog(hypothesis.walls).variance,
+                 ofRatio = hypothesis.walls == 2 ? logRatioSigma * logRatioSigma : 0,
+                 left = logWallSigma > 0 ? shared + ofRatio / 4 : shared,
+                 right = logWallSigma > 0 ? left : shared + ofRatio,
+                 common = logWallSigma > 0 ? shared - ofRatio / 4 : shared, left2 = std::expm1(left),
+                 right2 = std::expm1(right), common2 = common * std::sqrt(left2 * right2 / (left * right));
+    const Matx33d ofLogs(1 / information, 0, 0, 0, left2, common2, 0, common2, right2),
         walls = byLogs * ofLogs * byLogs.t();
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)

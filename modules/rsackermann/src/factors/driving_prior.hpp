@@ -54,8 +54,7 @@ public:
     //! moves.
     double logRest() const;
 
-    /** The motion that is expected before the image is seen, of a hypothesis that translates along two walls or not at
-    all.
+    /** The motion that is expected before the image is seen; one wall is that which a camera sees that looks aside.
     @param covariance of what is given of the yaw rate, the street and the walls. */
     Model expectedMotion(const MotionHypothesis& hypothesis, Matx<double, PARAMETERS, PARAMETERS>& covariance) const;
 

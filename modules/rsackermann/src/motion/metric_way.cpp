@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "metric_way.hpp"
 
@@ -42,10 +43,10 @@ double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMo
 {
     const double unit = camera.secondsPerUnitTime(), way = std::abs(wayPerUnitTime(camera, motion));
     const Vec4d wall(0, motion.wallSlope, motion.wallOffset, 0);
-    const double ofTime = unit * std::sqrt(motion.metricCovariance(camera)(1, 1)),
+    const double ofSpeed = std::hypot(unit * motion.speedSigma, way * relativeLineDelaySigma(camera)),
                  ofWalls = way * std::sqrt(std::max(wall.dot(motion.covariance * wall), 0.)) /
                            std::max(wall.dot(wall), DBL_MIN);
-    return std::max(unit > 0 ? ofTime : ofWalls, way * FLT_EPSILON);
+    return std::max(motion.speedSigma > 0 ? ofSpeed : ofWalls, way * FLT_EPSILON);
 }
 
 double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion, const DepthMap& depth)

@@ -23,7 +23,8 @@ Throws cv::Exception if isMetric() is false.
 */
 double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion);
 
-//! Its standard deviation, by those of the speed and of the line delay, or of the walls where no time is known.
+//! Its standard deviation, by those of the speed and of the line delay, or of the walls where their distance gives the
+//! metres.
 double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMotion& motion);
 
 }} // namespace cv::rsackermann

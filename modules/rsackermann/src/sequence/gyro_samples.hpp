@@ -45,7 +45,7 @@ public:
     bool rowRate(double instant, double from, double to, Vec3d& rate) const;
 
     /** The noise of its angles, rad^2/s: white noise of the samples, of which the eighth differences show hardly
-    anything else (doc/theory.md, "Self-calibration"). 0 if there are too few. */
+    anything else (doc/theory.md, "Self-calibration"). 0 if there are too few. Those that are forgotten count. */
     double angleNoise() const;
 
 private:
@@ -59,10 +59,9 @@ private:
     //! Sums of the noise in the samples' eighth differences.
     struct Noise
     {
-        double squares = 0, seconds = 0;
-        int count = 0;
+        double squares = 0, seconds = 0, count = 0;
 
-        //! That ends at the last sample.
+        //! Adds the difference that ends at the last sample.
         void add(const std::vector<Sample>& samples);
     };
 

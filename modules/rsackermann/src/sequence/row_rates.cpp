@@ -31,7 +31,7 @@ double RateProcess::predict() const
 // The share of what rows show that is of turns, and not of a scene that differs from its planes.
 double RateProcess::trust() const
 {
-    const double squares = shownSquares * (1 + ASSUMED_FRAMES / count);
+    const double squares = count > 0 ? shownSquares * (1 + ASSUMED_FRAMES / count) : 0;
     return squares > 0 ? std::min(std::max(confirmed / squares, 0.), 1.) : 0;
 }
 
@@ -120,6 +120,17 @@ double RateProcess::aboutMeans(double read) const
     return pairs > 0 ? std::sqrt(variance(changes / pairs, varianceOfMeans(read), shownVarianceOfMeans(read), 0)) : 0;
 }
 
+// Of means that have nothing to do with each other.
+double RateProcess::meanSquare() const
+{
+    return pairs > 0 ? changes / pairs / 2 : 0;
+}
+
+double RateProcess::aboutNothing(double read) const
+{
+    return std::sqrt(meanSquare() + std::pow(aboutLast(read), 2));
+}
+
 // A rate that wanders changes more than means of it.
 double RateProcess::expectedChange(double usual) const
 {
@@ -140,8 +151,7 @@ InstantRate RateProcess::now(double read) const
     if (known > 0 && pairs > 0)
     {
         const double byMeans = (past[0] + predict()) / 2, seen = trust(),
-                     missed =
-                         count > 0 ? errors / count : changes / pairs / 2; // means that hardly depend on each other
+                     missed = count > 0 ? errors / count : meanSquare();
         result.value = byMeans + seen * (past[0] - byMeans) + beyondLast();
         // Of the last mean's error half counts, or all of it where rows show the change.
         const double ofLast =
@@ -243,8 +253,8 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
     yaw.expectChange(steering * std::abs(after) + square);
     setSigmas(aboutFit(0, after, readOut));
     const double read = readOut / (2 * std::abs(after));
-    pitchNow.sigma = std::sqrt(square / 2 + std::pow(pitch.aboutLast(read), 2));
-    rollNow.sigma = std::sqrt(square / 2 + std::pow(roll.aboutLast(read), 2));
+    pitchNow.sigma = pitch.aboutNothing(read);
+    rollNow.sigma = roll.aboutNothing(read);
 }
 
 void RowRates::expectChanges(double interval, FitNuisances& nuisances) const

@@ -65,6 +65,9 @@ public:
     @param usual that of a camera of which nothing is known. */
     double expectedChange(double usual) const;
 
+    //! Standard deviation of the rate at the present frame about 0, if nothing but changes is known.
+    double aboutNothing(double read) const;
+
     //! Standard deviation of the rate at the present frame about the true last mean, with what rows show.
     double aboutLast(double read) const;
 
@@ -76,6 +79,7 @@ private:
     double trust() const;
     double variance(double square, double unknown, double ifShown, double part) const;
     double meanShown() const;
+    double meanSquare() const;
 
     Matx22d products;         // of the two means before
     Vec2d response;           // their products with the mean that follows

@@ -23,7 +23,7 @@ namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Relative depth", has the reasons.
 static const double LEAST_IN_COMMON = 2.5; // sigmas
-static const double FILLED = 0.025;        // of the longer side: how far from a depth maps still go by it
+static const double FILLED = 0.025;        // of the longer side: what has a depth next to it
 
 namespace {
 
@@ -240,6 +240,7 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
         const DisplacementField::Point& p = field.point(k);
         const double value = RelativeDepth::medianAround(depth, p.pixel, reach), inverse = scale * value + shift;
         const bool isKnown = p.z > IN_FRONT && std::isfinite(inverse);
+        const double ofPlanes = isKnown ? 0 : CV_PI / 2 * std::pow(p.weight * motion.expectedResidual, 2);
         double w = planes.inverseDepth(Vec3d(p.x, p.y, 1)), byScale = 0, byShift = 0;
         if (isKnown)
         {
@@ -251,12 +252,13 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
                     moved = motion.alpha * byAlpha + w * byInverse;
         displacement[2 * k] = moved[0];
         displacement[2 * k + 1] = moved[1];
-        variances[k] = isKnown ? 0 : CV_PI / 2 * std::pow(p.weight * motion.expectedResidual, 2);
-        for (int axis = 0; isKnown && axis < 2; axis++)
+        variances[k] = 0;
+        for (int axis = 0; axis < 2; axis++)
         {
             const Vec3d J(byAlpha[axis], byScale * byInverse[axis], byShift * byInverse[axis]);
             variances[k] += std::max(J.dot(covariance * J), 0.);
         }
+        variances[k] = std::max(variances[k], ofPlanes);
     }
     field.addTilt(RowTilt(camera, motion), displacement);
     field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
@@ -265,9 +267,8 @@ void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, 
     motion.expectedResidual = DisplacementField::meanDistance(displacement, displacement, variances);
 }
 
-// What is expected of a motion but for the probability of another one, such as rest, at which a correction leaves
-// itself.
-static void expectHarm(double probability, AckermannMotion& motion)
+// With some probability it is another motion, such as rest: then a correction leaves itself.
+static void mixWithRest(double probability, AckermannMotion& motion)
 {
     motion.probabilityWorse = probability + (1 - probability) * DisplacementField::probabilityWorse(
                                                                     motion.expectedRaw, motion.expectedResidual);
@@ -295,11 +296,17 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
         const double way = wayPerUnitTime(camera, motion), worse = motion.probabilityWorse;
         if (contradictsVerticals(relative, problem, segments, verticals, way, motion))
             return false;
+        if (way == 0) // of a camera that turns: the depth says nothing
+            return true;
         const double waySigma = wayPerUnitTimeSigma(camera, motion);
+        AckermannMotion changed = motion;
         expectWithDepth(camera, depth, std::abs(way), 0,
                         Matx33d::diag(Vec3d(motion.covariance(0, 0), waySigma * waySigma, 0)), std::vector<Point2d>(),
-                        motion);
-        expectHarm(worse, motion);
+                        changed);
+        mixWithRest(worse, changed);
+        if (!(changed.expectedResidual < changed.expectedRaw))
+            return false;
+        motion = changed;
         return true;
     }
     for (const UprightSegment& s : verticals)
@@ -337,7 +344,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     const Matx22d ofAlphaAndRoad(covariance(A_ALPHA, A_ALPHA), covariance(A_ALPHA, A_LOG_ROAD),
                                  covariance(A_ALPHA, A_LOG_ROAD), covariance(A_LOG_ROAD, A_LOG_ROAD));
     expectWithDepth(camera, depth, scale, shift, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), changed);
-    expectHarm(1 / (1 + std::exp(-logOddsOfRest(problem, equations, rest))), changed);
+    mixWithRest(1 / (1 + std::exp(-logOddsOfRest(problem, equations, rest))), changed);
     if (!(changed.expectedResidual < changed.expectedRaw))
         return false;
     motion = changed;

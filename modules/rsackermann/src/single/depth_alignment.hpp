@@ -33,7 +33,7 @@ void setAlphaVariance(double variance, AckermannMotion& motion);
 /** Sets AckermannMotion::expectedRaw and AckermannMotion::expectedResidual, to first order
 (doc/theory.md, "Relative depth").
 @param depth where it isn't known next to a pixel, the planes count, with the residual that the motion expects.
-@param scale, shift the scaled inverse depth without its sign is scale * RelativeDepth::valueAt() + shift.
+@param scale, shift the scaled inverse depth without its sign is scale * RelativeDepth::medianAround() + shift.
 @param covariance of alpha, scale and shift.
 @param seen as DisplacementField has it. */
 void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, double scale, double shift,

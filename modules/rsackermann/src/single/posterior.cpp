@@ -340,11 +340,11 @@ private:
     // without the image, as far as the requested model has it. Other segments are as with a camera at rest.
     void addSceneWithoutVerticals(const Fit& rest)
     {
-        const bool translates = params.model != MODEL_1LA && prior.givenDirection() != 0,
-                   turns = params.model != MODEL_3LA;
-        if (params.model == MODEL_NONE || !(translates || turns))
-            return;
-        Fit unseen(MotionHypothesis(!translates ? MODEL_1LA : turns ? MODEL_4LA : MODEL_3LA, translates ? 2 : 0));
+        const bool moves = params.model != MODEL_NONE, turns = moves && params.model != MODEL_3LA,
+                   translates = moves && params.model != MODEL_1LA && prior.givenDirection() != 0;
+        const int walls = !translates ? 0 : problem.heading.looksAlong() ? 2 : 1;
+        Fit unseen(
+            MotionHypothesis(translates ? (turns ? MODEL_4LA : MODEL_3LA) : (turns ? MODEL_1LA : MODEL_NONE), walls));
         unseen.model = prior.expectedMotion(unseen.hypothesis, unseen.covariance);
         Model turning;
         turning[P_ALPHA] = unseen.model[P_ALPHA];
