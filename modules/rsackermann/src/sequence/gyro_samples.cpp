@@ -48,13 +48,13 @@ void GyroSamples::add(const Mat& times_, const Mat& rates, double origin)
     }
 }
 
-void GyroSamples::Noise::add(const std::vector<Sample>& samples)
+void GyroSamples::Noise::add(const std::vector<Sample>& all)
 {
     const int coefficients[] = {1, -8, 28, -56, 70, -56, 28, -8, 1}, order = 8;
     const double sumOfSquares = 12870;
-    if (samples.size() <= size_t(order))
+    if (all.size() <= size_t(order))
         return;
-    const Sample *const last = &samples.back(), *const first = last - order;
+    const Sample *const last = &all.back(), *const first = last - order;
     if (last->gaps != first->gaps)
         return;
     Vec3d difference;

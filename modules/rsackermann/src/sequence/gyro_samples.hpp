@@ -62,7 +62,7 @@ private:
         double squares = 0, seconds = 0, count = 0;
 
         //! Adds the difference that ends at the last sample.
-        void add(const std::vector<Sample>& samples);
+        void add(const std::vector<Sample>& all);
     };
 
     void integrate(size_t k);
