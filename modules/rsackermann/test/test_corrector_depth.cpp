@@ -178,6 +178,12 @@ TEST_F(CorrectorDepth, metres_expect_what_given_values_leave)
     EXPECT_NEAR(1, left / expected, 0.3);
 
     const Mat1f ends = simulation::randomSegments(street, simulation::SegmentOptions(), rng).ends;
+    MotionPrior exactYawRate; // what is left is the speed's
+    exactYawRate.yawRate = 0.3;
+    exactYawRate.yawRateSigma = 1e-4;
+    exactYawRate.speed = 15;
+    exactYawRate.speedSigma = 1;
+    corrector->setPrior(exactYawRate);
     const double ofPlanes = corrector->correctWithSegments(image, ends, corrected).expectedResidual;
     Mat few(camera.imageSize, CV_32F, Scalar(0));
     depth.values(Rect(20, 20, 10, 10)).copyTo(few(Rect(20, 20, 10, 10)));

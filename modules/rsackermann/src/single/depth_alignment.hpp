@@ -14,8 +14,8 @@ namespace cv { namespace rsackermann {
 const double BARE_MENTION = 2;
 
 /** Finds scale and shift of a relative depth of the raw camera, and the motion that goes with it (doc/theory.md,
-"Relative depth"). One in metres stays as it is, as does the motion; it has to leave no more of the verticals than the
-planes do.
+"Relative depth"). One in metres stays as it is, as does the motion but for what is expected; it has to leave no more of
+the verticals than the planes do.
 
 @param segments N x 4, CV_64F.
 @param motion the motion without the depth, of any status but #MOTION_NOT_OBSERVABLE. Unless the depth is refused, its

@@ -217,7 +217,7 @@ public:
     CV_PROP_RW double rms;     //!< root mean square residual of the inliers in pixels
 
     //! Mean displacement in pixels that is to be expected of the raw image, where segments or tracked points show the
-    //! scene
+    //! scene; of a single image with a depth of the raw camera, all over
     CV_PROP_RW double expectedRaw;
     CV_PROP_RW double expectedResidual; //!< the same of the corrected image
     //! Probability that the corrected image is displaced more than the raw one
