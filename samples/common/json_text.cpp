@@ -12,6 +12,12 @@ nlohmann::json parseJson(const std::string& text, bool throws)
     return nlohmann::json::parse(text, nullptr, throws);
 }
 
+std::string messageOf(const nlohmann::json::exception& error)
+{
+    const std::string text = error.what(); // begins with [json.exception.KIND.NUMBER]
+    return text.substr(text.find(' ') + 1);
+}
+
 bool isBlank(const std::string& line)
 {
     return line.find_first_not_of(" \t\r") == std::string::npos;
@@ -35,7 +41,7 @@ void readReportLines(const std::string& path,
         }
         catch (const nlohmann::json::exception& e)
         {
-            throw InputError(source + " isn't one of a report: " + e.what());
+            throw InputError(source + " isn't one of a report: " + messageOf(e));
         }
     }
 }

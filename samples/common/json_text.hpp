@@ -15,6 +15,9 @@ namespace rsackermann_samples {
 //! @param throws whether an exception of JSON tells of an error, or a value that is_discarded().
 nlohmann::json parseJson(const std::string& text, bool throws = true);
 
+//! What is wrong, without the library's name for the kind of error.
+std::string messageOf(const nlohmann::json::exception& error);
+
 //! Whether there is nothing in a line but spaces.
 bool isBlank(const std::string& line);
 

@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "lens_profile.hpp"
+#include "json_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 namespace rsackermann_samples {
@@ -51,7 +51,7 @@ Json parse(const std::string& text)
     }
     catch (const Json::exception& e)
     {
-        throw UsageError(field.empty() ? e.what() : field + ": " + e.what());
+        throw UsageError((field.empty() ? "" : field + ": ") + messageOf(e));
     }
 }
 

@@ -8,8 +8,11 @@
 #include "options.hpp"
 #include "files.hpp"
 
+#include <algorithm>
 #include <climits>
+#include <cmath>
 #include <iterator>
+#include <set>
 
 namespace rsackermann_samples {
 
@@ -72,15 +75,6 @@ std::string truthLine(const std::string& file, const Truth& truth)
     return json.dump() + "\n";
 }
 
-// What doesn't fit into an integer can't be converted to one.
-static double inRange(const std::string& path, const nlohmann::json& json, const char* key, double low, double high)
-{
-    const double value = json.at(key);
-    if (!(value >= low && value <= high))
-        throw InputError(cv::format("%s: %s is %g; %g to %g is expected", path.c_str(), key, value, low, high));
-    return value;
-}
-
 Truth readTruth(const std::string& path)
 try
 {
@@ -88,43 +82,62 @@ try
     if (!file)
         throw InputError(path + " can't be read");
     const nlohmann::json json = parseJson(std::string(std::istreambuf_iterator<char>(file), {}));
-    const cv::Size size(int(inRange(path, json, "width", 1, 65535)), int(inRange(path, json, "height", 1, 65535)));
-    Truth truth = {street::StreetCamera(size, 1, json.at("line_delay_s"), json.at("height_m")), street::StreetScene()};
+    const auto number = [&](const char* key, double low, double high) {
+        const nlohmann::json& value = json.at(key);
+        if (!value.is_number() || value < low || value > high)
+            throw InputError(
+                cv::format("%s: %s is %s; %g to %g is expected", path.c_str(), key, value.dump().c_str(), low, high));
+        return value.get<double>();
+    };
+    // Files of before 0.2 haven't all of them.
+    const auto numberOrZero = [&](const char* key, double low, double high) {
+        return json.contains(key) ? number(key, low, high) : 0;
+    };
+    const double LEAST = 1e-9; // of what must be above 0
+    const cv::Size size(int(number("width", 1, 65535)), int(number("height", 1, 65535)));
+    Truth truth = {street::StreetCamera(size, 1, number("line_delay_s", 0, cv::rsackermann::LONGEST_READ_OUT),
+                                        number("height_m", LEAST, 1000)),
+                   street::StreetScene()};
     street::StreetCamera& c = truth.camera;
     street::StreetScene& s = truth.scene;
-    s.yawRate = json.at("yaw_rate_deg_s").get<double>() * DEGREE;
-    s.speed = json.at("speed_km_h").get<double>() * KMH;
-    s.left = json.at("left_wall_m");
-    s.right = json.at("right_wall_m");
-    s.wallDirection = json.at("wall_direction_deg").get<double>() * DEGREE;
-    s.stagger = json.at("stagger_m");
-    s.obstacles = json.at("obstacles_per_100_m");
-    s.stains = json.value("stains", 0.); // files of before 0.2 haven't it
-    s.seed = unsigned(inRange(path, json, "seed", 0, UINT_MAX));
-    c.fx = json.at("fx");
-    c.fy = json.at("fy");
-    c.cx = json.at("cx");
-    c.cy = json.at("cy");
-    c.lens = json.at("lens").get<std::vector<double>>();
-    c.scan = int(inRange(path, json, "scan", 0, 3));
-    c.reference = json.at("reference");
-    c.roll = json.at("roll_deg").get<double>() * DEGREE;
-    c.pitch = json.at("pitch_deg").get<double>() * DEGREE;
-    c.heading = json.at("heading_deg").get<double>() * DEGREE;
+    s.yawRate = number("yaw_rate_deg_s", -1000, 1000) * DEGREE;
+    s.speed = number("speed_km_h", -2000, 2000) * KMH;
+    s.left = number("left_wall_m", 0, 1e4);
+    s.right = number("right_wall_m", 0, 1e4);
+    s.wallDirection = number("wall_direction_deg", -360, 360) * DEGREE;
+    s.stagger = number("stagger_m", 0, 100);
+    s.obstacles = number("obstacles_per_100_m", 0, 1000);
+    s.stains = numberOrZero("stains", 0, 1);
+    s.seed = unsigned(number("seed", 0, UINT_MAX));
+    c.fx = number("fx", LEAST, 1e7);
+    c.fy = number("fy", LEAST, 1e7);
+    c.cx = number("cx", -1e6, 1e6);
+    c.cy = number("cy", -1e6, 1e6);
+    const nlohmann::json& lens = json.at("lens");
+    if (!lens.is_array() ||
+        !std::all_of(lens.begin(), lens.end(),
+                     [](const nlohmann::json& k) { return k.is_number() && std::abs(k.get<double>()) <= 1e6; }) ||
+        std::set<size_t>{0, 4, 5, 8}.count(lens.size()) == 0)
+        throw InputError(path + ": lens is " + lens.dump() + "; 0, 4, 5 or 8 coefficients are expected");
+    c.lens = lens.get<std::vector<double>>();
+    c.scan = int(number("scan", 0, 3));
+    c.reference = number("reference", -1e9, 1e9);
+    c.roll = number("roll_deg", -90, 90) * DEGREE;
+    c.pitch = number("pitch_deg", -90, 90) * DEGREE;
+    c.heading = number("heading_deg", -360, 360) * DEGREE;
     if (json.contains("shake"))
     {
-        const int kind = parseWord(json.at("shake"), path, street::Shake::words());
-        const double rate = inRange(path, json, "shake_rate_deg_s", 0, 1000) * DEGREE;
-        c.shake = street::Shake(kind, rate, unsigned(inRange(path, json, "shake_seed", 0, UINT_MAX)));
+        const int kind = parseWord(json.at("shake"), path + ": shake", street::Shake::words());
+        const double rate = number("shake_rate_deg_s", 0, 1000) * DEGREE;
+        c.shake = street::Shake(kind, rate, unsigned(number("shake_seed", 0, UINT_MAX)));
     }
-    // Files of before 0.2 haven't them.
-    c.seconds = json.contains("time_s") ? inRange(path, json, "time_s", 0, 1e6) : 0;
-    s.travelled = json.value("travelled_m", 0.);
+    c.seconds = numberOrZero("time_s", 0, 1e6);
+    s.travelled = numberOrZero("travelled_m", -1e9, 1e9);
     return truth;
 }
 catch (const nlohmann::json::exception& e)
 {
-    throw InputError(path + ": " + e.what());
+    throw InputError(path + ": " + messageOf(e));
 }
 
 } // namespace rsackermann_samples

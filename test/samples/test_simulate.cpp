@@ -113,28 +113,52 @@ TEST(Simulate, camera_that_looks_to_the_right_at_one_wall)
         EXPECT_EQ(std::string::npos, evaluated.output.find(row)) << evaluated.output;
 }
 
-// Also what an int can't hold.
+// Also what an int can't hold, and what is no number.
 TEST(Simulate, truth_out_of_range_is_refused)
 {
     const TemporaryFolder folder;
     const std::string file = folder / "truth.json";
     const nlohmann::json good = nlohmann::json::parse(contentOf(streetFolder() + "/truth.json"));
-    for (const char* key : {"width", "height", "scan", "seed"})
-        for (const double value : {-1., 1e10, -1e300})
+    for (const char* key : {"width",        "height",
+                            "scan",         "seed",
+                            "fx",           "fy",
+                            "cx",           "cy",
+                            "lens",         "line_delay_s",
+                            "reference",    "height_m",
+                            "roll_deg",     "pitch_deg",
+                            "heading_deg",  "yaw_rate_deg_s",
+                            "speed_km_h",   "left_wall_m",
+                            "right_wall_m", "wall_direction_deg",
+                            "stagger_m",    "obstacles_per_100_m",
+                            "stains",       "time_s",
+                            "travelled_m"})
+        for (const char* value : {"-1e10", "1e10", "-1e300", "\"1\"", "null", "[1]", "NaN", "1e999"})
         {
             nlohmann::json json = good;
-            json[key] = value;
-            writeContent(file, json.dump());
+            json[key] = "VALUE";
+            std::string content = json.dump(2);
+            content.replace(content.find("\"VALUE\""), 7, value);
+            writeContent(file, content);
             try
             {
                 rsackermann_samples::readTruth(file);
-                FAIL() << json;
+                FAIL() << content;
             }
             catch (const rsackermann_samples::InputError& e)
             {
-                EXPECT_EQ(0u, std::string(e.what()).find(file + ": " + key + " is ")) << e.what();
+                const std::string message = e.what();
+                EXPECT_EQ(0u, message.find(file + ": ")) << message;
+                EXPECT_NE(std::string::npos, message.find(value == std::string("1e999") ? value : key)) << message;
+                EXPECT_EQ(std::string::npos, message.find("json.exception")) << message;
             }
         }
+    for (const char* key : {"fx", "fy", "line_delay_s", "height_m", "left_wall_m", "stagger_m"})
+    {
+        nlohmann::json json = good;
+        json[key] = key[0] == 'f' ? 0 : -1;
+        writeContent(file, json.dump());
+        EXPECT_THROW(rsackermann_samples::readTruth(file), rsackermann_samples::InputError) << key;
+    }
     writeContent(file, good.dump());
     EXPECT_NO_THROW(rsackermann_samples::readTruth(file));
 }
