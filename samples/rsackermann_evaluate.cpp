@@ -9,6 +9,7 @@
 #include "map_distance.hpp"
 #include "options.hpp"
 #include "files.hpp"
+#include "parsable_text.hpp"
 #include "truth_file.hpp"
 
 #include "opencv2/rsackermann/warp.hpp"
@@ -46,19 +47,30 @@ nlohmann::json lastLine(const std::string& path)
 
 bool isMapOf(const cv::FileNode& node, const cv::Size& size)
 {
-    return node.isMap() && node["rows"].isInt() && node["cols"].isInt() && int(node["rows"]) == size.height &&
+    if (!node.isMap() || !node["data"].isSeq() || node["data"].size() != size_t(size.area()))
+        return false;
+    for (const cv::FileNode& element : node["data"])
+        if (!element.isInt() && !element.isReal())
+            return false;
+    return node["rows"].isInt() && node["cols"].isInt() && int(node["rows"]) == size.height &&
            int(node["cols"]) == size.width && node["dt"].isString() && std::string(node["dt"]) == "f";
+}
+
+void readMap(const cv::FileStorage& maps, const char* key, const std::string& path, const cv::Size& size, cv::Mat& map)
+{
+    // Looked at before cv::FileNode takes the memory for the size that is stated.
+    if (!isMapOf(maps[key], size))
+        throw InputError(cv::format("%s: %s is no matrix of floats of the truth's size, %d x %d", path.c_str(), key,
+                                    size.width, size.height));
+    maps[key] >> map;
 }
 
 void readMaps(const std::string& path, const cv::Size& size, cv::Mat& map1, cv::Mat& map2)
 {
-    cv::FileStorage fs(path, cv::FileStorage::READ);
-    // Looked at before cv::FileNode takes the memory for the size that is stated.
-    if (!fs.isOpened() || !isMapOf(fs["map1"], size) || !isMapOf(fs["map2"], size))
-        throw InputError(
-            cv::format("%s holds no maps of the truth's size, %d x %d", path.c_str(), size.width, size.height));
-    fs["map1"] >> map1;
-    fs["map2"] >> map2;
+    const size_t longestNumber = 64, others = 1 << 16; // characters
+    const cv::FileStorage maps = readStorage(path, others + 2 * longestNumber * size_t(size.area()));
+    readMap(maps, "map1", path, size, map1);
+    readMap(maps, "map2", path, size, map2);
 }
 
 // The maps that rsackermann_correct has made of the report's motion are these.
@@ -67,6 +79,10 @@ void checkMaps(const Options& options, const nlohmann::json& line, const cv::Mat
     const std::string report = options.text("report");
     if (line.value("status", "") == "failed")
         throw InputError("the last input of " + report + " has failed");
+    const cv::Size size(line.value("width", map1.cols), line.value("height", map1.rows));
+    if (size != map1.size())
+        throw InputError(cv::format("the last input of %s has %d x %d pixels, but the truth %d x %d", report.c_str(),
+                                    size.width, size.height, map1.cols, map1.rows));
     if (!line.contains("camera")) // as in reports of before 0.2
         return;
     const MotionFrame frame = frameOfLine(line, report);
@@ -75,12 +91,9 @@ void checkMaps(const Options& options, const nlohmann::json& line, const cv::Mat
     cv::Mat own1, own2, distance;
     cv::rsackermann::WarpMapGenerator::create(frame.cameraOf(frame.camera))->initRectifyMap(frame.motion, own1, own2);
     double largest = 0;
-    if (own1.size() == map1.size())
-    {
-        cv::magnitude(own1 - map1, own2 - map2, distance);
-        cv::minMaxLoc(distance, 0, &largest, 0, 0, placesOf(own1, own2) & placesOf(map1, map2));
-    }
-    if (own1.size() != map1.size() || largest > 0.01)
+    cv::magnitude(own1 - map1, own2 - map2, distance);
+    cv::minMaxLoc(distance, 0, &largest, 0, 0, placesOf(own1, own2) & placesOf(map1, map2));
+    if (largest > 0.01)
         throw InputError(cv::format("%s isn't of %s, the last input of %s: the maps of its motion differ by up to %.3g "
                                     "px",
                                     options.text("maps").c_str(), frame.name().c_str(), report.c_str(), largest));
@@ -96,6 +109,7 @@ void printRow(const char* what, double truth, const nlohmann::json& estimated)
 }
 
 int run(const Options& options)
+try
 {
     options.refuseArguments();
     for (const char* name : {"truth", "maps", "report"})
@@ -139,6 +153,10 @@ int run(const Options& options)
     if (compared < seen)
         std::printf("%d of %d pixels have no place in the estimated maps and don't count\n", seen - compared, seen);
     return 0;
+}
+catch (const nlohmann::json::exception& e)
+{
+    throw InputError("the last line of " + options.text("report") + ": " + messageOf(e));
 }
 
 } // namespace

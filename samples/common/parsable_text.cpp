@@ -4,16 +4,17 @@
 
 #include "parsable_text.hpp"
 #include "options.hpp"
-#include "files.hpp"
 
 #include <cctype>
+#include <memory>
 #include <sstream>
+#include <zlib.h>
 
 namespace rsackermann_samples {
 
 namespace {
 
-void require(bool condition, const char* message)
+void require(bool condition, const std::string& message)
 {
     if (!condition)
         throw UsageError(message);
@@ -60,20 +61,46 @@ void checkDocuments(const std::string& text)
 
 } // namespace
 
-std::string readParsableText(const std::string& path)
+std::string readParsableText(const std::string& path, size_t largest)
 {
-    const std::streamsize largest = 1 << 20;
-    std::ifstream file = openText(path);
+    const std::string mark = "\xEF\xBB\xBF"; // of UTF-8
+    const std::shared_ptr<gzFile_s> file(gzopen(path.c_str(), "rb"), [](gzFile f) { gzclose(f); });
     require(bool(file), "can't be read");
-    std::string text(size_t(largest) + 1, '\0');
-    file.read(&text[0], std::streamsize(text.size()));
-    require(!file.bad(), "can't be read");
-    require(file.gcount() <= largest, "is larger than a megabyte");
-    text.resize(size_t(file.gcount()));
+    std::string text;
+    char block[1 << 16];
+    for (int count; text.size() <= largest && (count = gzread(file.get(), block, sizeof block)) > 0;)
+        text.append(block, size_t(count));
+    require(text.size() <= largest, cv::format("is larger than %zu bytes", largest));
+    int error = Z_OK;
+    gzerror(file.get(), &error);
+    require(error == Z_OK, "can't be read");
+    if (text.compare(0, mark.size(), mark) == 0)
+        text.erase(0, mark.size());
     checkNesting(text);
     if (text.compare(0, 5, "%YAML") == 0)
         checkDocuments(text);
     return text;
+}
+
+cv::FileStorage readStorage(const std::string& path, size_t largest)
+try
+{
+    const std::string text = readParsableText(path, largest);
+    cv::FileStorage storage;
+    bool isMap = false;
+    try
+    {
+        isMap = storage.open(text, cv::FileStorage::READ | cv::FileStorage::MEMORY) && storage.root().isMap();
+    }
+    catch (const std::exception&) // those of the standard library come out of OpenCV's parser, too
+    {
+    }
+    require(isMap, "is no file of cv::FileStorage");
+    return storage;
+}
+catch (const UsageError& e)
+{
+    throw InputError(path + " " + e.what());
 }
 
 } // namespace rsackermann_samples

@@ -168,17 +168,7 @@ std::vector<MotionFrame> readReport(const std::string& path)
 std::vector<MotionFrame> readMotionFile(const std::string& path)
 try
 {
-    const std::string text = readParsableText(path);
-    cv::FileStorage fs;
-    try
-    {
-        fs.open(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    }
-    catch (const std::exception&) // those of the standard library come out of OpenCV's parser, too
-    {
-    }
-    if (!fs.isOpened())
-        throw InputError(path + " can't be read");
+    const cv::FileStorage fs = readStorage(path);
     const cv::FileNode node = fs["motion"].isMap() ? fs["motion"] : fs.root();
     for (const char* key : {"status", "rms"}) // the first and the last one that are written
         if (node[key].empty())
@@ -187,10 +177,6 @@ try
     frame.input = fs["input"].isString() ? std::string(fs["input"]) : std::string("frame.png");
     frame.motion.read(node);
     return {frame};
-}
-catch (const UsageError& e)
-{
-    throw InputError(path + " " + e.what());
 }
 catch (const cv::Exception& e)
 {

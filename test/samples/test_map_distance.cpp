@@ -105,15 +105,18 @@ public:
         rows += 2;
     }
 
+    void writeMaps(const std::string& path) const
+    {
+        cv::FileStorage fs(path, cv::FileStorage::WRITE);
+        fs << "map1" << columns << "map2" << rows;
+    }
+
     // The last lines of the evaluation.
     std::string evaluation()
     {
         const TemporaryFolder folder;
         writeContent(folder / "report.jsonl", "{}\n");
-        {
-            cv::FileStorage fs(folder / "maps.yml", cv::FileStorage::WRITE);
-            fs << "map1" << columns << "map2" << rows;
-        }
+        writeMaps(folder / "maps.yml");
         const Outcome outcome = evaluate({"--truth=" + streetFolder() + "/truth.json",
                                           "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / "maps.yml")});
         EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
@@ -161,6 +164,47 @@ TEST_F(EvaluateMaps, no_pixel_has_a_place)
     EXPECT_EQ(2, std::sscanf(output.c_str(), "mean displacement, px %c %c", &before, &after)) << output;
     EXPECT_EQ('-', before);
     EXPECT_EQ('-', after);
+}
+
+// Whatever is in the files, the message names the one that is wrong.
+TEST_F(EvaluateMaps, files_that_hold_something_else)
+{
+    const TemporaryFolder folder;
+    writeMaps(folder / "good.yml");
+    const auto expectRefused = [&](const std::string& maps, const std::string& report, const std::string& culprit) {
+        writeContent(folder / "report.jsonl", report);
+        const Outcome outcome = evaluate({"--truth=" + streetFolder() + "/truth.json",
+                                          "--report=" + (folder / "report.jsonl"), "--maps=" + (folder / maps)});
+        EXPECT_EQ(1, outcome.exitCode) << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.messages.find(folder / culprit)) << outcome.messages;
+        EXPECT_EQ(std::string::npos, outcome.messages.find("json.exception")) << outcome.messages;
+    };
+    const auto matrix = [](const std::string& data) {
+        return "map1: !!opencv-matrix\n   rows: 380\n   cols: 640\n   dt: f\n   data: " + data + "\n";
+    };
+    std::string nested = "[ [ 1. ]", words = "[ a";
+    for (int i = 1; i < 380 * 640; i++)
+    {
+        nested += i % 8 ? ", [ 1. ]" : ",\n      [ 1. ]";
+        words += i % 8 ? ", a" : ",\n      a";
+    }
+    for (const std::string& content :
+         {std::string("map1:\n   a:\n      b: 1\n"), std::string("map1: [ 1, 2 ]\n"), matrix("[ 1., 2. ]"), matrix("3"),
+          matrix("{ a: 1 }"), matrix("!!binary |\n      MWYg"), matrix(nested + " ]"), matrix(words + " ]"),
+          std::string("- 1\n"), "a: " + std::string(100000, '[')})
+    {
+        writeContent(folder / "bad.yml", "%YAML:1.0\n---\n" + content);
+        expectRefused("bad.yml", "{}\n", "bad.yml");
+    }
+    for (const std::string& content :
+         {std::string("hello"), std::string("[1]"), std::string("{\"map1\": {\"a\": {\"b\": 1}}}"),
+          std::string("<?xml version=\"1.0\"?>\n<opencv_storage><map1><a>1</a></map1></opencv_storage>\n")})
+    {
+        writeContent(folder / "bad", content);
+        expectRefused("bad", "{}\n", "bad");
+    }
+    for (const char* line : {"{\"width\": 641, \"height\": 380}", "{\"width\": \"640\"}", "{\"status\": 1}"})
+        expectRefused("good.yml", line, "report.jsonl");
 }
 
 }} // namespace
