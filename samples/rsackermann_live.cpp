@@ -6,6 +6,7 @@
 // with the numbers.
 
 #include "camera_settings.hpp"
+#include "correct/video_ends.hpp"
 #include "correct/video_timing.hpp"
 #include "output/image_file.hpp"
 #include "motion_words.hpp"
@@ -42,25 +43,47 @@ const char* const KEYS = "{help    |   | print this message}"
 class Source
 {
 public:
-    explicit Source(const std::string& name) : isCamera_(name.find_first_not_of("0123456789") == std::string::npos)
+    explicit Source(const std::string& name)
+        : name_(name), isCamera_(name.find_first_not_of("0123456789") == std::string::npos), frames_(0),
+          hasEnded_(false)
     {
         if (!isCamera_)
             capture_ = namingFile(name, openVideo);
         else if (!capture_.open(parseInteger(name, "number of the camera", 0, 99)))
             throw InputError("there is no camera " + name);
-        clock_.reset(new FrameClock(capture_, isCamera_ ? FrameIndex() : readFrameIndex(name)));
+        if (!isCamera_)
+            index_ = readFrameIndex(name);
+        clock_.reset(new FrameClock(capture_, index_));
     }
 
     bool read(cv::Mat& image, double& seconds)
     {
-        if (!capture_.grab())
+        hasEnded_ = !capture_.grab();
+        if (hasEnded_)
             return false;
         seconds = isCamera_ ? double(cv::getTickCount()) / cv::getTickFrequency() : clock_->timeOfFrame(capture_);
-        return capture_.retrieve(image);
+        hasEnded_ = !capture_.retrieve(image);
+        frames_ += !hasEnded_;
+        return !hasEnded_;
+    }
+
+    int frames() const { return frames_; }
+
+    //! Throws InputError if a video that has been read to its end is cut short.
+    void checkEnd() const
+    {
+        if (hasEnded_ && !isCamera_)
+            namingFile(name_, [&](const std::string& path) {
+                rsackermann_samples::checkEnd(path, index_, announcedFrames(index_, capture_), frames_);
+            });
     }
 
 private:
+    std::string name_;
     bool isCamera_;
+    int frames_;
+    bool hasEnded_;
+    FrameIndex index_{};
     cv::VideoCapture capture_;
     std::unique_ptr<FrameClock> clock_;
 };
@@ -178,8 +201,8 @@ int run(const Options& options)
     cv::Ptr<RollingShutterCorrector> corrector;
     cv::Mat image, corrected, picture;
     double seconds;
-    int count = 0;
-    for (bool goOn = true; goOn && source.read(image, seconds); goOn = screen.show(picture) && count != frames)
+    for (bool goOn = true; goOn && source.read(image, seconds);
+         goOn = screen.show(picture) && source.frames() != frames)
     {
         if (!corrector)
         {
@@ -191,11 +214,11 @@ int run(const Options& options)
         const AckermannMotion motion = corrector->correct(image, corrected);
         cv::hconcat(image, corrected, picture);
         writeNumbers(picture, corrector->getCamera(), motion, corrector->getTimings());
-        count++;
     }
-    if (count == 0)
+    if (source.frames() == 0)
         throw InputError("no frame can be read");
     screen.close();
+    source.checkEnd();
     return 0;
 }
 

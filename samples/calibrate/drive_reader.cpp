@@ -7,6 +7,7 @@
 #include "options.hpp"
 #include "output/interrupt.hpp"
 #ifdef RSACKERMANN_WITH_VIDEOIO
+#include "video_ends.hpp"
 #include "video_timing.hpp"
 #endif
 
@@ -51,8 +52,9 @@ public:
     {
         const std::string& input = inputs_[index].name;
         cv::VideoCapture capture = openVideo(input);
-        FrameClock clock(capture, readFrameIndex(input));
-        const double announced = capture.get(cv::CAP_PROP_FRAME_COUNT);
+        const FrameIndex frames = readFrameIndex(input);
+        FrameClock clock(capture, frames);
+        const double announced = announcedFrames(frames, capture);
         offset_ = index > 0 ? next_ + BETWEEN_DRIVES : 0;
         int number = 0;
         DriveFrame frame;
@@ -66,6 +68,7 @@ public:
         if (number == 0)
             throw InputError("no frame of the video can be read");
         next_ += BETWEEN_DRIVES;
+        checkEnd(input, frames, announced, number);
     }
 #endif
 

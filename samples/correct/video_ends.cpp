@@ -4,6 +4,7 @@
 
 #include "video_ends.hpp"
 #include "container_bytes.hpp"
+#include "files.hpp"
 
 #include <cstring>
 
@@ -78,6 +79,19 @@ bool isVideoCutShort(const std::string& path)
     default:
         return false;
     }
+}
+
+double announcedFrames(const FrameIndex& index, const cv::VideoCapture& capture)
+{
+    return index.shown ? double(index.shown) : capture.get(cv::CAP_PROP_FRAME_COUNT);
+}
+
+void checkEnd(const std::string& path, const FrameIndex& index, double announced, int frames)
+{
+    // One frame may be lost where an edit list begins. Without an index only AVI counts.
+    const bool isCounted = index.shown > 0 || extension(path) == ".avi";
+    if (isVideoCutShort(path) || (isCounted && announced > frames + 1.))
+        throw InputError(cv::format("the video is cut short: %d of %.0f frames could be read", frames, announced));
 }
 
 } // namespace rsackermann_samples

@@ -129,8 +129,7 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     cv::VideoCapture capture = openVideo(input);
     const bool isWritten = !targets.output.empty() || !targets.overlay.empty();
     const FrameIndex index = readFrameIndex(input);
-    const double announced = index.shown ? double(index.shown) : capture.get(cv::CAP_PROP_FRAME_COUNT),
-                 framesPerSecond = isWritten ? meanRate(input) : 0;
+    const double announced = announcedFrames(index, capture), framesPerSecond = isWritten ? meanRate(input) : 0;
     FrameReader reader(capture, index, job.log, input);
     if (needsGyroClock(job))
         corrector.setGyroDelay(gyroDelayOf(input, index, job));
@@ -167,11 +166,7 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     for (FrameReport& report : frames)
         report.frames = int(frames.size());
     reports.swap(frames);
-    // One frame may be lost where an edit list begins. Without an index only AVI counts.
-    const bool isCounted = index.shown > 0 || extension(input) == ".avi";
-    if (isVideoCutShort(input) || (isCounted && announced > double(reports.size()) + 1))
-        throw InputError(
-            cv::format("the video is cut short: %d of %.0f frames could be read", int(reports.size()), announced));
+    checkEnd(input, index, announced, int(reports.size()));
 }
 
 } // namespace rsackermann_samples

@@ -129,6 +129,26 @@ TEST_F(ReadDrive, videos_are_drives_of_their_own)
         EXPECT_NEAR(0.04, t[next] - t[next - 1], 1e-6) << next;
     EXPECT_NEAR(1 / 30., t[8] - t[7], 1e-9);
 }
+
+// The frames that are there count, and the exit code says that some are missing.
+TEST_F(ReadDrive, video_that_is_cut_short)
+{
+    names_ = {folder_ / "whole.avi"};
+    cv::Mat frame(240, 320, CV_8UC3);
+    cv::randu(frame, 0, 255);
+    cv::VideoWriter video(names_[0], cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25, frame.size());
+    for (int k = 0; k < 4; k++)
+        video.write(frame);
+    video.release();
+    EXPECT_EQ(4u, times().size());
+    EXPECT_EQ(0, failures_);
+    cutShort(names_[0], folder_ / "cut.avi", 0.6);
+    names_ = {folder_ / "cut.avi"};
+    const size_t left = times().size();
+    EXPECT_GT(left, 0u);
+    EXPECT_LT(left, 4u);
+    EXPECT_EQ(1, failures_);
+}
 #endif
 
 }} // namespace

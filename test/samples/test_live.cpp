@@ -81,6 +81,18 @@ TEST_F(Live, goes_on_to_the_end)
     EXPECT_LT(differenceInside(last, cv::imread(picture_).colRange(SIZE.width, 2 * SIZE.width)), 1);
 }
 
+// What there is is shown.
+TEST_F(Live, video_that_is_cut_short)
+{
+    cutShort(video_, folder_ / "cut.avi", 0.6);
+    const Outcome outcome = live({folder_ / "cut.avi", camera_, "--picture=" + picture_});
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find((folder_ / "cut.avi") + ": the video is cut short"))
+        << outcome.messages;
+    EXPECT_EQ(cv::Size(2 * SIZE.width, SIZE.height), cv::imread(picture_).size());
+    EXPECT_EQ(0, live({folder_ / "cut.avi", camera_, "--frames=1", "--picture=" + picture_}).exitCode);
+}
+
 TEST_F(Live, no_display)
 {
     for (const char* display : {"", "DISPLAY=:987"})
