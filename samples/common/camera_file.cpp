@@ -45,13 +45,19 @@ public:
         return map_[key];
     }
 
-    //! Those of the keys that have no effect, although they may be meant to, with commas between.
+    //! Those of the keys that have no effect, although they may be meant to, with commas between. Which of two equal
+    //! ones is meant nobody knows.
     std::string unknown(const std::vector<std::string>& keys) const
     {
         std::string others;
+        std::set<std::string> found;
         for (const std::string& key : keys)
+        {
+            if (!found.insert(key).second)
+                throw UsageError(key + " is there twice");
             if (!asked_.count(key) && !OTHER_KEYS.count(key))
                 others += (others.empty() ? "" : ", ") + key;
+        }
         return others;
     }
 
@@ -269,7 +275,7 @@ void readYaml(const std::string& text, CameraSettings& s)
     readShutterAndMounting(
         [&](const std::string& key, double& value) {
             if (root[key])
-                value = finite(root[key].as<double>(), key);
+                value = finite(root[key].as<double>(NAN), key);
             return bool(root[key]);
         },
         [&](const std::string& key, std::string& value) {

@@ -84,6 +84,17 @@ void checkFocalLength(const RollingShutterCamera& camera)
                                     focal, size.width, size.height, std::ceil(least)));
 }
 
+// An image may be cut out of any place of the sensor, but the axis isn't a whole image beside it.
+void checkAxis(const RollingShutterCamera& camera)
+{
+    const cv::Size& size = camera.imageSize;
+    const double x = camera.cameraMatrix(0, 2), y = camera.cameraMatrix(1, 2);
+    if (std::abs(x / size.width - 0.5) > 1.5 || std::abs(y / size.height - 0.5) > 1.5)
+        throw InputError(cv::format("the principal point (%g, %g) of the camera matrix is far outside of the image, "
+                                    "whose width and height are %d x %d pixels",
+                                    x, y, size.width, size.height));
+}
+
 } // namespace
 
 bool CameraSettings::hasLineDelay() const
@@ -172,6 +183,7 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
         camera.focalSigma = focalSigma;
     camera.check();
     checkFocalLength(camera);
+    checkAxis(camera);
     return camera;
 }
 

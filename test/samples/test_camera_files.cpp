@@ -384,6 +384,10 @@ TEST(CameraFiles, broken)
              ros + "roll: .nan\n",
              ros + "heading: .inf\n",
              ros + "line_delay: 20\n",
+             ros + "readout: 0.02\nreadout: 0.03\n",
+             opencv + "readout: 0.02\nreadout: 0.03\n",
+             "width: 640\nheight: 380\nK: [500, 0, 1300, 0, 500, 189.5, 0, 0, 1]\n",
+             "width: 640\nheight: 380\nK: [500, 0, 319.5, 0, 500, -400, 0, 0, 1]\n",
              "%YAML:1.0\n---\ncamera_matrix: \"opencv-matrix\"\n",
              "%YAML:1.0\n---\ncamera_matrix: 5\n#opencv-matrix\n",
              "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"

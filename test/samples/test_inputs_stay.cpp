@@ -6,6 +6,8 @@
 // -.
 
 #include "program.hpp"
+#include "camera_file.hpp"
+#include "camera_settings.hpp"
 
 #include <map>
 #include <regex>
@@ -35,9 +37,12 @@ protected:
     InputsStay()
     {
         cv::imwrite(folder / "a.png", cv::Mat(48, 64, CV_8U, cv::Scalar(7)));
-        const std::string camera = contentOf(streetFolder() + "/camera.yml");
-        files["--camera="] = camera.substr(0, camera.find("image_width")) + "image_width: 64\nimage_height: 48\n" +
-                             camera.substr(camera.find("camera_matrix"));
+        rsackermann_samples::CameraSettings camera;
+        camera.size = cv::Size(64, 48);
+        camera.K = cv::Matx33d(816, 0, 31.5, 0, 816, 23.5, 0, 0, 1);
+        camera.readOut = 0.4 / 30;
+        camera.height = 1.2;
+        files["--camera="] = rsackermann_samples::cameraText(camera);
         files["--log="] = "file,time_s\na.png,1\n";
         files["--gyro="] = "time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n0,0,0,0\n1,0,0,0\n";
         files["--depth="] = "no depth";
