@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <iostream>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -62,6 +63,10 @@ cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
     if (std::max(image.cols, image.rows) > longest)
         throw InputError(cv::format("the image has %d x %d pixels; up to %d along each side are supported", image.cols,
                                     image.rows, longest));
+    const bool isTiff = extension(path) == ".tif" || extension(path) == ".tiff";
+    const size_t pages = isTiff ? cv::imcount(path, cv::IMREAD_UNCHANGED) : 1;
+    if (pages > 1)
+        std::cerr << path << ": warning: only the first of " << pages << " pages is read" << std::endl;
     if (exif)
         *exif = exifOf(bytes);
     return image;

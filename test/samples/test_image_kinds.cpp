@@ -183,4 +183,15 @@ TEST(ImageKinds, alpha)
     EXPECT_GT(cv::norm(image, corrected, cv::NORM_INF), 0);
 }
 
+TEST(ImageKinds, pages_that_are_left_out)
+{
+    const TemporaryFolder folder;
+    cv::imwrite(folder / "one.tiff", streetImage());
+    cv::imwrite(folder / "many.tif", std::vector<cv::Mat>(3, streetImage()));
+    EXPECT_EQ("", correct({folder / "one.tiff", "--report=-"}).messages);
+    const Outcome outcome = correct({folder / "many.tif", "--report=-"});
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_EQ((folder / "many.tif") + ": warning: only the first of 3 pages is read\n", outcome.messages);
+}
+
 }} // namespace
