@@ -156,7 +156,7 @@ TEST_P(RSAckermann_WanderingRate, has_a_true_sigma)
         count++;
     }
     const double change = 0.01 * std::sqrt(double(steps));
-    EXPECT_NEAR(change, process.expectedChange(1), (noise > 0 ? 0.3 : 0.1) * change);
+    EXPECT_NEAR(change, process.expectedChange(INTERVAL, 1), (noise > 0 ? 0.3 : 0.1) * change);
     for (int i = 0; i < 2; i++)
         for (int n = 0; n < 2; n++)
         {
@@ -170,6 +170,47 @@ TEST_P(RSAckermann_WanderingRate, has_a_true_sigma)
 
 INSTANTIATE_TEST_CASE_P(, RSAckermann_WanderingRate,
                         testing::Combine(testing::Bool(), testing::Values(0, 0.25, 0.5), testing::Values(0, 0.03)));
+
+// The mean over a gap says little of the instant after it: how little, a suspension, an arm, and a car that weaves
+// show.
+TEST(RSAckermann_RateProcess, is_uncertain_after_missing_frames)
+{
+    RNG rng(12);
+    for (int k = 0; k < 3; k++)
+        for (const int gap : {2, 4, 9})
+        {
+            SCOPED_TRACE(cv::format("%d %d", k, gap));
+            double error = 0, variance = 0, ofNext = 0, varianceOfNext = 0;
+            for (int n = 0; n < 60; n++)
+            {
+                const simulation::Oscillation fast(0.002, 0.15, 0.25, rng);
+                const double phase = rng.uniform(0., 2 * CV_PI);
+                const auto weave = [phase](double seconds) { return 0.1 * std::sin(CV_PI / 2 * seconds + phase); };
+                const Swing swing = {k == 0   ? simulation::onSprings(0.004, rng)
+                                     : k == 1 ? simulation::Sway([fast](double seconds) { return fast.at(seconds); })
+                                              : simulation::Sway(weave)};
+                RateProcess process;
+                const int last = 40;
+                for (int i = 1; i <= last; i++)
+                    process.add(InstantRate(swing.mean(i)), 0, INTERVAL);
+                double mean = 0;
+                for (int i = 1; i <= gap; i++)
+                    mean += swing.mean(last + i) / gap;
+                process.add(InstantRate(mean), 0, gap * INTERVAL);
+                const InstantRate now = process.now(0);
+                error += std::pow(now.value - swing.at(last + gap), 2);
+                variance += now.sigma * now.sigma;
+                // Of the next frame it is what it would be without.
+                process.add(InstantRate(swing.mean(last + gap + 1)), 0, INTERVAL);
+                const InstantRate next = process.now(0);
+                ofNext += std::pow(next.value - swing.at(last + gap + 1), 2);
+                varianceOfNext += next.sigma * next.sigma;
+            }
+            EXPECT_LT(error, 4 * variance);
+            EXPECT_LT(variance, 4 * error);
+            EXPECT_LT(ofNext, 1.5 * varianceOfNext);
+        }
+}
 
 // What can't be predicted isn't applied in full: half of the last mean is on average as good as can be.
 TEST(RSAckermann_RowRates, of_noise)
@@ -216,7 +257,7 @@ TEST(RSAckermann_RowRates, nothing_is_known_at_first)
     EXPECT_EQ(0, process.now(0).value);
     EXPECT_EQ(0, process.now(0).sigma);
     EXPECT_EQ(0, process.now(1, 0, 0.5, 0).value);
-    EXPECT_EQ(2, process.expectedChange(2));
+    EXPECT_EQ(2, process.expectedChange(INTERVAL, 2));
     process.add(InstantRate(0.3), 0, INTERVAL);
     EXPECT_EQ(0, process.now(0).value); // how much it changes isn't known
     EXPECT_NEAR(0.4, process.now(0.5, 0, 0.5, 0).value, 1e-15);

@@ -9,8 +9,8 @@
 namespace cv { namespace rsackermann {
 
 RateProcess::RateProcess()
-    : products(Matx22d::zeros()), count(0), pairs(0), changes(0), errors(0), shown(0), shownCount(0), shownSquares(0),
-      confirmed(0), noise(0), change(0), known(0)
+    : products(Matx22d::zeros()), count(0), pairs(0), changes(0), seconds(0), errors(0), shown(0), shownCount(0),
+      shownSquares(0), confirmed(0), noise(0), change(0), lastInterval(0), known(0)
 {
 }
 
@@ -25,6 +25,8 @@ double RateProcess::predict() const
     Matx22d information = products;
     information(0, 0) += prior;
     information(1, 1) += prior;
+    if (known < 2) // a damped rate
+        return response[0] / information(0, 0) * past[0];
     return (information.inv() * response).dot(past);
 }
 
@@ -45,11 +47,16 @@ void RateProcess::add(const InstantRate& mean, double shownChange, double interv
 {
     const double rate = mean.value;
     noise = mean.sigma * mean.sigma;
-    const double kept = std::exp(-std::abs(interval) / RATE_MEMORY);
+    lastInterval = std::abs(interval);
+    const double kept = std::exp(-lastInterval / RATE_MEMORY);
+    // Across missing frames means don't follow each other as they usually do.
+    if (pairs > 0 && cvRound(lastInterval * pairs / seconds) > 1)
+        known = 0;
     if (known > 0)
     {
         const double difference = rate - past[0];
         changes = kept * changes + difference * difference;
+        seconds = kept * seconds + lastInterval;
         pairs = kept * pairs + 1;
     }
     if (known > 1)
@@ -110,9 +117,20 @@ double RateProcess::variance(double square, double unknown, double ifShown, doub
     return ofWandering * square + (part - 2 * ofWandering) * std::min(noise, square / 2);
 }
 
-double RateProcess::aboutLast(double read) const
+// Rates that change evenly differ by as much more as the interval is longer, and those of a camera that only shakes by
+// twice their mean square.
+double RateProcess::differenceAfter(double interval) const
 {
-    return pairs > 0 ? std::sqrt(variance(changes / pairs, varianceOfLast(read), shownVarianceOfLast(read), 0)) : 0;
+    const double usual = changes / pairs, longer = std::max(interval * pairs / seconds, 1.),
+                 evenly = usual * longer * longer;
+    return count > 0 ? std::max(usual, std::min(evenly, 2 * products(0, 0) / count)) : evenly;
+}
+
+double RateProcess::aboutLast(double interval, double read) const
+{
+    return pairs > 0
+               ? std::sqrt(variance(differenceAfter(interval), varianceOfLast(read), shownVarianceOfLast(read), 0))
+               : 0;
 }
 
 double RateProcess::aboutMeans(double read) const
@@ -128,20 +146,21 @@ double RateProcess::meanSquare() const
 
 double RateProcess::aboutNothing(double read) const
 {
-    return std::sqrt(meanSquare() + std::pow(aboutLast(read), 2));
+    return std::sqrt(meanSquare() + std::pow(aboutLast(0, read), 2));
 }
 
 // A rate that wanders changes more than means of it.
-double RateProcess::expectedChange(double usual) const
+double RateProcess::expectedChange(double interval, double usual) const
 {
-    return pairs > 0 ? std::sqrt(1.5 * std::max(changes / pairs - 2 * noise, 0.)) : usual;
+    return pairs > 0 ? std::sqrt(1.5 * std::max(differenceAfter(std::abs(interval)) - 2 * noise, 0.)) : usual;
 }
 
-void RateProcess::expectChange(double square)
+void RateProcess::expectChange(double square, double interval)
 {
     if (pairs > 0 || !(square > 0))
         return;
     changes = square;
+    seconds = interval;
     pairs = 1;
 }
 
@@ -150,12 +169,12 @@ InstantRate RateProcess::now(double read) const
     InstantRate result;
     if (known > 0 && pairs > 0)
     {
-        const double byMeans = (past[0] + predict()) / 2, seen = trust(),
-                     missed = count > 0 ? errors / count : meanSquare();
+        const double difference = differenceAfter(lastInterval), byMeans = (past[0] + predict()) / 2, seen = trust(),
+                     missed = known > 1 && count > 0 ? errors / count : difference / 2;
         result.value = byMeans + seen * (past[0] - byMeans) + beyondLast();
         // Of the last mean's error half counts, or all of it where rows show the change.
         const double ofLast =
-            variance(changes / pairs, varianceOfMeans(read), shownVarianceOfLast(read), 0.25 + 0.75 * seen);
+            variance(difference, varianceOfMeans(read), shownVarianceOfLast(read), 0.25 + 0.75 * seen);
         result.sigma = std::sqrt(ofLast + (1 - seen) * missed / 4);
     }
     return result;
@@ -186,11 +205,11 @@ AboutFit RowRates::aboutFit(double before, double after, double readOut) const
 {
     const double past = std::abs(before), future = std::abs(after), longer = std::max(past, future);
     RateProcess process = yaw;
-    process.expectChange(steering * longer);
+    process.expectChange(steering * longer, longer);
     if (past > 0 && future > 0) // for the speed, the mean of both sides is that of the instant
         return {process.aboutMeans(readOut / (past + future)), 0};
     const double read = readOut / (2 * longer);
-    return {process.aboutLast(read), speed.aboutLast(read)};
+    return {process.aboutLast(longer, read), speed.aboutLast(longer, read)};
 }
 
 void RowRates::update(const SequenceFit& fit, double before, double after, double readOut)
@@ -208,12 +227,12 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
         return after != 0 ? process.now(-sign * ofNext.angle / future, ofNext.change, share, read) : process.now(read);
     };
     const double square = (std::pow(last.pitch.angle, 2) + std::pow(last.roll.angle, 2)) / (past * past);
-    pitch.expectChange(square);
-    roll.expectChange(square);
+    pitch.expectChange(square, past);
+    roll.expectChange(square, past);
     pitchNow = follow(pitch, last.pitch, next.pitch);
     rollNow = follow(roll, last.roll, next.roll);
 
-    yaw.expectChange(steering * past);
+    yaw.expectChange(steering * past, past);
     const double ofLast =
         fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before;
     yaw.add(InstantRate(ofLast, last.yaw.sigma / past), last.yaw.change, before);
@@ -248,9 +267,9 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
     interrupt();
     const double ofPitch = fit.after.pitch.angle / after, ofRoll = fit.after.roll.angle / after;
     const double square = ofPitch * ofPitch + ofRoll * ofRoll;
-    pitch.expectChange(square);
-    roll.expectChange(square);
-    yaw.expectChange(steering * std::abs(after) + square);
+    pitch.expectChange(square, std::abs(after));
+    roll.expectChange(square, std::abs(after));
+    yaw.expectChange(steering * std::abs(after) + square, std::abs(after));
     setSigmas(aboutFit(0, after, readOut));
     const double read = readOut / (2 * std::abs(after));
     pitchNow.sigma = pitch.aboutNothing(read);
@@ -260,8 +279,8 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
 void RowRates::expectChanges(double interval, FitNuisances& nuisances) const
 {
     const double usual = std::sqrt(2.) * TURN_SIGMA / std::abs(interval);
-    nuisances.pitchChange = pitch.expectedChange(usual);
-    nuisances.rollChange = roll.expectedChange(usual);
+    nuisances.pitchChange = pitch.expectedChange(interval, usual);
+    nuisances.rollChange = roll.expectedChange(interval, usual);
 }
 
 void RowRates::set(const MeasuredTurns& measured)

@@ -40,8 +40,8 @@ public:
     @param interval seconds, of any sign. */
     void add(const InstantRate& mean, double change, double interval);
 
-    //! The square of a change that is expected while none is known.
-    void expectChange(double square);
+    //! The square of a change over an interval in seconds that is expected while none is known.
+    void expectChange(double square, double interval);
 
     //! The next mean doesn't follow the last one.
     void interrupt() { known = 0; }
@@ -62,14 +62,16 @@ public:
     double beyondMeans(double changeToNext, double share) const;
 
     /** Standard deviation of the change of the rate from frame to frame.
+    @param interval seconds between them, of any sign.
     @param usual that of a camera of which nothing is known. */
-    double expectedChange(double usual) const;
+    double expectedChange(double interval, double usual) const;
 
     //! Standard deviation of the rate at the present frame about 0, if nothing but changes is known.
     double aboutNothing(double read) const;
 
-    //! Standard deviation of the rate at the present frame about the true last mean, with what rows show.
-    double aboutLast(double read) const;
+    //! Standard deviation of the rate at the present frame about the true last mean, over an interval in seconds, with
+    //! what rows show.
+    double aboutLast(double interval, double read) const;
 
     //! The same about the mean of both sides.
     double aboutMeans(double read) const;
@@ -80,16 +82,19 @@ private:
     double variance(double square, double unknown, double ifShown, double part) const;
     double meanShown() const;
     double meanSquare() const;
+    double differenceAfter(double interval) const;
 
-    Matx22d products;         // of the two means before
-    Vec2d response;           // their products with the mean that follows
-    double count, pairs;      // of the means with two before, and with one; those that are forgotten count less
-    double changes, errors;   // squares of the differences of neighbouring means, and of the errors of predictions
-    double shown, shownCount; // sum of the changes that rows have shown, and their number
+    Matx22d products;               // of the two means before
+    Vec2d response;                 // their products with the mean that follows
+    double count, pairs;            // of the means with two before, and with one; those that are forgotten count less
+    double changes, seconds;        // squares of the differences of neighbouring means, and their intervals
+    double errors;                  // squares of those of predictions
+    double shown, shownCount;       // sum of the changes that rows have shown, and their number
     double shownSquares, confirmed; // of these changes, and their products with those of the means
     Vec2d past;                     // the last mean and the one before
     double noise;                   // variance of the last mean's error
     double change;                  // that rows have shown last, without its mean
+    double lastInterval;            // seconds
     int known;                      // of these means
 };
 
