@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "test_common.hpp"
+#include "../src/camera/lens.hpp"
 
 namespace opencv_test { namespace {
 
@@ -156,9 +157,35 @@ TEST(RSAckermann_Camera, seconds_per_unit_time)
     EXPECT_EQ(0, camera.secondsPerUnitTime());
     camera.lineDelay = 2e-5;
     EXPECT_DOUBLE_EQ(0.01, camera.secondsPerUnitTime());
-    // a line takes the line delay
-    EXPECT_NEAR(2e-5, (camera.rowTime(Point2d(0, 11)) - camera.rowTime(Point2d(0, 10))) * camera.secondsPerUnitTime(),
-                1e-18);
+    // a line takes the line delay, rows and columns alike
+    for (int scan : {SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP, SCAN_LEFT_TO_RIGHT, SCAN_RIGHT_TO_LEFT})
+    {
+        camera.scanDirection = scan;
+        const Point2d line = camera.isRowShutter() ? Point2d(0, 1) : Point2d(1, 0);
+        const double step = camera.rowTime(11 * line) - camera.rowTime(10 * line);
+        EXPECT_NEAR(2e-5, std::abs(step) * camera.secondsPerUnitTime(), 1e-18) << scan;
+    }
+}
+
+// Up to the largest radius that has an image, wherever that is in the raw image.
+TEST(RSAckermann_Camera, lens_is_inverted_up_to_its_end)
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 380));
+    const double coefficients[][2] = {{0.3, -0.1}, {0.6, -0.3}, {-0.3, 0.1}, {-0.3, 0}, {0.2, 0}, {-0.2, -0.02}};
+    for (const auto& k : coefficients)
+    {
+        camera.distCoeffs = {k[0], k[1], 0, 0};
+        const Lens<double> lens(camera);
+        const double end = std::min(std::sqrt(lens.maxRadius2), 3.);
+        for (int i = 1; i < 500; i++)
+        {
+            const Point2d ray = Point2d(0.6, -0.8) * (end * i / 500);
+            Point2d raw, found;
+            ASSERT_TRUE(lens.project(ray.x, ray.y, raw.x, raw.y));
+            EXPECT_TRUE(unproject(lens, raw, found)) << k[0] << " " << k[1] << " " << i;
+            EXPECT_LT(cv::norm(found - ray), 1e-6) << k[0] << " " << k[1] << " " << i;
+        }
+    }
 }
 
 TEST(RSAckermann_Camera, lens_coefficients)

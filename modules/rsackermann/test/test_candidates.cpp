@@ -115,6 +115,25 @@ TEST(RSAckermann_Candidates, sorts_segments)
     EXPECT_NEAR(100 / 816., verticals[0].timeV - verticals[0].timeU, 1e-9);
 }
 
+// With the distance of the wall a fast car may make a vertical lean by more than the usual limit.
+TEST(RSAckermann_Candidates, what_a_near_wall_allows)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.heading = CV_PI / 2; // looks at the wall
+    AckermannEstimator::Params near = paramsWithWall(0.5), usual = near;
+    near.maxSpeed = 200;
+    usual.wallDistance = 0;
+    const double slant = 0.9 * MotionLimits(camera, near).maxSlant(0, camera.heading);
+    ASSERT_GT(slant, 1.1 * usual.maxSlant);
+    const double x = camera.cameraMatrix(0, 2), dx = slant * 50 * camera.cameraMatrix(0, 0) / camera.cameraMatrix(1, 1);
+    const Mat segment = Mat(Vec4d(x - dx, 140, x + dx, 240)).reshape(1, 1);
+    std::vector<UprightSegment> verticals, others;
+    selectCandidates(segment, camera, near, verticals, others);
+    EXPECT_EQ(1u, verticals.size());
+    selectCandidates(segment, camera, usual, verticals, others);
+    EXPECT_EQ(0u, verticals.size());
+}
+
 // How far the image of a straight segment of the raw image is from its chord, in pixels, by OpenCV's inverse of the
 // lens.
 TEST(RSAckermann_Candidates, sagitta_of_each_lens)

@@ -293,6 +293,43 @@ TEST(RSAckermann_Gyro, another_clock_is_found)
     }
 }
 
+// What is known of a clock beforehand counts from where it was found, also of a car that hardly shakes.
+TEST(RSAckermann_Gyro, another_clock_is_as_exact)
+{
+    for (const double shaking : {0.03, 0.1})
+    {
+        double error[2];
+        for (int i = 0; i < 2; i++)
+        {
+            const double delay = i == 0 ? 0 : 1.1;
+            RNG rng(330);
+            const Turning turning(rng, shaking * DEGREE);
+            Mat times, values;
+            measure(turning, {delay, 0.2 * DEGREE, Vec3d(), Vec3d(), 1}, 3, rng, times, values);
+            GyroRates gyro;
+            gyro.samples.add(times, values);
+            for (int k = 1; k <= 60; k++)
+                gyro.add(turnOfPoints(turning, k, 0.3 * DEGREE, rng));
+            error[i] = gyro.alignment().delay - delay;
+        }
+        EXPECT_NEAR(error[0], error[1], 2e-4) << shaking;
+    }
+}
+
+// All rows of an image, whichever comes first.
+TEST(RSAckermann_Gyro, rows_of_an_image)
+{
+    RollingShutterCamera camera(Size(640, 380), Matx33d(400, 0, 319.5, 0, 500, 189.5, 0, 0, 1));
+    camera.lineDelay = 2e-5;
+    for (int scan : {SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP})
+    {
+        camera.scanDirection = scan;
+        const RowSpan rows(camera);
+        EXPECT_NEAR(-189.5 * 2e-5, rows.from, 1e-12) << scan;
+        EXPECT_NEAR(189.5 * 2e-5, rows.to, 1e-12) << scan;
+    }
+}
+
 // Of another sequence nothing is left, whatever the gyro was in it.
 TEST(RSAckermann_Gyro, reset_forgets_every_history)
 {

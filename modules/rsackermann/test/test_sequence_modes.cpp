@@ -934,6 +934,13 @@ TEST(RSAckermann_SequenceModes, nothing_is_seen_beside_a_gyro)
     }
 }
 
+// Of what is known of gravity; the first one changes nothing.
+const std::function<void(RollingShutterCamera&, AckermannEstimator::Params&)> GRAVITY_CHANGES[] = {
+    [](RollingShutterCamera&, AckermannEstimator::Params&) {},
+    [](RollingShutterCamera& camera, AckermannEstimator::Params&) { camera.setRollPitch(0.002, 0.001); },
+    [](RollingShutterCamera&, AckermannEstimator::Params& params) { params.gravitySigma *= 1.5; },
+    [](RollingShutterCamera&, AckermannEstimator::Params& params) { params.vehiclePitchSigma *= 1.5; }};
+
 // Whichever of what is known of gravity changes, roll and pitch begin anew; all else goes on.
 TEST(RSAckermann_SequenceModes, gravity_that_changes)
 {
@@ -942,11 +949,6 @@ TEST(RSAckermann_SequenceModes, gravity_that_changes)
     std::vector<Mat> frames;
     for (int i = 0; i < FRAMES; i++)
         frames.push_back(street.frame(i));
-    const std::function<void(RollingShutterCamera&, AckermannEstimator::Params&)> changes[] = {
-        [](RollingShutterCamera&, AckermannEstimator::Params&) {},
-        [](RollingShutterCamera& camera, AckermannEstimator::Params&) { camera.setRollPitch(0.002, 0.001); },
-        [](RollingShutterCamera&, AckermannEstimator::Params& params) { params.gravitySigma *= 1.5; },
-        [](RollingShutterCamera&, AckermannEstimator::Params& params) { params.vehiclePitchSigma *= 1.5; }};
     AckermannMotion unchanged;
     for (int k = 0; k < 8; k++)
     {
@@ -957,7 +959,7 @@ TEST(RSAckermann_SequenceModes, gravity_that_changes)
             correctFrame(*corrector, frames, i, NOTHING);
         RollingShutterCamera camera = setting.camera;
         RollingShutterCorrector::Params params = setting.params;
-        changes[k % 4](camera, params.estimator);
+        GRAVITY_CHANGES[k % 4](camera, params.estimator);
         corrector->setCamera(camera);
         corrector->setParams(params);
         if (isMisled)
@@ -978,6 +980,32 @@ TEST(RSAckermann_SequenceModes, gravity_that_changes)
         EXPECT_EQ(k % 4 == 0, std::abs(dark.pitchCorrection) > 1e-4);
         EXPECT_NEAR(unchanged.alpha, dark.alpha, 1e-9);
         EXPECT_NEAR(unchanged.roadSlope, dark.roadSlope, 1e-9);
+    }
+}
+
+// The same image once more has the motion that it had, unless gravity isn't what it was.
+TEST(RSAckermann_SequenceModes, same_image_with_another_gravity)
+{
+    const Setting setting = settingOf(MODES[0]);
+    const StreetImages street(setting);
+    std::vector<Mat> frames;
+    for (int i = 0; i < FRAMES; i++)
+        frames.push_back(street.frame(i));
+    frames.push_back(frames.back());
+    for (int k = 0; k < 4; k++)
+    {
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING);
+        AckermannMotion last;
+        for (int i = 0; i < FRAMES; i++)
+            last = correctFrame(*corrector, frames, i, NOTHING);
+        RollingShutterCamera camera = setting.camera;
+        RollingShutterCorrector::Params params = setting.params;
+        GRAVITY_CHANGES[k](camera, params.estimator);
+        corrector->setCamera(camera);
+        corrector->setParams(params);
+        const AckermannMotion again = correctFrame(*corrector, frames, FRAMES, NOTHING);
+        EXPECT_EQ(k == 0, last.rollCorrection == again.rollCorrection && last.pitchCorrection == again.pitchCorrection)
+            << k << " " << last.rollCorrection << " " << again.rollCorrection;
     }
 }
 

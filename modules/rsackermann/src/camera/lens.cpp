@@ -87,9 +87,10 @@ static bool unprojectBrown(const Lens<double>& lens, const Point2d& raw, const P
 {
     const double target = 1e-10, h = 1e-7; // pixels; step of the numeric derivatives
     ray = distorted;
-    const double size2 = ray.dot(ray);
-    if (size2 > lens.maxRadius2)
-        ray *= 0.99 * std::sqrt(lens.maxRadius2 / size2);
+    // Where the model stops growing steps would lead anywhere.
+    const double size2 = ray.dot(ray), largest2 = 0.81 * lens.maxRadius2;
+    if (size2 > largest2)
+        ray *= std::sqrt(largest2 / size2);
     Point2d at, dx, dy;
     if (!lens.project(ray.x, ray.y, at.x, at.y))
         return false;
