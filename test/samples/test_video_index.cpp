@@ -6,7 +6,9 @@
 // are shown in.
 
 #include "program.hpp"
+#include "../../samples/correct/frame_index.hpp"
 
+#include <fstream>
 #include <sstream>
 
 namespace opencv_test { namespace {
@@ -127,5 +129,65 @@ TEST_P(VideoIndex, fragments)
 
 INSTANTIATE_TEST_CASE_P(Formats, VideoIndex,
                         testing::Combine(testing::Values("libx264", "mpeg4"), testing::Values("mp4", "mov", "mkv")));
+
+// Numbers of four bytes.
+std::string bytesOf(const std::vector<uint32_t>& numbers)
+{
+    std::string bytes;
+    for (const uint32_t number : numbers)
+        for (int shift = 24; shift >= 0; shift -= 8)
+            bytes += char(number >> shift & 0xff);
+    return bytes;
+}
+
+std::string box(const std::string& name, const std::string& content)
+{
+    return bytesOf({uint32_t(8 + content.size())}) + name + content;
+}
+
+// Frames may have durations, sizes, flags and offsets of their own, in this order, or those of their fragment or track.
+TEST(FrameIndex, each_field_of_a_fragment)
+{
+    const TemporaryFolder in;
+    const uint32_t id = 7, second = 1000, ofTrack = 40, ofFragment = 50, steps[] = {30, 35, 45, 40},
+                   offsets[] = {0, 20, uint32_t(-5), 10};
+    const std::string track =
+                          box("tkhd", bytesOf({0, 0, 0, id})) +
+                          box("mdia", box("mdhd", bytesOf({0, 0, 0, second})) + box("hdlr", bytesOf({0, 0}) + "vide")),
+                      movie = box("moov", box("mvhd", bytesOf({0, 0, 0, second})) + box("trak", track) +
+                                              box("mvex", box("trex", bytesOf({0, id, 1, ofTrack}))));
+    for (int fields = 0; fields < 16; fields++)
+        for (int defaults = 0; defaults < 2; defaults++)
+        {
+            std::vector<uint32_t> header(1, defaults ? 8 : 0), run = {uint32_t(fields << 8), 4};
+            header.push_back(id);
+            if (defaults)
+                header.push_back(ofFragment);
+            std::vector<double> expected;
+            double time = 0;
+            for (int i = 0; i < 4; i++)
+            {
+                if (fields & 1)
+                    run.push_back(steps[i]);
+                if (fields & 2)
+                    run.push_back(1111); // bytes
+                if (fields & 4)
+                    run.push_back(2222); // flags
+                if (fields & 8)
+                    run.push_back(offsets[i]);
+                expected.push_back((time + (fields & 8 ? int32_t(offsets[i]) : 0)) / second);
+                time += fields & 1 ? steps[i] : defaults ? ofFragment : ofTrack;
+            }
+            std::sort(expected.begin(), expected.end());
+            const std::string path = in / "fragments.mp4";
+            std::ofstream(path, std::ios::binary)
+                << box("ftyp", "isom") << movie
+                << box("moof", box("traf", box("tfhd", bytesOf(header)) + box("trun", bytesOf(run))));
+            const std::vector<double> times = rsackermann_samples::readFrameIndex(path).times;
+            ASSERT_EQ(4u, times.size()) << fields << " " << defaults;
+            for (size_t i = 0; i < 4; i++)
+                EXPECT_NEAR(expected[i] - expected[0], times[i], 1e-9) << fields << " " << defaults << " " << i;
+        }
+}
 
 }} // namespace
