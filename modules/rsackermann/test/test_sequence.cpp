@@ -186,6 +186,41 @@ TEST(RSAckermann_Sequence, filter_of_another_scene)
     EXPECT_EQ(SequenceState(camera, params).covariance, filter.state.covariance);
 }
 
+// Of the next frame all stays, of the one before nothing, on whichever grid points were tracked.
+TEST(RSAckermann_Sequence, features_without_the_frame_before)
+{
+    RNG rng(7);
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(1200, 800));
+    camera.lineDelay = 2e-5;
+    Mat noise(camera.imageSize, CV_8U);
+    rng.fill(noise, RNG::UNIFORM, 0, 256);
+    GaussianBlur(noise, noise, Size(), 3);
+    normalize(noise, noise, 0, 255, NORM_MINMAX);
+    FramePrediction same;
+    same.usual = [](const Point2d& now, double) { return now; };
+    FrameFeatures features;
+    for (int i = 0; i < 2; i++)
+    {
+        const auto frame = [&](int k) { return GrayFrame(noise.colRange(2 * k, noise.cols - 8 + 2 * k), 1, 0.1 * k); };
+        features.track(camera, frame(i), 0.1, same, frame(i + 1));
+    }
+    std::vector<TrackedBearing>* const all[] = {&features.bearings, &features.fineBearings};
+    std::ptrdiff_t after[2];
+    const auto isAfter = [](const TrackedBearing& b) { return b.pitch == FLOW_PITCH_AFTER; };
+    for (int k = 0; k < 2; k++)
+    {
+        after[k] = std::count_if(all[k]->begin(), all[k]->end(), isAfter);
+        EXPECT_GT(after[k], 50);
+        EXPECT_GT(std::ptrdiff_t(all[k]->size()), after[k] + 50);
+    }
+    features.leaveOutFrameBefore();
+    for (int k = 0; k < 2; k++)
+    {
+        EXPECT_EQ(after[k], std::ptrdiff_t(all[k]->size()));
+        EXPECT_TRUE(std::all_of(all[k]->begin(), all[k]->end(), isAfter));
+    }
+}
+
 typedef testing::TestWithParam<int> Scans;
 
 TEST_P(Scans, points_move_as_the_simulated_motion_moves_them)
