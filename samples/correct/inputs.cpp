@@ -145,8 +145,23 @@ struct NumberPattern
     }
 };
 
-// @param intervals receives by how many frames each is after the one before: the nearest numbers are those of
-// neighbours.
+// By how many frames each is after the one before: the nearest numbers are those of neighbours.
+std::vector<double> intervalsOf(const std::vector<long>& numbers)
+{
+    std::vector<double> intervals;
+    long step = LONG_MAX;
+    for (size_t i = 0; i < numbers.size(); i++)
+    {
+        const long gap = i > 0 ? numbers[i] - numbers[i - 1] : 0;
+        if (gap > 0)
+            step = std::min(step, gap);
+        intervals.push_back(double(gap));
+    }
+    for (double& interval : intervals)
+        interval = std::max(std::round(interval / double(step)), 1.);
+    return intervals;
+}
+
 std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::string& folder,
                                   std::vector<double>& intervals)
 {
@@ -158,19 +173,34 @@ std::vector<std::string> imagesOf(const NumberPattern& pattern, const std::strin
             found.insert(std::make_pair(number, folder + fileName(path)));
     }
     std::vector<std::string> images;
-    long last = found.empty() ? 0 : found.begin()->first, step = LONG_MAX;
+    std::vector<long> numbers;
     for (const std::pair<long, std::string>& entry : found)
     {
-        const long gap = entry.first - last;
-        if (gap > 0)
-            step = std::min(step, gap);
-        intervals.push_back(double(gap));
         images.push_back(entry.second);
-        last = entry.first;
+        numbers.push_back(entry.first);
     }
-    for (double& interval : intervals)
-        interval = std::max(std::round(interval / double(step)), 1.);
+    intervals = intervalsOf(numbers);
     return images;
+}
+
+// The last numbers of names that differ in nothing else; none if they do.
+std::vector<long> numbersOf(const std::vector<std::string>& images)
+{
+    std::vector<long> numbers;
+    const std::string digits = "0123456789", first = images.empty() ? std::string() : fileName(images[0]);
+    const size_t end = first.find_last_of(digits, first.rfind('.'));
+    if (end == std::string::npos)
+        return numbers;
+    const size_t begin = first.find_last_not_of(digits, end) + 1;
+    const NumberPattern pattern = {first.substr(0, begin), first.substr(end + 1), 1};
+    for (const std::string& path : images)
+    {
+        long number = 0;
+        if (!pattern.match(fileName(path), number))
+            return std::vector<long>();
+        numbers.push_back(number);
+    }
+    return numbers;
 }
 
 std::vector<std::string> linesOf(const std::string& path)
@@ -192,7 +222,11 @@ std::vector<std::string> linesOf(const std::string& path)
 std::vector<std::string> expand(const std::string& argument, InputList& list, std::vector<double>& intervals)
 {
     if (fs::isDirectory(argument))
-        return imagesOf(argument, list.warnings);
+    {
+        const std::vector<std::string> images = imagesOf(argument, list.warnings);
+        intervals = intervalsOf(numbersOf(images));
+        return images;
+    }
     if (fs::exists(argument))
         return std::vector<std::string>(1, argument);
     if (argument[0] == '@')
