@@ -95,8 +95,7 @@ try
     };
     const double LEAST = 1e-9; // of what must be above 0
     const cv::Size size(int(number("width", 1, 65535)), int(number("height", 1, 65535)));
-    Truth truth = {street::StreetCamera(size, 1, number("line_delay_s", 0, cv::rsackermann::LONGEST_READ_OUT),
-                                        number("height_m", LEAST, 1000)),
+    Truth truth = {street::StreetCamera(size, 1, number("line_delay_s", 0, 1), number("height_m", LEAST, 1000)),
                    street::StreetScene()};
     street::StreetCamera& c = truth.camera;
     street::StreetScene& s = truth.scene;
