@@ -95,7 +95,7 @@ private:
     double noise;                   // variance of the last mean's error
     double change;                  // that rows have shown last, without its mean
     double lastInterval;            // seconds
-    int known;                      // of these means
+    int known;                      // of the last two means
 };
 
 //! How a gyro has measured that the rows of a frame turn.
