@@ -221,13 +221,13 @@ struct Recording
     {
         const ResidualSigmas usual = {1, 1, 1};
         const FrameProblem problem(camera, MountVector::Zero(), 1, usual);
-        std::vector<double> across;
-        std::vector<DepthResidual> along;
+        PointResiduals residuals;
         for (CalibrationFrame f : frames)
         {
             problem.weigh(f);
-            problem.addPointResiduals(f, across, along);
+            problem.addPointResiduals(f, residuals);
         }
+        std::vector<double>& across = residuals.across;
         std::nth_element(across.begin(), across.begin() + across.size() / 2, across.end());
         return across[across.size() / 2];
     }

@@ -6,7 +6,7 @@
 #include "test_common.hpp"
 #include "test_simulator.hpp"
 #include "../src/sequence/clock_noise.hpp"
-#include "../src/sequence/frame_fit.hpp"
+#include "../src/sequence/residual_noise.hpp"
 #include "../src/sequence/sequence_filter.hpp"
 
 namespace opencv_test { namespace {
@@ -430,6 +430,62 @@ TEST_P(Scans, states_of_cameras_that_shake_have_true_sigmas)
     EXPECT_LT(errors[0], 0.5 * errors[1]);
     EXPECT_LT(squares[0], count);
     EXPECT_GT(squares[1], 1.5 * count);
+}
+
+//! A frame of a street whose parts are off its planes, by shares of a usual deviation.
+std::vector<TrackedBearing> unevenBearings(const Simulator& simulator, const Truth& truth, double share, RNG& rng)
+{
+    const double interval = 1. / 30;
+    const RollingShutterCamera& camera = simulator.camera;
+    const FlowResidual residual(camera);
+    double values[FLOW_VALUES] = {0};
+    const SequenceVector value = stateOf(camera, truth).value;
+    std::copy(value.val, value.val + SEQUENCE_VALUES, values);
+    std::vector<TrackedBearing> bearings =
+        bearingsOf(camera, randomPairs(simulator, interval, 250, 0.3, 0, rng), interval);
+    for (TrackedBearing& b : bearings)
+    {
+        const Point2d d =
+            pixelsOfDeviation(residual, b, values, camera.secondsPerUnitTime(), residual.predict(b, values));
+        b.other += rng.gaussian(share) / camera.cameraMatrix(0, 0) * d;
+    }
+    return bearings;
+}
+
+// Of points that are exact a street that is plane shows a yaw rate well, and an uneven one as well as it is uneven.
+TEST_P(Scans, states_of_uneven_streets_have_true_sigmas)
+{
+    for (const double heading : {0., -CV_PI / 2})
+    {
+        SCOPED_TRACE(heading);
+        double sigmas[2];
+        for (int uneven = 0; uneven < 2; uneven++)
+        {
+            RNG rng(10);
+            RollingShutterCamera camera = driveCamera(GetParam());
+            camera.heading = heading;
+            std::vector<double> errors, found;
+            for (int i = 0; i < 100; i++)
+            {
+                const Truth truth = {rng.uniform(-0.2, 0.2), rng.uniform(6., 14.), rng.uniform(6., 15.),
+                                     rng.uniform(6., 15.), 0};
+                const SequenceState state = stateOf(camera, truth);
+                const std::vector<TrackedBearing> bearings =
+                    unevenBearings(simulate(camera, truth), truth, 0.5 * uneven, rng);
+                const SequenceState fitted =
+                    fitFrame(camera, bearings, std::vector<UprightSegment>(), state, false).state;
+                const double sigma = std::sqrt(fitted.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
+                errors.push_back(std::abs(fitted.value[SEQUENCE_YAW_RATE] - truth.yawRate) / sigma);
+                found.push_back(sigma);
+            }
+            sigmas[uneven] = median(found);
+            RecordProperty("sigma", format("%.2f deg/s", sigmas[uneven] / DEGREE));
+            EXPECT_LT(*std::max_element(errors.begin(), errors.end()), 2);
+            EXPECT_GT(median(errors), 0.1);
+        }
+        EXPECT_LT(sigmas[0], 0.5 * DEGREE);
+        EXPECT_GT(sigmas[1], (heading == 0 ? 1.3 : 3) * sigmas[0]); // beside a wall turning looks like passing
+    }
 }
 
 // Times that jitter, as those at which a computer received the frames, look like a speed that does: the state is as

@@ -359,6 +359,17 @@ TEST(RSAckermann_RowRates, of_the_first_frames)
     }
 }
 
+// Shaking is alike about all axes: half of the mean square by which neighbouring means differ is about the last one.
+TEST(RSAckermann_RowRates, first_yaw_rates_shake_as_about_other_axes)
+{
+    SequenceFit fit = exactFit();
+    fit.before.pitch.angle = 0.003;
+    fit.before.roll.angle = -0.004;
+    RowRates rates;
+    rates.update(fit, INTERVAL, 0, 0);
+    EXPECT_NEAR(0.005 / INTERVAL * std::sqrt(0.5), rates.aboutFit(INTERVAL, 0, 0).yawRate, 1e-9);
+}
+
 TEST(RSAckermann_RowRates, first_changes_are_as_large_as_other_rates)
 {
     for (double interval : {0.1, -0.1})

@@ -114,14 +114,6 @@ bool FrameProblem::isAtFoot(const FlowResidual::View& view, const double* values
            std::abs(values[SEQUENCE_SPEED]) * unit * values[SEQUENCE_ROAD] * reach / focal;
 }
 
-// Pixels by which a point is elsewhere in the other image if it is nearer than its plane by a usual deviation.
-Point2d FrameProblem::byDepth(const TrackedBearing& point, const double* values, const FlowResidual::View& view) const
-{
-    Point2d byInverseDepth;
-    residual.residualOf(point, values, view, &byInverseDepth);
-    return values[SEQUENCE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2] * byInverseDepth;
-}
-
 // By how much a vertical leans otherwise if it is nearer than its wall by a usual deviation, in usual sigmas.
 double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFrame& frame, const PreparedModel& model,
                                   const Matx<double, PARAMETERS, SEQUENCE_VALUES>& byValues) const
@@ -144,7 +136,7 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
 {
     const Matx33d R = tilt(frame.value);
     const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
-    const double pointSigma = POINT_SIGMA * sigmas.points;
+    const PointNoise noise = {sigmas.points, sigmas.depths};
     frame.pointWeights.clear();
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
@@ -155,12 +147,7 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
             frame.pointWeights.push_back(Matx22d::zeros());
             continue;
         }
-        // The inverse square root of the covariance pointSigma^2 I + d d^T
-        const Point2d d = sigmas.depths * byDepth(now, values.val, view);
-        const double inverse = 1 / pointSigma, squared = d.dot(d),
-                     less = squared > 0 ? (inverse - 1 / std::hypot(pointSigma, norm(d))) / squared : 0;
-        frame.pointWeights.push_back(Matx22d(inverse - less * d.x * d.x, -less * d.x * d.y, //
-                                             -less * d.x * d.y, inverse - less * d.y * d.y));
+        frame.pointWeights.push_back(noise.weight(pixelsOfDeviation(residual, now, values.val, unit, view)));
     }
     Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const PreparedModel model = modelOf(frame, &byValues);
@@ -173,8 +160,7 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
     }
 }
 
-void FrameProblem::addPointResiduals(const CalibrationFrame& frame, std::vector<double>& across,
-                                     std::vector<DepthResidual>& along) const
+void FrameProblem::addPointResiduals(const CalibrationFrame& frame, PointResiduals& residuals) const
 {
     const Matx33d R = tilt(frame.value);
     const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
@@ -184,12 +170,8 @@ void FrameProblem::addPointResiduals(const CalibrationFrame& frame, std::vector<
             continue;
         const TrackedBearing now = seen(frame.bearings[i], frame, R);
         const FlowResidual::View view = residual.predict(now, values.val);
-        const Point2d d = byDepth(now, values.val, view), r = residual.residualOf(now, values.val, view);
-        const double length = norm(d);
-        if (!(length > 0))
-            continue;
-        across.push_back(std::abs(r.cross(d)) / length);
-        along.push_back({std::abs(r.dot(d)) / length, length});
+        residuals.add(residual.residualOf(now, values.val, view),
+                      pixelsOfDeviation(residual, now, values.val, unit, view));
     }
 }
 

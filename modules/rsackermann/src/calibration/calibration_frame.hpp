@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_CALIBRATION_CALIBRATION_FRAME_HPP
 
 #include "../factors/prepared_model.hpp"
-#include "../sequence/frame_fit.hpp"
+#include "../sequence/residual_noise.hpp"
 #include "../optim/normal_equations.hpp"
 #include "row_turns.hpp"
 
@@ -42,12 +42,6 @@ inline Vec<double, FLOW_VALUES> flowValues(const FrameVector& value)
 struct ResidualSigmas
 {
     double points, slants, depths;
-};
-
-//! An absolute residual, and by what a usual deviation of the depth changes it.
-struct DepthResidual
-{
-    double value, byDepth;
 };
 
 //! How a frame is seen, and its evidence.
@@ -94,9 +88,8 @@ public:
     //! With the frame's weights, at whatever value.
     FrameEquations evaluate(const CalibrationFrame& frame, const FrameVector& value) const;
 
-    //! Adds residuals of points across that line and along it, in pixels.
-    void addPointResiduals(const CalibrationFrame& frame, std::vector<double>& across,
-                           std::vector<DepthResidual>& along) const;
+    //! Adds residuals of points, in pixels.
+    void addPointResiduals(const CalibrationFrame& frame, PointResiduals& residuals) const;
     //! Adds residuals of verticals, in usual sigmas.
     void addSlantResiduals(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const;
 
@@ -106,7 +99,6 @@ private:
     TrackedBearing seen(const TrackedBearing& point, const CalibrationFrame& frame, const Matx33d& R) const;
     PreparedModel modelOf(const CalibrationFrame& frame, Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian = 0) const;
     bool isAtFoot(const FlowResidual::View& view, const double* values) const;
-    Point2d byDepth(const TrackedBearing& point, const double* values, const FlowResidual::View& view) const;
     double slantByDepth(const UprightSegment& vertical, const CalibrationFrame& frame, const PreparedModel& model,
                         const Matx<double, PARAMETERS, SEQUENCE_VALUES>& byValues) const;
 

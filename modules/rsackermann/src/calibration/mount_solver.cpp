@@ -4,7 +4,6 @@
 
 #include "../precomp.hpp"
 #include "../optim/levenberg_marquardt.hpp"
-#include "../optim/median.hpp"
 #include "../sequence/frame_terms.hpp"
 #include "../sequence/row_rates.hpp"
 #include "mount_equations.hpp"
@@ -94,18 +93,16 @@ public:
     void updateSigmas()
     {
         const FrameProblem problem(camera, mount, 1, sigmas);
-        std::vector<double> across;
-        std::vector<DepthResidual> along, slants;
+        PointResiduals residuals;
+        std::vector<DepthResidual> slants;
         for (size_t k = 0; k < frames.size(); k++)
         {
-            problem.addPointResiduals(frames[k], across, along);
+            problem.addPointResiduals(frames[k], residuals);
             problem.addSlantResiduals(frames[k], slants);
         }
-        if (!across.empty())
-            sigmas.points = std::min(
-                std::max(sigmaOfMedian(medianOf(across.begin(), across.end())) / POINT_SIGMA, double(FLT_EPSILON)), 1.);
-        sigmas.depths = solveScale(
-            along, [&](double depths, double by) { return std::hypot(POINT_SIGMA * sigmas.points, depths * by); });
+        const PointNoise noise = residuals.noise(FLT_EPSILON);
+        sigmas.points = noise.points;
+        sigmas.depths = noise.depths;
         sigmas.slants =
             solveScale(slants, [&](double slant, double by) { return std::hypot(slant, sigmas.depths * by); });
     }
@@ -129,24 +126,6 @@ public:
     }
 
 private:
-    // The value up to 1 with which residuals have the median of a normal distribution of the standard deviations
-    // sigmaOf(value, byDepth), which grow with it.
-    template <class SigmaOf>
-    static double solveScale(const std::vector<DepthResidual>& residuals, const SigmaOf& sigmaOf)
-    {
-        const int halvings = 10;
-        double low = 0, high = 1;
-        std::vector<double> values(residuals.size());
-        for (int i = 0; i < halvings && !residuals.empty(); i++)
-        {
-            const double middle = (low + high) / 2;
-            for (size_t k = 0; k < residuals.size(); k++)
-                values[k] = residuals[k].value / sigmaOf(middle, residuals[k].byDepth);
-            (sigmaOfMedian(medianOf(values.begin(), values.end())) > 1 ? low : high) = middle;
-        }
-        return high;
-    }
-
     MountMatrix prior() const
     {
         MountMatrix information = sigma.cwiseProduct(sigma).cwiseInverse().asDiagonal();

@@ -5,10 +5,14 @@
 #include "../precomp.hpp"
 #include "frame_fit.hpp"
 #include "frame_terms.hpp"
+#include "residual_noise.hpp"
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
 
 namespace cv { namespace rsackermann {
+
+// Of a point, over POINT_SIGMA: tracking errs alike where images look alike, however many points there are
+static const double LEAST_NOISE = 0.2;
 
 namespace {
 
@@ -63,6 +67,25 @@ public:
                 minimize(*this, MinimizerOptions(STEPS, 1e-3), m.at, m.equations);
         }
         return m;
+    }
+
+    // With the noise that the points of a minimum show; the prior says how far a scene may be off its planes at most.
+    void refineWithNoise(Minimum& m)
+    {
+        PointResiduals residuals;
+        std::vector<Point2d> byDeviation;
+        for (const TrackedBearing& s : bearings)
+        {
+            const FlowResidual::View view = residual.predict(s, m.at.data());
+            const Point2d r = residual.residualOf(s, m.at.data(), view);
+            byDeviation.push_back(pixelsOfDeviation(residual, s, m.at.data(), unit, view));
+            if (!FlowResidual::isBehind(r))
+                residuals.add(r, byDeviation.back());
+        }
+        const PointNoise noise = residuals.noise(LEAST_NOISE);
+        for (size_t i = 0; i < bearings.size(); i++)
+            pointWeights[i] = noise.weight(byDeviation[i]);
+        minimize(*this, MinimizerOptions(STEPS, 1e-3), m.at, m.equations);
     }
 
     void evaluate(const Unknowns& u, FlowEquations& equations) const
@@ -269,8 +292,9 @@ Minimum search(FrameFitProblem& problem, double focal, bool isUninitialised, Seq
 }
 
 // A minimum as the fit of a frame.
-SequenceFit toFit(const FrameFitProblem& problem, const Minimum& best, const FitNuisances& nuisances, SequenceFit fit)
+SequenceFit toFit(FrameFitProblem& problem, Minimum best, const FitNuisances& nuisances, SequenceFit fit)
 {
+    problem.refineWithNoise(best);
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     problem.measureTurns(best.at, fit.before, fit.after);
     problem.setState(best, nuisances, fit.state);

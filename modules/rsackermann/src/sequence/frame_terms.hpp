@@ -17,8 +17,6 @@ namespace cv { namespace rsackermann {
 const int STEPS = 10; //!< of a fit, at each scale of the loss
 //! Of the points' loss, in sigmas: with ever less tolerance for points that disagree.
 const double POINT_SCALES[] = {8, 3, 1};
-//! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
-const double DEVIATION_SIGMA = 0.03;
 const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars usually steer: two frames hardly determine it
 const double TURN_SIGMA = 0.5 * CV_PI / 180;     //!< of pitch and roll from frame to frame
 

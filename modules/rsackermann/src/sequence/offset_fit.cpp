@@ -7,6 +7,7 @@
 #include "../scene/inverse_depth_offset.hpp"
 #include "../scene/planes.hpp"
 #include "frame_terms.hpp"
+#include "residual_noise.hpp"
 #include "scene_fit.hpp"
 #include <Eigen/SparseCholesky>
 

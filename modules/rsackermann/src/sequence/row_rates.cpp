@@ -232,7 +232,7 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
     pitchNow = follow(pitch, last.pitch, next.pitch);
     rollNow = follow(roll, last.roll, next.roll);
 
-    yaw.expectChange(steering * past, past);
+    yaw.expectChange(steering * past + square, past);
     const double ofLast =
         fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before;
     yaw.add(InstantRate(ofLast, last.yaw.sigma / past), last.yaw.change, before);

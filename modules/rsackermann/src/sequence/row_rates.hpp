@@ -98,13 +98,13 @@ private:
     int known;                      // of the last two means
 };
 
-//! How a gyro has measured that the rows of a frame turn.
 //! Standard deviations of an instant about means between frames.
 struct AboutFit
 {
     double yawRate, speed;
 };
 
+//! How a gyro has measured that the rows of a frame turn.
 struct MeasuredTurns
 {
     InstantRate pitch, roll, yaw;

@@ -1,0 +1,71 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_RESIDUAL_NOISE_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_RESIDUAL_NOISE_HPP
+
+#include "../optim/median.hpp"
+#include "frame_fit.hpp"
+
+namespace cv { namespace rsackermann {
+
+// How much residuals really err, from their medians; doc/theory.md, "Self-calibration".
+
+//! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
+const double DEVIATION_SIGMA = 0.03;
+
+//! An absolute residual, and by what a usual deviation of the depth changes it.
+struct DepthResidual
+{
+    double value, byDepth;
+};
+
+//! Standard deviations of the residuals of points and of depths, over POINT_SIGMA and DEVIATION_SIGMA.
+struct PointNoise
+{
+    double points, depths;
+
+    /** The inverse square root of a point's covariance.
+    @param d pixels by which a usual deviation of the depth moves it. */
+    Matx22d weight(const Point2d& d) const;
+};
+
+//! Residuals of points, across and along their epipolar lines.
+struct PointResiduals
+{
+    std::vector<double> across;
+    std::vector<DepthResidual> along;
+
+    void add(const Point2d& residual, const Point2d& d);
+
+    //! What explains them. @param least standard deviation of points, over the usual one.
+    PointNoise noise(double least) const;
+};
+
+/** Pixels by which a point is elsewhere in the other image if it is nearer than its plane by a usual deviation.
+@param unit seconds per unit of row time. */
+Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& point, const double* values, double unit,
+                          const FlowResidual::View& view);
+
+/** The value up to 1 with which residuals have the median of a normal distribution of the standard deviations
+sigmaOf(value, byDepth), which grow with it. */
+template <class SigmaOf>
+double solveScale(const std::vector<DepthResidual>& residuals, const SigmaOf& sigmaOf)
+{
+    const int halvings = 10;
+    double low = 0, high = 1;
+    std::vector<double> values(residuals.size());
+    for (int i = 0; i < halvings && !residuals.empty(); i++)
+    {
+        const double middle = (low + high) / 2;
+        for (size_t k = 0; k < residuals.size(); k++)
+            values[k] = residuals[k].value / sigmaOf(middle, residuals[k].byDepth);
+        (sigmaOfMedian(medianOf(values.begin(), values.end())) > 1 ? low : high) = middle;
+    }
+    return high;
+}
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_RESIDUAL_NOISE_HPP

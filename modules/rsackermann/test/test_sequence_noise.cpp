@@ -1,0 +1,79 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_random.hpp"
+
+#include "../src/sequence/residual_noise.hpp"
+
+namespace opencv_test { namespace {
+
+using namespace cv::rsackermann;
+
+TEST(RSAckermann_PrivateResidualNoise, weights_make_residuals_of_unit_variance)
+{
+    RNG rng(1);
+    for (int i = 0; i < 10000; i++)
+    {
+        const PointNoise noise = {rng.uniform(0.01, 1.), rng.uniform(0., 1.)};
+        const Point2d d = i % 10 ? gaussianPoint(rng, 3) : Point2d(), deviation = noise.depths * d;
+        const double sigma = POINT_SIGMA * noise.points;
+        const Matx22d covariance = sigma * sigma * Matx22d::eye() +
+                                   Matx22d(deviation.x * deviation.x, deviation.x * deviation.y,
+                                           deviation.x * deviation.y, deviation.y * deviation.y),
+                      W = noise.weight(d);
+        ASSERT_LT(cvtest::norm(W * covariance * W, Matx22d::eye(), NORM_INF), 1e-9) << i;
+        ASSERT_NEAR(W(0, 1), W(1, 0), 1e-12) << i;
+    }
+}
+
+//! Residuals of points whose depths are off by a share of the usual deviation.
+PointResiduals residualsOf(const PointNoise& noise, int count, RNG& rng)
+{
+    PointResiduals residuals;
+    for (int i = 0; i < count; i++)
+    {
+        const Point2d d = gaussianPoint(rng, 4);
+        residuals.add(gaussianPoint(rng, POINT_SIGMA * noise.points) + rng.gaussian(noise.depths) * d, d);
+    }
+    return residuals;
+}
+
+TEST(RSAckermann_PrivateResidualNoise, is_what_residuals_show)
+{
+    RNG rng(2);
+    for (const double points : {0.3, 0.6})
+        for (const double depths : {0., 0.1, 0.5})
+        {
+            SCOPED_TRACE(testing::Message() << points << " " << depths);
+            const PointNoise noise = {points, depths};
+            PointResiduals residuals = residualsOf(noise, 10000, rng);
+            // A third as many move otherwise.
+            for (int i = 0; i < 3000; i++)
+                residuals.add(gaussianPoint(rng, 30), gaussianPoint(rng, 4));
+            const PointNoise found = residuals.noise(0.01);
+            EXPECT_GT(found.points, points * 0.95);
+            EXPECT_LT(found.points, points * 1.7);
+            EXPECT_NEAR(depths, found.depths, 0.3 * depths + 0.15);
+        }
+}
+
+TEST(RSAckermann_PrivateResidualNoise, is_within_limits)
+{
+    RNG rng(3);
+    const PointNoise exact = residualsOf({0.01, 0}, 1000, rng).noise(0.2),
+                     wild = residualsOf({5, 5}, 1000, rng).noise(0.2), none = PointResiduals().noise(0.2);
+    EXPECT_EQ(0.2, exact.points);
+    EXPECT_LT(exact.depths, 0.01);
+    EXPECT_EQ(1, wild.points);
+    EXPECT_EQ(1, wild.depths);
+    EXPECT_EQ(1, none.points);
+    EXPECT_EQ(1, none.depths);
+    PointResiduals farAway; // however far a point is off its plane it is seen there
+    farAway.add(Point2d(1, 1), Point2d());
+    EXPECT_TRUE(farAway.across.empty());
+    EXPECT_TRUE(farAway.along.empty());
+}
+
+}} // namespace
