@@ -12,6 +12,7 @@
 #include "../single/depth_alignment.hpp"
 #include "../single/relative_depth.hpp"
 #include "frame_terms.hpp"
+#include "residual_noise.hpp"
 #include "scene_fit.hpp"
 
 namespace cv { namespace rsackermann {
@@ -105,8 +106,28 @@ public:
     DepthProblem(const RollingShutterCamera& camera, const std::vector<DeepPoint>& points_, const GivenScale& given_,
                  const SequenceFit& planes_)
         : points(points_), given(given_), standard(points, !given.isMetric),
-          sign(planes_.values[SEQUENCE_SPEED] < 0 ? -1 : 1), scale(1), flow(camera), planes(planes_)
+          sign(planes_.values[SEQUENCE_SPEED] < 0 ? -1 : 1), scale(1), flow(camera), planes(planes_),
+          unit(camera.secondsPerUnitTime()), weights(points.size(), Matx22d::eye() * (1 / POINT_SIGMA))
     {
+    }
+
+    // By the noise that the points show, as in the fit of a frame.
+    void weigh(const State& u)
+    {
+        PointResiduals residuals;
+        std::vector<Point2d> byDeviation;
+        for (const DeepPoint& p : points)
+        {
+            Eigen::Matrix<double, UNKNOWNS, 2> J;
+            const Point2d r = residual(u, p, p.value, &J);
+            byDeviation.push_back(planes.values[SEQUENCE_SPEED] * unit * DEVIATION_SIGMA *
+                                  Point2d(J(D_SHIFT, 0), J(D_SHIFT, 1)));
+            if (!FlowResidual::isBehind(r))
+                residuals.add(r, byDeviation.back());
+        }
+        const PointNoise noise = residuals.noise(LEAST_NOISE);
+        for (size_t i = 0; i < points.size(); i++)
+            weights[i] = noise.weight(byDeviation[i]);
     }
 
     // That of the planes, and everything infinitely far away unless the scale is given.
@@ -132,14 +153,16 @@ public:
         if (given.isMetric) // a rounding error, so that the equations stay regular
             addPrior(u, D_SHIFT, 0, standard.sigma * given.scale * FLT_EPSILON, equations);
         const CauchyLoss loss(scale, 1 / DEPENDENCE);
-        for (const DeepPoint& p : points)
+        for (size_t i = 0; i < points.size(); i++)
         {
             Eigen::Matrix<double, UNKNOWNS, 2> J;
-            const Point2d r = residual(u, p, p.value, &J) / POINT_SIGMA;
-            if (FlowResidual::isBehind(r * POINT_SIGMA))
-                equations.cost += loss.cost(r.dot(r));
+            const Point2d r = residual(u, points[i], points[i].value, &J);
+            const Eigen::Map<const Eigen::Matrix2d> weight(weights[i].val);
+            const Eigen::Vector2d weighed = weight * Eigen::Vector2d(r.x, r.y);
+            if (FlowResidual::isBehind(r))
+                equations.cost += loss.cost(weighed.squaredNorm());
             else
-                equations.add((J / POINT_SIGMA).eval(), Eigen::Vector2d(r.x, r.y), loss);
+                equations.add((J * weight).eval(), weighed, loss);
         }
     }
 
@@ -198,6 +221,8 @@ private:
 
     const FlowResidual flow;
     const SequenceFit& planes;
+    const double unit;
+    std::vector<Matx22d> weights;
 };
 
 // What planes and offset leave of points that the offset wasn't fitted to: it is made of as many numbers as a fifth of
@@ -251,6 +276,8 @@ bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBeari
         problem.scale = s;
         minimize(problem, MinimizerOptions(STEPS, 1e-3), u, equations);
     }
+    problem.weigh(u);
+    minimize(problem, MinimizerOptions(STEPS, 1e-3), u, equations);
     const double scale = problem.sign * u[D_SCALE] / standard.sigma,
                  shift = problem.sign * u[D_SHIFT] - scale * standard.mean;
     if (!(scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX) ||

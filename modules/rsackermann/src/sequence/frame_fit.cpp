@@ -11,9 +11,6 @@
 
 namespace cv { namespace rsackermann {
 
-// Of a point, over POINT_SIGMA: tracking errs alike where images look alike, however many points there are
-static const double LEAST_NOISE = 0.2;
-
 namespace {
 
 typedef NormalEquations<FLOW_VALUES> FlowEquations;

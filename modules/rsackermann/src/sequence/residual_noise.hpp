@@ -14,6 +14,9 @@ namespace cv { namespace rsackermann {
 
 //! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
 const double DEVIATION_SIGMA = 0.03;
+//! Of the points of a frame, over POINT_SIGMA: tracking errs alike where images look alike, however many points there
+//! are.
+const double LEAST_NOISE = 0.2;
 
 //! An absolute residual, and by what a usual deviation of the depth changes it.
 struct DepthResidual
