@@ -114,20 +114,15 @@ public:
     // By the noise that the points show, as in the fit of a frame.
     void weigh(const State& u)
     {
-        PointResiduals residuals;
-        std::vector<Point2d> byDeviation;
+        const double way = planes.values[SEQUENCE_SPEED] * unit;
+        std::vector<Point2d> residuals, byDeviation;
         for (const DeepPoint& p : points)
         {
             Eigen::Matrix<double, UNKNOWNS, 2> J;
-            const Point2d r = residual(u, p, p.value, &J);
-            byDeviation.push_back(planes.values[SEQUENCE_SPEED] * unit * DEVIATION_SIGMA *
-                                  Point2d(J(D_SHIFT, 0), J(D_SHIFT, 1)));
-            if (!FlowResidual::isBehind(r))
-                residuals.add(r, byDeviation.back());
+            residuals.push_back(residual(u, p, p.value, &J));
+            byDeviation.push_back(way * DEVIATION_SIGMA * Point2d(J(D_SHIFT, 0), J(D_SHIFT, 1)));
         }
-        const PointNoise noise = residuals.noise(LEAST_NOISE);
-        for (size_t i = 0; i < points.size(); i++)
-            weights[i] = noise.weight(byDeviation[i]);
+        weights = weightsOf(residuals, byDeviation);
     }
 
     // That of the planes, and everything infinitely far away unless the scale is given.

@@ -66,22 +66,17 @@ public:
         return m;
     }
 
-    // With the noise that the points of a minimum show; the prior says how far a scene may be off its planes at most.
+    // With the noise that the points of a minimum show.
     void refineWithNoise(Minimum& m)
     {
-        PointResiduals residuals;
-        std::vector<Point2d> byDeviation;
+        std::vector<Point2d> residuals, byDeviation;
         for (const TrackedBearing& s : bearings)
         {
             const FlowResidual::View view = residual.predict(s, m.at.data());
-            const Point2d r = residual.residualOf(s, m.at.data(), view);
+            residuals.push_back(residual.residualOf(s, m.at.data(), view));
             byDeviation.push_back(pixelsOfDeviation(residual, s, m.at.data(), unit, view));
-            if (!FlowResidual::isBehind(r))
-                residuals.add(r, byDeviation.back());
         }
-        const PointNoise noise = residuals.noise(LEAST_NOISE);
-        for (size_t i = 0; i < bearings.size(); i++)
-            pointWeights[i] = noise.weight(byDeviation[i]);
+        pointWeights = weightsOf(residuals, byDeviation);
         minimize(*this, MinimizerOptions(STEPS, 1e-3), m.at, m.equations);
     }
 

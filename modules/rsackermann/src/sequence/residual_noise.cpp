@@ -48,4 +48,17 @@ Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& po
     return values[SEQUENCE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2] * byInverseDepth;
 }
 
+std::vector<Matx22d> weightsOf(const std::vector<Point2d>& residuals, const std::vector<Point2d>& d)
+{
+    PointResiduals seen;
+    for (size_t i = 0; i < residuals.size(); i++)
+        if (!FlowResidual::isBehind(residuals[i]))
+            seen.add(residuals[i], d[i]);
+    const PointNoise noise = seen.noise(LEAST_NOISE);
+    std::vector<Matx22d> weights;
+    for (const Point2d& deviation : d)
+        weights.push_back(noise.weight(deviation));
+    return weights;
+}
+
 }} // namespace cv::rsackermann

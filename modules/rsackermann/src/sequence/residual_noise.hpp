@@ -14,8 +14,7 @@ namespace cv { namespace rsackermann {
 
 //! 1/m by which the inverse depth of a part of the scene differs from that of its plane: a metre or two of ten
 const double DEVIATION_SIGMA = 0.03;
-//! Of the points of a frame, over POINT_SIGMA: tracking errs alike where images look alike, however many points there
-//! are.
+//! Of the points of one frame, over POINT_SIGMA: tracking errs alike where images look alike, however many they are
 const double LEAST_NOISE = 0.2;
 
 //! An absolute residual, and by what a usual deviation of the depth changes it.
@@ -50,6 +49,11 @@ struct PointResiduals
 @param unit seconds per unit of row time. */
 Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& point, const double* values, double unit,
                           const FlowResidual::View& view);
+
+/** Weights of the points of a frame, by the noise that they show.
+@param residuals pixels, which don't count if the point would be behind the camera.
+@param d of each, pixels by which a usual deviation of the depth moves it. */
+std::vector<Matx22d> weightsOf(const std::vector<Point2d>& residuals, const std::vector<Point2d>& d);
 
 /** The value up to 1 with which residuals have the median of a normal distribution of the standard deviations
 sigmaOf(value, byDepth), which grow with it. */
