@@ -173,6 +173,7 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     report.meanShift = report.motion.status == MOTION_OK ? meanDistance(map1, map2, lensMap1_, lensMap2_, mask) : 0;
     report.timings = corrector_->getTimings();
     report.isGyroWrong = contradictsGyro();
+    report.isGyroUsed = corrector_->isGyroUsed();
     report.isDepthGiven = !depth.empty();
     report.isDepthUsed = corrector_->isDepthUsed();
     if (depth.camera == DEPTH_RAW)

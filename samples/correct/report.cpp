@@ -87,7 +87,7 @@ bool isUtf8(const std::string& text)
 
 FrameReport::FrameReport()
     : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), roll(0), pitch(0), segments(0),
-      isLogged(false), isGyroWrong(false), isDepthGiven(false), isDepthUsed(false), meanShift(0)
+      isLogged(false), isGyroWrong(false), isGyroUsed(false), isDepthGiven(false), isDepthUsed(false), meanShift(0)
 {
 }
 
@@ -190,7 +190,7 @@ std::string contradiction(const FrameReport& frame)
     const AckermannMotion& m = frame.motion;
     const MotionPrior& p = frame.prior;
     const double sigmas = 3;
-    const std::string source = m.rotationCurve.empty() ? "the image shows" : "image and gyro show",
+    const std::string source = frame.isGyroUsed ? "image and gyro show" : "the image shows",
                       ofSpeed = m.scale == SCALE_WALL
                                     ? cv::format("with a wall at %.1f m %s", m.wallDistance, source.c_str())
                                     : source;

@@ -25,6 +25,7 @@ struct FrameReport
     int segments;
     bool isLogged;    //!< whether the log knows the frame
     bool isGyroWrong; //!< by the frames up to this one
+    bool isGyroUsed;
     bool isDepthGiven, isDepthUsed;
     double meanShift;  //!< pixels, mean distance between the maps and those that only undo the lens
     cv::Vec4d timings; //!< milliseconds of detection, estimation, maps and remapping

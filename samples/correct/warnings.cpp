@@ -130,7 +130,7 @@ void Warnings::compareGyro(const FrameReport& frame)
     const int from = samplesBefore(gyroTime_), to = samplesBefore(frame.time);
     gyroTime_ = frame.time;
     double yawRate;
-    if (motion.status != cv::rsackermann::MOTION_OK || !motion.rotationCurve.empty() ||
+    if (motion.status != cv::rsackermann::MOTION_OK || frame.isGyroUsed ||
         !(interval > 0 && interval < cv::rsackermann::LONGEST_INTERVAL) || !(0 < from && from < to) ||
         to == times.rows || !motion.yawRate(frame.camera, yawRate))
         return;
@@ -163,13 +163,13 @@ void Warnings::addGyro(const FrameReport& frame)
         warnOnce("--gyro has no effect on images without a time: give --log with the column time_s");
     else if (frame.isGyroWrong)
         warnOnce("the images contradict the gyro, which isn't used where they do: " + doubtOfGyro());
-    else if (frame.motion.rotationCurve.empty() &&
+    else if (!frame.isGyroUsed &&
              (frame.time < *times.ptr<double>(0) || frame.time > *times.ptr<double>(times.rows - 1)))
         warnOnce(
             cv::format("--gyro has no effect on images outside of its times, %.12g to %.12g s: give --gyro_delay if "
                        "its clock is another",
                        *times.ptr<double>(0), *times.ptr<double>(times.rows - 1)));
-    else if (frame.motion.rotationCurve.empty() && frame.motion.status == cv::rsackermann::MOTION_OK)
+    else if (!frame.isGyroUsed && frame.motion.status == cv::rsackermann::MOTION_OK)
         warnOnce(std::string("--gyro isn't used on images in its gaps") +
                  (job_.params.sequence ? ", and where the points of the few images so far contradict it" : ""));
 }

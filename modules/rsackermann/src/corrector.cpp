@@ -158,7 +158,7 @@ public:
         : estimator(AckermannEstimator::create(camera, params_.estimator)),
           generator(WarpMapGenerator::create(camera, params_.warp)), sequence(camera, params_.estimator, estimator),
           time(0), hasTime(false), timestamp(std::numeric_limits<double>::quiet_NaN()), onDevice(false),
-          isTracked_(false), isDepthUsed_(false)
+          isTracked_(false), isGyroUsed_(false), isDepthUsed_(false)
     {
         params_.check();
         checkTiming(camera, params_);
@@ -221,6 +221,8 @@ public:
         bias = found.bias;
         return !sequence.gyro.isWrong();
     }
+
+    bool isGyroUsed() const CV_OVERRIDE { return isGyroUsed_; }
 
     void clearGyro() CV_OVERRIDE
     {
@@ -296,7 +298,7 @@ public:
         checkDepth(depth, generator->getCamera(), params.warp);
         segments.release();
         labels.release();
-        isTracked_ = false;
+        isTracked_ = isGyroUsed_ = false;
         timings = Vec4d();
         warpWith(motion, src, dst, mask, depth);
     }
@@ -423,6 +425,7 @@ private:
         else
             motion = sequence.estimateSingle(timestamp, segments, prior, labels); // a gyro needs a time that is known
         isTracked_ = params.sequence && sequence.isSeen();
+        isGyroUsed_ = motion.status == MOTION_OK && sequence.measures(params.sequence ? seconds : timestamp);
         finder.release();
         DepthMap aligned = depth;
         if (!align(motion, aligned))
@@ -544,6 +547,7 @@ private:
     UMat deviceMap1, deviceMap2;
     bool onDevice; // which of the two pairs of maps it was
     bool isTracked_;
+    bool isGyroUsed_;
     bool isDepthUsed_;
     DepthMap usedDepth;
     Size copiedSize; // if the image was copied: the maps are the identity and haven't been made

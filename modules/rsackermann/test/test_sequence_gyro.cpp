@@ -599,7 +599,7 @@ TEST(RSAckermann_Gyro, rows_follow_what_shakes_fast)
         RowRates rowRates;
         rowRates.set(turns);
         AckermannMotion motion;
-        rowRates.toMotion(unit, motion);
+        rowRates.toMotion(camera, motion);
         motion.alpha = turns.yaw.value * unit / 2;
         AckermannMotion steady = motion;
         steady.rotationCurve.release();
@@ -680,6 +680,7 @@ TEST(RSAckermann_Gyro, of_a_camera_that_shakes)
         corrector->setTimestamp(seconds);
         const AckermannMotion motion = corrector->correctWithSegments(shaking.frame(i), Mat(), corrected);
         ASSERT_FALSE(motion.rotationCurve.empty()) << i;
+        EXPECT_TRUE(corrector->isGyroUsed()) << i;
         for (int row = 0; row < shaking.camera.imageSize.height; row += 20)
         {
             const double time = shaking.camera.rowTime(Point2d(0, row)),
@@ -716,6 +717,7 @@ TEST(RSAckermann_Gyro, that_is_wrong_changes_nothing)
         double delay;
         Vec3d axes, bias;
         EXPECT_EQ(kind == 2, corrector->getGyroAlignment(delay, axes, bias));
+        EXPECT_FALSE(corrector->isGyroUsed()) << kind;
     }
 }
 
@@ -740,6 +742,7 @@ TEST(RSAckermann_Gyro, in_the_dark)
         Mat corrected;
         const AckermannMotion motion = corrector->correct(dark, corrected);
         ASSERT_EQ(MOTION_OK, motion.status);
+        EXPECT_TRUE(corrector->isGyroUsed());
         const Vec3d truth = ShakingCamera::rateAt(seconds);
         EXPECT_NEAR(-truth[0] * unit, motion.pitchRate, 0.1 * std::abs(truth[0]) * unit);
         EXPECT_NEAR(truth[1] * unit, 2 * motion.alpha, 0.1 * std::abs(truth[1]) * unit);
@@ -757,6 +760,8 @@ TEST(RSAckermann_Gyro, in_the_dark)
         EXPECT_NEAR(mean(distance)[0], motion.expectedRaw, 0.1 * motion.expectedRaw);
         EXPECT_GT(motion.pitchRateSigma, 0);
         EXPECT_LT(motion.probabilityWorse, 0.05);
+        corrector->correctWithMotion(dark, motion, corrected);
+        EXPECT_FALSE(corrector->isGyroUsed());
         // A car that drives displaces what it passes: a turn alone leaves that, and may even add to it.
         prior.speed = 20;
         prior.speedSigma = 0.5;

@@ -20,6 +20,14 @@ using simulation::ShakingCamera;
 
 const double INTERVAL = ShakingCamera::interval();
 
+//! @param unit seconds per unit of row time.
+RollingShutterCamera cameraOf(double unit)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.lineDelay = unit / camera.cameraMatrix(1, 1);
+    return camera;
+}
+
 //! A tilt that swings, with the rates that a gyro would measure.
 struct Swing
 {
@@ -342,7 +350,7 @@ TEST(RSAckermann_RowRates, of_the_first_frames)
             else
                 rates.update(fitOf(i), INTERVAL, 0, 0);
             AckermannMotion motion;
-            rates.toMotion(1, motion);
+            rates.toMotion(cameraOf(1), motion);
             const double error = motion.pitchRate - swing.at(i);
             within[i] += std::abs(error) < 2 * motion.pitchRateSigma;
             sigmas += i == 0 ? std::pow(motion.pitchRateSigma, 2) : 0;
@@ -406,8 +414,8 @@ TEST(RSAckermann_RowRates, forward_and_backward)
     forward.update(fit, 0.1, 0.2, 0);
     backward.update(fit, -0.2, -0.1, 0);
     AckermannMotion a, b;
-    forward.toMotion(0.03, a);
-    backward.toMotion(0.03, b);
+    forward.toMotion(cameraOf(0.03), a);
+    backward.toMotion(cameraOf(0.03), b);
     // Means of 0.1 and 0.15; the instant is a third of the way from one middle to the other.
     EXPECT_NEAR((0.1 + 0.05 / 3) * 0.03, a.pitchRate, 1e-12);
     EXPECT_NEAR(-0.2 * 0.03, a.rollRate, 1e-12);
@@ -415,9 +423,61 @@ TEST(RSAckermann_RowRates, forward_and_backward)
     EXPECT_NEAR(a.rollRate, b.rollRate, 1e-12);
     EXPECT_GT(a.pitchRateSigma, 0);
     forward.interrupt();
-    forward.toMotion(0.03, a);
+    forward.toMotion(cameraOf(0.03), a);
     EXPECT_EQ(0, a.pitchRate);
     EXPECT_EQ(0, a.rollRateSigma);
+}
+
+// Rates about all axes that grow evenly, by turns to both neighbours: rows turn as they do, in either order of frames.
+// Without one of the neighbours, nothing is known of it.
+TEST(RSAckermann_RowRates, that_grow)
+{
+    const double past = 0.03, future = 0.05;
+    const Vec3d rate(0.2, -0.1, 0.05), growth(3, 2, -1); // about x, y and z
+    for (const ScanDirection scan : {SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP})
+    {
+        RollingShutterCamera camera = cameraOf(0.03);
+        camera.scanDirection = scan;
+        camera.referenceRow = 100;
+        const double unit = camera.secondsPerUnitTime();
+        SequenceFit fit{SequenceState(camera, AckermannEstimator::Params())};
+        // A mean, and a change that is too small
+        fit.values[SEQUENCE_YAW_RATE] = rate[1];
+        fit.values[FLOW_YAW_CHANGE] = growth[1] / 3;
+        for (NeighbourTurns* turns : {&fit.before, &fit.after})
+        {
+            const double interval = turns == &fit.before ? past : -future; // to the present
+            const Vec3d turned = rate * interval - growth * (interval * interval / 2);
+            turns->pitch.angle = -turned[0];
+            turns->roll.angle = turned[2];
+            turns->yaw.angle = turned[1] - rate[1] * interval + growth[1] / 3 * interval * interval / 2;
+        }
+        for (const bool isForward : {true, false})
+        {
+            RowRates rates;
+            if (isForward)
+                rates.update(fit, past, future, 0);
+            else
+                rates.update(fit, -future, -past, 0);
+            AckermannMotion motion;
+            rates.toMotion(camera, motion);
+            ASSERT_FALSE(motion.rotationCurve.empty());
+            const auto curve = rotationCurveOf(camera, motion);
+            const double last = camera.rowTime(Point2d(0, camera.imageSize.height - 1.)) * unit,
+                         most = cv::norm(growth) * last * last / 2;
+            for (int row = 0; row < camera.imageSize.height; row += 10)
+            {
+                const double time = camera.rowTime(Point2d(0, row)) * unit;
+                EXPECT_LT(cv::norm(curve(time / unit) - growth * (time * time / 2)), 0.01 * most) << row << isForward;
+            }
+            if (isForward)
+                rates.update(fit, past, 0, 0);
+            else
+                rates.begin(fit, future, 0);
+            rates.toMotion(camera, motion);
+            EXPECT_TRUE(motion.rotationCurve.empty());
+        }
+    }
 }
 
 // The same with what rows show, with the next frame and without it.
@@ -455,9 +515,9 @@ TEST(RSAckermann_RowRates, shown_forward_and_backward)
             backward.update(after, -INTERVAL, -next, 0);
             without.update(still, INTERVAL, next, 0);
             AckermannMotion a, b, c;
-            forward.toMotion(1, a);
-            backward.toMotion(1, b);
-            without.toMotion(1, c);
+            forward.toMotion(cameraOf(1), a);
+            backward.toMotion(cameraOf(1), b);
+            without.toMotion(cameraOf(1), c);
             EXPECT_NEAR(a.pitchRate, b.pitchRate, 1e-12) << i;
             EXPECT_NEAR(a.pitchRateSigma, b.pitchRateSigma, 1e-12) << i;
             distance = std::max(distance, std::abs(a.pitchRate - c.pitchRate));
@@ -495,8 +555,8 @@ TEST(RSAckermann_RowRates, of_a_gyro_are_those_of_its_frame)
                 rates->interrupt();
         AckermannMotion a, b;
         SequenceState c = state, d = state;
-        used.toMotion(0.03, a);
-        unused.toMotion(0.03, b);
+        used.toMotion(cameraOf(0.03), a);
+        unused.toMotion(cameraOf(0.03), b);
         expectSame(a, b);
         used.toInstant(MotionPrior(), c);
         unused.toInstant(MotionPrior(), d);
@@ -655,7 +715,7 @@ TEST(RSAckermann_RowRates, interrupted)
         EXPECT_GT(yawSigmaOf(rates), 0);
         rates.interrupt();
         AckermannMotion none;
-        rates.toMotion(0.03, none);
+        rates.toMotion(cameraOf(0.03), none);
         expectSame(AckermannMotion(), none);
         SequenceState same = state;
         rates.toInstant(MotionPrior(), same);
@@ -675,7 +735,7 @@ TEST(RSAckermann_RowRates, of_a_camera_that_shakes)
         params.sequence = true;
         params.frameInterval = INTERVAL;
         const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(shaking.camera, params);
-        double squares[2] = {0, 0}, errors[2] = {0, 0};
+        double squares[2] = {0, 0}, errors[2] = {0, 0}, bent = 0, left = 0;
         int within = 0, count = 0;
         for (int i = 0; i < 30; i++)
         {
@@ -697,7 +757,15 @@ TEST(RSAckermann_RowRates, of_a_camera_that_shakes)
                 errors[k] += std::pow(got[k] - truth[k], 2);
                 within += std::abs(got[k] - truth[k]) < 2 * sigma[k];
             }
+            EXPECT_EQ(mode == 0, motion.rotationCurve.empty()) << i;
+            // How rows pitch beyond the rate
+            const double first = shaking.camera.rowTime(Point2d()) * unit,
+                         truly = ShakingCamera::pitchAt(t + first) - ShakingCamera::pitchAt(t) - truth[0] * first,
+                         found = mode == 1 ? -motion.rotationCurve.at<double>(0, 0) : 0;
+            bent += std::abs(truly);
+            left += std::abs(found - truly);
         }
+        EXPECT_LT(left, mode == 1 ? 0.3 * bent : 1.01 * bent);
         for (int k = 0; k < 2; k++)
             EXPECT_LT(std::sqrt(errors[k] / squares[k]), mode == 0 ? 0.4 : 0.25) << mode << " " << k;
         EXPECT_GE(within, 0.9 * count) << mode;

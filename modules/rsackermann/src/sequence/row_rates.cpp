@@ -77,6 +77,11 @@ void RateProcess::add(const InstantRate& mean, double shownChange, double interv
     known = std::min(known + 1, 2);
 }
 
+double RateProcess::growth(double next, double share) const
+{
+    return known > 0 ? (next - past[0]) * 2 * share / lastInterval : 0;
+}
+
 double RateProcess::beyondLast() const
 {
     return trust() * change / 2;
@@ -188,6 +193,7 @@ InstantRate RateProcess::now(double next, double shownChange, double share, doub
         const double difference = next - past[0], square = (changes + difference * difference) / (pairs + 1);
         result.value = past[0] + share * difference + beyondMeans(shownChange, share);
         result.sigma = std::sqrt(variance(square, varianceOfMeans(read), shownVarianceOfMeans(read), 0.5));
+        result.growth = growth(next, share);
     }
     return result;
 }
@@ -222,9 +228,13 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
                  read = readOut / (past + (after != 0 ? future : past));
     const NeighbourTurns &last = backward ? fit.after : fit.before, &next = backward ? fit.before : fit.after;
     const int sign = backward ? -1 : 1;
-    const auto follow = [&](RateProcess& process, const RowTurn& ofLast, const RowTurn& ofNext) {
+    const auto follow = [&](RateProcess& process, const RowTurn& ofLast, const RowTurn& ofNext) -> InstantRate {
         process.add(InstantRate(sign * ofLast.angle / past, ofLast.sigma / past), ofLast.change, before);
-        return after != 0 ? process.now(-sign * ofNext.angle / future, ofNext.change, share, read) : process.now(read);
+        if (after == 0)
+            return process.now(read);
+        InstantRate now = process.now(-sign * ofNext.angle / future, ofNext.change, share, read);
+        now.growth *= sign;
+        return now;
     };
     const double square = (std::pow(last.pitch.angle, 2) + std::pow(last.roll.angle, 2)) / (past * past);
     pitch.expectChange(square, past);
@@ -236,7 +246,13 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
     const double ofLast =
         fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before;
     yaw.add(InstantRate(ofLast, last.yaw.sigma / past), last.yaw.change, before);
-    yawBeyond.value = after != 0 ? yaw.beyondMeans(next.yaw.change, share) : yaw.beyondLast();
+    yawBeyond = InstantRate(after != 0 ? yaw.beyondMeans(next.yaw.change, share) : yaw.beyondLast());
+    if (after != 0)
+    {
+        const double ofNext =
+            fit.values[SEQUENCE_YAW_RATE] + fit.values[FLOW_YAW_CHANGE] * after / 2 - next.yaw.angle / after;
+        yawBeyond.growth = sign * yaw.growth(ofNext, share);
+    }
     const double speedSigma = std::sqrt(fit.state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
     speed.add(InstantRate(fit.values[SEQUENCE_SPEED], speedSigma), 0, before);
     setSigmas(aboutFit(before, after, readOut));
@@ -322,13 +338,33 @@ void RowRates::toInstant(const MotionPrior& given, SequenceState& state) const
     state.scale(SEQUENCE_YAW_RATE, yawNow.sigma / std::sqrt(state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)));
 }
 
-void RowRates::toMotion(double unit, AckermannMotion& motion) const
+// Of rates that grow evenly.
+Mat RowRates::curveOf(const RollingShutterCamera& camera) const
 {
+    const Vec3d growth(-pitchNow.growth, yawBeyond.growth, rollNow.growth);
+    if (growth == Vec3d())
+        return Mat();
+    const int pieces = 8; // a natural spline bends less at its ends, by a hundredth of all
+    const double unit = camera.secondsPerUnitTime(), first = unit * camera.rowTime(Point2d()),
+                 last = unit * camera.rowTime(Point2d(camera.imageSize) - Point2d(1, 1));
+    Mat vectors(pieces + 1, 3, CV_64F);
+    for (int i = 0; i <= pieces; i++)
+    {
+        const double t = first + (last - first) * i / pieces;
+        const Vec3d v = growth * (t * t / 2);
+        std::copy(v.val, v.val + 3, vectors.ptr<double>(i));
+    }
+    return vectors;
+}
+
+void RowRates::toMotion(const RollingShutterCamera& camera, AckermannMotion& motion) const
+{
+    const double unit = camera.secondsPerUnitTime();
     motion.pitchRate = pitchNow.value * unit;
     motion.rollRate = rollNow.value * unit;
     motion.pitchRateSigma = pitchNow.sigma * unit;
     motion.rollRateSigma = rollNow.sigma * unit;
-    motion.rotationCurve = curve;
+    motion.rotationCurve = isMeasured ? curve : curveOf(camera);
 }
 
 }} // namespace cv::rsackermann

@@ -16,6 +16,7 @@ const double RATE_MEMORY = 10;
 struct InstantRate
 {
     double value, sigma;
+    double growth = 0; //!< of the rate, per second squared
 
     explicit InstantRate(double value_ = 0, double sigma_ = 0) : value(value_), sigma(sigma_) {}
 };
@@ -54,6 +55,9 @@ public:
     @param change by how much faster the present frame turns than the next one.
     @param share of the difference to the last mean that has passed. */
     InstantRate now(double next, double change, double share, double read) const;
+
+    //! How fast the rate at the present frame grows: evenly from the last mean to the next one.
+    double growth(double next, double share) const;
 
     //! By how much the rate at the present frame is above the last mean, as rows show.
     double beyondLast() const;
@@ -152,19 +156,19 @@ public:
     @param given those of the instant, which the state has met with the additional variances of aboutFit(). */
     void toInstant(const MotionPrior& given, SequenceState& state) const;
 
-    /** Sets the rates of roll and pitch of a motion.
-    @param unit seconds per unit of row time. */
-    void toMotion(double unit, AckermannMotion& motion) const;
+    //! Sets the rates of roll and pitch of a motion, and how its rows turn beyond these.
+    void toMotion(const RollingShutterCamera& camera, AckermannMotion& motion) const;
 
 private:
+    Mat curveOf(const RollingShutterCamera& camera) const;
     void setSigmas(const AboutFit& about);
 
     double steering;
     RateProcess pitch, roll, yaw, speed;
     InstantRate pitchNow, rollNow, yawNow;
     InstantRate yawBeyond, speedBeyond; // than those of the fit
-    Mat curve;
-    bool isMeasured = false; // yawNow
+    Mat curve;                          // by a gyro
+    bool isMeasured = false;            // yawNow and the curve
 };
 
 }} // namespace cv::rsackermann

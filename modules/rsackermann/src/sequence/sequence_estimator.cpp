@@ -146,7 +146,7 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
     {
         RowRates turning;
         turning.set(turns);
-        turning.toMotion(camera.secondsPerUnitTime(), motion);
+        turning.toMotion(camera, motion);
     }
     return motion;
 }
@@ -199,7 +199,7 @@ void SequenceEstimator::turnAlone(double seconds, const MotionPrior& prior, Acke
     turned.covariance = Matx44d::zeros();
     RowRates turning;
     turning.set(turns);
-    turning.toMotion(unit, turned);
+    turning.toMotion(camera, turned);
     turned.alpha = turns.yaw.value * unit / 2;
     turned.covariance(0, 0) = std::pow(turns.yaw.sigma * unit / 2, 2);
     SequenceState state(camera, params);
@@ -418,6 +418,12 @@ void SequenceEstimator::useGyro()
         rates.set(turns);
 }
 
+bool SequenceEstimator::measures(double seconds) const
+{
+    MeasuredTurns turns;
+    return measure(seconds, turns);
+}
+
 // What a gyro that isn't wrong measures in a frame.
 bool SequenceEstimator::measure(double seconds, MeasuredTurns& turns) const
 {
@@ -451,7 +457,7 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     SequenceFit fit = fit_;
     rates.toInstant(prior, fit.state);
     fit.state.toMotion(camera.secondsPerUnitTime(), found);
-    rates.toMotion(camera.secondsPerUnitTime(), found);
+    rates.toMotion(camera, found);
     const Model model = predictDisplacement(fit, found);
     if (!fit.moves || !(found.expectedResidual < found.expectedRaw))
     {

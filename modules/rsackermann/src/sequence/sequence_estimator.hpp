@@ -62,6 +62,9 @@ public:
     //! The motion of an image that has nothing to do with its neighbours, see estimate().
     AckermannMotion estimateSingle(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
 
+    //! Whether a gyro that isn't wrong has measured how an image of that time turns.
+    bool measures(double seconds) const;
+
     GyroRates gyro; //!< without samples if there is none
 
 private:

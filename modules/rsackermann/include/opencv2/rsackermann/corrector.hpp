@@ -151,6 +151,10 @@ public:
      */
     CV_WRAP virtual bool getGyroAlignment(CV_OUT double& delay, CV_OUT Vec3d& axes, CV_OUT Vec3d& bias) const = 0;
 
+    /** @brief Whether samples of addGyro() say how the rows of the last image turn.
+    @return false without a motion, too. */
+    CV_WRAP virtual bool isGyroUsed() const = 0;
+
     //! Forgets all samples of addGyro().
     CV_WRAP virtual void clearGyro() = 0;
 

@@ -173,17 +173,18 @@ public:
     CV_PROP_RW double pitchRateSigma; //!< standard deviation of pitchRate; 0: not estimated
     CV_PROP_RW double rollRateSigma;  //!< standard deviation of rollRate; 0: not estimated
 
-    /** By how much rows turn beyond yaw, roll and pitch at constant rates, as a gyro shows it while a camera shakes:
-    rotation vectors in radians about the axes of the upright frame (right, down, forward; a turn to the right is
-    positive about the second), CV_64FC1, from 2 x 3 to 1024 x 3, each of length up to pi. The rotation takes a
-    direction that the row sees to one that a row would see that turns at the rates alone.
+    /** By how much rows turn beyond yaw, roll and pitch at constant rates while a camera shakes: rotation vectors in
+    radians about the axes of the upright frame (right, down, forward; a turn to the right is positive about the
+    second), CV_64FC1, from 2 x 3 to 1024 x 3, each of length up to pi. The rotation takes a direction that the row sees
+    to one that a row would see that turns at the rates alone.
 
     The first one is that of the first row of the image, the last one that of the last row (columns, if the shutter goes
     along them), and the others are equally spaced between. A natural cubic spline, which is straight beyond the image,
     goes through their components. Empty (default): not at all.
 
-    Frames of a sequence with a gyro have one, see RollingShutterCorrector::addGyro. Copies of a motion share the
-    values, as copies of a Mat do. */
+    Frames with a gyro have one, see RollingShutterCorrector::addGyro, and so do those of a sequence whose points are
+    seen in the frames before and after (RollingShutterCorrector::setNextFrame): rates that grow evenly. Copies of a
+    motion share the values, as copies of a Mat do. */
     CV_PROP_RW Mat rotationCurve;
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll

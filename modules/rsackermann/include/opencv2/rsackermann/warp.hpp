@@ -21,7 +21,7 @@ lens distortion. Its intrinsics and image size are those of the rolling-shutter 
 With a motion whose status isn't #MOTION_OK the maps undo (or simulate) the lens only.
 
 Maps that are UMat are made with OpenCL. The processor makes them if there is a depth, or if the rows of the motion
-pitch or roll (AckermannMotion::pitchRate, AckermannMotion::rollRate) or follow a gyro's curve
+pitch or roll (AckermannMotion::pitchRate, AckermannMotion::rollRate) or follow a curve
 (AckermannMotion::rotationCurve), as those of sequences and with a gyro do.
 
 All const methods, which are those that make maps and move points, may run at the same time in several threads on the

@@ -304,6 +304,7 @@ class rsackermann_test(NewOpenCVTests):
         self.assertAlmostEqual(2 * motion.alpha / unit, .2, places=6)
         self.assertAlmostEqual(motion.rollRate / unit, -.1, places=6)
         self.assertEqual(np.array(motion.rotationCurve).shape, (17, 3))
+        self.assertTrue(corrector.isGyroUsed())
         self.assertLess(np.abs(np.array(motion.rotationCurve)).max(), 1e-9)  # the rates are constant
         agrees, delay, axes, bias = corrector.getGyroAlignment()
         self.assertTrue(agrees)
