@@ -472,6 +472,33 @@ TEST(RSAckermann_CorrectorState, parameters_of_tracked_frames)
     EXPECT_NO_THROW(params.check());
 }
 
+// Points of images that are far apart aren't taken for those of neighbours.
+TEST(RSAckermann_CorrectorState, points_again_after_images_without)
+{
+    const Sequence s;
+    for (const int without : {1, 3, 6})
+    {
+        const Ptr<RollingShutterCorrector> always = createCorrector(s.camera, CARRIED),
+                                           again = createCorrector(s.camera, CARRIED);
+        RollingShutterCorrector::Params params = always->getParams();
+        for (int i = 0; i < 12; i++)
+        {
+            params.trackPoints = i < 4 || i >= 4 + without;
+            again->setParams(params);
+            const AckermannMotion expected = correctFrame(*always, s, i), motion = correctFrame(*again, s, i);
+            if (!params.trackPoints || i < 4)
+                continue;
+            EXPECT_EQ(i > 4 + without, again->isTracked()) << i;
+            double yawRate, expectedRate;
+            ASSERT_TRUE(expected.yawRate(s.camera, expectedRate));
+            const bool isKnown = motion.yawRate(s.camera, yawRate);
+            EXPECT_TRUE(!isKnown ||
+                        std::abs(yawRate - expectedRate) < 3 * std::sqrt(motion.metricCovariance(s.camera)(0, 0)))
+                << yawRate << " for " << expectedRate << ", " << without << " at " << i;
+        }
+    }
+}
+
 INSTANTIATE_TEST_CASE_P(RSAckermann, CorrectorState, testing::Range(0, int(MODES)));
 
 }} // namespace opencv_test::

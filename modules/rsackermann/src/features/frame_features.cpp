@@ -58,7 +58,10 @@ FrameFeatures::Link FrameFeatures::track(const RollingShutterCamera& camera, con
     bearings.clear();
     fineBearings.clear();
     if (frame.gray.empty())
+    {
+        reset(); // images before it aren't those before the next one
         return FOLLOWS;
+    }
     const double ahead = next.seconds - frame.seconds;
     const bool hasNext = !next.gray.empty() && ahead != 0 && std::abs(ahead) < LONGEST_INTERVAL,
                isFine = hasNext && frame.gray.total() > COARSE_PIXELS; // in small images it would be the same points

@@ -122,7 +122,7 @@ public:
 
     Times of consecutive images increase: an image that isn't later than the one before begins another sequence.
     @param seconds time of its reference row from any origin, up to 1e12; not finite: Params::frameInterval after the
-    image before. Used for one image.
+    image before. Used once: by correct(), correctWithSegments() or skipFrame().
      */
     CV_WRAP virtual void setTimestamp(double seconds) = 0;
 
