@@ -213,7 +213,7 @@ TEST(RSAckermann_Sequence, features_without_the_frame_before)
         EXPECT_GT(after[k], 50);
         EXPECT_GT(std::ptrdiff_t(all[k]->size()), after[k] + 50);
     }
-    features.leaveOutFrameBefore();
+    features.leaveOut(0.1);
     for (int k = 0; k < 2; k++)
     {
         EXPECT_EQ(after[k], std::ptrdiff_t(all[k]->size()));

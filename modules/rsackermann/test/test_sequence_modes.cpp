@@ -546,6 +546,7 @@ TEST_P(SequenceModes, nearly_same_image_again)
                 expected = correctFrame(*undisturbed, frames, i < at ? i : i - count, NOTHING);
             ASSERT_EQ(expected.status, m.status);
             EXPECT_NEAR(expected.alpha, m.alpha, 2 * std::sqrt(m.covariance(0, 0)) + 1e-12);
+            EXPECT_TRUE(!isCopy || count > 1 || expected.covariance == m.covariance);
             double speed;
             EXPECT_TRUE(setting.yawChange != 0 || !m.speed(setting.camera, speed) ||
                         std::abs(speed - setting.metric.speed) < 3 * m.speedSigma)
@@ -562,6 +563,28 @@ TEST_P(SequenceModes, nearly_same_image_again)
     Mat corrected;
     corrector->setTimestamp(at * INTERVAL);
     EXPECT_NE(MOTION_OK, corrector->correct(copies[0], corrected).status);
+}
+
+// Nor does it stop at once if that is the next image, or start again at once if it is that image.
+TEST_P(SequenceModes, nearly_same_image_next)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const int at = FRAMES / 2;
+    std::vector<Mat> repeated = frames;
+    Mat noise(frames[0].size(), CV_8S);
+    RNG(5).fill(noise, RNG::NORMAL, 0, 0.6);
+    cv::add(frames[at - 1], noise, repeated[at], noArray(), CV_8U);
+    const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NEXT_FRAME),
+                                       undisturbed = createCorrector(setting, Twin(), NEXT_FRAME);
+    for (int i = 0; i < FRAMES; i++)
+    {
+        SCOPED_TRACE(i);
+        const AckermannMotion m = correctFrame(*corrector, repeated, i, NEXT_FRAME),
+                              expected = correctFrame(*undisturbed, frames, i, NEXT_FRAME);
+        ASSERT_EQ(expected.status, m.status);
+        EXPECT_NEAR(expected.alpha, m.alpha, 3 * std::sqrt(m.covariance(0, 0)) + 1e-12);
+        EXPECT_FALSE(i == at && corrector->isTracked());
+    }
 }
 
 // Nor does a car stand of which each image comes twice.

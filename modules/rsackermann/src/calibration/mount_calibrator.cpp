@@ -151,7 +151,7 @@ public:
         const bool isAdded = add(segmentRows(found), seconds, prior, [&](double passed) {
             const FrameFeatures::Link link = features.track(start, frame, passed, predictPoints(start, gates, filter));
             if (link == FrameFeatures::BRIDGED) // the interval is that to the frame before
-                features.leaveOutFrameBefore();
+                features.leaveOut(passed);
         });
         finder.release();
         return isAdded;

@@ -93,10 +93,11 @@ static bool isBefore(const TrackedBearing& b)
     return b.pitch == FLOW_PITCH_BEFORE;
 }
 
-void FrameFeatures::leaveOutFrameBefore()
+void FrameFeatures::leaveOut(double seconds)
 {
+    const auto isOfThat = [=](const TrackedBearing& b) { return isBefore(b) == (seconds > 0); };
     for (std::vector<TrackedBearing>* all : {&bearings, &fineBearings})
-        all->erase(std::remove_if(all->begin(), all->end(), isBefore), all->end());
+        all->erase(std::remove_if(all->begin(), all->end(), isOfThat), all->end());
 }
 
 bool FrameFeatures::isFirstOfScene() const

@@ -94,8 +94,8 @@ public:
     //! Whether there is a frame to go back to.
     bool isKept() const { return std::isfinite(keptSeconds); }
 
-    //! Leaves out what is seen in the frame before.
-    void leaveOutFrameBefore();
+    //! Leaves out what is seen in the frame that was taken some seconds before; negative: after.
+    void leaveOut(double seconds);
 
     //! The next frame belongs to another sequence.
     void reset();

@@ -95,7 +95,14 @@ AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const Gra
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
     selectCandidates(segments, camera, params, features.verticals, features.others);
     motion.candidates = int(features.verticals.size());
-    expectMotion(prior, motion, labels);
+    if (isCopy && motionOfImage.status == MOTION_OK && !image.empty()) // of the same gravity
+    {
+        const int candidates = motion.candidates;
+        motion = motionOfImage;
+        motion.candidates = candidates;
+    }
+    else
+        expectMotion(prior, motion, labels);
     isKnown = motion.status == MOTION_OK && (isAfterCopy || isCopy);
     if (motion.status == MOTION_OK)
         return motion;
@@ -258,6 +265,23 @@ static bool isStill(const std::vector<TrackedBearing>& bearings)
     return size_t(still) > bearings.size() / 2;
 }
 
+// Whether next to nothing moves between the frame and one of its neighbours, and most to the other: that is no car, but
+// nearly the same image again.
+static bool stopsOrStartsAtOnce(const std::vector<TrackedBearing>& bearings)
+{
+    double count[2] = {0, 0}, still[2] = {0, 0};
+    for (const TrackedBearing& b : bearings)
+    {
+        const int which = b.pitch == FLOW_PITCH_BEFORE ? 0 : 1;
+        count[which]++;
+        still[which] += b.isStill;
+    }
+    const auto isBetween = [&](int one, int other) {
+        return still[one] > 0.9 * count[one] && still[other] < 0.5 * count[other];
+    };
+    return count[0] > 0 && count[1] > 0 && (isBetween(0, 1) || isBetween(1, 0));
+}
+
 // Returns whether there were points to go by.
 bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
@@ -284,11 +308,17 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         resetState();
     if (isRepeated && seen == filter.time && !isStill(features.bearings))
         // By when the car has gone on isn't known, unless all images come again.
-        features.leaveOutFrameBefore();
+        features.leaveOut(passed);
     const SequenceFilter filterBefore = filter;
     const bool follows = filter.advance(frame.seconds, camera, params);
+    const double before = follows ? passed : 0;
+    double after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
+    if (stopsOrStartsAtOnce(features.bearings))
+    {
+        features.leaveOut(-after);
+        after = 0;
+    }
     const bool hasPoints = features.bearings.size() >= LEAST_POINTS;
-    const double before = follows ? passed : 0, after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
     if (!hasPoints)
     {
         clockNoise.interrupt();
