@@ -5,6 +5,7 @@
 #include "batch.hpp"
 #include "files.hpp"
 #include "gyro_clock.hpp"
+#include "image_times.hpp"
 #include "output/interrupt.hpp"
 #ifdef RSACKERMANN_WITH_VIDEOIO
 #include "video_task.hpp"
@@ -48,6 +49,8 @@ Batch::Batch(const Job& job)
       report_(job.report.empty() ? nullptr : new ReportFile(job)), corrector_(job), next_(0), largest_(0),
       warnings_(job, progress_), lastTask_(0), done_(0), failures_(0), hasClock_(false)
 {
+    if (job_.params.sequence)
+        times_ = missingTimes(inputs_, job_.log);
     for (size_t i = 0; i < inputs_.size(); i++)
         if (inputs_[i].isFile() && !isVideo(inputs_[i].name) && !taskOf(inputs_[i].name).isDone())
             lastTask_ = i;
@@ -109,7 +112,8 @@ bool Batch::isLeftOut(size_t index, const Task& task) const
 FrameFacts Batch::factsOf(size_t index) const
 {
     const Input& input = inputs_[index];
-    FrameFacts facts = job_.log.of(input.name, input.number, std::numeric_limits<double>::quiet_NaN());
+    FrameFacts facts = job_.log.of(input.name, input.number,
+                                   times_.empty() ? std::numeric_limits<double>::quiet_NaN() : times_[index]);
     facts.intervals = input.intervals;
     return facts;
 }

@@ -97,6 +97,7 @@ private:
 
     const Job& job_;
     const std::vector<Input>& inputs_;
+    std::vector<double> times_; // of missingTimes()
     const int threads_;
     std::unique_ptr<ReportFile> report_;
     FrameCorrector corrector_; // of sequences and videos

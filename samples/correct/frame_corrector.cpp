@@ -155,6 +155,8 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     useFacts();
     if (wantsNext() && next.image.size() == image.size())
         corrector_->setNextFrame(next.image, next.time);
+    if (job_.params.sequence)
+        report.change = change_.to(image);
     isFirst_ = false;
     report.camera = camera_;
     report.roll = roll_;

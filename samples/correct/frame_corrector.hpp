@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_FRAME_CORRECTOR_HPP
 
 #include "job.hpp"
+#include "repeated_images.hpp"
 #include "report.hpp"
 #include "strip_warp.hpp"
 #include <memory>
@@ -78,6 +79,7 @@ private:
     cv::rsackermann::RollingShutterCamera camera_;                // of the last image
     cv::Ptr<cv::rsackermann::RollingShutterCorrector> corrector_; // its image and maps have every eighth pixel only
     double roll_, pitch_;                                         // degrees, of the camera
+    ImageChange change_;
     std::unique_ptr<StripWarp> warp_;
     cv::Mat lensMap1_, lensMap2_; // undo the lens only, for every eighth pixel
 };

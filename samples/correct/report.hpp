@@ -27,6 +27,7 @@ struct FrameReport
     bool isGyroWrong; //!< by the frames up to this one
     bool isGyroUsed;
     bool isDepthGiven, isDepthUsed;
+    double change;     //!< of the image of a sequence, see ImageChange; NaN: none
     double meanShift;  //!< pixels, mean distance between the maps and those that only undo the lens
     cv::Vec4d timings; //!< milliseconds of detection, estimation, maps and remapping
 };

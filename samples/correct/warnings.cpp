@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "warnings.hpp"
+#include "repeated_images.hpp"
 #include "units.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
     for (const FrameReport& frame : frames)
     {
         hasFrame_ = true;
+        changes_.push_back(frame.change);
         isLogUsed_ |= frame.isLogged;
         addReference(frame);
         addGyro(frame);
@@ -31,6 +33,7 @@ void Warnings::end()
     if (hasFrame_ && !job_.log.empty() && !isLogUsed_ && job_.shardCount == 1)
         warn(job_.log.whyUseless());
     addRounding();
+    addRepeated();
 }
 
 // Intervals that differ by one unit of the times' last decimal are those of a steady clock, rounded.
@@ -64,6 +67,18 @@ void Warnings::addRounding()
             unit, shortest, longer));
         return;
     }
+}
+
+void Warnings::addRepeated()
+{
+    const int count = countRepeated(changes_), least = 3;
+    if (count < least || count < int(changes_.size()) / 10)
+        return;
+    warn(cv::format(
+        "%d of %d images nearly repeat the one before, as converters of frame rates add them: times are then "
+        "not those at which images were taken, and motions err; give the images as the camera took them, "
+        "or without those (ffmpeg -vf mpdecimate -fps_mode vfr)",
+        count, int(changes_.size())));
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.

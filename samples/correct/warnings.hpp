@@ -30,6 +30,7 @@ private:
     void addContradiction(const std::string& input, const std::vector<FrameReport>& frames);
     void addTimes(const std::string& input, const std::vector<FrameReport>& frames);
     void addRounding();
+    void addRepeated();
     void addReference(const FrameReport& frame);
     void compareGyro(const FrameReport& frame);
     std::string doubtOfGyro() const;
@@ -45,7 +46,7 @@ private:
     double squaresOfPoints_ = 0, squaresOfGyro_ = 0;             // of the rates of frames, rad/s
     double gyroTime_ = std::numeric_limits<double>::quiet_NaN(); // of the frame before
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence
-    std::vector<double> times_;                                  // of images of a sequence
+    std::vector<double> times_, changes_;                        // of images of a sequence
     std::set<std::string> given_;                                // warnings that hold for all inputs
 };
 

@@ -7,6 +7,9 @@
 #include "program.hpp"
 #include "turning_drive.hpp"
 
+#include "opencv2/imgcodecs.hpp"
+
+#include <functional>
 #include <map>
 
 namespace opencv_test { namespace {
@@ -128,6 +131,63 @@ TEST_F(CorrectSequence, times_that_begin_another_sequence)
         correct({times / "%d.png", "--focal=50", "--readout=0.03", "--report=-", "--carry"}).messages;
     EXPECT_NE(std::string::npos, untimed.find("taken for 1/30 s apart")) << untimed;
     EXPECT_EQ(1, std::count(untimed.begin(), untimed.end(), '\n')) << untimed;
+}
+
+// Images whose rows a log lacks are taken as far apart as the others, and not 1/30 s.
+TEST_F(CorrectSequence, images_without_a_row_have_times_between_others)
+{
+    for (int i = 0; i < FRAMES; i++)
+        cv::imwrite(folder_ / cv::format("%02d.png", i), drive_.frame(i * 2 * drive_.interval));
+    const auto reportOf = [&](const std::string& rows) {
+        writeContent(folder_ / "log.csv", "file,time_s\n" + rows);
+        return report({folder_.path(), "--carry", "--log=" + (folder_ / "log.csv")});
+    };
+    const std::string some = "02.png,10\n03.png,10.0666667\n06.png,10.2666667\n";
+    for (const auto& line : reportOf(some))
+    {
+        const int i = std::stoi(line.first);
+        EXPECT_NEAR(10 + (i - 2) * 2 * drive_.interval, line.second["time_s"].get<double>(), 1e-6) << i;
+        if (i > 0)
+        {
+            ASSERT_TRUE(line.second["yaw_rate_deg_s"].is_number()) << i;
+            EXPECT_NEAR(drive_.yawRate, line.second["yaw_rate_deg_s"].get<double>(),
+                        3 * line.second["yaw_rate_sigma"].get<double>())
+                << i;
+        }
+    }
+    // One time says nothing of an interval, and neither do those of other sequences.
+    for (const char* rows : {"02.png,10\n", "02.png,10\n06.png,9\n", "02.png,10\n03.png,90\n"})
+        EXPECT_TRUE(reportOf(rows)["01.png"]["time_s"].is_null()) << rows;
+}
+
+// A converter that writes images twice, each as its encoder has it, makes times wrong; a car that stands doesn't.
+TEST(Correct, repeated_images_are_told)
+{
+    const TurningDrive drive;
+    const int count = 12;
+    const struct
+    {
+        std::function<double(int)> time; // of what an image shows, in intervals
+        const char* message;
+    } cases[] = {{[](int i) { return i; }, ""},
+                 {[](int i) { return i < 6 ? 0 : i; }, ""},
+                 {[](int i) { return i / 2 * 2; }, "4 of 12 images nearly repeat the one before"},
+                 {[](int i) { return i / 3 * 3; }, "4 of 12 images nearly repeat the one before"},
+                 {[](int i) { return i == 5 ? 4 : i; }, ""}};
+    for (const auto& c : cases)
+    {
+        const TemporaryFolder folder;
+        for (int i = 0; i < count; i++)
+            cv::imwrite(folder / cv::format("%02d.jpg", i), drive.frame(c.time(i) * drive.interval),
+                        {cv::IMWRITE_JPEG_QUALITY, 90 - i % 3});
+        const Arguments arguments = {folder.path(), cv::format("--focal=%g", drive.focal),
+                                     cv::format("--readout=%g", drive.readout), "--report=-"};
+        const std::string alone = correct(arguments).messages,
+                          carried = correct(arguments + Arguments{"--carry"}).messages, said = "nearly repeat";
+        EXPECT_EQ(std::string::npos, alone.find(said)) << alone;
+        EXPECT_EQ(*c.message != 0, carried.find(said) != std::string::npos) << carried;
+        EXPECT_NE(std::string::npos, carried.find(c.message)) << carried;
+    }
 }
 
 // The row of a log by number is the same however the inputs are named and whichever of them fail.
