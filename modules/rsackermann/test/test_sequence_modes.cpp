@@ -616,6 +616,52 @@ TEST_P(SequenceModes, each_image_twice)
     }
 }
 
+// Images that a converter of frame rates repeats, bit by bit or nearly, from the first one on: the motion between the
+// others is that of their own times.
+TEST_P(SequenceModes, frame_rates_that_were_multiplied)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    for (const int times : {2, 3})
+        for (const double noise : {0., 0.6})
+            for (const bool hasNext : {false, true})
+            {
+                std::vector<Mat> shown;
+                RNG rng(5);
+                for (const Mat& frame : frames)
+                    for (int k = 0; k < times; k++)
+                    {
+                        Mat coded(frame.size(), CV_8S);
+                        rng.fill(coded, RNG::NORMAL, 0, k > 0 ? noise : 0);
+                        shown.push_back(frame.clone());
+                        cv::add(frame, coded, shown.back(), noArray(), CV_8U);
+                    }
+                const Ptr<RollingShutterCorrector> corrector = createCorrector(setting, Twin(), NOTHING),
+                                                   original = createCorrector(setting, Twin(), NOTHING);
+                AckermannMotion expected;
+                for (int i = 0; i < int(shown.size()); i++)
+                {
+                    SCOPED_TRACE(testing::Message() << times << " " << noise << " " << hasNext << " " << i);
+                    Mat corrected;
+                    corrector->setTimestamp(i * INTERVAL / times);
+                    if (hasNext && i + 1 < int(shown.size()))
+                        corrector->setNextFrame(shown[i + 1], (i + 1) * INTERVAL / times);
+                    const AckermannMotion m = corrector->correct(shown[i], corrected);
+                    if (i % times == 0)
+                        expected = correctFrame(*original, frames, i / times, NOTHING);
+                    if (i < times)
+                        continue; // of a car that stands, for all that is known
+                    if (i == times && m.status != MOTION_OK)
+                        break; // half a picture of bonnet stands as well
+                    ASSERT_EQ(MOTION_OK, m.status);
+                    EXPECT_NEAR(expected.alpha, m.alpha, 3 * std::sqrt(m.covariance(0, 0)));
+                    double speed;
+                    EXPECT_TRUE(setting.yawChange != 0 || !m.speed(setting.camera, speed) ||
+                                std::abs(speed - setting.metric.speed) < 3 * m.speedSigma)
+                        << speed << " " << m.speedSigma;
+                }
+            }
+}
+
 // Points show the mean of an interval: an exact rate of the instant doesn't contradict it.
 TEST(RSAckermann_SequenceModes, exact_yaw_rates_of_a_car_that_weaves)
 {

@@ -93,6 +93,14 @@ static bool isBefore(const TrackedBearing& b)
     return b.pitch == FLOW_PITCH_BEFORE;
 }
 
+void FrameFeatures::putBack(const RollingShutterCamera& camera, double passed, double seconds)
+{
+    for (std::vector<TrackedBearing>* all : {&bearings, &fineBearings})
+        for (TrackedBearing& b : *all)
+            if (isBefore(b) == (passed > 0))
+                b.timeOther -= seconds / camera.secondsPerUnitTime();
+}
+
 void FrameFeatures::leaveOut(double seconds)
 {
     const auto isOfThat = [=](const TrackedBearing& b) { return isBefore(b) == (seconds > 0); };

@@ -94,6 +94,9 @@ public:
     //! Whether there is a frame to go back to.
     bool isKept() const { return std::isfinite(keptSeconds); }
 
+    //! The frame before was taken so many seconds earlier than it seemed; negative: later.
+    void putBack(const RollingShutterCamera& camera, double passed, double seconds);
+
     //! Leaves out what is seen in the frame that was taken some seconds before; negative: after.
     void leaveOut(double seconds);
 

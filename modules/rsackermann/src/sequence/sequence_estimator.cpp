@@ -15,7 +15,7 @@ namespace cv { namespace rsackermann {
 
 SequenceMemory::SequenceMemory(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
     : filter(camera, params), rates(RowRates::usualSteering(params)), last(filter.state), alone(filter.state),
-      seen(std::numeric_limits<double>::quiet_NaN())
+      seen(std::numeric_limits<double>::quiet_NaN()), stillSince(seen)
 {
 }
 
@@ -55,7 +55,7 @@ void SequenceEstimator::resetState()
     filter.reset(camera, params);
     rates = RowRates(RowRates::usualSteering(params));
     clockNoise = ClockNoise();
-    seen = std::numeric_limits<double>::quiet_NaN();
+    seen = stillSince = std::numeric_limits<double>::quiet_NaN();
 }
 
 static bool isSame(const Mat& a, const Mat& b)
@@ -265,21 +265,55 @@ static bool isStill(const std::vector<TrackedBearing>& bearings)
     return size_t(still) > bearings.size() / 2;
 }
 
+// Images that are nearly the same (doc/theory.md, "Sequence"): shares of the points to a neighbour that stay where they
+// are if nothing moves, and if most does.
+const double NOTHING_MOVES = 0.9;
+const double MOST_MOVES = 0.5;
+const double GRIP = 10;       // m/s^2, of tyres
+const double MOST_COPIES = 4; // of an image: 5 a second become 30
+
+// Of the points to a neighbour that was taken some seconds before, or after; NaN: there are none.
+static double shareStill(const std::vector<TrackedBearing>& bearings, double seconds)
+{
+    double count = 0, still = 0;
+    for (const TrackedBearing& b : bearings)
+        if ((b.pitch == FLOW_PITCH_BEFORE) == (seconds > 0))
+        {
+            count++;
+            still += b.isStill;
+        }
+    return still / count;
+}
+
 // Whether next to nothing moves between the frame and one of its neighbours, and most to the other: that is no car, but
 // nearly the same image again.
 static bool stopsOrStartsAtOnce(const std::vector<TrackedBearing>& bearings)
 {
-    double count[2] = {0, 0}, still[2] = {0, 0};
-    for (const TrackedBearing& b : bearings)
+    const double before = shareStill(bearings, 1), after = shareStill(bearings, -1);
+    return std::max(before, after) > NOTHING_MOVES && std::min(before, after) < MOST_MOVES;
+}
+
+// Images that were nearly the same, followed by one in which a car drives, are copies: no car starts at once. What has
+// moved did so since the first of them, whose motion says nothing. Returns by how many seconds that was earlier.
+double SequenceEstimator::putBackCopies(double passed)
+{
+    const double since = (filter.time - stillSince) - passed;
+    if (!(std::abs(since) < (MOST_COPIES + 0.5) * std::abs(passed)) || since * passed <= 0 ||
+        !(shareStill(features.bearings, passed) < MOST_MOVES))
+        return 0;
+    features.putBack(camera, passed, since);
+    const SequenceFit fit =
+        fitFrame(camera, features.bearings, features.verticals, SequenceState(camera, params), true, FitNuisances());
+    const double sigma = std::sqrt(fit.state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED)),
+                 gained = GRIP * std::abs(passed + since);
+    if (!fit.moves || !(std::abs(fit.state.value[SEQUENCE_SPEED]) > std::max(CONTRADICTION * sigma, gained)))
     {
-        const int which = b.pitch == FLOW_PITCH_BEFORE ? 0 : 1;
-        count[which]++;
-        still[which] += b.isStill;
+        features.putBack(camera, passed, -since);
+        return 0;
     }
-    const auto isBetween = [&](int one, int other) {
-        return still[one] > 0.9 * count[one] && still[other] < 0.5 * count[other];
-    };
-    return count[0] > 0 && count[1] > 0 && (isBetween(0, 1) || isBetween(1, 0));
+    resetState();
+    interval = std::abs(passed + since);
+    return since;
 }
 
 // Returns whether there were points to go by.
@@ -288,6 +322,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
 {
     isCopy = false;
     double passed = frame.seconds - filter.time;
+    const double intervalBefore = interval;
     if (!filter.isFollowedBy(frame.seconds))
         reset();
     const FrameFeatures::Link link =
@@ -306,12 +341,13 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     // Where frames are missing, or were lost themselves, one that isn't found again may well be of the same scene.
     else if (link == FrameFeatures::LOST && features.isFirstOfScene() && !isFrameMissing)
         resetState();
-    if (isRepeated && seen == filter.time && !isStill(features.bearings))
+    if (isRepeated && seen == filter.time && !isStill(features.bearings) &&
+        !(std::abs(std::abs(passed) - interval) < 0.1 * interval))
         // By when the car has gone on isn't known, unless all images come again.
         features.leaveOut(passed);
     const SequenceFilter filterBefore = filter;
     const bool follows = filter.advance(frame.seconds, camera, params);
-    const double before = follows ? passed : 0;
+    double before = follows ? passed : 0;
     double after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
     if (stopsOrStartsAtOnce(features.bearings))
     {
@@ -325,10 +361,12 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         return false;
     }
     selectCandidates(segments, camera, params, features.verticals, features.others);
+    if (follows)
+        before += putBackCopies(passed);
     AckermannMotion compared;
     const SequenceFit fitBefore = last;
     FitNuisances nuisances;
-    rates.expectChanges(follows ? passed : after, nuisances);
+    rates.expectChanges(follows ? before : after, nuisances);
     nuisances.interval = clockNoise.sigma();
     if (!update(prior, rates.aboutFit(before, after, readOut(camera)), nuisances, compared))
     {
@@ -340,10 +378,16 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     {
         filter = filterBefore; // at the time of that image
         last = fitBefore;
+        interval = intervalBefore;
         clockNoise.interrupt();
+        stillSince = std::numeric_limits<double>::quiet_NaN();
         return false;
     }
     seen = filter.time;
+    if (!(shareStill(features.bearings, passed) > NOTHING_MOVES))
+        stillSince = std::numeric_limits<double>::quiet_NaN();
+    else if (!std::isfinite(stillSince))
+        stillSince = filterBefore.time;
     updateRates(before, after);
     const std::vector<UprightSegment>& verticals = features.verticals;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));

@@ -18,9 +18,11 @@ struct SequenceMemory
     SequenceFilter filter; //!< without what is given
     RowRates rates;
     ClockNoise clockNoise;
-    SequenceFit last;        //!< whose points showed the motion
-    SequenceFit alone;       //!< the same without what is given
-    double seen;             //!< time of that; not finite if there is none
+    SequenceFit last;  //!< whose points showed the motion
+    SequenceFit alone; //!< the same without what is given
+    double seen;       //!< time of that; not finite if there is none
+    double stillSince; //!< time of the first image up to the last one between which nothing moved; not finite if the
+                       //!< last one moved
     bool isRepeated = false; //!< the image came again, or nearly
 
     SequenceMemory(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
@@ -80,6 +82,7 @@ private:
     AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
+    double putBackCopies(double passed);
     void updateRates(double before, double after);
     bool measure(double seconds, MeasuredTurns& turns) const;
     void useGyro();
