@@ -270,7 +270,7 @@ static bool isStill(const std::vector<TrackedBearing>& bearings)
 const double NOTHING_MOVES = 0.9;
 const double MOST_MOVES = 0.5;
 const double GRIP = 10;       // m/s^2, of tyres
-const double MOST_COPIES = 4; // of an image: 5 a second become 30
+const double MOST_COPIES = 5; // of an image: 5 a second become 30
 
 // Of the points to a neighbour that was taken some seconds before, or after; NaN: there are none.
 static double shareStill(const std::vector<TrackedBearing>& bearings, double seconds)
