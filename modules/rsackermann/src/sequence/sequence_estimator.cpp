@@ -6,9 +6,10 @@
 #include "../motion/contradiction.hpp"
 #include "../single/depth_alignment.hpp"
 #include "../single/inliers_and_scale.hpp"
-#include "../single/displacement_field.hpp"
-#include "scene_fit.hpp"
+#include "copies.hpp"
+#include "expected_displacement.hpp"
 #include "point_prediction.hpp"
+#include "scene_fit.hpp"
 #include "sequence_estimator.hpp"
 
 namespace cv { namespace rsackermann {
@@ -45,6 +46,7 @@ void SequenceEstimator::reset()
     features.reset();
     image.release();
     gyro.reset();
+    contradicted = ContradictedValues();
     filter.hasFrame = false;
     interval = 0;
     resetState();
@@ -158,41 +160,6 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
     return motion;
 }
 
-// The mean displacement by a motion, and what is left of it after a correction, as far as the motion isn't known and as
-// a share of it is the residual.
-static Model expectDisplacement(const DisplacementField& field, const RollingShutterCamera& camera,
-                                const SequenceState& state, bool isTurnAlone, double residual, AckermannMotion& motion)
-{
-    const double unit = camera.secondsPerUnitTime(), speed = state.value[SEQUENCE_SPEED],
-                 road = state.value[SEQUENCE_ROAD], G = speed * unit * road;
-    Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
-    const Model model = toModel(state.value, unit, &byValues);
-    Matx<double, 1, SEQUENCE_VALUES> roadByValues;
-    roadByValues(0, SEQUENCE_SPEED) = unit * road;
-    roadByValues(0, SEQUENCE_ROAD) = unit * speed;
-    DisplacementField::Values displacement, corrected, none;
-    DisplacementField::Variances variances, exact;
-    field.displacement(model, G, displacement);
-    field.addTilt(RowTilt(camera, motion), displacement);
-    corrected = displacement;
-    if (isTurnAlone)
-    {
-        Model turn;
-        turn[P_ALPHA] = model[P_ALPHA];
-        field.displacement(turn, 0, corrected);
-        field.addTilt(RowTilt(camera, motion), corrected);
-    }
-    field.variance(model, G, (roadByValues * state.covariance * roadByValues.t())(0),
-                   byValues * state.covariance * byValues.t(), variances);
-    field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
-    motion.expectedRaw = DisplacementField::meanDistance(displacement, none, variances);
-    motion.expectedResidual =
-        std::hypot(DisplacementField::meanDistance(displacement, corrected, variances), motion.expectedRaw * residual);
-    motion.probabilityWorse = DisplacementField::probabilityWorse(
-        DisplacementField::meanDistance(corrected, none, exact), motion.expectedResidual);
-    return model;
-}
-
 // Where the image shows nothing a gyro still knows how the camera turns, but not how it moves. Changed only if that is
 // expected to help.
 void SequenceEstimator::turnAlone(double seconds, const MotionPrior& prior, AckermannMotion& motion) const
@@ -220,93 +187,23 @@ void SequenceEstimator::turnAlone(double seconds, const MotionPrior& prior, Acke
     motion.model = MODEL_1LA;
 }
 
-static bool isGiven(const MotionPrior& prior)
-{
-    return prior.yawRateSigma > 0 || prior.speedSigma > 0 || prior.wallDirectionSigma > 0;
-}
-
-// What is given without what contradicts what is seen.
-static MotionPrior usable(const MotionPrior& prior, const AckermannMotion& compared)
-{
-    MotionPrior result = prior;
-    if (!compared.contradictsPrior)
-        return result;
-    const bool isOfYawRate =
-        contradicts(compared.seenYawRate, compared.seenYawRateSigma, prior.yawRate, prior.yawRateSigma);
-    if (isOfYawRate)
-        result.yawRateSigma = 0;
-    // A contradiction that isn't the yaw rate's is the speed's, or its direction's.
-    const bool isOfSpeed = !isOfYawRate || compared.direction * prior.speed < 0;
-    if (isOfSpeed || contradicts(compared.seenSpeed, compared.seenSpeedSigma, prior.speed, prior.speedSigma))
-        result.speedSigma = 0;
-    return result;
-}
-
 // Seconds in which a frame is read.
 static double readOut(const RollingShutterCamera& camera)
 {
     return camera.lineDelay * camera.imageSize.height;
 }
 
-// A car that was fast a moment ago, and isn't given to be slow, doesn't stand: nearly the same image comes again.
-static bool showsCopy(const SequenceFit& fit, const MotionPrior& prior)
-{
-    const double speed = fit.prediction.value[SEQUENCE_SPEED],
-                 sigma = std::sqrt(fit.prediction.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
-    return fit.stands && std::abs(speed) > CONTRADICTION * sigma &&
-           !contradicts(speed, sigma, prior.speed, prior.speedSigma);
-}
-
-// Whether what was tracked stands still.
-static bool isStill(const std::vector<TrackedBearing>& bearings)
-{
-    const auto still =
-        std::count_if(bearings.begin(), bearings.end(), [](const TrackedBearing& b) { return b.isStill; });
-    return size_t(still) > bearings.size() / 2;
-}
-
-// Images that are nearly the same (doc/theory.md, "Sequence"): shares of the points to a neighbour that stay where they
-// are if nothing moves, and if most does.
-const double NOTHING_MOVES = 0.9;
-const double MOST_MOVES = 0.5;
-const double GRIP = 10;       // m/s^2, of tyres
-const double MOST_COPIES = 5; // of an image: 5 a second become 30
-
-// Of the points to a neighbour that was taken some seconds before, or after; NaN: there are none.
-static double shareStill(const std::vector<TrackedBearing>& bearings, double seconds)
-{
-    double count = 0, still = 0;
-    for (const TrackedBearing& b : bearings)
-        if ((b.pitch == FLOW_PITCH_BEFORE) == (seconds > 0))
-        {
-            count++;
-            still += b.isStill;
-        }
-    return still / count;
-}
-
-// Whether next to nothing moves between the frame and one of its neighbours, and most to the other: that is no car, but
-// nearly the same image again.
-static bool stopsOrStartsAtOnce(const std::vector<TrackedBearing>& bearings)
-{
-    const double before = shareStill(bearings, 1), after = shareStill(bearings, -1);
-    return std::max(before, after) > NOTHING_MOVES && std::min(before, after) < MOST_MOVES;
-}
-
-// Images that were nearly the same, followed by one in which a car drives, are copies: no car starts at once. What has
-// moved did so since the first of them, whose motion says nothing. Returns by how many seconds that was earlier.
+// What has moved since images that were copies did so since the first of them, whose motion says nothing. Returns by
+// how many seconds that was earlier.
 double SequenceEstimator::putBackCopies(double passed)
 {
     const double since = (filter.time - stillSince) - passed;
-    if (!(std::abs(since) < (MOST_COPIES + 0.5) * std::abs(passed)) || since * passed <= 0 ||
-        !(shareStill(features.bearings, passed) < MOST_MOVES))
+    if (!mayFollowCopies(features.bearings, passed, since))
         return 0;
     features.putBack(camera, passed, since);
     const SequenceFit fit =
         fitFrame(camera, features.bearings, features.verticals, SequenceState(camera, params), true, FitNuisances());
-    const double sigma = std::sqrt(fit.state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED)),
-                 gained = GRIP * std::abs(passed + since);
-    if (!fit.moves || !(std::abs(fit.state.value[SEQUENCE_SPEED]) > std::max(CONTRADICTION * sigma, gained)))
+    if (!movesTooSoon(fit, passed + since))
     {
         features.putBack(camera, passed, -since);
         return 0;
@@ -364,11 +261,12 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     if (follows)
         before += putBackCopies(passed);
     AckermannMotion compared;
+    MotionPrior used = prior;
     const SequenceFit fitBefore = last;
     FitNuisances nuisances;
     rates.expectChanges(follows ? before : after, nuisances);
     nuisances.interval = clockNoise.sigma();
-    if (!update(prior, rates.aboutFit(before, after, readOut(camera)), nuisances, compared))
+    if (!update(rates.aboutFit(before, after, readOut(camera)), nuisances, used, compared))
     {
         resetState();
         return false;
@@ -384,7 +282,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         return false;
     }
     seen = filter.time;
-    if (!(shareStill(features.bearings, passed) > NOTHING_MOVES))
+    if (!isStillSince(features.bearings, passed))
         stillSince = std::numeric_limits<double>::quiet_NaN();
     else if (!std::isfinite(stillSince))
         stillSince = filterBefore.time;
@@ -394,7 +292,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     for (size_t i = 0; i < verticals.size(); i++)
         labels.at<uchar>(verticals[i].index) = SEGMENT_OUTLIER;
     motion = compared;
-    report(last, verticals, usable(prior, compared), motion, labels);
+    report(last, verticals, used, motion, labels);
     const std::vector<TrackedBearing>& fine = features.fineBearings;
     if (motion.status == MOTION_OK)
         fitOffset(camera, fine.size() < LEAST_POINTS ? features.bearings : fine, last.values, motion);
@@ -410,42 +308,32 @@ static void widen(double& sigma, double other)
 
 // What is given counts in its own frame alone: its error may be that of all frames. Goes by the frames without what
 // they contradict, or alone if no motion is near what is given. Returns whether they show one of this scene.
-bool SequenceEstimator::update(const MotionPrior& prior, const AboutFit& aboutFit, const FitNuisances& nuisances,
+bool SequenceEstimator::update(const AboutFit& aboutFit, const FitNuisances& nuisances, MotionPrior& prior,
                                AckermannMotion& motion)
 {
     const SequenceFilter before = filter;
     const bool isSeen = filter.update(features, camera, params, alone, nuisances);
-    // Sets the last fit.
-    const auto fitWith = [&](MotionPrior given) {
-        // Points show means, and what is given is of the instant.
-        widen(given.yawRateSigma, aboutFit.yawRate);
-        widen(given.speedSigma, aboutFit.speed);
-        SequenceFilter aided = before;
-        aided.state.measure(given);
-        return aided.update(features, camera, params, last, nuisances);
-    };
     last = alone;
     if (!isGiven(prior))
         return isSeen;
-    bool isNear = fitWith(prior);
+    if (isSeen)
+        prior = compareWithSeen(alone, prior, aboutFit, motion);
+    // Points show means, and what is given is of the instant.
+    MotionPrior given = prior;
+    widen(given.yawRateSigma, aboutFit.yawRate);
+    widen(given.speedSigma, aboutFit.speed);
+    SequenceFilter aided = before;
+    aided.state.measure(given);
+    const bool isNear = isGiven(given) && aided.update(features, camera, params, last, nuisances);
     if (!isSeen)
-    {
         alone = last;
-        return isNear;
-    }
-    compareWithSeen(alone, prior, aboutFit, motion);
-    if (motion.contradictsPrior)
-    {
-        const MotionPrior rest = usable(prior, motion);
-        isNear = isGiven(rest) && fitWith(rest);
-    }
-    if (!isNear)
+    else if (!isNear)
         last = alone;
-    return true;
+    return isSeen || isNear;
 }
 
-void SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, const AboutFit& aboutFit,
-                                        AckermannMotion& motion) const
+MotionPrior SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior,
+                                               const AboutFit& aboutFit, AckermannMotion& motion)
 {
     if (prior.yawRateSigma > 0)
         ofFrames.state.seen(SEQUENCE_YAW_RATE, motion.seenYawRate, motion.seenYawRateSigma);
@@ -456,7 +344,7 @@ void SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, const Motio
     AckermannMotion seenMotion;
     ofFrames.state.toMotion(camera.secondsPerUnitTime(), seenMotion);
     motion.direction = seenMotion.direction;
-    compareWithGiven(prior, ofFrames.moves && showsOtherDirection(seenMotion, prior), motion);
+    return contradicted.usable(prior, ofFrames.moves && showsOtherDirection(seenMotion, prior), motion);
 }
 
 // From the turns to the neighbours in which points are seen, if one of them is the frame before.
@@ -568,9 +456,9 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
     SequenceFit expected = last;
     expected.state = filter.state;
     AckermannMotion result;
-    compareWithSeen(expected, prior, AboutFit(), result);
-    expected.state.measure(usable(prior, result));
-    report(expected, std::vector<UprightSegment>(), usable(prior, result), result, labels);
+    const MotionPrior used = compareWithSeen(expected, prior, AboutFit(), result);
+    expected.state.measure(used);
+    report(expected, std::vector<UprightSegment>(), used, result, labels);
     if (result.status != MOTION_OK)
         return;
     result.candidates = motion.candidates;

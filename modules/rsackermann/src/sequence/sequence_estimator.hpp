@@ -8,6 +8,7 @@
 #include "sequence_filter.hpp"
 #include "row_rates.hpp"
 #include "clock_noise.hpp"
+#include "contradicted_values.hpp"
 #include "gyro_rates.hpp"
 
 namespace cv { namespace rsackermann {
@@ -74,10 +75,9 @@ private:
                                 const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
-    bool update(const MotionPrior& prior, const AboutFit& aboutFit, const FitNuisances& nuisances,
-                AckermannMotion& motion);
-    void compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, const AboutFit& aboutFit,
-                         AckermannMotion& motion) const;
+    bool update(const AboutFit& aboutFit, const FitNuisances& nuisances, MotionPrior& prior, AckermannMotion& motion);
+    MotionPrior compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, const AboutFit& aboutFit,
+                                AckermannMotion& motion);
     AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
     AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
@@ -94,6 +94,7 @@ private:
     RollingShutterCamera camera;
     AckermannEstimator::Params params;
     Ptr<AckermannEstimator> single;
+    ContradictedValues contradicted;
     FrameFeatures features;
     Mat image; // the last one, with what was found in it
     AckermannMotion motionOfImage;
