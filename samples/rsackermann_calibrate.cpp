@@ -14,6 +14,7 @@
 #include "output/output_plan.hpp"
 #include "output/result_names.hpp"
 #include "progress.hpp"
+#include "repeated_images.hpp"
 #include "units.hpp"
 
 #include "opencv2/rsackermann.hpp"
@@ -181,6 +182,8 @@ int run(const Options& options)
     Progress progress;
     int frames = 0, failures = 0, untimed = 0;
     bool isLogUsed = false;
+    ImageChange change;
+    std::vector<double> changes;
     const auto fail = [&](const std::string& input, const std::string& message) {
         failures++;
         progress.clear();
@@ -193,6 +196,7 @@ int run(const Options& options)
             calibrator->addGyro(task.gyro.times, task.gyro.rates);
         }
         calibrator->addFrame(frame.image, frame.facts.time, priorOf(frame.facts));
+        changes.push_back(change.to(frame.image));
         frames++;
         untimed += !frame.isTimeGiven;
         isLogUsed |= frame.facts.isLogged;
@@ -220,6 +224,13 @@ int run(const Options& options)
     }
     const MountCalibration calibration = calibrator->calibrate();
     progress.clear();
+    const std::string repeated = repeatedImages(changes);
+    if (!repeated.empty())
+        std::cerr << "rsackermann_calibrate: " << repeated << std::endl;
+    if (2 * calibration.contraryFrames > calibration.frames)
+        std::cerr << "rsackermann_calibrate: in " << calibration.contraryFrames << " of " << frames
+                  << " frames the car drives backward, or against its given speed: unless it does, the camera looks to "
+                     "the other end of the car (--heading=180 for one that looks back)\n";
     if (calibration.frames == 0)
         throw InputError("no frame shows a car that moves: consecutive frames are needed, at their times");
     print(calibration, calibrator->getCamera().cameraMatrix(0, 0), frames);

@@ -21,7 +21,7 @@ double ImageChange::to(const cv::Mat& image)
     return change;
 }
 
-int countRepeated(const std::vector<double>& changes)
+static int countRepeated(const std::vector<double>& changes)
 {
     const int longest = 5;     // from 5 to 30 images a second; those of a car that stands are more
     const double share = 0.25; // of the others' change
@@ -38,6 +38,17 @@ int countRepeated(const std::vector<double>& changes)
         i += run;
     }
     return count;
+}
+
+std::string repeatedImages(const std::vector<double>& changes)
+{
+    const int count = countRepeated(changes), least = 3;
+    if (count < least || count < int(changes.size()) / 10)
+        return "";
+    return cv::format("%d of %d images nearly repeat the one before, as converters of frame rates add them: times are "
+                      "then not those at which images were taken, and motions err; give the images as the camera took "
+                      "them, or without those (ffmpeg -vf mpdecimate -fps_mode vfr)",
+                      count, int(changes.size()));
 }
 
 } // namespace rsackermann_samples

@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_REPEATED_IMAGES_HPP
 
 #include "opencv2/core.hpp"
+#include <string>
 #include <vector>
 
 namespace rsackermann_samples {
@@ -21,9 +22,10 @@ private:
     cv::Mat before_;
 };
 
-/** How many images of a sequence repeat the one before, as converters of frame rates let them, but for what an encoder
-changes: a few at a time, between others that move. @param changes of ImageChange. */
-int countRepeated(const std::vector<double>& changes);
+//! What to say of a sequence of which a tenth of the images or more repeat the one before, as converters of frame rates
+//! let them, but for what an encoder changes: a few at a time, between others that move; else nothing.
+//! @param changes of ImageChange.
+std::string repeatedImages(const std::vector<double>& changes);
 
 } // namespace rsackermann_samples
 

@@ -71,14 +71,9 @@ void Warnings::addRounding()
 
 void Warnings::addRepeated()
 {
-    const int count = countRepeated(changes_), least = 3;
-    if (count < least || count < int(changes_.size()) / 10)
-        return;
-    warn(cv::format(
-        "%d of %d images nearly repeat the one before, as converters of frame rates add them: times are then "
-        "not those at which images were taken, and motions err; give the images as the camera took them, "
-        "or without those (ffmpeg -vf mpdecimate -fps_mode vfr)",
-        count, int(changes_.size())));
+    const std::string words = repeatedImages(changes_);
+    if (!words.empty())
+        warn(words);
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.

@@ -244,6 +244,39 @@ TEST_F(Calibrate, mount_sigma_adds_to_the_vehicles)
     EXPECT_NE(std::string::npos, bad.messages.find("negative")) << bad.messages;
 }
 
+// A drive that is shown backward is one of a camera that looks back, unless the car is in reverse.
+TEST_F(Calibrate, drives_the_other_way)
+{
+    addBend(0, 0, 8);
+    for (const bool isBackward : {false, true})
+    {
+        for (const char* speed : {"", "36", "-36"})
+        {
+            log_ = "file,time_s,speed_kmh,speed_sigma_kmh\n";
+            for (size_t i = 0; i < inputs_.size(); i++)
+                log_ += inputs_[i] + cv::format(",%.6f,%s,%s\n", double(i) * INTERVAL, speed, *speed ? "1" : "");
+            const std::string words = run({"--overwrite"}).messages;
+            const bool isContrary = isBackward != (*speed == '-');
+            EXPECT_EQ(isContrary, words.find("drives backward") != std::string::npos) << speed << words;
+        }
+        std::reverse(inputs_.begin(), inputs_.end());
+    }
+}
+
+TEST_F(Calibrate, repeated_images_are_told)
+{
+    addBend(20, 0, 6);
+    Arguments once = {"--camera=" + (folder_ / "camera.yml"), "--output=" + output_, "--overwrite"}, twice = once;
+    for (const std::string& input : inputs_)
+    {
+        once.push_back(input);
+        twice.push_back(input);
+        twice.push_back(input);
+    }
+    EXPECT_EQ(std::string::npos, calibrate(once).messages.find("nearly repeat"));
+    EXPECT_NE(std::string::npos, calibrate(twice).messages.find("of 12 images nearly repeat the one before"));
+}
+
 TEST_F(Calibrate, bad_arguments)
 {
     addBend(10, 0, 2);

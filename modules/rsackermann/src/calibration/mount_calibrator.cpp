@@ -8,6 +8,7 @@
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "../features/segment_finder.hpp"
+#include "../motion/contradiction.hpp"
 #include "../storage.hpp"
 #include "../sequence/frame_terms.hpp"
 #include "../sequence/point_prediction.hpp"
@@ -24,9 +25,9 @@ static const double OBSERVED = 0.5;
 static const double SHORTEST_START = 0.002, LONGEST_START = 0.1;
 
 MountCalibration::MountCalibration()
-    : frames(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0), headingSigma(0), lineDelay(0),
-      lineDelaySigma(0), rollObserved(false), pitchObserved(false), headingObserved(false), lineDelayObserved(false),
-      gyroFrames(0), gyroDelay(0), gyroDelaySigma(0), focalScale(1), focalScaleSigma(0)
+    : frames(0), contraryFrames(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0), headingSigma(0),
+      lineDelay(0), lineDelaySigma(0), rollObserved(false), pitchObserved(false), headingObserved(false),
+      lineDelayObserved(false), gyroFrames(0), gyroDelay(0), gyroDelaySigma(0), focalScale(1), focalScaleSigma(0)
 {
 }
 
@@ -216,6 +217,7 @@ private:
         features.reset();
         number = 0;
         drive = 0;
+        contraryFrames = 0;
         stride = 1;
         filter.hasFrame = false;
     }
@@ -354,10 +356,37 @@ private:
         selectCandidates(segments, start, gates, features.verticals, features.others);
         filter.state.measure(prior);
         SequenceFit fit(filter.state);
-        if (!filter.update(features, start, gates, fit) || !fit.moves)
+        const bool moves = filter.update(features, start, gates, fit) && fit.moves;
+        if (!moves && prior.speedSigma > 0)
+            contraryFrames += goesTheOtherWay(fitWithoutSpeed(prior), prior);
+        if (!moves)
             return false;
+        contraryFrames += goesTheOtherWay(fit, prior);
         keep(frameOf(fit, before, prior));
         return true;
+    }
+
+    // Nor with those of the frames before.
+    SequenceFit fitWithoutSpeed(MotionPrior prior) const
+    {
+        prior.speedSigma = 0;
+        SequenceFilter unaided = filter;
+        unaided.reset(start, gates);
+        unaided.state.measure(prior);
+        SequenceFit fit(unaided.state);
+        fit.moves = unaided.update(features, start, gates, fit) && fit.moves;
+        return fit;
+    }
+
+    // Than given, or than cars usually go.
+    bool goesTheOtherWay(const SequenceFit& fit, const MotionPrior& prior) const
+    {
+        MotionPrior forward;
+        forward.speed = 1;
+        forward.speedSigma = FLT_EPSILON;
+        AckermannMotion seen;
+        fit.state.toMotion(start.secondsPerUnitTime(), seen);
+        return fit.moves && showsOtherDirection(seen, prior.speedSigma > 0 ? prior : forward);
     }
 
     CalibrationFrame frameOf(const SequenceFit& fit, double before, const MotionPrior& prior) const
@@ -416,6 +445,7 @@ private:
         const MountFit& fit = best.mount;
         MountCalibration c;
         c.frames = int(frames.size());
+        c.contraryFrames = contraryFrames;
         c.camera = given;
         const MountVector& sigma = fit.sigma;
         c.rollObserved = isObserved(sigma, before, MOUNT_ROLL);
@@ -466,7 +496,7 @@ private:
     GyroSamples gyro;
     std::vector<CalibrationFrame> frames;
     std::vector<int> numbers; // of each frame's run
-    int number, drive, stride;
+    int number, drive, stride, contraryFrames;
 
     SequenceFilter filter;
 };

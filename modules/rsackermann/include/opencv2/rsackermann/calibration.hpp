@@ -31,6 +31,10 @@ public:
     //! Frames of a moving car that were used; with fewer than five nothing is observable, and the camera is that of
     //! create()
     CV_PROP_RW int frames;
+    //! Frames whose car clearly drives in the other direction than that of their given speed or, where none is given,
+    //! backward. If they are more than half of the others, the camera looks to the other end of the car than its
+    //! heading says
+    CV_PROP_RW int contraryFrames;
     //! That of create() with the estimated upright rotation, heading and, if it is observable, line delay, and the
     //! standard deviation of the latter. With a gyro also with the focal length that both show, if focalSigma isn't 0
     CV_PROP_RW RollingShutterCamera camera;
