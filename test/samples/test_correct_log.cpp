@@ -80,18 +80,24 @@ TEST_F(CorrectLog, each_column)
     }
 }
 
-// As the options do, a row leaves nothing of the uncertainty of the mount that the camera's file has.
+// As the options do, a row leaves nothing of the uncertainty of a mount, be it the camera file's or that of one of
+// which nothing is given.
 TEST_F(CorrectLog, mount_of_a_row_is_exact)
 {
     const std::string camera = folder_ / "camera.yml";
     writeContent(camera, contentOf(streetFolder() + "/camera.yml") + "roll_sigma: 3.\npitch_sigma: 2.\n");
-    writeContent(folder_ / "log.csv", "file,roll_deg,pitch_deg\nrolling.png,0.7,0.2\n");
-    const Arguments same = {image_, "--camera=" + camera, "--wall=2.5", "--report=-"};
-    Arguments options = same, log = same;
-    options.insert(options.end(), {"--roll=0.7", "--pitch=0.2"});
-    log.push_back("--log=" + (folder_ / "log.csv"));
-    EXPECT_EQ(resultsOf(correct(options)), resultsOf(correct(log)));
-    EXPECT_NE(resultsOf(correct(same))[0]["covariance"], resultsOf(correct(log))[0]["covariance"]);
+    for (const Arguments& given : {Arguments{"--camera=" + camera}, Arguments{"--focal=816", "--readout=0.03"}})
+        for (const bool isRoll : {false, true})
+        {
+            writeContent(folder_ / "log.csv",
+                         isRoll ? "file,roll_deg\nrolling.png,0.7\n" : "file,pitch_deg\nrolling.png,0.2\n");
+            const Arguments same = given + Arguments{image_, "--wall=2.5", "--report=-"};
+            const std::vector<Json> byOption =
+                                        resultsOf(correct(same + Arguments{isRoll ? "--roll=0.7" : "--pitch=0.2"})),
+                                    byLog = resultsOf(correct(same + Arguments{"--log=" + (folder_ / "log.csv")}));
+            EXPECT_EQ(byOption, byLog) << given[0] << isRoll;
+            EXPECT_NE(resultsOf(correct(same))[0]["covariance"], byLog[0]["covariance"]) << given[0] << isRoll;
+        }
 }
 
 TEST_F(CorrectLog, ways_to_name_an_image)

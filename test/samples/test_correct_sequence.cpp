@@ -155,6 +155,13 @@ TEST_F(CorrectSequence, images_without_a_row_have_times_between_others)
                 << i;
         }
     }
+    // By the numbers of a pattern, of which one may be missing.
+    std::remove((folder_ / "04.png").c_str());
+    writeContent(folder_ / "log.csv", "file,time_s\n" + some);
+    EXPECT_NEAR(
+        10 + 3 * 2 * drive_.interval,
+        report({folder_ / "%02d.png", "--carry", "--log=" + (folder_ / "log.csv")})["05.png"]["time_s"].get<double>(),
+        1e-6);
     // One time says nothing of an interval, and neither do those of other sequences.
     for (const char* rows : {"02.png,10\n", "02.png,10\n06.png,9\n", "02.png,10\n03.png,90\n"})
         EXPECT_TRUE(reportOf(rows)["01.png"]["time_s"].is_null()) << rows;

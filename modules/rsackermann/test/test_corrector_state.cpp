@@ -109,6 +109,14 @@ const History HISTORIES[] = {{"nothing", [](Corrector&, const Sequence&) {}},
                                   c.setTimestamp(1e11);
                                   correctFrame(c, s, 0);
                               }},
+                             {"times that jitter",
+                              [](Corrector& c, const Sequence& s) {
+                                  for (int i = 0; i < 8; i++)
+                                  {
+                                      c.setTimestamp((i + 0.3 * (i % 2)) * INTERVAL);
+                                      correctFrame(c, s, i);
+                                  }
+                              }},
                              {"skipped frame", [](Corrector& c, const Sequence&) { c.skipFrame(); }},
                              {"exception",
                               [](Corrector& c, const Sequence& s) {
