@@ -181,7 +181,7 @@ int run(const Options& options)
     cv::Ptr<MountCalibrator> calibrator;
     Progress progress;
     int frames = 0, failures = 0, untimed = 0;
-    bool isLogUsed = false;
+    bool isLogUsed = false, isSpeedGiven = false;
     ImageChange change;
     std::vector<double> changes;
     const auto fail = [&](const std::string& input, const std::string& message) {
@@ -200,6 +200,7 @@ int run(const Options& options)
         frames++;
         untimed += !frame.isTimeGiven;
         isLogUsed |= frame.facts.isLogged;
+        isSpeedGiven |= priorOf(frame.facts).speedSigma > 0;
         progress.update(done, 1, task.output);
     };
     try
@@ -228,9 +229,15 @@ int run(const Options& options)
     if (!repeated.empty())
         std::cerr << "rsackermann_calibrate: " << repeated << std::endl;
     if (2 * calibration.contraryFrames > calibration.frames)
-        std::cerr << "rsackermann_calibrate: in " << calibration.contraryFrames << " of " << frames
-                  << " frames the car drives backward, or against its given speed: unless it does, the camera looks to "
-                     "the other end of the car (--heading=180 for one that looks back)\n";
+    {
+        const std::string words = cv::format(
+            "in %d of %d frames the car drives %s: unless it does, the camera looks to the other end of the car "
+            "(--heading=180 for one that looks back)",
+            calibration.contraryFrames, frames, isSpeedGiven ? "against the speed of the log" : "backward");
+        if (isSpeedGiven) // what was found is a compromise
+            throw InputError(words);
+        std::cerr << "rsackermann_calibrate: " << words << std::endl;
+    }
     if (calibration.frames == 0)
         throw InputError("no frame shows a car that moves: consecutive frames are needed, at their times");
     print(calibration, calibrator->getCamera().cameraMatrix(0, 0), frames);

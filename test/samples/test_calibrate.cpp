@@ -255,9 +255,11 @@ TEST_F(Calibrate, drives_the_other_way)
             log_ = "file,time_s,speed_kmh,speed_sigma_kmh\n";
             for (size_t i = 0; i < inputs_.size(); i++)
                 log_ += inputs_[i] + cv::format(",%.6f,%s,%s\n", double(i) * INTERVAL, speed, *speed ? "1" : "");
-            const std::string words = run({"--overwrite"}).messages;
+            const Outcome outcome = run({"--overwrite"});
             const bool isContrary = isBackward != (*speed == '-');
-            EXPECT_EQ(isContrary, words.find("drives backward") != std::string::npos) << speed << words;
+            const char* words = *speed ? "frames the car drives against the speed" : "frames the car drives backward";
+            EXPECT_EQ(isContrary, outcome.messages.find(words) != std::string::npos) << speed << outcome.messages;
+            EXPECT_EQ(isContrary && *speed ? 1 : 0, outcome.exitCode) << speed;
         }
         std::reverse(inputs_.begin(), inputs_.end());
     }

@@ -354,14 +354,15 @@ private:
         if (!follows || features.bearings.size() < LEAST_POINTS)
             return false;
         selectCandidates(segments, start, gates, features.verticals, features.others);
+        const bool isSpeedGiven = prior.speedSigma > 0;
+        if (isSpeedGiven)
+            contraryFrames += goesTheOtherWay(fitWithoutSpeed(prior), prior);
         filter.state.measure(prior);
         SequenceFit fit(filter.state);
-        const bool moves = filter.update(features, start, gates, fit) && fit.moves;
-        if (!moves && prior.speedSigma > 0)
-            contraryFrames += goesTheOtherWay(fitWithoutSpeed(prior), prior);
-        if (!moves)
+        if (!filter.update(features, start, gates, fit) || !fit.moves)
             return false;
-        contraryFrames += goesTheOtherWay(fit, prior);
+        if (!isSpeedGiven)
+            contraryFrames += goesTheOtherWay(fit, prior);
         keep(frameOf(fit, before, prior));
         return true;
     }
