@@ -32,7 +32,7 @@ public:
     //! create()
     CV_PROP_RW int frames;
     //! Frames whose car clearly drives in the other direction than that of their given speed or, where none is given,
-    //! backward. If they are more than half of the others, the camera looks to the other end of the car than its
+    //! backward. If they are more than half as many as frames, the camera looks to the other end of the car than its
     //! heading says
     CV_PROP_RW int contraryFrames;
     //! That of create() with the estimated upright rotation, heading and, if it is observable, line delay, and the
