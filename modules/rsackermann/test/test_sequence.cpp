@@ -469,7 +469,10 @@ TEST_P(Scans, states_of_uneven_streets_have_true_sigmas)
             {
                 const Truth truth = {rng.uniform(-0.2, 0.2), rng.uniform(6., 14.), rng.uniform(6., 15.),
                                      rng.uniform(6., 15.), 0};
-                const SequenceState state = stateOf(camera, truth);
+                SequenceState state = stateOf(camera, truth);
+                // Of a known gravity: another one makes plane streets uncertain, too.
+                state.measure(SEQUENCE_ROLL, 0, 1e-6);
+                state.measure(SEQUENCE_PITCH, 0, 1e-6);
                 const std::vector<TrackedBearing> bearings =
                     unevenBearings(simulate(camera, truth), truth, 0.5 * uneven, rng);
                 const SequenceState fitted =
@@ -486,6 +489,42 @@ TEST_P(Scans, states_of_uneven_streets_have_true_sigmas)
         EXPECT_LT(sigmas[0], 0.5 * DEGREE);
         EXPECT_GT(sigmas[1], (heading == 0 ? 1.3 : 3) * sigmas[0]); // beside a wall turning looks like passing
     }
+}
+
+// Points that move along the road show how the camera is tilted; as if it weren't they would show another speed.
+TEST_P(Scans, points_show_the_tilt)
+{
+    RNG rng(12);
+    std::vector<double> errors[SEQUENCE_VALUES], pitches;
+    for (int i = 0; i < 100; i++)
+    {
+        const RollingShutterCamera camera = driveCamera(GetParam());
+        const Truth truth = {rng.uniform(-0.2, 0.2), rng.uniform(6., 14.), rng.uniform(6., 15.), rng.uniform(6., 15.),
+                             0};
+        RollingShutterCamera given = camera;
+        SequenceVector expected = stateOf(camera, truth).value;
+        expected[SEQUENCE_ROLL] = rng.uniform(-3., 3.) * DEGREE;
+        expected[SEQUENCE_PITCH] = rng.uniform(-3., 3.) * DEGREE;
+        given.uprightRotation =
+            tiltRotation(expected[SEQUENCE_ROLL], expected[SEQUENCE_PITCH]).t() * camera.uprightRotation;
+        AckermannEstimator::Params params;
+        params.gravitySigma = params.vehiclePitchSigma = 3 * DEGREE;
+        const double interval = 1. / 30;
+        const std::vector<TrackedBearing> bearings =
+            bearingsOf(given, randomPairs(simulate(camera, truth), interval, 250, 0.3, 0, rng), interval);
+        const SequenceState fitted =
+            fitFrame(given, bearings, std::vector<UprightSegment>(), SequenceState(given, params), true).state;
+        for (int which : {SEQUENCE_YAW_RATE, SEQUENCE_SPEED, SEQUENCE_ROLL, SEQUENCE_PITCH})
+            errors[which].push_back(std::abs(fitted.value[which] - expected[which]) /
+                                    std::sqrt(fitted.covariance(which, which)));
+        pitches.push_back(std::sqrt(fitted.covariance(SEQUENCE_PITCH, SEQUENCE_PITCH)));
+    }
+    for (int which : {SEQUENCE_YAW_RATE, SEQUENCE_SPEED, SEQUENCE_ROLL, SEQUENCE_PITCH})
+    {
+        EXPECT_LT(*std::max_element(errors[which].begin(), errors[which].end()), 3) << "value " << which;
+        EXPECT_GT(median(errors[which]), 0.05) << "value " << which;
+    }
+    EXPECT_LT(median(pitches), 0.5 * DEGREE);
 }
 
 // Times that jitter, as those at which a computer received the frames, look like a speed that does: the state is as

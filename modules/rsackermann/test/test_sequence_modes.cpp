@@ -280,7 +280,8 @@ void expectTruth(const Setting& s, const RollingShutterCamera& camera, const Ack
     double speed, trueSpeed;
     EXPECT_TRUE(m.speed(camera, speed));
     truth.speed(camera, trueSpeed);
-    EXPECT_NEAR(trueSpeed, speed, 0.04 * std::abs(trueSpeed));
+    // Of a road whose tilt changes from frame to frame less is known.
+    EXPECT_NEAR(trueSpeed, speed, (s.shaking > 0 ? 0.05 : 0.04) * std::abs(trueSpeed));
     EXPECT_NEAR(std::abs(speed) * unit, m.wallDistance * std::hypot(m.wallSlope, m.wallOffset),
                 0.04 * std::abs(speed) * unit);
     EXPECT_FALSE(m.rollYawAmbiguous); // many frames tell them apart

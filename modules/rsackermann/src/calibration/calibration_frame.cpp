@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../camera/axis_rotations.hpp"
 #include "../scene/planes.hpp"
 #include "calibration_frame.hpp"
 #include "../sequence/frame_terms.hpp"
@@ -52,12 +51,10 @@ void CalibrationFrame::seeThroughOtherFocal(const Matx33d& upright, double longe
     turn.rate[1] *= shorter;
 }
 
-// A point from a camera of other tilt and line delay.
-static TrackedBearing transformed(const TrackedBearing& s, const Matx33d& R, double shiftBefore)
+// A point from a camera of another line delay.
+static TrackedBearing shifted(const TrackedBearing& s, double shiftBefore)
 {
     TrackedBearing result = s;
-    result.other = mapped(R, s.other);
-    result.now = mapped(R, s.now);
     result.timeOther += shiftBefore;
     return result;
 }
@@ -79,11 +76,6 @@ FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector
 {
 }
 
-static Matx33d tilt(const FrameVector& value)
-{
-    return tiltRotation(value[SEQUENCE_ROLL], value[SEQUENCE_PITCH]);
-}
-
 // The motion during the image, in which each effect has the line delay of its own.
 static Model imageMotion(const FrameVector& value, double unit, double turning,
                          Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian)
@@ -95,10 +87,10 @@ static Model imageMotion(const FrameVector& value, double unit, double turning,
     return m;
 }
 
-// A point of a frame from a camera of another tilt and line delay, whose rows a gyro has turned back.
-TrackedBearing FrameProblem::seen(const TrackedBearing& point, const CalibrationFrame& frame, const Matx33d& R) const
+// A point of a frame from a camera of another line delay, whose rows a gyro has turned back.
+TrackedBearing FrameProblem::seen(const TrackedBearing& point, const CalibrationFrame& frame) const
 {
-    return transformed(frame.rowTurns.removedFrom(point, turningUnit), R, timeShift(frame.interval, givenUnit, unit));
+    return shifted(frame.rowTurns.removedFrom(point, turningUnit), timeShift(frame.interval, givenUnit, unit));
 }
 
 PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame,
@@ -134,13 +126,12 @@ double FrameProblem::slantByDepth(const UprightSegment& c, const CalibrationFram
 
 void FrameProblem::weigh(CalibrationFrame& frame) const
 {
-    const Matx33d R = tilt(frame.value);
     const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
     const PointNoise noise = {sigmas.points, sigmas.depths};
     frame.pointWeights.clear();
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
-        const TrackedBearing now = seen(frame.bearings[i], frame, R);
+        const TrackedBearing now = seen(frame.bearings[i], frame);
         const FlowResidual::View view = residual.predict(now, values.val);
         if (isAtFoot(view, values.val))
         {
@@ -162,13 +153,12 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
 
 void FrameProblem::addPointResiduals(const CalibrationFrame& frame, PointResiduals& residuals) const
 {
-    const Matx33d R = tilt(frame.value);
     const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
         if (frame.pointWeights[i] == Matx22d::zeros())
             continue;
-        const TrackedBearing now = seen(frame.bearings[i], frame, R);
+        const TrackedBearing now = seen(frame.bearings[i], frame);
         const FlowResidual::View view = residual.predict(now, values.val);
         residuals.add(residual.residualOf(now, values.val, view),
                       pixelsOfDeviation(residual, now, values.val, unit, view));
@@ -190,13 +180,13 @@ void FrameProblem::addSlantResiduals(const CalibrationFrame& frame, std::vector<
 void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const
 {
     const Vec<double, FLOW_VALUES> values = flowValues(value);
-    const double *u = values.val, roll = u[SEQUENCE_ROLL], pitch = u[SEQUENCE_PITCH];
-    const Matx33d R = tiltRotation(roll, pitch), rolled = tiltRotation(roll + STEP, pitch),
-                  pitched = tiltRotation(roll, pitch + STEP);
-    const double shift = timeShift(frame.interval, givenUnit, unit),
+    Vec<double, FLOW_VALUES> rolled = values, pitched = values;
+    rolled[SEQUENCE_ROLL] += STEP;
+    pitched[SEQUENCE_PITCH] += STEP;
+    const double *u = values.val, shift = timeShift(frame.interval, givenUnit, unit),
                  perturbedShift = timeShift(frame.interval, givenUnit, unit * (1 + STEP));
     const auto evaluatePoint = [&](const TrackedBearing& s, Eigen::Matrix<double, COLUMNS, 2>& J) {
-        const TrackedBearing back = frame.rowTurns.removedFrom(s, turningUnit), now = transformed(back, R, shift);
+        const TrackedBearing back = frame.rowTurns.removedFrom(s, turningUnit), now = shifted(back, shift);
         Eigen::Matrix<double, FLOW_VALUES, 2> byValues;
         const Point2d r = residual.evaluate(now, u, byValues.data());
         const auto slope = [&](const Point2d& there, double step = STEP) {
@@ -205,13 +195,13 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
         Eigen::RowVector2d byTurning = Eigen::RowVector2d::Zero();
         if (frame.rowTurns.showDelay())
             byTurning =
-                slope(residual.evaluate(
-                          transformed(frame.rowTurns.removedFrom(s, turningUnit * (1 + INSTANT_STEP)), R, shift), u, 0),
+                slope(residual.evaluate(shifted(frame.rowTurns.removedFrom(s, turningUnit * (1 + INSTANT_STEP)), shift),
+                                        u, 0),
                       INSTANT_STEP);
         J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)), byTurning,
-            slope(perturbedDelay.evaluate(transformed(back, R, perturbedShift), u, 0));
-        J.row(SEQUENCE_ROLL) = slope(residual.evaluate(transformed(back, rolled, shift), u, 0));
-        J.row(SEQUENCE_PITCH) = slope(residual.evaluate(transformed(back, pitched, shift), u, 0));
+            slope(perturbedDelay.evaluate(shifted(back, perturbedShift), u, 0));
+        J.row(SEQUENCE_ROLL) = slope(residual.evaluate(now, rolled.val, 0));
+        J.row(SEQUENCE_PITCH) = slope(residual.evaluate(now, pitched.val, 0));
         return r;
     };
     rsackermann::addPoints<COLUMNS>(frame.bearings, frame.pointWeights, pointLoss, evaluatePoint, equations);

@@ -96,7 +96,7 @@ public:
 private:
     void addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const;
     void addVerticals(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const;
-    TrackedBearing seen(const TrackedBearing& point, const CalibrationFrame& frame, const Matx33d& R) const;
+    TrackedBearing seen(const TrackedBearing& point, const CalibrationFrame& frame) const;
     PreparedModel modelOf(const CalibrationFrame& frame, Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian = 0) const;
     bool isAtFoot(const FlowResidual::View& view, const double* values) const;
     double slantByDepth(const UprightSegment& vertical, const CalibrationFrame& frame, const PreparedModel& model,

@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "../camera/axis_rotations.hpp"
 #include "drive_turns.hpp"
 
 namespace cv { namespace rsackermann {
@@ -13,13 +12,7 @@ static TurnOfPoints turnOf(const CalibrationFrame& frame, const RollingShutterCa
 {
     TurnOfPoints turn = frame.turn;
     if (frame.rowTurns.known())
-    {
-        // The turns of a fit are about the axes of the mount that it has found.
-        RollingShutterCamera found = camera;
-        found.uprightRotation =
-            tiltRotation(frame.value[SEQUENCE_ROLL], frame.value[SEQUENCE_PITCH]) * camera.uprightRotation;
-        turn = TurnOfPoints(found, frame.bearings, flowValues(frame.value).val, frame.time, -frame.interval);
-    }
+        turn = TurnOfPoints(camera, frame.bearings, flowValues(frame.value).val, frame.time, -frame.interval);
     const double middle = (turn.rows.from + turn.rows.to) / 2,
                  half = frame.rowTurns.known() ? 0 : (turn.rows.to - turn.rows.from) / 2;
     turn.rows = RowSpan(delayRatio * (middle - half), delayRatio * (middle + half));

@@ -8,14 +8,24 @@
 
 namespace cv { namespace rsackermann {
 
+static Point2d turned(const Matx33d& R, const Point2d& p)
+{
+    const Vec3d ray = R * Vec3d(p.x, p.y, 1);
+    const double z = std::max(ray[2], IN_FRONT);
+    return Point2d(ray[0] / z, ray[1] / z);
+}
+
 FlowResidual::View FlowResidual::predict(const TrackedBearing& s, const double* u) const
 {
     const double alpha = u[SEQUENCE_YAW_RATE] * unit / 2, length = u[SEQUENCE_SPEED] * unit;
     const double cosine = std::cos(u[SEQUENCE_DIRECTION]), sine = std::sin(u[SEQUENCE_DIRECTION]);
     const RowMotion now(alpha, heading, s.timeNow);
+    const Matx33d tilt = tiltOf(u);
     View v;
-    v.ray[1] = s.now.y;
-    now.turn(s.now.x, 1, v.ray[0], v.ray[2]);
+    v.other = turned(tilt, s.other);
+    v.now = turned(tilt, s.now);
+    v.ray[1] = v.now.y;
+    now.turn(v.now.x, 1, v.ray[0], v.ray[2]);
     v.place = Vec3d(now.tau * now.s2, 0, now.tau * now.c2);
 
     // The inverse depth of the nearest plane, over the speed. A camera that would have passed a wall is kept before it.
@@ -51,8 +61,8 @@ Point2d FlowResidual::residualOf(const TrackedBearing& s, const double* u, const
         *byInverseDepth = focal * Point2d(xBy + (xBy * py + px * yBy) * u[s.pitch] - yBy * u[s.roll],
                                           yBy + 2 * py * yBy * u[s.pitch] + xBy * u[s.roll]);
     }
-    return focal * Point2d(px + px * py * u[s.pitch] - py * u[s.roll] - s.other.x,
-                           py + (1 + py * py) * u[s.pitch] + px * u[s.roll] - s.other.y);
+    return focal * Point2d(px + px * py * u[s.pitch] - py * u[s.roll] - v.other.x,
+                           py + (1 + py * py) * u[s.pitch] + px * u[s.roll] - v.other.y);
 }
 
 // Half of the difference of the squares of the two times, in seconds: what a change of the yaw rate counts by.
@@ -71,14 +81,16 @@ Point2d FlowResidual::evaluate(const TrackedBearing& s, const double* u, double*
         const double cosine = std::cos(u[SEQUENCE_DIRECTION]), sine = std::sin(u[SEQUENCE_DIRECTION]);
         double *jx = jacobian, *jy = jacobian + FLOW_VALUES;
         std::fill(jx, jx + 2 * FLOW_VALUES, 0.);
-        const double mx = (s.now.x + s.other.x) / 2, my = (s.now.y + s.other.y) / 2,
+        const double mx = (view.now.x + view.other.x) / 2, my = (view.now.y + view.other.y) / 2,
                      f = focal * (s.timeNow - s.timeOther);
         const double xByW = f * (heading.s - mx * heading.c), yByW = -f * my * heading.c;
-        double wBy[SEQUENCE_VALUES] = {0};
+        double wBy[SEQUENCE_VALUES] = {0}, w, wByX = 0, wByY = 0;
         if (view.plane == 2)
         {
             wBy[SEQUENCE_SPEED] = unit * u[SEQUENCE_ROAD] * my;
             wBy[SEQUENCE_ROAD] = length * my;
+            wByY = length * u[SEQUENCE_ROAD];
+            w = wByY * my;
         }
         else
         {
@@ -86,6 +98,8 @@ Point2d FlowResidual::evaluate(const TrackedBearing& s, const double* u, double*
             const double slope = side * (sine - cosine * mx);
             wBy[SEQUENCE_SPEED] = unit * u[wall] * slope;
             wBy[wall] = length * slope;
+            wByX = -side * length * u[wall] * cosine;
+            w = length * u[wall] * slope;
             wBy[SEQUENCE_DIRECTION] = side * length * u[wall] * (cosine + sine * mx);
         }
         for (int i = 0; i < SEQUENCE_VALUES; i++)
@@ -93,6 +107,16 @@ Point2d FlowResidual::evaluate(const TrackedBearing& s, const double* u, double*
             jx[i] = xByW * wBy[i];
             jy[i] = yByW * wBy[i];
         }
+        // A tilt moves a point where it moves otherwise, and turns the way that it moves.
+        const double ofYaw = f * unit * u[SEQUENCE_YAW_RATE], dx = ofYaw * (1 + mx * mx) + xByW * w,
+                     dy = ofYaw * mx * my + yByW * w;
+        const auto setTilt = [&](int which, double x, double y, double turnedX, double turnedY) {
+            const double change = wByX * x + wByY * y;
+            jx[which] = ofYaw * 2 * mx * x + xByW * change - f * heading.c * w * x - turnedX;
+            jy[which] = ofYaw * (my * x + mx * y) + yByW * change - f * heading.c * w * y - turnedY;
+        };
+        setTilt(SEQUENCE_PITCH, mx * my, 1 + my * my, my * dx + mx * dy, 2 * my * dy);
+        setTilt(SEQUENCE_ROLL, -my, mx, -dy, dx);
         jx[SEQUENCE_YAW_RATE] = f * unit * (1 + mx * mx);
         jy[SEQUENCE_YAW_RATE] = f * unit * mx * my;
         jx[FLOW_YAW_CHANGE] = -focal * halfSquare(s) * (1 + mx * mx);

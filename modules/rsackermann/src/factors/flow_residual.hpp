@@ -29,9 +29,10 @@ public:
     @return pixels. */
     Point2d evaluate(const TrackedBearing& point, const double* values, double* jacobian) const;
 
-    //! How a point is seen from the present image.
+    //! How a point is seen from the present image, in the upright frame of the values.
     struct View
     {
+        Point2d other, now;  // bearings
         Vec3d ray;           // turned into the orientation of the reference row
         Vec3d place;         // of the camera
         int plane;           // 0 left wall, 1 right wall, 2 road

@@ -5,6 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_MOTION_SEQUENCE_VALUES_HPP
 #define OPENCV_RSACKERMANN_SRC_MOTION_SEQUENCE_VALUES_HPP
 
+#include "../camera/axis_rotations.hpp"
 #include "model.hpp"
 
 namespace cv { namespace rsackermann {
@@ -36,6 +37,12 @@ enum {
 
 typedef Vec<double, SEQUENCE_VALUES> SequenceVector;
 typedef Matx<double, SEQUENCE_VALUES, SEQUENCE_VALUES> SequenceMatrix;
+
+//! Upright frame of the camera to that of a state, whose gravity is corrected.
+inline Matx33d tiltOf(const double* values)
+{
+    return tiltRotation(values[SEQUENCE_ROLL], values[SEQUENCE_PITCH]);
+}
 
 /** The motion during one image in units of row time.
 @param unit seconds per unit of row time.

@@ -24,7 +24,7 @@ struct DeepPoint
 {
     TrackedBearing bearing;
     bool isEven;    // one half of the points is, wherever they are
-    double axial;   // depth along the optical axis over that of the upright frame
+    double axial;   // depth along the optical axis over that of the upright frame of the fit
     double value;   // median of the window that was tracked
     double ofPixel; // what maps take
 };
@@ -34,16 +34,19 @@ std::vector<DeepPoint> deepPoints(const RollingShutterCamera& camera, const std:
 {
     const Lens<double> lens(camera);
     const FlowResidual flow(camera);
+    const Matx33d tilt = tiltOf(values);
     const double reach = PointTracker::reach(camera.imageSize, COARSE_PIXELS);
     std::vector<DeepPoint> points;
     for (const TrackedBearing& b : withoutOwnCar(camera, bearings, values))
     {
-        const Vec3d ray = camera.uprightRotation.t() * Vec3d(b.now.x, b.now.y, 1);
+        const Vec3d bearing(b.now.x, b.now.y, 1), ray = camera.uprightRotation.t() * bearing;
+        const double ahead = (tilt * bearing)[2];
         Point2d pixel;
-        if (!(ray[2] > IN_FRONT) || !lens.project(ray[0] / ray[2], ray[1] / ray[2], pixel.x, pixel.y))
+        if (!(ray[2] > IN_FRONT && ahead > IN_FRONT) ||
+            !lens.project(ray[0] / ray[2], ray[1] / ray[2], pixel.x, pixel.y))
             continue;
         const bool isEven = (cvRound(pixel.x) + cvRound(pixel.y)) % 2 == 0;
-        const DeepPoint p = {b, isEven, ray[2], RelativeDepth::medianAround(depth, pixel, reach),
+        const DeepPoint p = {b, isEven, ray[2] / ahead, RelativeDepth::medianAround(depth, pixel, reach),
                              RelativeDepth::valueAt(depth, pixel)};
         if (std::isfinite(p.value) && !FlowResidual::isBehind(flow.evaluate(b, values, 0)))
             points.push_back(p);
@@ -227,7 +230,7 @@ double costOfPlanes(const RollingShutterCamera& camera, const std::vector<DeepPo
 {
     const FlowResidual flow(camera);
     const Scene scene(motion);
-    const Matx33d turn = motion.uprightRotation(camera) * camera.uprightRotation.t();
+    const Matx33d turn = motion.uprightRotation(camera) * (tiltOf(values) * camera.uprightRotation).t();
     double cost = 0;
     for (const bool isFitted : {false, true})
     {

@@ -44,7 +44,7 @@ TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector
                  roll = isEarlier ? values[FLOW_ROLL_BEFORE] : -values[FLOW_ROLL_AFTER],
                  yawRate = values[SEQUENCE_YAW_RATE] + values[FLOW_YAW_CHANGE] * neighbour / 2;
     rows = RowSpan(mean - half, mean + half);
-    rate = camera.uprightRotation.t() * Vec3d(-pitch / interval, yawRate, roll / interval);
+    rate = (tiltOf(values) * camera.uprightRotation).t() * Vec3d(-pitch / interval, yawRate, roll / interval);
 }
 
 void CameraRates::about(const Matx33d& rotation, InstantRate& x, InstantRate& y, InstantRate& z) const

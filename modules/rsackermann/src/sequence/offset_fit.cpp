@@ -79,7 +79,7 @@ std::vector<Deviation> deviationsOf(const RollingShutterCamera& camera, const st
 {
     const FlowResidual residual(camera);
     const Scene scene(motion);
-    const Matx33d turn = motion.uprightRotation(camera) * camera.uprightRotation.t();
+    const Matx33d turn = motion.uprightRotation(camera) * (tiltOf(values) * camera.uprightRotation).t();
     const std::vector<TrackedBearing> bearings = withoutOwnCar(camera, all, values);
     std::vector<Deviation> deviations;
     for (size_t i = 0; i < bearings.size(); i++)

@@ -18,6 +18,8 @@ public:
         : camera(camera_), lens(camera_), flow(camera_)
     {
         std::copy(state.value.val, state.value.val + SEQUENCE_VALUES, values);
+        camera.uprightRotation = tiltOf(values) * camera.uprightRotation;
+        values[SEQUENCE_ROLL] = values[SEQUENCE_PITCH] = 0;
     }
 
     Point2d operator()(const Point2d& raw, double seconds) const

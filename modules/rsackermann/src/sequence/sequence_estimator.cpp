@@ -394,11 +394,12 @@ bool SequenceEstimator::measure(double seconds, MeasuredTurns& turns) const
                             !gyro.contradicts() && gyro.at(seconds, RowSpan(camera), now);
     if (!isMeasured)
         return false;
-    now.about(camera.uprightRotation, turns.pitch, turns.yaw, turns.roll);
+    const Matx33d upright = tiltOf(filter.state.value.val) * camera.uprightRotation;
+    now.about(upright, turns.pitch, turns.yaw, turns.roll);
     turns.pitch.value = -turns.pitch.value; // looking down is a turn against the x axis
     const double unit = camera.secondsPerUnitTime(), lastRow = camera.imageSize.height - 1;
-    turns.curve = gyro.curve(seconds, now, unit * camera.rowTime(Point2d()), unit * camera.rowTime(Point2d(0, lastRow)),
-                             camera.uprightRotation);
+    turns.curve =
+        gyro.curve(seconds, now, unit * camera.rowTime(Point2d()), unit * camera.rowTime(Point2d(0, lastRow)), upright);
     return true;
 }
 
