@@ -228,6 +228,14 @@ int run(const Options& options)
     const std::string repeated = repeatedImages(changes);
     if (!repeated.empty())
         std::cerr << "rsackermann_calibrate: " << repeated << std::endl;
+    const double jitters = 0.06; // steady clocks look like 0.045 at most, in stop and go, images left out like 0.1
+    if (calibration.intervalSigma > jitters)
+        std::cerr << cv::format(
+                         "rsackermann_calibrate: speeds go to and fro as if the times between images erred by %.0f %%: "
+                         "converters of frame rates leave images out or add some; give the images as the camera took "
+                         "them, or their times (--log)",
+                         100 * calibration.intervalSigma)
+                  << std::endl;
     if (2 * calibration.contraryFrames > calibration.frames)
     {
         const std::string words = cv::format(

@@ -84,9 +84,10 @@ void Warnings::addContradiction(const std::string& input, const std::vector<Fram
     if (first == frames.end() || (job_.params.sequence && first->frame < 0 && hasContradiction_))
         return;
     hasContradiction_ = true;
-    const int count = int(std::count_if(first, frames.end(), contradicts));
-    warn(input + ": " + (first->frame >= 0 ? cv::format("frame %d of %d such: ", first->frame, count) : "") +
-         contradiction(*first));
+    const int others = int(std::count_if(first + 1, frames.end(), contradicts));
+    const std::string more = others > 0 ? cv::format(" and %d more", others) : "",
+                      which = first->frame >= 0 ? cv::format("frame %d", first->frame) + more + ": " : "";
+    warn(input + ": " + which + contradiction(*first));
 }
 
 // Once: times in another unit, or those of another column, leave nothing of a sequence.

@@ -84,6 +84,48 @@ TEST_P(CalibrationModes, truth_and_mirror)
 
 INSTANTIATE_TEST_CASE_P(RSAckermann, CalibrationModes, testing::Range(0, int(sizeof(MODES) / sizeof(*MODES))));
 
+// Images that a conversion of the frame rate has left out show in speeds that go to and fro: the line delay is as
+// uncertain as the times are.
+TEST(RSAckermann_CalibrationModes, images_that_are_left_out)
+{
+    const Mode& mode = MODES[0];
+    RollingShutterCamera truth = cameraOf(mode);
+    truth.heading = mode.heading * degree;
+    const int count = 60, of = 6; // one of them is left out
+    double sigmas[2];
+    for (const bool isConverted : {false, true})
+        for (const bool isSpeedGiven : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << isConverted << isSpeedGiven);
+            StreetDrive street(truth, mode.roll * degree, mode.pitch * degree, StreetDrive::Options(), 9);
+            const Ptr<MountCalibrator> calibrator = MountCalibrator::create(cameraOf(mode));
+            MotionPrior speed;
+            speed.speedSigma = isSpeedGiven ? 0.1 : 0;
+            int images = 0, passed = 1;
+            for (int i = 0; i < count; i++, passed++)
+            {
+                if (isConverted && i % of == of - 1)
+                    continue;
+                const StreetDrive::Frame f = street.frame(i * INTERVAL, passed * INTERVAL);
+                speed.speed = f.speed;
+                const double interval = isConverted ? INTERVAL * of / (of - 1) : INTERVAL;
+                calibrator->addPoints(images > 0 ? f.points : Mat(), f.segments, images * interval, speed);
+                images++;
+                passed = 0;
+            }
+            const MountCalibration c = calibrator->calibrate();
+            RecordProperty("jitter", format("%.3f", c.intervalSigma));
+            if (isConverted)
+                EXPECT_GT(c.intervalSigma, 0.1);
+            else
+                EXPECT_LT(c.intervalSigma, 0.03);
+            EXPECT_NEAR(truth.lineDelay, c.lineDelay, 2 * c.lineDelaySigma);
+            sigmas[isConverted] = c.lineDelaySigma;
+        }
+    EXPECT_LT(sigmas[0], 0.05 * truth.lineDelay);
+    EXPECT_GT(sigmas[1], 0.1 * truth.lineDelay);
+}
+
 // Each drive has its own clock of the gyro: what is found is that of the last one, and the frames of both count.
 // Whatever line delay is given, it is the same.
 TEST(RSAckermann_CalibrationModes, gyro_of_two_drives)

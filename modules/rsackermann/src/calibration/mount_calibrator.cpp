@@ -10,6 +10,7 @@
 #include "../features/segment_finder.hpp"
 #include "../motion/contradiction.hpp"
 #include "../storage.hpp"
+#include "../sequence/clock_noise.hpp"
 #include "../sequence/frame_terms.hpp"
 #include "../sequence/point_prediction.hpp"
 #include "../sequence/sequence_filter.hpp"
@@ -25,9 +26,10 @@ static const double OBSERVED = 0.5;
 static const double SHORTEST_START = 0.002, LONGEST_START = 0.1;
 
 MountCalibration::MountCalibration()
-    : frames(0), contraryFrames(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0), headingSigma(0),
-      lineDelay(0), lineDelaySigma(0), rollObserved(false), pitchObserved(false), headingObserved(false),
-      lineDelayObserved(false), gyroFrames(0), gyroDelay(0), gyroDelaySigma(0), focalScale(1), focalScaleSigma(0)
+    : frames(0), contraryFrames(0), intervalSigma(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0),
+      headingSigma(0), lineDelay(0), lineDelaySigma(0), rollObserved(false), pitchObserved(false),
+      headingObserved(false), lineDelayObserved(false), gyroFrames(0), gyroDelay(0), gyroDelaySigma(0), focalScale(1),
+      focalScaleSigma(0)
 {
 }
 
@@ -98,7 +100,8 @@ void rollAndPitchOf(const Vec3d& gravity, double& roll, double& pitch)
 class MountCalibratorImpl CV_FINAL : public StoredAlgorithm<MountCalibrator>
 {
 public:
-    MountCalibratorImpl(const RollingShutterCamera& camera, const Params& params_) : filter(camera, params_.estimator)
+    MountCalibratorImpl(const RollingShutterCamera& camera, const Params& params_)
+        : filter(camera, params_.estimator), unaided(filter)
     {
         setParams(params_);
         setCamera(camera);
@@ -218,6 +221,7 @@ private:
         number = 0;
         drive = 0;
         contraryFrames = 0;
+        clock = wholeDrive();
         stride = 1;
         filter.hasFrame = false;
     }
@@ -340,6 +344,8 @@ private:
         if (!(passed > 0))
             filter.hasFrame = false;
         const bool follows = filter.advance(seconds, start, gates);
+        unaided.hasFrame = follows;
+        unaided.advance(seconds, start, gates);
         if (!follows)
         {
             features.reset();
@@ -349,35 +355,42 @@ private:
         {
             start.lineDelay = passed / start.imageSize.height / 2; // rows take between nothing and all of the time
             filter.reset(start, gates);
+            unaided.reset(start, gates);
         }
         setPoints(passed);
         if (!follows || features.bearings.size() < LEAST_POINTS)
+        {
+            clock.interrupt();
             return false;
+        }
         selectCandidates(segments, start, gates, features.verticals, features.others);
-        const bool isSpeedGiven = prior.speedSigma > 0;
-        if (isSpeedGiven)
-            contraryFrames += goesTheOtherWay(fitWithoutSpeed(prior), prior);
-        filter.state.measure(prior);
         SequenceFit fit(filter.state);
-        if (!filter.update(features, start, gates, fit) || !fit.moves)
+        MotionPrior rest = prior;
+        rest.speedSigma = 0;
+        bool moves = moved(unaided, rest, fit);
+        contraryFrames += moves && goesTheOtherWay(fit, prior);
+        if (moves)
+            clock.add(fit.values[SEQUENCE_SPEED], passed);
+        else
+            clock.interrupt();
+        if (prior.speedSigma > 0)
+            moves = moved(filter, prior, fit);
+        else
+            filter = unaided;
+        if (!moves)
             return false;
-        if (!isSpeedGiven)
-            contraryFrames += goesTheOtherWay(fit, prior);
         keep(frameOf(fit, before, prior));
         return true;
     }
 
-    // Nor with those of the frames before.
-    SequenceFit fitWithoutSpeed(MotionPrior prior) const
+    // Whether the points of a frame show a motion.
+    bool moved(SequenceFilter& of, const MotionPrior& prior, SequenceFit& fit) const
     {
-        prior.speedSigma = 0;
-        SequenceFilter unaided = filter;
-        unaided.reset(start, gates);
-        unaided.state.measure(prior);
-        SequenceFit fit(unaided.state);
-        fit.moves = unaided.update(features, start, gates, fit) && fit.moves;
-        return fit;
+        of.state.measure(prior);
+        return of.update(features, start, gates, fit) && fit.moves;
     }
+
+    static ClockNoise wholeDrive() { return ClockNoise(std::numeric_limits<double>::infinity()); }
 
     // Than given, or than cars usually go.
     bool goesTheOtherWay(const SequenceFit& fit, const MotionPrior& prior) const
@@ -387,7 +400,7 @@ private:
         forward.speedSigma = FLT_EPSILON;
         AckermannMotion seen;
         fit.state.toMotion(start.secondsPerUnitTime(), seen);
-        return fit.moves && showsOtherDirection(seen, prior.speedSigma > 0 ? prior : forward);
+        return showsOtherDirection(seen, prior.speedSigma > 0 ? prior : forward);
     }
 
     CalibrationFrame frameOf(const SequenceFit& fit, double before, const MotionPrior& prior) const
@@ -447,8 +460,11 @@ private:
         MountCalibration c;
         c.frames = int(frames.size());
         c.contraryFrames = contraryFrames;
+        c.intervalSigma = clock.sigma();
         c.camera = given;
-        const MountVector& sigma = fit.sigma;
+        MountVector sigma = fit.sigma;
+        // Where images are left out most of the times between err alike.
+        sigma[MOUNT_DELAY] = std::hypot(sigma[MOUNT_DELAY], c.intervalSigma);
         c.rollObserved = isObserved(sigma, before, MOUNT_ROLL);
         c.pitchObserved = isObserved(sigma, before, MOUNT_PITCH);
         c.headingObserved = isObserved(sigma, before, MOUNT_HEADING);
@@ -499,7 +515,8 @@ private:
     std::vector<int> numbers; // of each frame's run
     int number, drive, stride, contraryFrames;
 
-    SequenceFilter filter;
+    SequenceFilter filter, unaided; // unaided: without speeds that are given
+    ClockNoise clock = wholeDrive();
 };
 
 } // namespace

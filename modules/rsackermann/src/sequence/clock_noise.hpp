@@ -16,10 +16,13 @@ A time that is late makes one frame too slow and the next one too fast; cars tha
 class ClockNoise
 {
 public:
+    //! @param memory_ seconds.
+    explicit ClockNoise(double memory_ = RATE_MEMORY) : memory(memory_) {}
+
     //! Adds a frame. @param speed as the time since the frame before has it. @param interval that time, seconds.
     void add(double speed, double interval)
     {
-        const double kept = std::exp(-std::abs(interval) / RATE_MEMORY), difference = speed - last;
+        const double kept = std::exp(-std::abs(interval) / memory), difference = speed - last;
         if (known > 1)
         {
             products = kept * products + change * difference;
@@ -45,6 +48,7 @@ public:
     }
 
 private:
+    double memory;
     double last = 0, change = 0;                 // of the speed
     double products = 0, squares = 0, count = 0; // of changes that follow each other, and of speeds
     int known = 0;                               // speeds

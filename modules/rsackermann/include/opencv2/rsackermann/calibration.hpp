@@ -35,6 +35,10 @@ public:
     //! backward. If they are more than half as many as frames, the camera looks to the other end of the car than its
     //! heading says
     CV_PROP_RW int contraryFrames;
+    //! Standard deviation by which the times between frames err, relative to them, as speeds show that go to and fro:
+    //! of images that a conversion of the frame rate left out 0.1 and more. The relative error of the line delay may be
+    //! as large, and its standard deviation has that
+    CV_PROP_RW double intervalSigma;
     //! That of create() with the estimated upright rotation, heading and, if it is observable, line delay, and the
     //! standard deviation of the latter. With a gyro also with the focal length that both show, if focalSigma isn't 0
     CV_PROP_RW RollingShutterCamera camera;
