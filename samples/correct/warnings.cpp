@@ -182,7 +182,7 @@ void Warnings::addGyro(const FrameReport& frame)
                        *times.ptr<double>(0), *times.ptr<double>(times.rows - 1)));
     else if (!frame.isGyroUsed && frame.motion.status == cv::rsackermann::MOTION_OK)
         warnOnce(std::string("--gyro isn't used on images in its gaps") +
-                 (job_.params.sequence ? ", and where the points of the few images so far contradict it" : ""));
+                 (job_.params.sequence ? ", and where points contradict it" : ""));
 }
 
 void Warnings::addDepth(const FrameReport& frame)

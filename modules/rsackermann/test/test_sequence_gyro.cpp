@@ -265,6 +265,35 @@ TEST(RSAckermann_Gyro, one_axis_with_the_wrong_sign)
             }
 }
 
+// A gyro that sticks for a moment isn't used meanwhile, and is afterwards.
+TEST(RSAckermann_Gyro, that_sticks_for_a_moment)
+{
+    const int first = 30, last = 36; // frames
+    for (int seed = 0; seed < 5; seed++)
+        for (const bool sticks : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << seed << sticks);
+            TurningCamera camera(260 + seed);
+            for (int i = 0; i < camera.times.rows && sticks; i++)
+            {
+                const double seconds = camera.times.at<double>(i);
+                if (seconds > (first - 1) * INTERVAL && seconds < last * INTERVAL)
+                    camera.values.row(i).setTo(0);
+            }
+            camera.gyro.samples.add(camera.times, camera.values);
+            int used[2] = {0, 0};
+            for (int k = 1; k <= TurningCamera::FRAMES; k++)
+            {
+                camera.gyro.add(turnOfPoints(camera.turning, k, 0.1 * DEGREE, camera.rng));
+                CameraRates rates;
+                used[k >= first && k <= last] += camera.gyro.at(k * INTERVAL, IMAGE, rates);
+            }
+            EXPECT_FALSE(camera.gyro.contradicts());
+            EXPECT_EQ(TurningCamera::FRAMES - 7, used[0]);
+            EXPECT_EQ(sticks ? 0 : 7, used[1]);
+        }
+}
+
 // It is used from then on, and what else is between it and the camera is found anew.
 TEST(RSAckermann_Gyro, another_clock_is_found)
 {

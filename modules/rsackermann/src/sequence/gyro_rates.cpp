@@ -82,6 +82,7 @@ void GyroRates::reset()
     count = 0;
     left = unexplained = Vec3d();
     unexplainedFrames = 0;
+    contraryBegin = contraryEnd = std::numeric_limits<double>::quiet_NaN();
 }
 
 bool GyroRates::expected(const TurnOfPoints& turn, double delay, Vec3d& rate) const
@@ -134,17 +135,29 @@ static GyroUnknowns derivatives(const Vec3d& g, const Vec3d& slope, int i)
 void GyroRates::judge(const TurnOfPoints& turn)
 {
     Vec3d g, slope;
+    contraryBegin = contraryEnd = std::numeric_limits<double>::quiet_NaN();
     if (!expected(turn, found.delay, g, slope))
         return;
     const double large = 2 * TURN_RATE_NOISE; // what is left beyond may be wrong points
     const double kept = turns.empty() ? 1 : std::exp(-std::abs(turn.end - turns.back().end) / RATE_MEMORY);
     const Vec3d with = turn.rate - found.toCamera(g, 1), without = turn.rate - meanTurn * (count / (count + 1));
+    bool isUnlikely = false;
+    double leaves = 0, turned = 0; // squares
     for (int k = 0; k < 3; k++)
     {
         const GyroUnknowns J = derivatives(g, slope, k);
         const double beyond = std::max(0., with[k] * with[k] - J.dot(covariance * J));
+        isUnlikely |= beyond > CONTRADICTION * CONTRADICTION * noise[k] * noise[k];
+        turned += turn.rate[k] * turn.rate[k];
+        leaves += beyond;
         left[k] = kept * left[k] + large * large * std::log1p(beyond / (large * large));
         unexplained[k] = kept * unexplained[k] + large * large * std::log1p(std::pow(without[k] / large, 2));
+    }
+    // A gyro that sticks for a moment is right on average.
+    if (isUnlikely && leaves > EXPLAINED * turned)
+    {
+        contraryBegin = turn.begin;
+        contraryEnd = turn.end;
     }
     meanTurn = (meanTurn * (kept * count) + turn.rate) * (1 / (kept * count + 1));
     count = kept * count + 1;
@@ -296,6 +309,8 @@ bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) cons
     Vec3d g;
     const double instant = seconds + found.delay, h = 1e-3;
     Vec3d before, after;
+    if (seconds >= contraryBegin && seconds <= contraryEnd)
+        return false;
     if (!samples.rowRate(instant, rows.from, rows.to, g) || !samples.rowRate(instant - h, rows.from, rows.to, before) ||
         !samples.rowRate(instant + h, rows.from, rows.to, after))
         return false;

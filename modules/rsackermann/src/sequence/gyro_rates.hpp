@@ -98,7 +98,7 @@ public:
     void add(const TurnOfPoints& turn);
 
     /** The rates that turn the rows of a frame.
-    @return false if there are no samples. */
+    @return false if there are no samples, or the points contradict what they say of the turn to this frame. */
     bool at(double seconds, const RowSpan& rows, CameraRates& rates) const;
 
     /** How rows turn beyond these rates: rotation vectors at equal steps from one row to another.
@@ -130,11 +130,12 @@ private:
     double start; // the delay that is expected
     GyroAlignment found;
     Matx<double, UNKNOWNS, UNKNOWNS> covariance; // of delay, turn, bias and scale
-    Vec3d noise;              // standard deviation of what the gyro leaves of the turns of points, rad/s
-    Vec3d meanTurn;           // of the points, rad/s
-    double count;             // of the turns; those that are forgotten count less
-    size_t unexplainedFrames; // in a row, or without samples, since a delay was looked for
-    Vec3d left, unexplained;  // losses of their predictions with the gyro and without it, about each axis
+    Vec3d noise;                       // standard deviation of what the gyro leaves of the turns of points, rad/s
+    double contraryBegin, contraryEnd; // seconds, of the last turn if the gyro contradicts it
+    Vec3d meanTurn;                    // of the points, rad/s
+    double count;                      // of the turns; those that are forgotten count less
+    size_t unexplainedFrames;          // in a row, or without samples, since a delay was looked for
+    Vec3d left, unexplained;           // losses of their predictions with the gyro and without it, about each axis
 };
 
 }} // namespace cv::rsackermann
