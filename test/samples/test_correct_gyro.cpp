@@ -220,8 +220,7 @@ TEST_F(CorrectGyro, contradicted_by_a_few_frames)
     EXPECT_EQ("", correct(arguments + Arguments{"--gyro=" + drive + "/gyro.csv"}).messages);
     const Outcome outcome = correct(arguments + Arguments{"--gyro=" + (folder_ / "turned.csv")});
     EXPECT_EQ(outcome.output.find("rotation_curve"), std::string::npos);
-    EXPECT_NE(std::string::npos, outcome.messages.find("points contradict it"))
-        << outcome.messages;
+    EXPECT_NE(std::string::npos, outcome.messages.find("points contradict it")) << outcome.messages;
 }
 
 // Of a clock with another origin nothing belongs to the image.
