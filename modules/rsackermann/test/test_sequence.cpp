@@ -6,6 +6,7 @@
 #include "test_common.hpp"
 #include "test_simulator.hpp"
 #include "../src/sequence/clock_noise.hpp"
+#include "../src/sequence/point_prediction.hpp"
 #include "../src/sequence/residual_noise.hpp"
 #include "../src/sequence/sequence_filter.hpp"
 
@@ -491,6 +492,14 @@ TEST_P(Scans, states_of_uneven_streets_have_true_sigmas)
     }
 }
 
+//! A camera of which is known only how it would be without a tilt, that of a state.
+RollingShutterCamera untilted(const RollingShutterCamera& camera, const SequenceVector& state)
+{
+    RollingShutterCamera given = camera;
+    given.uprightRotation = tiltRotation(state[SEQUENCE_ROLL], state[SEQUENCE_PITCH]).t() * camera.uprightRotation;
+    return given;
+}
+
 // Points that move along the road show how the camera is tilted; as if it weren't they would show another speed.
 TEST_P(Scans, points_show_the_tilt)
 {
@@ -501,12 +510,10 @@ TEST_P(Scans, points_show_the_tilt)
         const RollingShutterCamera camera = driveCamera(GetParam());
         const Truth truth = {rng.uniform(-0.2, 0.2), rng.uniform(6., 14.), rng.uniform(6., 15.), rng.uniform(6., 15.),
                              0};
-        RollingShutterCamera given = camera;
         SequenceVector expected = stateOf(camera, truth).value;
         expected[SEQUENCE_ROLL] = rng.uniform(-3., 3.) * DEGREE;
         expected[SEQUENCE_PITCH] = rng.uniform(-3., 3.) * DEGREE;
-        given.uprightRotation =
-            tiltRotation(expected[SEQUENCE_ROLL], expected[SEQUENCE_PITCH]).t() * camera.uprightRotation;
+        const RollingShutterCamera given = untilted(camera, expected);
         AckermannEstimator::Params params;
         params.gravitySigma = params.vehiclePitchSigma = 3 * DEGREE;
         const double interval = 1. / 30;
@@ -525,6 +532,34 @@ TEST_P(Scans, points_show_the_tilt)
         EXPECT_GT(median(errors[which]), 0.05) << "value " << which;
     }
     EXPECT_LT(median(pitches), 0.5 * DEGREE);
+}
+
+// They are looked for where a camera of this tilt sees them.
+TEST_P(Scans, points_are_expected_with_the_tilt)
+{
+    RNG rng(13);
+    const RollingShutterCamera camera = driveCamera(GetParam());
+    const double interval = 1. / 30;
+    std::vector<double> errors, ways;
+    for (int i = 0; i < 20; i++)
+    {
+        const Truth truth = {rng.uniform(-0.2, 0.2), rng.uniform(6., 14.), rng.uniform(6., 15.), rng.uniform(6., 15.),
+                             0};
+        SequenceVector expected = stateOf(camera, truth).value;
+        expected[SEQUENCE_ROLL] = rng.uniform(-3., 3.) * DEGREE;
+        expected[SEQUENCE_PITCH] = (i % 2 ? 3 : -3) * DEGREE;
+        const RollingShutterCamera given = untilted(camera, expected);
+        SequenceFilter filter(given, AckermannEstimator::Params());
+        filter.state.value = expected;
+        filter.isUninitialised = false;
+        const FramePrediction::Function predict = predictPoints(given, AckermannEstimator::Params(), filter, 0).known;
+        for (const PointPair& pair : randomPairs(simulate(camera, truth), interval, 50, 0, 0, rng))
+        {
+            errors.push_back(cv::norm(predict(pair.now, interval) - pair.other));
+            ways.push_back(cv::norm(pair.now - pair.other));
+        }
+    }
+    EXPECT_LT(median(errors), 0.03 * median(ways)); // the row in which the other image has them isn't known
 }
 
 // Times that jitter, as those at which a computer received the frames, look like a speed that does: the state is as
