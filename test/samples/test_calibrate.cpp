@@ -219,6 +219,24 @@ TEST_F(Calibrate, shaking_and_a_gyro_show_the_line_delay)
     EXPECT_EQ(std::string::npos, outcome.output.find("gyro delay")) << outcome.output;
 }
 
+// Along lane lines and kerbs points stay with the stairs of the edge rather than the road, which at 8 km/h hardly
+// moves.
+TEST_F(Calibrate, slow_drives_are_not_misled_by_edges)
+{
+    const std::string drive = folder_ / "drive";
+    ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=26", "--speed=8", "--readout=0.025", "--seed=51"}).exitCode);
+    const double lineDelay = 0.025 / 380;
+    const Outcome outcome = calibrate(
+        {drive + "/frames", "--camera=" + drive + "/camera.yml", "--log=" + drive + "/log.csv", "--output=" + output_});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    const CameraSettings c = readCamera(output_);
+    EXPECT_NEAR(0, c.pitch, 3.5 * c.pitchSigma); // 18 sigmas if edges were points
+    EXPECT_LT(c.pitchSigma, 0.1);
+    EXPECT_NEAR(0, c.roll, 3 * c.rollSigma);
+    EXPECT_NEAR(lineDelay, c.lineDelay, 3 * c.lineDelaySigma);
+    EXPECT_LT(c.lineDelaySigma, 0.1 * lineDelay);
+}
+
 TEST_F(Calibrate, mount_sigma_adds_to_the_vehicles)
 {
     addBend(25, 0, 1);

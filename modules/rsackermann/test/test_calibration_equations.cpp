@@ -227,7 +227,9 @@ struct Recording
             problem.weigh(f);
             problem.addPointResiduals(f, residuals);
         }
-        std::vector<double>& across = residuals.across;
+        std::vector<double> across;
+        for (const UncertainResidual& r : residuals.across)
+            across.push_back(r.value);
         std::nth_element(across.begin(), across.begin() + across.size() / 2, across.end());
         return across[across.size() / 2];
     }

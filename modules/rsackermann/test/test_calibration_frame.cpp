@@ -89,9 +89,9 @@ UprightSegment verticalAt(int side)
     return vertical;
 }
 
-DepthResidual residualOf(const CalibrationFrame& frame)
+UncertainResidual residualOf(const CalibrationFrame& frame)
 {
-    std::vector<DepthResidual> slants;
+    std::vector<UncertainResidual> slants;
     FrameProblem(straightCamera(), MountVector::Zero(), 1, USUAL).addSlantResiduals(frame, slants);
     return slants[0];
 }
@@ -111,19 +111,19 @@ TEST(RSAckermann_PrivateCalibration, depth_makes_verticals_uncertain)
                 frame.value[SEQUENCE_DIRECTION] = direction;
                 const SequenceValue wall = side < 0 ? SEQUENCE_LEFT : SEQUENCE_RIGHT;
                 frame.value[wall] = 0.125;
-                const DepthResidual residual = residualOf(frame);
+                const UncertainResidual residual = residualOf(frame);
                 farther = frame;
                 frame.value[wall] += h;
                 farther.value[wall] -= h;
                 const double byWall = (residualOf(frame).value - residualOf(farther).value) / (2 * h),
                              depth = side / (std::cos(direction) * 0.4 * side - std::sin(direction)); // at a metre
-                EXPECT_NEAR(std::abs(byWall * 0.03 * depth), std::abs(residual.byDepth), 1e-3);
-                EXPECT_GT(std::abs(residual.byDepth), 0.1);
+                EXPECT_NEAR(std::abs(byWall * 0.03 * depth), std::abs(residual.by), 1e-3);
+                EXPECT_GT(std::abs(residual.by), 0.1);
                 for (const double depths : {0., 1.})
                 {
                     const ResidualSigmas sigmas = {1, 1, depths};
                     FrameProblem(straightCamera(), MountVector::Zero(), 1, sigmas).weigh(farther);
-                    EXPECT_NEAR(1 / std::hypot(1, depths * residual.byDepth), farther.slantWeights[0], 1e-3);
+                    EXPECT_NEAR(1 / std::hypot(1, depths * residual.by), farther.slantWeights[0], 1e-3);
                 }
             }
 }

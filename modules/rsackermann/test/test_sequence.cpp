@@ -1055,6 +1055,48 @@ TEST(RSAckermann_Sequence, points_in_another_light)
     EXPECT_GT(found[1], 0.7 * found[0]);
 }
 
+// Waves across and lower ones along make a structure tensor whose eigenvalues are 25 to 1.
+TEST(RSAckermann_Sequence, points_are_uncertain_along_edges)
+{
+    for (const double degrees : {0, 30, 90, 140})
+    {
+        SCOPED_TRACE(degrees);
+        const Point2d across(std::cos(degrees * CV_PI / 180), std::sin(degrees * CV_PI / 180));
+        Mat_<uchar> image(300, 400);
+        for (int y = 0; y < image.rows; y++)
+            for (int x = 0; x < image.cols; x++)
+                image(y, x) = saturate_cast<uchar>(128 + 80 * std::sin(across.dot(Point2d(x, y)) / 2) +
+                                                   16 * std::sin(across.cross(Point2d(x, y)) / 2));
+        PointTracker tracker(COARSE_PIXELS);
+        std::vector<PointPair> pairs;
+        goOn(tracker, image, 1, pairs);
+        goOn(tracker, image, 1, pairs);
+        ASSERT_GT(pairs.size(), 100u);
+        std::vector<double> along, aside;
+        for (const PointPair& pair : pairs)
+        {
+            along.push_back(std::abs(across.cross(pair.weak)));
+            aside.push_back(std::abs(across.dot(pair.weak)));
+        }
+        EXPECT_NEAR(25, median(along), 5);
+        EXPECT_LT(median(aside), 5);
+    }
+}
+
+TEST(RSAckermann_Sequence, edges_turn_with_the_camera)
+{
+    RollingShutterCamera camera(Size(640, 480), Matx33d(500, 0, 320, 0, 500, 240, 0, 0, 1));
+    camera.lineDelay = 5e-5;
+    camera.setRollPitch(30 * CV_PI / 180, -5 * CV_PI / 180);
+    const Point2d at(330, 250), weak(3, 2);
+    std::vector<TrackedBearing> bearings;
+    addBearings(camera, {PointPair(at, at, weak), PointPair(at + weak, at + weak)}, 0.1, bearings);
+    ASSERT_EQ(2u, bearings.size());
+    const Point2d way = 500 * (bearings[1].now - bearings[0].now);
+    EXPECT_LT(cv::norm(bearings[0].weak - way), 0.05 * cv::norm(weak));
+    EXPECT_EQ(Point2d(), bearings[1].weak);
+}
+
 // A pixel of an image that was made smaller is in the middle of those that it was made of, by others and by the
 // tracker.
 TEST(RSAckermann_Sequence, points_of_a_smaller_image)

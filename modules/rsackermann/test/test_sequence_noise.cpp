@@ -17,25 +17,31 @@ TEST(RSAckermann_PrivateResidualNoise, weights_make_residuals_of_unit_variance)
     for (int i = 0; i < 10000; i++)
     {
         const PointNoise noise = {rng.uniform(0.01, 1.), rng.uniform(0., 1.)};
-        const Point2d d = i % 10 ? gaussianPoint(rng, 3) : Point2d(), deviation = noise.depths * d;
+        const Point2d d = i % 10 ? gaussianPoint(rng, 3) : Point2d(), weak = i % 7 ? gaussianPoint(rng, 3) : Point2d(),
+                      deviation = noise.depths * d,
+                      ofTexture = std::min(POINT_SIGMA * noise.points, TRACKING_SIGMA) * weak;
         const double sigma = POINT_SIGMA * noise.points;
-        const Matx22d covariance = sigma * sigma * Matx22d::eye() +
-                                   Matx22d(deviation.x * deviation.x, deviation.x * deviation.y,
-                                           deviation.x * deviation.y, deviation.y * deviation.y),
-                      W = noise.weight(d);
+        Matx22d covariance = sigma * sigma * Matx22d::eye();
+        for (const Point2d& p : {deviation, ofTexture})
+            covariance += Matx22d(p.x * p.x, p.x * p.y, p.x * p.y, p.y * p.y);
+        const Matx22d W = noise.weight(weak, d);
         ASSERT_LT(cvtest::norm(W * covariance * W, Matx22d::eye(), NORM_INF), 1e-9) << i;
         ASSERT_NEAR(W(0, 1), W(1, 0), 1e-12) << i;
     }
 }
 
-//! Residuals of points whose depths are off by a share of the usual deviation.
-PointResiduals residualsOf(const PointNoise& noise, int count, RNG& rng)
+//! Residuals of points whose depths are off by a share of the usual deviation. @param edges usual length of weak, for
+//! half of them.
+PointResiduals residualsOf(const PointNoise& noise, double edges, int count, RNG& rng)
 {
     PointResiduals residuals;
     for (int i = 0; i < count; i++)
     {
-        const Point2d d = gaussianPoint(rng, 4);
-        residuals.add(gaussianPoint(rng, POINT_SIGMA * noise.points) + rng.gaussian(noise.depths) * d, d);
+        const Point2d d = gaussianPoint(rng, 4), weak = i % 2 ? Point2d() : gaussianPoint(rng, edges);
+        const double sigma = POINT_SIGMA * noise.points;
+        residuals.add(gaussianPoint(rng, sigma) + rng.gaussian(std::min(sigma, TRACKING_SIGMA)) * weak +
+                          rng.gaussian(noise.depths) * d,
+                      weak, d);
     }
     return residuals;
 }
@@ -43,27 +49,28 @@ PointResiduals residualsOf(const PointNoise& noise, int count, RNG& rng)
 TEST(RSAckermann_PrivateResidualNoise, is_what_residuals_show)
 {
     RNG rng(2);
-    for (const double points : {0.3, 0.6})
+    for (const double points : {0.03, 0.3, 0.6})
         for (const double depths : {0., 0.1, 0.5})
-        {
-            SCOPED_TRACE(testing::Message() << points << " " << depths);
-            const PointNoise noise = {points, depths};
-            PointResiduals residuals = residualsOf(noise, 10000, rng);
-            // A third as many move otherwise.
-            for (int i = 0; i < 3000; i++)
-                residuals.add(gaussianPoint(rng, 30), gaussianPoint(rng, 4));
-            const PointNoise found = residuals.noise(0.01);
-            EXPECT_GT(found.points, points * 0.95);
-            EXPECT_LT(found.points, points * 1.7);
-            EXPECT_NEAR(depths, found.depths, 0.3 * depths + 0.15);
-        }
+            for (const double edges : {0, 30})
+            {
+                SCOPED_TRACE(testing::Message() << points << " " << depths << " " << edges);
+                const PointNoise noise = {points, depths};
+                PointResiduals residuals = residualsOf(noise, edges, 10000, rng);
+                // A third as many move otherwise.
+                for (int i = 0; i < 3000; i++)
+                    residuals.add(gaussianPoint(rng, 30), Point2d(), gaussianPoint(rng, 4));
+                const PointNoise found = residuals.noise(0.01);
+                EXPECT_GT(found.points, points * 0.95);
+                EXPECT_LT(found.points, points * 1.7);
+                EXPECT_NEAR(depths, found.depths, 0.3 * depths + 0.15);
+            }
 }
 
 TEST(RSAckermann_PrivateResidualNoise, is_within_limits)
 {
     RNG rng(3);
-    const PointNoise exact = residualsOf({0.01, 0}, 1000, rng).noise(0.2),
-                     wild = residualsOf({5, 5}, 1000, rng).noise(0.2), none = PointResiduals().noise(0.2);
+    const PointNoise exact = residualsOf({0.01, 0}, 0, 1000, rng).noise(0.2),
+                     wild = residualsOf({5, 5}, 0, 1000, rng).noise(0.2), none = PointResiduals().noise(0.2);
     EXPECT_EQ(0.2, exact.points);
     EXPECT_LT(exact.depths, 0.01);
     EXPECT_EQ(1, wild.points);
@@ -71,7 +78,7 @@ TEST(RSAckermann_PrivateResidualNoise, is_within_limits)
     EXPECT_EQ(1, none.points);
     EXPECT_EQ(1, none.depths);
     PointResiduals farAway; // however far a point is off its plane it is seen there
-    farAway.add(Point2d(1, 1), Point2d());
+    farAway.add(Point2d(1, 1), Point2d(), Point2d());
     EXPECT_TRUE(farAway.across.empty());
     EXPECT_TRUE(farAway.along.empty());
 }

@@ -138,7 +138,7 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
             frame.pointWeights.push_back(Matx22d::zeros());
             continue;
         }
-        frame.pointWeights.push_back(noise.weight(pixelsOfDeviation(residual, now, values.val, unit, view)));
+        frame.pointWeights.push_back(noise.weight(now.weak, pixelsOfDeviation(residual, now, values.val, unit, view)));
     }
     Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const PreparedModel model = modelOf(frame, &byValues);
@@ -160,12 +160,12 @@ void FrameProblem::addPointResiduals(const CalibrationFrame& frame, PointResidua
             continue;
         const TrackedBearing now = seen(frame.bearings[i], frame);
         const FlowResidual::View view = residual.predict(now, values.val);
-        residuals.add(residual.residualOf(now, values.val, view),
+        residuals.add(residual.residualOf(now, values.val, view), now.weak,
                       pixelsOfDeviation(residual, now, values.val, unit, view));
     }
 }
 
-void FrameProblem::addSlantResiduals(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const
+void FrameProblem::addSlantResiduals(const CalibrationFrame& frame, std::vector<UncertainResidual>& slants) const
 {
     Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const PreparedModel model = modelOf(frame, &byValues);

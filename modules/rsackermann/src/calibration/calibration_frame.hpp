@@ -91,7 +91,7 @@ public:
     //! Adds residuals of points, in pixels.
     void addPointResiduals(const CalibrationFrame& frame, PointResiduals& residuals) const;
     //! Adds residuals of verticals, in usual sigmas.
-    void addSlantResiduals(const CalibrationFrame& frame, std::vector<DepthResidual>& slants) const;
+    void addSlantResiduals(const CalibrationFrame& frame, std::vector<UncertainResidual>& slants) const;
 
 private:
     void addPoints(const CalibrationFrame& frame, const FrameVector& value, FrameEquations& equations) const;

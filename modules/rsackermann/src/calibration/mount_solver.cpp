@@ -94,7 +94,7 @@ public:
     {
         const FrameProblem problem(camera, mount, 1, sigmas);
         PointResiduals residuals;
-        std::vector<DepthResidual> slants;
+        std::vector<UncertainResidual> slants;
         for (size_t k = 0; k < frames.size(); k++)
         {
             problem.addPointResiduals(frames[k], residuals);

@@ -21,6 +21,8 @@ void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair
         pixels.push_back(pairs[i].now);
     }
     const std::vector<Vec3d> rays = bearingsOf(camera, camera.uprightRotation, pixels);
+    // How the axes are turned; a lens hardly does it.
+    const Matx22d turn = camera.uprightRotation.get_minor<2, 2>(0, 0);
     for (size_t i = 0; i < pairs.size(); i++)
     {
         const Vec3d &a = rays[2 * i], &b = rays[2 * i + 1];
@@ -32,7 +34,8 @@ void addBearings(const RollingShutterCamera& camera, const std::vector<PointPair
                                   camera.rowTime(pixels[2 * i + 1]),
                                   seconds > 0 ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER,
                                   seconds > 0 ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER,
-                                  norm(pairs[i].now - pairs[i].other) < POINT_SIGMA};
+                                  norm(pairs[i].now - pairs[i].other) < POINT_SIGMA,
+                                  turn * pairs[i].weak};
         if (std::abs(s.timeNow - s.timeOther) > FLT_EPSILON)
             bearings.push_back(s);
     }

@@ -21,6 +21,7 @@ struct TrackedBearing
     double timeOther, timeNow;
     int pitch, roll; // the turns of the other frame, among FLOW_VALUES
     bool isStill;    // at the same place of both images, to POINT_SIGMA
+    Point2d weak;    // of PointPair, in the axes of the bearings
 };
 
 /** Adds the bearings of points; none without a line delay.

@@ -71,10 +71,20 @@ int PointTracker::makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& i
     return halvings;
 }
 
+/* PointPair::weak of a window with the sum H = sum g g^T of its gradients g. The tracker solves H d = b, and what isn't
+noise, as the stairs of an edge, is as large in b along an edge as across it: the covariance is that of H^-2. */
+static Point2d weakDirection(const Matx22d& sum)
+{
+    const double mean = (sum(0, 0) + sum(1, 1)) / 2, half = (sum(0, 0) - sum(1, 1)) / 2,
+                 difference = std::hypot(half, sum(0, 1)), angle = std::atan2(sum(0, 1), half) / 2,
+                 ratio = (mean + difference) / std::max(mean - difference, FLT_EPSILON * mean); // of the eigenvalues
+    return std::sqrt(ratio * ratio - 1) * Point2d(-std::sin(angle), std::cos(angle));
+}
+
 /* Where the displacement is that of the point's window. The tracker minimizes the squares of differences of intensity,
 so that the displacements of its pixels, d + a (x - centre) in what comes nearer, count with the matrix g g^T of the
 gradient g: it finds d for centre = (sum g g^T)^-1 sum g g^T x. */
-Point2f PointTracker::centreOf(const Point2f& point) const
+Point2f PointTracker::centreOf(const Point2f& point, Point2d& weak) const
 {
     const Mat& gradients = now[1];
     const Rect window = Rect(cvFloor(point.x) - WINDOW / 2, cvFloor(point.y) - WINDOW / 2, WINDOW + 1, WINDOW + 1) &
@@ -89,6 +99,7 @@ Point2f PointTracker::centreOf(const Point2f& point) const
             sum += weight;
             moment += weight * Vec2d(x - point.x, y - point.y);
         }
+    weak = weakDirection(sum);
     const Vec2d offset = sum.inv() * moment;
     return point + Point2f(float(offset[0]), float(offset[1]));
 }
@@ -123,11 +134,12 @@ void PointTracker::follow(const std::vector<Mat>& to, const PointPrediction& pre
     {
         if (!found[i] || !foundAgain[i] || norm(returned[i] - points[i]) >= RETURN)
             continue;
-        const Point2d centre = centreOf(points[i]), other = centre + Point2d(there[i] - points[i]);
+        Point2d weak;
+        const Point2d centre = centreOf(points[i], weak), other = centre + Point2d(there[i] - points[i]);
         // Texture in nearly one direction alone doesn't determine it.
         if (2 * norm(centre - Point2d(points[i])) > WINDOW || !inside.contains(centre))
             continue;
-        result.pairs.push_back({other * scale + origin, centre * scale + origin});
+        result.pairs.push_back({other * scale + origin, centre * scale + origin, weak});
         result.points.push_back(i);
     }
 }

@@ -20,6 +20,15 @@ const double POINT_SIGMA = 1.5; //!< pixels, residuals of points of the scene, w
 struct PointPair
 {
     Point2d other, now;
+    //! In what direction, and by how much, the texture determines the place less than across it: the covariance is
+    //! that across times I + weak weak^T. 0: by as much in all directions.
+    Point2d weak;
+
+    PointPair() {}
+    PointPair(const Point2d& other_, const Point2d& now_, const Point2d& weak_ = Point2d())
+        : other(other_), now(now_), weak(weak_)
+    {
+    }
 };
 
 //! Least share of the points that are found again, and of those that agree with one motion, in frames of one scene.
@@ -83,7 +92,7 @@ public:
 private:
     int makePyramid(const Mat& gray, std::vector<Mat>& pyramid, Mat& image);
     void findPoints(const Mat& gray);
-    Point2f centreOf(const Point2f& point) const;
+    Point2f centreOf(const Point2f& point, Point2d& weak) const;
     struct Found
     {
         std::vector<PointPair> pairs;

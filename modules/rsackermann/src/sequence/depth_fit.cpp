@@ -118,14 +118,15 @@ public:
     void weigh(const State& u)
     {
         const double way = planes.values[SEQUENCE_SPEED] * unit;
-        std::vector<Point2d> residuals, byDeviation;
+        std::vector<Point2d> weak, residuals, byDeviation;
         for (const DeepPoint& p : points)
         {
             Eigen::Matrix<double, UNKNOWNS, 2> J;
+            weak.push_back(p.bearing.weak);
             residuals.push_back(residual(u, p, p.value, &J));
             byDeviation.push_back(way * DEVIATION_SIGMA * Point2d(J(D_SHIFT, 0), J(D_SHIFT, 1)));
         }
-        weights = weightsOf(residuals, byDeviation);
+        weights = weightsOf(weak, residuals, byDeviation);
     }
 
     // That of the planes, and everything infinitely far away unless the scale is given.

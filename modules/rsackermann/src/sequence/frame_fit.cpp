@@ -69,14 +69,15 @@ public:
     // With the noise that the points of a minimum show.
     void refineWithNoise(Minimum& m)
     {
-        std::vector<Point2d> residuals, byDeviation;
+        std::vector<Point2d> weak, residuals, byDeviation;
         for (const TrackedBearing& s : bearings)
         {
             const FlowResidual::View view = residual.predict(s, m.at.data());
+            weak.push_back(s.weak);
             residuals.push_back(residual.residualOf(s, m.at.data(), view));
             byDeviation.push_back(pixelsOfDeviation(residual, s, m.at.data(), unit, view));
         }
-        pointWeights = weightsOf(residuals, byDeviation);
+        pointWeights = weightsOf(weak, residuals, byDeviation);
         minimize(*this, MinimizerOptions(STEPS, 1e-3), m.at, m.equations);
     }
 

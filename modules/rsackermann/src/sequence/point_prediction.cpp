@@ -34,7 +34,7 @@ public:
         const Point2d bearing(now[0] / now[2], now[1] / now[2]);
         const TrackedBearing point = {bearing, bearing,           time - seconds / camera.secondsPerUnitTime(),
                                       time,    FLOW_PITCH_BEFORE, FLOW_ROLL_BEFORE,
-                                      false};
+                                      false,   Point2d()};
         const Point2d moved = flow.evaluate(point, values, 0); // the residual of one that stays
         if (FlowResidual::isBehind(moved))
             return raw;

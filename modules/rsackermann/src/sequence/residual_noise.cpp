@@ -7,24 +7,35 @@
 
 namespace cv { namespace rsackermann {
 
-Matx22d PointNoise::weight(const Point2d& d) const
+static Matx22d square(const Point2d& p)
 {
-    // Of the covariance sigma^2 I + deviation deviation^T
-    const double sigma = POINT_SIGMA * points, inverse = 1 / sigma;
-    const Point2d deviation = depths * d;
-    const double squared = deviation.dot(deviation),
-                 less = squared > 0 ? (inverse - 1 / std::hypot(sigma, norm(deviation))) / squared : 0;
-    return inverse * Matx22d::eye() - less * Matx22d(deviation.x * deviation.x, deviation.x * deviation.y,
-                                                     deviation.x * deviation.y, deviation.y * deviation.y);
+    return Matx22d(p.x * p.x, p.x * p.y, p.x * p.y, p.y * p.y);
 }
 
-void PointResiduals::add(const Point2d& residual, const Point2d& d)
+// Of the tracker across an edge, of which it is that part that the residuals show.
+static double trackingSigma(double points)
+{
+    return std::min(POINT_SIGMA * points, TRACKING_SIGMA);
+}
+
+Matx22d PointNoise::weight(const Point2d& weak, const Point2d& d) const
+{
+    const double sigma = POINT_SIGMA * points;
+    const Matx22d covariance =
+        sigma * sigma * Matx22d::eye() + square(trackingSigma(points) * weak) + square(depths * d);
+    // By the theorem of Cayley and Hamilton
+    const double trace = cv::trace(covariance), root = std::sqrt(determinant(covariance));
+    return ((trace + root) * Matx22d::eye() - covariance) * (1 / (root * std::sqrt(trace + 2 * root)));
+}
+
+void PointResiduals::add(const Point2d& residual, const Point2d& weak, const Point2d& d)
 {
     const double length = norm(d);
     if (!(length > 0))
         return;
-    across.push_back(std::abs(residual.cross(d)) / length);
+    across.push_back({std::abs(residual.cross(d)) / length, weak.cross(d) / length});
     along.push_back({std::abs(residual.dot(d)) / length, length});
+    weakAlong.push_back(weak.dot(d) / length);
 }
 
 PointNoise PointResiduals::noise(double least) const
@@ -32,11 +43,17 @@ PointNoise PointResiduals::noise(double least) const
     PointNoise result = {1, 1};
     if (across.empty())
         return result;
-    std::vector<double> values = across;
-    const double sigma = sigmaOfMedian(medianOf(values.begin(), values.end())) / POINT_SIGMA;
-    result.points = std::min(std::max(sigma, least), 1.);
-    result.depths = solveScale(
-        along, [&](double depths, double by) { return std::hypot(POINT_SIGMA * result.points, depths * by); });
+    const auto sigmaOf = [](double points, double weak) {
+        return std::hypot(POINT_SIGMA * points, trackingSigma(points) * weak);
+    };
+    result.points = std::max(least, solveScale(across, sigmaOf));
+    std::vector<UncertainResidual> inSigmas;
+    for (size_t i = 0; i < along.size(); i++)
+    {
+        const double sigma = sigmaOf(result.points, weakAlong[i]);
+        inSigmas.push_back({along[i].value / sigma, along[i].by / sigma});
+    }
+    result.depths = solveScale(inSigmas, [](double depths, double by) { return std::hypot(1, depths * by); });
     return result;
 }
 
@@ -48,16 +65,17 @@ Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& po
     return values[SEQUENCE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2] * byInverseDepth;
 }
 
-std::vector<Matx22d> weightsOf(const std::vector<Point2d>& residuals, const std::vector<Point2d>& d)
+std::vector<Matx22d> weightsOf(const std::vector<Point2d>& weak, const std::vector<Point2d>& residuals,
+                               const std::vector<Point2d>& d)
 {
     PointResiduals seen;
     for (size_t i = 0; i < residuals.size(); i++)
         if (!FlowResidual::isBehind(residuals[i]))
-            seen.add(residuals[i], d[i]);
+            seen.add(residuals[i], weak[i], d[i]);
     const PointNoise noise = seen.noise(LEAST_NOISE);
     std::vector<Matx22d> weights;
-    for (const Point2d& deviation : d)
-        weights.push_back(noise.weight(deviation));
+    for (size_t i = 0; i < d.size(); i++)
+        weights.push_back(noise.weight(weak[i], d[i]));
     return weights;
 }
 

@@ -16,11 +16,14 @@ namespace cv { namespace rsackermann {
 const double DEVIATION_SIGMA = 0.03;
 //! Of the points of one frame, over POINT_SIGMA: tracking errs alike where images look alike, however many they are
 const double LEAST_NOISE = 0.2;
+//! Pixels; of the tracker where there is texture, at most: along edges it errs by TrackedBearing::weak as much
+const double TRACKING_SIGMA = 0.1;
 
-//! An absolute residual, and by what a usual deviation of the depth changes it.
-struct DepthResidual
+//! An absolute residual, and by what something changes it whose scale is to be found, as a usual deviation of the
+//! depth.
+struct UncertainResidual
 {
-    double value, byDepth;
+    double value, by;
 };
 
 //! Standard deviations of the residuals of points and of depths, over POINT_SIGMA and DEVIATION_SIGMA.
@@ -29,17 +32,19 @@ struct PointNoise
     double points, depths;
 
     /** The inverse square root of a point's covariance.
+    @param weak of its TrackedBearing.
     @param d pixels by which a usual deviation of the depth moves it. */
-    Matx22d weight(const Point2d& d) const;
+    Matx22d weight(const Point2d& weak, const Point2d& d) const;
 };
 
 //! Residuals of points, across and along their epipolar lines.
 struct PointResiduals
 {
-    std::vector<double> across;
-    std::vector<DepthResidual> along;
+    std::vector<UncertainResidual> across; // by texture
+    std::vector<UncertainResidual> along;  // by depth
+    std::vector<double> weakAlong;         // by texture
 
-    void add(const Point2d& residual, const Point2d& d);
+    void add(const Point2d& residual, const Point2d& weak, const Point2d& d);
 
     //! What explains them. @param least standard deviation of points, over the usual one.
     PointNoise noise(double least) const;
@@ -51,14 +56,16 @@ Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& po
                           const FlowResidual::View& view);
 
 /** Weights of the points of a frame, by the noise that they show.
+@param weak of each.
 @param residuals pixels, which don't count if the point would be behind the camera.
 @param d of each, pixels by which a usual deviation of the depth moves it. */
-std::vector<Matx22d> weightsOf(const std::vector<Point2d>& residuals, const std::vector<Point2d>& d);
+std::vector<Matx22d> weightsOf(const std::vector<Point2d>& weak, const std::vector<Point2d>& residuals,
+                               const std::vector<Point2d>& d);
 
 /** The value up to 1 with which residuals have the median of a normal distribution of the standard deviations
-sigmaOf(value, byDepth), which grow with it. */
+sigmaOf(value, by), which grow with it. */
 template <class SigmaOf>
-double solveScale(const std::vector<DepthResidual>& residuals, const SigmaOf& sigmaOf)
+double solveScale(const std::vector<UncertainResidual>& residuals, const SigmaOf& sigmaOf)
 {
     const int halvings = 10;
     double low = 0, high = 1;
@@ -67,7 +74,7 @@ double solveScale(const std::vector<DepthResidual>& residuals, const SigmaOf& si
     {
         const double middle = (low + high) / 2;
         for (size_t k = 0; k < residuals.size(); k++)
-            values[k] = residuals[k].value / sigmaOf(middle, residuals[k].byDepth);
+            values[k] = residuals[k].value / sigmaOf(middle, residuals[k].by);
         (sigmaOfMedian(medianOf(values.begin(), values.end())) > 1 ? low : high) = middle;
     }
     return high;
