@@ -246,6 +246,15 @@ int run(const Options& options)
             throw InputError(words);
         std::cerr << "rsackermann_calibrate: " << words << std::endl;
     }
+    // A heading that is found elsewhere makes up for it.
+    const bool isTurned =
+        calibration.headingObserved &&
+        std::abs(calibration.heading - calibrator->getCamera().heading) > 3 * calibration.headingSigma;
+    if (2 * calibration.contradictedFrames > frames && !isTurned)
+        std::cerr << cv::format("rsackermann_calibrate: in %d of %d frames the images contradict the yaw rate or speed "
+                                "of the log: its signs, units or times may be others",
+                                calibration.contradictedFrames, frames)
+                  << std::endl;
     if (calibration.frames == 0)
         throw InputError("no frame shows a car that moves: consecutive frames are needed, at their times");
     print(calibration, calibrator->getCamera().cameraMatrix(0, 0), frames);

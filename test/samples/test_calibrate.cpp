@@ -283,6 +283,49 @@ TEST_F(Calibrate, drives_the_other_way)
     }
 }
 
+TEST_F(Calibrate, logs_that_the_images_contradict)
+{
+    addBend(30, 0, 8);
+    struct
+    {
+        double yawRate, speed;
+        bool isWrong;
+    } const logs[] = {{30, 36, false}, {-30, 36, true}, {60, 36, true}, {30 * DEGREE, 36, true}, {30, 10, true}};
+    for (const auto& log : logs)
+    {
+        SCOPED_TRACE(testing::Message() << log.yawRate << " " << log.speed);
+        log_ = "file,time_s,yaw_rate_deg_s,yaw_rate_sigma_deg_s,speed_kmh,speed_sigma_kmh\n";
+        for (size_t i = 0; i < inputs_.size(); i++)
+            log_ += inputs_[i] + cv::format(",%.6f,%g,0.5,%g,0.5\n", double(i) * INTERVAL, log.yawRate, log.speed);
+        const Outcome outcome = run({"--overwrite"});
+        EXPECT_EQ(log.isWrong, outcome.messages.find("frames the images contradict") != std::string::npos)
+            << outcome.messages;
+    }
+}
+
+// Seen to the side of where it goes, a car seems to turn otherwise than its log says.
+TEST_F(Calibrate, heading_is_no_contradiction)
+{
+    const std::string drive = folder_ / "drive";
+    ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=20", "--heading=7", "--left=6", "--right=8"}).exitCode);
+    CameraSettings camera = readCamera(drive + "/camera.yml");
+    camera.heading = 0;
+    rsackermann_samples::writeCameraFile(folder_ / "straight.yml", camera);
+    std::string log = "file,time_s,yaw_rate_deg_s,yaw_rate_sigma_deg_s\n";
+    for (const std::string& line : linesOf(drive + "/truth.jsonl"))
+    {
+        const nlohmann::json truth = nlohmann::json::parse(line);
+        log += truth["file"].get<std::string>() +
+               cv::format(",%.6f,%.6f,0.3\n", truth["time_s"].get<double>(), truth["yaw_rate_deg_s"].get<double>());
+    }
+    writeContent(folder_ / "yaw.csv", log);
+    const Outcome outcome = calibrate({drive + "/frames", "--camera=" + (folder_ / "straight.yml"),
+                                       "--log=" + (folder_ / "yaw.csv"), "--output=" + output_});
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_EQ("", outcome.messages);
+    EXPECT_NEAR(7, readCamera(output_).heading, 0.5) << outcome.output;
+}
+
 TEST_F(Calibrate, repeated_images_are_told)
 {
     addBend(20, 0, 6);

@@ -26,10 +26,10 @@ static const double OBSERVED = 0.5;
 static const double SHORTEST_START = 0.002, LONGEST_START = 0.1;
 
 MountCalibration::MountCalibration()
-    : frames(0), contraryFrames(0), intervalSigma(0), roll(0), rollSigma(0), pitch(0), pitchSigma(0), heading(0),
-      headingSigma(0), lineDelay(0), lineDelaySigma(0), rollObserved(false), pitchObserved(false),
-      headingObserved(false), lineDelayObserved(false), gyroFrames(0), gyroDelay(0), gyroDelaySigma(0), focalScale(1),
-      focalScaleSigma(0)
+    : frames(0), contraryFrames(0), contradictedFrames(0), intervalSigma(0), roll(0), rollSigma(0), pitch(0),
+      pitchSigma(0), heading(0), headingSigma(0), lineDelay(0), lineDelaySigma(0), rollObserved(false),
+      pitchObserved(false), headingObserved(false), lineDelayObserved(false), gyroFrames(0), gyroDelay(0),
+      gyroDelaySigma(0), focalScale(1), focalScaleSigma(0)
 {
 }
 
@@ -220,7 +220,7 @@ private:
         features.reset();
         number = 0;
         drive = 0;
-        contraryFrames = 0;
+        contraryFrames = contradictedFrames = 0;
         clock = wholeDrive();
         stride = 1;
         filter.hasFrame = false;
@@ -366,14 +366,15 @@ private:
         selectCandidates(segments, start, gates, features.verticals, features.others);
         SequenceFit fit(filter.state);
         MotionPrior rest = prior;
-        rest.speedSigma = 0;
+        rest.speedSigma = rest.yawRateSigma = 0;
         bool moves = moved(unaided, rest, fit);
         contraryFrames += moves && goesTheOtherWay(fit, prior);
+        contradictedFrames += moves && contradictsGiven(fit, prior);
         if (moves)
             clock.add(fit.values[SEQUENCE_SPEED], passed);
         else
             clock.interrupt();
-        if (prior.speedSigma > 0)
+        if (prior.speedSigma > 0 || prior.yawRateSigma > 0)
             moves = moved(filter, prior, fit);
         else
             filter = unaided;
@@ -401,6 +402,16 @@ private:
         AckermannMotion seen;
         fit.state.toMotion(start.secondsPerUnitTime(), seen);
         return showsOtherDirection(seen, prior.speedSigma > 0 ? prior : forward);
+    }
+
+    static bool contradictsGiven(const SequenceFit& fit, const MotionPrior& prior)
+    {
+        const auto isContradicted = [&](SequenceValue which, double given, double sigma) {
+            return sigma > 0 &&
+                   contradicts(fit.state.value[which], std::sqrt(fit.state.covariance(which, which)), given, sigma);
+        };
+        return isContradicted(SEQUENCE_YAW_RATE, prior.yawRate, prior.yawRateSigma) ||
+               isContradicted(SEQUENCE_SPEED, prior.speed, prior.speedSigma);
     }
 
     CalibrationFrame frameOf(const SequenceFit& fit, double before, const MotionPrior& prior) const
@@ -460,6 +471,7 @@ private:
         MountCalibration c;
         c.frames = int(frames.size());
         c.contraryFrames = contraryFrames;
+        c.contradictedFrames = contradictedFrames;
         c.intervalSigma = clock.sigma();
         c.camera = given;
         MountVector sigma = fit.sigma;
@@ -513,9 +525,9 @@ private:
     GyroSamples gyro;
     std::vector<CalibrationFrame> frames;
     std::vector<int> numbers; // of each frame's run
-    int number, drive, stride, contraryFrames;
+    int number, drive, stride, contraryFrames, contradictedFrames;
 
-    SequenceFilter filter, unaided; // unaided: without speeds that are given
+    SequenceFilter filter, unaided; // unaided: without a given speed or yaw rate
     ClockNoise clock = wholeDrive();
 };
 

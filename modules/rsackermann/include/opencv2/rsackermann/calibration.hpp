@@ -35,6 +35,10 @@ public:
     //! backward. If they are more than half as many as frames, the camera looks to the other end of the car than its
     //! heading says
     CV_PROP_RW int contraryFrames;
+    //! Frames whose given yaw rate or speed is more than three standard deviations from what they show without it
+    //! through the camera of create(). If they are most of them the signs, units or times of what is given are wrong,
+    //! or the heading is elsewhere
+    CV_PROP_RW int contradictedFrames;
     //! Standard deviation by which the times between frames err, relative to them, as speeds show that go to and fro:
     //! of images that a conversion of the frame rate left out 0.1 and more. The relative error of the line delay may be
     //! as large, and its standard deviation has that
