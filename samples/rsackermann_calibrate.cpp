@@ -262,6 +262,9 @@ int run(const Options& options)
         std::cerr
             << "rsackermann_calibrate: the images contradict the gyro, which isn't used: its unit, axes or clock may "
                "be another, or it doesn't cover the drive\n";
+    if (!calibration.rollObserved && !calibration.pitchObserved && !calibration.headingObserved &&
+        !calibration.lineDelayObserved && calibration.gyroFrames == 0)
+        throw InputError("nothing is observable, so that no file is written");
     writeCameraFile(task.output, settingsOf(calibration, task.camera.forSize(calibration.camera.imageSize)));
     return failures ? 1 : 0;
 }

@@ -326,6 +326,16 @@ TEST_F(Calibrate, heading_is_no_contradiction)
     EXPECT_NEAR(7, readCamera(output_).heading, 0.5) << outcome.output;
 }
 
+TEST_F(Calibrate, writes_nothing_that_it_has_not_found)
+{
+    addBend(20, 0, 3);
+    const Outcome outcome = run();
+    EXPECT_EQ(1, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.output.find("pitch       not observable")) << outcome.output;
+    EXPECT_NE(std::string::npos, outcome.messages.find("no file is written")) << outcome.messages;
+    EXPECT_FALSE(std::ifstream(output_).good());
+}
+
 TEST_F(Calibrate, repeated_images_are_told)
 {
     addBend(20, 0, 6);
