@@ -30,6 +30,21 @@ TEST(RSAckermann_PrivateResidualNoise, weights_make_residuals_of_unit_variance)
     }
 }
 
+// Neither a point that is all but behind the camera nor an edge without any texture makes weights that aren't numbers.
+TEST(RSAckermann_PrivateResidualNoise, weights_of_extremes_are_numbers)
+{
+    RNG rng(4);
+    for (int i = 0; i < 10000; i++)
+    {
+        const double sigma = std::pow(10, rng.uniform(-3., 0.));
+        const PointNoise noise = {sigma, rng.uniform(0., 1.)};
+        const Matx22d W = noise.weight(gaussianPoint(rng, std::pow(10, rng.uniform(0., 7.))),
+                                       gaussianPoint(rng, std::pow(10, rng.uniform(0., 9.))));
+        ASSERT_TRUE(checkRange(W)) << i;
+        ASSERT_LT(cvtest::norm(W, NORM_INF), 1.01 / (POINT_SIGMA * sigma)) << i;
+    }
+}
+
 //! Residuals of points whose depths are off by a share of the usual deviation. @param edges usual length of weak, for
 //! half of them.
 PointResiduals residualsOf(const PointNoise& noise, double edges, int count, RNG& rng)

@@ -20,11 +20,12 @@ static double trackingSigma(double points)
 
 Matx22d PointNoise::weight(const Point2d& weak, const Point2d& d) const
 {
-    const double sigma = POINT_SIGMA * points;
-    const Matx22d covariance =
-        sigma * sigma * Matx22d::eye() + square(trackingSigma(points) * weak) + square(depths * d);
-    // By the theorem of Cayley and Hamilton
-    const double trace = cv::trace(covariance), root = std::sqrt(determinant(covariance));
+    const double variance = POINT_SIGMA * points * POINT_SIGMA * points;
+    const Point2d along = trackingSigma(points) * weak, deviation = depths * d;
+    const Matx22d covariance = variance * Matx22d::eye() + square(along) + square(deviation);
+    // By the theorem of Cayley and Hamilton, with a determinant that long vectors don't cancel
+    const double trace = cv::trace(covariance), across = along.cross(deviation),
+                 root = std::sqrt(variance * (trace - variance) + across * across);
     return ((trace + root) * Matx22d::eye() - covariance) * (1 / (root * std::sqrt(trace + 2 * root)));
 }
 
