@@ -63,7 +63,7 @@ TEST(RSAckermann_Candidates, limits)
     EXPECT_TRUE(limits.areMetric);
     EXPECT_NEAR(params.maxYawRate * unit / 2, limits.maxAlpha, 1e-12);
     EXPECT_NEAR(params.maxSpeed * unit / 2.5, limits.maxScaledSpeed, 1e-12);
-    EXPECT_NEAR(4 * params.maxSlant, limits.maxRightScaledSpeed, 1e-12);
+    EXPECT_NEAR(6 * params.maxSlant, limits.maxRightScaledSpeed, 1e-12);
     EXPECT_FALSE(MotionLimits(camera, AckermannEstimator::Params()).areMetric);
     camera.lineDelay = 0;
     EXPECT_NEAR(params.maxSlant / 2, MotionLimits(camera, params).maxAlpha, 1e-12);

@@ -713,6 +713,27 @@ TEST(RSAckermann_Estimator, limits_of_the_motion)
     EXPECT_LE(std::abs(speed), p.maxSpeed * 1.001);
 }
 
+// Without the distance of a wall its speed isn't limited by what a usual one allows.
+TEST(RSAckermann_Estimator, fast_past_a_near_wall)
+{
+    RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 360), 964);
+    camera.lineDelay = 0.0329 / 360;
+    const Simulator truth = Simulator::fromMetric(camera, 10 * degree, 36, 8, 2, 0);
+    Params p;
+    p.gravitySigma = 0;
+    for (int seed = 0; seed < 5; seed++)
+    {
+        const Segments segments = makeSegments(truth, 100, 0.9, 0.1, seed);
+        const AckermannMotion m = AckermannEstimator::create(camera, p)->estimate(segments.ends);
+        ASSERT_EQ(MOTION_OK, m.status) << "seed " << seed;
+        const double unit = camera.secondsPerUnitTime(), sigma = 2 * std::sqrt(m.covariance(0, 0)) / unit;
+        double yawRate = 0;
+        ASSERT_TRUE(m.yawRate(camera, yawRate));
+        EXPECT_NEAR(10 * degree, yawRate, 3 * sigma) << "seed " << seed;
+        EXPECT_LT(displacementLeft(truth, m), 0.05 * truth.meanDisplacement()) << "seed " << seed;
+    }
+}
+
 TEST(RSAckermann_Estimator, bad_segments_throw)
 {
     const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());

@@ -7,7 +7,7 @@
 
 namespace cv { namespace rsackermann {
 
-static const double SLANTS_OF_SPEED = 4; // largest slants that the scaled speed may be without metric limits
+static const double SLANTS_OF_SPEED = 6; // largest slants that the scaled speed may be without metric limits
 
 MotionLimits::MotionLimits(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
 {
