@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "test_simulator.hpp"
+#include "../src/sequence/frame_fit.hpp"
 #include "../src/sequence/frame_terms.hpp"
 
 namespace opencv_test { namespace {
@@ -60,6 +62,41 @@ TEST(RSAckermann_OwnCar, a_street_has_none)
     }
     double cost = 0;
     EXPECT_EQ(bearings.size(), aboveOwnCar(bearings, 800, cost).size());
+}
+
+// It looks like a wall that a car passes backward, and the road in front of a car at rest like its bonnet.
+TEST(RSAckermann_OwnCar, rests_beside_a_truck_that_passes)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const double unit = camera.secondsPerUnitTime(), interval = 1. / 30, moved = 8 * interval; // m
+    RNG rng(9);
+    for (int round = 0; round < 20; round++)
+    {
+        std::vector<TrackedBearing> bearings;
+        const auto add = [&](double x, double y, double z, double forward) {
+            TrackedBearing b = TrackedBearing();
+            const Point2d noise(rng.gaussian(1e-4), rng.gaussian(1e-4));
+            b.now = Point2d(x, y) * (1 / z);
+            b.other = Point2d(x, y) * (1 / (z - forward)) + noise;
+            b.timeNow = b.now.y;
+            b.timeOther = b.other.y - interval / unit;
+            b.pitch = FLOW_PITCH_BEFORE;
+            b.roll = FLOW_ROLL_BEFORE;
+            b.isStill = cv::norm(b.now - b.other) * camera.cameraMatrix(0, 0) < POINT_SIGMA;
+            if (std::abs(b.now.x) < 0.39 && std::abs(b.now.y) < 0.23)
+                bearings.push_back(b);
+        };
+        while (bearings.size() < 120)
+            add(5, rng.uniform(-3., 1.), rng.uniform(12., 30.), 0); // a wall
+        while (bearings.size() < 200)
+            add(rng.uniform(-3., 4.), camera.height, rng.uniform(5., 15.), 0);
+        while (bearings.size() < 260)
+            add(-2.4, rng.uniform(-2., 1.), rng.uniform(6., 12.), moved);
+        const SequenceFit fit = fitFrame(camera, bearings, std::vector<UprightSegment>(),
+                                         SequenceState(camera, AckermannEstimator::Params()), true, FitNuisances());
+        EXPECT_NEAR(0, fit.state.value[SEQUENCE_SPEED], 0.1) << round;
+        EXPECT_FALSE(fit.moves) << round;
+    }
 }
 
 }} // namespace

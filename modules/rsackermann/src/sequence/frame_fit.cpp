@@ -18,6 +18,8 @@ typedef FlowEquations::Vector Unknowns;
 typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
 typedef Eigen::Matrix<double, SEQUENCE_VALUES, SEQUENCE_VALUES> StateMatrix;
 
+const double USUAL_WALL = 0.1; // 1/m
+
 struct Minimum
 {
     Unknowns at;
@@ -269,7 +271,7 @@ Minimum search(FrameFitProblem& problem, double focal, bool isUninitialised, Seq
     const double share = expect(problem, best.at, focal, fit);
     if (isUninitialised || share < enough)
     {
-        const double speeds[] = {0, 10, 10, -3}, walls[] = {0.1, 0.2, 0.08, 0.1}; // m/s, 1/m
+        const double speeds[] = {0, 10, 10, -3}, walls[] = {USUAL_WALL, 0.2, 0.08, USUAL_WALL}; // m/s, 1/m
         for (int i = 0; i < 4; i++)
         {
             Unknowns start = u;
@@ -282,6 +284,17 @@ Minimum search(FrameFitProblem& problem, double focal, bool isUninitialised, Seq
         expect(problem, best.at, focal, fit);
     }
     return best;
+}
+
+// The motion next to rest. Something large that passes a car at rest looks like a wall that a car passes backward, and
+// the road like its bonnet. Returns whether most points agree.
+bool findRest(FrameFitProblem& problem, double focal, SequenceFit& fit, Minimum& rest)
+{
+    Unknowns start = problem.expected;
+    start[SEQUENCE_YAW_RATE] = start[SEQUENCE_SPEED] = 0;
+    start[SEQUENCE_LEFT] = start[SEQUENCE_RIGHT] = USUAL_WALL;
+    rest = problem.refine(start, false);
+    return expect(problem, rest.at, focal, fit) > 0.5;
 }
 
 // A minimum as the fit of a frame.
@@ -304,6 +317,9 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
     FrameFitProblem problem(camera, bearings, verticals, prediction);
     SequenceFit fit(prediction), other(prediction);
     const Minimum best = search(problem, focal, isUninitialised, fit);
+    Minimum rest;
+    if (best.at[SEQUENCE_SPEED] < 0 && findRest(problem, focal, other, rest))
+        return toFit(problem, rest, nuisances, other);
     double cost;
     const std::vector<TrackedBearing> above = aboveOwnCar(bearings, focal, cost);
     if (fit.moves && above.size() < bearings.size() && above.size() >= LEAST_POINTS)
