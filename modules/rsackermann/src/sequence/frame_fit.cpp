@@ -18,8 +18,6 @@ typedef FlowEquations::Vector Unknowns;
 typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
 typedef Eigen::Matrix<double, SEQUENCE_VALUES, SEQUENCE_VALUES> StateMatrix;
 
-const double USUAL_WALL = 0.1; // 1/m
-
 struct Minimum
 {
     Unknowns at;
@@ -271,7 +269,7 @@ Minimum search(FrameFitProblem& problem, double focal, bool isUninitialised, Seq
     const double share = expect(problem, best.at, focal, fit);
     if (isUninitialised || share < enough)
     {
-        const double speeds[] = {0, 10, 10, -3}, walls[] = {USUAL_WALL, 0.2, 0.08, USUAL_WALL}; // m/s, 1/m
+        const double speeds[] = {0, 10, 10, -3}, walls[] = {0.1, 0.2, 0.08, 0.1}; // m/s, 1/m
         for (int i = 0; i < 4; i++)
         {
             Unknowns start = u;
@@ -292,7 +290,7 @@ bool findRest(FrameFitProblem& problem, double focal, SequenceFit& fit, Minimum&
 {
     Unknowns start = problem.expected;
     start[SEQUENCE_YAW_RATE] = start[SEQUENCE_SPEED] = 0;
-    start[SEQUENCE_LEFT] = start[SEQUENCE_RIGHT] = USUAL_WALL;
+    start[SEQUENCE_LEFT] = start[SEQUENCE_RIGHT] = 0.1; // 1/m
     rest = problem.refine(start, false);
     return expect(problem, rest.at, focal, fit) > 0.5;
 }
