@@ -713,7 +713,7 @@ TEST(RSAckermann_Estimator, limits_of_the_motion)
     EXPECT_LE(std::abs(speed), p.maxSpeed * 1.001);
 }
 
-// Without the distance of a wall its speed isn't limited by what a usual one allows.
+// Without the distance of a wall the limit of the scaled speed is beyond what cars reach.
 TEST(RSAckermann_Estimator, fast_past_a_near_wall)
 {
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(640, 360), 964);
