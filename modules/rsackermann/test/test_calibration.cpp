@@ -379,6 +379,31 @@ TEST(RSAckermann_Calibration, sigma_of_a_line_delay_that_is_not_observed)
     }
 }
 
+// The mount's angles go with the line delay that is kept, and are as uncertain as the difference to that of the best
+// fit.
+TEST(RSAckermann_Calibration, angles_go_with_a_line_delay_that_is_not_observed)
+{
+    StreetDrive::Options options;
+    options.yawRate = 0;
+    RollingShutterCamera camera = guess();
+    camera.lineDelay *= 1.2;
+    MountCalibration results[2];
+    for (int exact = 0; exact < 2; exact++)
+    {
+        if (exact)
+            camera.lineDelaySigma = 1e-6 * camera.lineDelay;
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+        drive(*calibrator, StreetDrive(mounted(0.7), ROLL, PITCH, options, 1), 60, true);
+        results[exact] = calibrator->calibrate();
+        EXPECT_FALSE(results[exact].lineDelayObserved) << exact;
+    }
+    const MountCalibration &c = results[0], &known = results[1];
+    EXPECT_NEAR(known.roll, c.roll, 0.01 * degree);
+    EXPECT_NEAR(known.pitch, c.pitch, 0.01 * degree);
+    EXPECT_GT(c.pitchSigma, known.pitchSigma);
+    EXPECT_NEAR(PITCH, c.pitch, 2 * c.pitchSigma);
+}
+
 // What is seen of the car itself stands still.
 TEST(RSAckermann_Calibration, own_bonnet_is_left_out)
 {

@@ -193,18 +193,21 @@ public:
     {
         CV_INSTRUMENT_REGION();
         const MountVector before = sigmaBefore();
+        MountVector prior = before;
         DriveFit best(before);
         double longer = 1, focalSigma = start.focalSigma / start.cameraMatrix(0, 0);
         if (frames.size() > size_t(LEAST_WAVES))
         {
-            best = fitDrive(longer);
+            best = fitDrive(longer, prior);
             if (focalSigma > 0 && best.gyro.frames > 0)
             {
                 takeFocalOf(best.gyro, longer, focalSigma);
-                best = fitDrive(longer);
+                best = fitDrive(longer, prior);
             }
+            if (given.lineDelay > 0 && !isLineDelayObserved(best.mount, before))
+                takeGivenDelay(longer, prior, best.mount);
             if (focalSigma > 0)
-                addFocalUncertainty(fitDrive(longer * (1 + focalSigma)).mount, best.mount);
+                addDifference(fitDrive(longer * (1 + focalSigma), prior).mount, best.mount);
         }
         return report(best, before, longer, focalSigma);
     }
@@ -264,7 +267,10 @@ private:
         GyroOfDrive gyro;
 
         //! What is known before.
-        explicit DriveFit(const MountVector& before) : mount{MountVector::Zero(), before, before[MOUNT_DELAY]} {}
+        explicit DriveFit(const MountVector& before)
+            : mount{MountVector::Zero(), before, before[MOUNT_DELAY], before[MOUNT_DELAY]}
+        {
+        }
     };
 
     // Of steps that follow each other like those of a geometric series.
@@ -275,7 +281,7 @@ private:
     }
 
     //! @param longer the focal length over that of the camera.
-    DriveFit fitDrive(double longer) const
+    DriveFit fitDrive(double longer, const MountVector& before) const
     {
         RollingShutterCamera camera = start;
         camera.cameraMatrix(0, 0) *= longer;
@@ -284,7 +290,6 @@ private:
         for (CalibrationFrame& frame : fitted)
             frame.seeThroughOtherFocal(camera.uprightRotation, longer);
         const Suspension suspension = {params.suspensionSigma, params.suspensionTime};
-        const MountVector before = sigmaBefore();
         DriveFit fit(before);
         std::list<GyroSamples> curves;
         MountVector prior = before;
@@ -311,7 +316,7 @@ private:
             // The weights are cautious: where frames scatter less than they say, what was known before is to count
             // less as well.
             prior[MOUNT_DELAY] = prior[MOUNT_PASSING] =
-                before[MOUNT_DELAY] * std::max(1., fit.mount.turningSigma / fit.mount.sigma[MOUNT_DELAY]);
+                before[MOUNT_DELAY] * std::max(1., fit.mount.weightsSigma / fit.mount.sigma[MOUNT_DELAY]);
         }
         fit.gyro.alignment.scale *= longer;
         fit.gyro.scaleSigma *= longer;
@@ -328,7 +333,17 @@ private:
         focalSigma = shown * focalSigma / sum / longer;
     }
 
-    static void addFocalUncertainty(const MountFit& other, MountFit& fit)
+    // If the drive doesn't show the line delay, the given one is kept, and the mount's angles are those that go with
+    // it.
+    void takeGivenDelay(double longer, MountVector& prior, MountFit& fit) const
+    {
+        prior[MOUNT_DELAY] = prior[MOUNT_PASSING] = FLT_EPSILON;
+        const MountFit held = fitDrive(longer, prior).mount;
+        addDifference(held, fit);
+        fit.value = held.value;
+    }
+
+    static void addDifference(const MountFit& other, MountFit& fit)
     {
         for (int i = 0; i < MOUNT_VALUES; i++)
             fit.sigma[i] = std::hypot(fit.sigma[i], other.value[i] - fit.value[i]);
@@ -480,8 +495,7 @@ private:
         c.rollObserved = isObserved(sigma, before, MOUNT_ROLL);
         c.pitchObserved = isObserved(sigma, before, MOUNT_PITCH);
         c.headingObserved = isObserved(sigma, before, MOUNT_HEADING);
-        c.lineDelayObserved =
-            isObserved(sigma, before, MOUNT_DELAY) && fit.turningSigma < OBSERVED * before[MOUNT_DELAY];
+        c.lineDelayObserved = isLineDelayObserved(fit, before);
         // The azimuths are those of the upright frame, in which the optical axis may have moved.
         const Matx33d upright = tiltRotation(fit.value[MOUNT_ROLL], fit.value[MOUNT_PITCH]) * given.uprightRotation;
         c.camera.setGravity(Vec3d(upright(1, 0), upright(1, 1), upright(1, 2)));
@@ -506,6 +520,12 @@ private:
         c.focalScale = best.gyro.alignment.scale;
         c.focalScaleSigma = best.gyro.scaleSigma;
         return c;
+    }
+
+    bool isLineDelayObserved(const MountFit& fit, const MountVector& before) const
+    {
+        return std::max(std::hypot(fit.sigma[MOUNT_DELAY], clock.sigma()), fit.turningSigma) <
+               OBSERVED * before[MOUNT_DELAY];
     }
 
     static bool isObserved(const MountVector& sigma, const MountVector& before, MountValue which)

@@ -16,7 +16,7 @@ namespace cv { namespace rsackermann {
 // one lets tilts follow the yaw rate like a line delay.
 static const double SAME_TURN = 0.005 * CV_PI / 180;
 // Relative, of the line delays that turning and passing show: scenes that aren't plane make more of it than noise does
-static const double SAME_DELAY = 0.01;
+static const double SAME_DELAY = 0.03;
 
 namespace {
 
@@ -121,6 +121,7 @@ public:
         fit.sigma = MountMatrix(inverse * (ofScores + prior()) * inverse).diagonal().cwiseSqrt();
         fit.turningSigma =
             std::sqrt(MountMatrix((reduced.information - sameDelay()).inverse())(MOUNT_DELAY, MOUNT_DELAY));
+        fit.weightsSigma = std::sqrt(inverse(MOUNT_DELAY, MOUNT_DELAY));
         takeMeanTilts(scatter, reduced.linkedByMount(), inverse, fit);
         return fit;
     }

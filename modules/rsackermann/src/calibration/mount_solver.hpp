@@ -22,6 +22,7 @@ struct MountFit
 {
     MountVector value, sigma; //!< and their standard deviations
     double turningSigma;      //!< standard deviation of MOUNT_DELAY without the evidence of the passing scene
+    double weightsSigma;      //!< that of MOUNT_DELAY by the weights
 };
 
 /** Explains all frames of a drive by one mount and one line delay (doc/theory.md, "Self-calibration").

@@ -60,7 +60,7 @@ public:
     CV_PROP_RW bool pitchObserved;   //!< the same of the pitch
     CV_PROP_RW bool headingObserved; //!< the same of the heading
     //! The same of the line delay, which is observable in bends and if the camera shakes, above all with a gyro; if
-    //! not, as after a straight drive, it isn't changed
+    //! not, as after a straight drive, it isn't changed, and the angles are those that go with it
     CV_PROP_RW bool lineDelayObserved;
 
     //! Frames whose rows MountCalibrator::addGyro() has turned: 0 if there is no gyro, or the points contradict it.
