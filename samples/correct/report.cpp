@@ -161,6 +161,8 @@ std::string reportLine(const FrameReport& frame)
     line["seen_yaw_rate_sigma"] = orNull(m.seenYawRateSigma > 0, m.seenYawRateSigma / DEGREE);
     line["seen_speed_km_h"] = orNull(m.seenSpeedSigma > 0, m.seenSpeed / KMH);
     line["seen_speed_sigma"] = orNull(m.seenSpeedSigma > 0, m.seenSpeedSigma / KMH);
+    line["readout_ratio"] = orNull(m.readoutRatioSigma > 0, m.readoutRatio);
+    line["readout_ratio_sigma"] = orNull(m.readoutRatioSigma > 0, m.readoutRatioSigma);
     line["segments"] = frame.segments;
     line["candidates"] = m.candidates;
     line["inliers"] = m.inliers;

@@ -24,6 +24,8 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
         addReference(frame);
         addGyro(frame);
         addDepth(frame);
+        if (frame.motion.readoutRatioSigma > 0)
+            lastMotion_ = frame.motion;
     }
 }
 
@@ -34,6 +36,7 @@ void Warnings::end()
         warn(job_.log.whyUseless());
     addRounding();
     addRepeated();
+    addReadout();
 }
 
 // Intervals that differ by one unit of the times' last decimal are those of a steady clock, rounded.
@@ -74,6 +77,16 @@ void Warnings::addRepeated()
     const std::string words = repeatedImages(changes_);
     if (!words.empty())
         warn(words);
+}
+
+void Warnings::addReadout()
+{
+    const double ratio = lastMotion_.readoutRatio, sigma = lastMotion_.readoutRatioSigma, sigmas = 3;
+    if (std::abs(ratio - 1) > sigmas * sigma)
+        warn(cv::format(
+            "verticals lean as if the read-out took %.2f times (sigma %.2f) as long as given, negative if rows "
+            "are read in the other direction: check --scan and --readout",
+            ratio, sigma));
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.

@@ -31,6 +31,7 @@ private:
     void addTimes(const std::string& input, const std::vector<FrameReport>& frames);
     void addRounding();
     void addRepeated();
+    void addReadout();
     void addReference(const FrameReport& frame);
     void compareGyro(const FrameReport& frame);
     std::string doubtOfGyro() const;
@@ -46,6 +47,7 @@ private:
     double squaresOfPoints_ = 0, squaresOfGyro_ = 0;             // of the rates of frames, rad/s
     double gyroTime_ = std::numeric_limits<double>::quiet_NaN(); // of the frame before
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence
+    cv::rsackermann::AckermannMotion lastMotion_;                // of which the read-out is known
     std::vector<double> times_, changes_;                        // of images of a sequence
     std::set<std::string> given_;                                // warnings that hold for all inputs
 };

@@ -112,6 +112,32 @@ TEST(Contradictions, speed_of_a_sequence)
         }
 }
 
+// Frames that are read in the other direction than given stay as they are as soon as that is known.
+TEST(Contradictions, read_out_of_a_sequence)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, simulate({"--output=" + (folder / "drive"), "--frames=20", "--speed=40", "--readout=0.03"}).exitCode);
+    for (const char* scan : {"top_to_bottom", "bottom_to_top"})
+    {
+        SCOPED_TRACE(scan);
+        const bool isWrong = scan[0] == 'b';
+        Outcome outcome;
+        const std::vector<Json> lines =
+            linesOfReport({"--camera=" + (folder / "drive/camera.yml"), folder / "drive/frames",
+                           "--log=" + (folder / "drive/log.csv"), "--carry", std::string("--scan=") + scan},
+                          outcome);
+        ASSERT_EQ(20u, lines.size());
+        EXPECT_TRUE(lines[13]["readout_ratio"].is_null());
+        const Json &last = lines.back(), &first = lines[1];
+        EXPECT_NEAR(isWrong ? -1 : 1, last["readout_ratio"].get<double>(), 0.2);
+        EXPECT_GT(last["readout_ratio_sigma"], 0);
+        EXPECT_EQ("ok", first["status"]);
+        EXPECT_EQ(isWrong ? "not_significant" : "ok", last["status"]);
+        EXPECT_EQ(isWrong, outcome.messages.find("check --scan and --readout") != std::string::npos)
+            << outcome.messages;
+    }
+}
+
 // A gyro and the frames before aren't what the user has given.
 TEST(Contradictions, nothing_is_given)
 {

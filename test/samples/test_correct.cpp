@@ -116,6 +116,8 @@ TEST(Correct, report_keys)
                                 "seen_yaw_rate_sigma",
                                 "seen_speed_km_h",
                                 "seen_speed_sigma",
+                                "readout_ratio",
+                                "readout_ratio_sigma",
                                 "segments",
                                 "candidates",
                                 "inliers",

@@ -58,6 +58,8 @@ FrameReport exampleReport()
     m.seenYawRateSigma = 0.24;
     m.seenSpeed = 25;
     m.seenSpeedSigma = 0.26;
+    m.readoutRatio = 0.47;
+    m.readoutRatioSigma = 0.48;
     m.candidates = 27;
     m.inliers = 28;
     m.rms = 0.29;
@@ -111,6 +113,8 @@ const Number NUMBERS[] = {{"frame", 5, ALWAYS},
                           {"seen_yaw_rate_sigma", 0.24 * PER_DEGREE, ALWAYS},
                           {"seen_speed_km_h", 25 * 3.6, ALWAYS},
                           {"seen_speed_sigma", 0.26 * 3.6, ALWAYS},
+                          {"readout_ratio", 0.47, ALWAYS},
+                          {"readout_ratio_sigma", 0.48, ALWAYS},
                           {"segments", 34, ALWAYS},
                           {"candidates", 27, ALWAYS},
                           {"inliers", 28, ALWAYS},
@@ -159,7 +163,8 @@ TEST(Report, has_no_number_for_what_is_unknown)
 {
     FrameReport report = exampleReport();
     AckermannMotion& m = report.motion;
-    m.wallSlope = m.wallRatio = m.wallDistance = m.pitchRateSigma = m.seenYawRateSigma = m.seenSpeedSigma = 0;
+    m.wallSlope = m.wallRatio = m.wallDistance = m.pitchRateSigma = m.seenYawRateSigma = m.seenSpeedSigma =
+        m.readoutRatioSigma = 0;
     m.covariance(0, 0) = 0;
     m.inliers = 0;
     report.prior = MotionPrior();
@@ -182,6 +187,8 @@ TEST(Report, has_no_number_for_what_is_unknown)
                             "seen_yaw_rate_sigma",
                             "seen_speed_km_h",
                             "seen_speed_sigma",
+                            "readout_ratio",
+                            "readout_ratio_sigma",
                             "rms_px",
                             "depth_used"})
         EXPECT_TRUE(line[key].is_null()) << key;

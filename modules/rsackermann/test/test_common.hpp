@@ -87,6 +87,8 @@ inline AckermannMotion exampleMotion()
     m.seenYawRateSigma = 0.0625;
     m.seenSpeed = 17.5;
     m.seenSpeedSigma = 0.75;
+    m.readoutRatio = -0.875;
+    m.readoutRatioSigma = 0.125;
     m.expectedRaw = 3.5;
     m.expectedResidual = 1.25;
     m.probabilityWorse = 0.0625;
@@ -108,7 +110,7 @@ inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
                             &T::rollRateSigma, &T::rollCorrection,   &T::pitchCorrection,  &T::wallDistance,
                             &T::rms,           &T::expectedRaw,      &T::expectedResidual, &T::probabilityWorse,
                             &T::seenYawRate,   &T::seenYawRateSigma, &T::seenSpeed,        &T::seenSpeedSigma,
-                            &T::speedSigma});
+                            &T::speedSigma,    &T::readoutRatio,     &T::readoutRatioSigma});
     EXPECT_EQ(a.contradictsPrior, b.contradictsPrior);
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);

@@ -17,7 +17,8 @@ AckermannMotion::AckermannMotion()
       roadSlope(0), direction(1), pitchRate(0), rollRate(0), pitchRateSigma(0), rollRateSigma(0), rollCorrection(0),
       pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), speedSigma(0), covariance(Matx44d::zeros()),
       rollYawAmbiguous(false), contradictsPrior(false), seenYawRate(0), seenYawRateSigma(0), seenSpeed(0),
-      seenSpeedSigma(0), candidates(0), inliers(0), rms(0), expectedRaw(0), expectedResidual(0), probabilityWorse(0)
+      seenSpeedSigma(0), readoutRatio(1), readoutRatioSigma(0), candidates(0), inliers(0), rms(0), expectedRaw(0),
+      expectedResidual(0), probabilityWorse(0)
 {
 }
 
@@ -159,7 +160,8 @@ void AckermannMotion::write(FileStorage& fs) const
         fs << "rotation_curve" << rotationCurve;
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "contradicts_prior" << contradictsPrior << "seen_yaw_rate" << seenYawRate << "seen_yaw_rate_sigma"
-       << seenYawRateSigma << "seen_speed" << seenSpeed << "seen_speed_sigma" << seenSpeedSigma;
+       << seenYawRateSigma << "seen_speed" << seenSpeed << "seen_speed_sigma" << seenSpeedSigma << "readout_ratio"
+       << readoutRatio << "readout_ratio_sigma" << readoutRatioSigma;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
 }
 
@@ -204,6 +206,7 @@ void AckermannMotion::read(const FileNode& fn)
         rotationCurve = readValues<RotationCurve>(fn, "rotation_curve");
     readFields(fn, "roll_yaw_ambiguous", rollYawAmbiguous, "contradicts_prior", contradictsPrior);
     readFields(fn, "seen_yaw_rate", seenYawRate, "seen_yaw_rate_sigma", seenYawRateSigma, "seen_speed", seenSpeed);
+    readFields(fn, "readout_ratio", readoutRatio, "readout_ratio_sigma", readoutRatioSigma);
     readFields(fn, "seen_speed_sigma", seenSpeedSigma, "candidates", candidates, "inliers", inliers, "rms", rms);
 }
 

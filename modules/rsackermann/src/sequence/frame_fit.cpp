@@ -31,11 +31,11 @@ public:
     typedef Unknowns Step;
     typedef FlowEquations Equations;
 
-    FrameFitProblem(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings_,
+    FrameFitProblem(const RollingShutterCamera& camera_, const std::vector<TrackedBearing>& bearings_,
                     const std::vector<UprightSegment>& verticals_, const SequenceState& prediction)
-        : bearings(bearings_), residual(camera), verticals(verticals_),
+        : bearings(bearings_), residual(camera_), camera(camera_), verticals(verticals_),
           pointWeights(bearings_.size(), Matx22d::eye() * (1 / POINT_SIGMA)), slantWeights(verticals_.size(), 1.),
-          heading(camera.heading), unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0)), scale(1)
+          unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0)), scale(1)
     {
         FlowEquations::Matrix covariance = FlowEquations::Matrix::Identity() * (TURN_SIGMA * TURN_SIGMA);
         covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
@@ -193,11 +193,49 @@ public:
             covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>().transpose();
     }
 
+    ReadoutEvidence measureReadout(const Minimum& m, double about) const
+    {
+        const FlowEquations::Matrix covariance = scaledInverse(m.equations.symmetric());
+        SequenceMatrix ofState;
+        Eigen::Map<StateMatrix>(ofState.val) = covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>();
+        return rsackermann::measureReadout(camera, verticals, weightsByPoints(m.at), SequenceVector(m.at.data()),
+                                           ofState, about);
+    }
+
     const std::vector<TrackedBearing>& bearings;
     const FlowResidual residual;
     Unknowns expected = Unknowns::Zero();
 
 private:
+    // Verticals of what moves otherwise don't lean as the scene's do: each counts as the point next to it.
+    std::vector<double> weightsByPoints(const Unknowns& u) const
+    {
+        const CauchyLoss loss(1);
+        std::vector<double> ofPoints;
+        for (size_t i = 0; i < bearings.size(); i++)
+        {
+            const Point2d r = residual.evaluate(bearings[i], u.data(), 0), weighed(pointWeights[i] * Vec2d(r.x, r.y));
+            ofPoints.push_back(loss.slope(weighed.dot(weighed)));
+        }
+        std::vector<double> weights;
+        for (const UprightSegment& s : verticals)
+        {
+            const Vec3d middle = (s.u + s.v) / 2;
+            double nearest = DBL_MAX, weight = 1;
+            for (size_t i = 0; i < bearings.size(); i++)
+            {
+                const Point2d away = bearings[i].now - Point2d(middle[0], middle[1]);
+                if (away.dot(away) < nearest)
+                {
+                    nearest = away.dot(away);
+                    weight = ofPoints[i];
+                }
+            }
+            weights.push_back(weight);
+        }
+        return weights;
+    }
+
     void addPoints(const Unknowns& u, FlowEquations& equations) const
     {
         rsackermann::addPoints<FLOW_VALUES>(
@@ -210,7 +248,7 @@ private:
     {
         typedef NormalEquations<PARAMETERS> ModelEquations;
         Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
-        const PreparedModel model(toModel(SequenceVector(u.data()), unit, &byValues), heading);
+        const PreparedModel model(toModel(SequenceVector(u.data()), unit, &byValues), camera.heading);
         // Summed in the parameters of a model first, of which there are fewer.
         ModelEquations sums;
         rsackermann::addVerticals<PARAMETERS>(
@@ -225,10 +263,10 @@ private:
         equations.information.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>() += J * sums.symmetric() * J.transpose();
     }
 
+    const RollingShutterCamera& camera;
     const std::vector<UprightSegment>& verticals;
     std::vector<Matx22d> pointWeights;
     std::vector<double> slantWeights;
-    Heading heading;
     double unit, focal, scale; // scale: of the points' loss, in sigmas
     FlowEquations::Matrix prior;
 };
@@ -302,6 +340,7 @@ SequenceFit toFit(FrameFitProblem& problem, Minimum best, const FitNuisances& nu
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     problem.measureTurns(best.at, fit.before, fit.after);
     problem.setState(best, nuisances, fit.state);
+    fit.readout = problem.measureReadout(best, nuisances.readoutRatio);
     return fit;
 }
 

@@ -6,6 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_FIT_HPP
 
 #include "../factors/flow_residual.hpp"
+#include "readout_ratio.hpp"
 #include "sequence_state.hpp"
 
 namespace cv { namespace rsackermann {
@@ -34,17 +35,19 @@ struct SequenceFit
     NeighbourTurns before, after;    //!< the same turns, with their changes
     bool moves = false;              //!< whether the points rule out a camera at rest
     bool stands = false;             //!< whether they rule out the predicted motion instead
-    double residual = 1;             //!< of the points that agree, over their displacement in the raw image
+    ReadoutEvidence readout;
+    double residual = 1; //!< of the points that agree, over their displacement in the raw image
     double agreeing = 0; //!< share of the points that agree with the motion, without those on the car itself
 
     explicit SequenceFit(const SequenceState& prediction_) : prediction(prediction_), state(prediction_) {}
 };
 
-//! Standard deviations of what a frame's points depend on beside the unknowns of the fit.
+//! What a frame depends on beside the unknowns of the fit: standard deviations, and the read-out.
 struct FitNuisances
 {
     double pitchChange = 0, rollChange = 0; //!< of these rates from frame to frame, rad/s
     double interval = 0;                    //!< relative, of the time between frames
+    double readoutRatio = 1;                //!< what the frames so far show of it, see ReadoutRatio
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to

@@ -47,6 +47,7 @@ void SequenceEstimator::reset()
     image.release();
     gyro.reset();
     contradicted = ContradictedValues();
+    readout = ReadoutRatio();
     filter.hasFrame = false;
     interval = 0;
     resetState();
@@ -266,6 +267,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     FitNuisances nuisances;
     rates.expectChanges(follows ? before : after, nuisances);
     nuisances.interval = clockNoise.sigma();
+    nuisances.readoutRatio = readout.value();
     if (!update(rates.aboutFit(before, after, readOut(camera)), nuisances, used, compared))
     {
         resetState();
@@ -282,6 +284,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         return false;
     }
     seen = filter.time;
+    readout.add(alone.readout);
     if (!isStillSince(features.bearings, passed))
         stillSince = std::numeric_limits<double>::quiet_NaN();
     else if (!std::isfinite(stillSince))
@@ -409,13 +412,16 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     std::vector<Point2d> places;
     for (size_t i = 0; i < features.bearings.size(); i++)
         places.push_back(features.bearings[i].now);
-    return expectDisplacement(DisplacementField(camera, places), camera, fit.state, false, fit.residual, motion);
+    return expectDisplacement(DisplacementField(camera, places), camera, fit.state, false,
+                              std::hypot(fit.residual, readout.error()), motion);
 }
 
 void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<UprightSegment>& verticals,
                                const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
 {
     motion.candidates = int(verticals.size());
+    motion.readoutRatio = readout.value();
+    motion.readoutRatioSigma = readout.sigma();
     AckermannMotion found = motion;
     SequenceFit fit = fit_;
     rates.toInstant(prior, fit.state);

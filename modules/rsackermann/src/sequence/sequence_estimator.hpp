@@ -95,6 +95,7 @@ private:
     AckermannEstimator::Params params;
     Ptr<AckermannEstimator> single;
     ContradictedValues contradicted;
+    ReadoutRatio readout;
     FrameFeatures features;
     Mat image; // the last one, with what was found in it
     AckermannMotion motionOfImage;

@@ -1,0 +1,62 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_READOUT_RATIO_HPP
+#define OPENCV_RSACKERMANN_SRC_SEQUENCE_READOUT_RATIO_HPP
+
+#include "sequence_state.hpp"
+
+namespace cv { namespace rsackermann {
+
+struct PreparedModel;
+struct UprightSegment;
+
+//! What slants of verticals say of the read-out over that of the camera: sums of the slants' weights, of information,
+//! and of ratios that it weighs.
+struct ReadoutEvidence
+{
+    double weight = 0, information = 0, weighed = 0;
+
+    void add(const ReadoutEvidence& other)
+    {
+        weight += other.weight;
+        information += other.information;
+        weighed += other.weighed;
+    }
+};
+
+/** That of a frame, beside the uncertainty of its state (doc/theory.md, "Sequence").
+@param weights from 0 to 1, of the verticals.
+@param state a SequenceVector, with its covariance.
+@param about the ratio by which outliers are recognised. */
+ReadoutEvidence measureReadout(const RollingShutterCamera& camera, const std::vector<UprightSegment>& verticals,
+                               const std::vector<double>& weights, const SequenceVector& state,
+                               const SequenceMatrix& covariance, double about);
+
+//! The read-out that a sequence shows, over that of the camera.
+class ReadoutRatio
+{
+public:
+    void add(const ReadoutEvidence& frame);
+
+    //! 1 where nothing is known; -1 if rows are read in the other direction, 0 of a global shutter.
+    double value() const;
+
+    //! Its standard deviation, by how parts of the sequence scatter; 0: not known.
+    double sigma() const;
+
+    //! The share of the displacement that a correction leaves if the read-out is wrong; 0 if the images don't
+    //! contradict it.
+    double error() const;
+
+private:
+    enum { MOST_PARTS = 16 };
+
+    ReadoutEvidence sum, parts[MOST_PARTS]; // equally long, the last one of framesOfLast
+    int count = 0, framesOfPart = 2, framesOfLast = 0;
+};
+
+}} // namespace cv::rsackermann
+
+#endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_READOUT_RATIO_HPP

@@ -1,0 +1,116 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "test_common.hpp"
+#include "test_drive_simulator.hpp"
+#include "../src/sequence/sequence_filter.hpp"
+#include <numeric>
+
+namespace opencv_test { namespace {
+
+using simulation::StreetDrive;
+
+const double READOUT = 0.025; // seconds
+
+RollingShutterCamera cameraOf(int scan, double readout)
+{
+    RollingShutterCamera camera(Size(960, 540), Matx33d(700, 0, 470, 0, 720, 280, 0, 0, 1));
+    camera.scanDirection = scan;
+    camera.lineDelay = readout / (camera.isRowShutter() ? 540 : 960);
+    camera.height = 1.4;
+    return camera;
+}
+
+ReadoutRatio ratioOf(const RollingShutterCamera& truth, const RollingShutterCamera& given, int frames)
+{
+    const AckermannEstimator::Params params;
+    StreetDrive street(truth, 0, 0, StreetDrive::Options(), 5);
+    SequenceFilter filter(given, params);
+    FrameFeatures features;
+    FitNuisances nuisances;
+    ReadoutRatio ratio;
+    for (int i = 0; i < frames; i++)
+    {
+        const StreetDrive::Frame frame = street.frame(i / 30., 1 / 30.);
+        std::vector<PointPair> pairs;
+        for (int k = 0; k < frame.points.rows; k++)
+        {
+            const double* p = frame.points.ptr<double>(k);
+            pairs.push_back(PointPair{Point2d(p[0], p[1]), Point2d(p[2], p[3])});
+        }
+        features.setPoints(given, pairs, 1 / 30.);
+        selectCandidates(frame.segments, given, params, features.verticals, features.others);
+        filter.advance(frame.seconds, given, params);
+        SequenceFit fit(filter.state);
+        nuisances.readoutRatio = ratio.value();
+        if (filter.update(features, given, params, fit, nuisances))
+            ratio.add(fit.readout);
+    }
+    return ratio;
+}
+
+TEST(RSAckermann_Readout, is_found_over_the_given_one)
+{
+    const RollingShutterCamera truth = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT);
+    for (const double ratio : {1., 0.5, 2.})
+    {
+        const ReadoutRatio found = ratioOf(truth, cameraOf(SCAN_TOP_TO_BOTTOM, READOUT / ratio), 60);
+        EXPECT_NEAR(ratio, found.value(), 0.25 * ratio);
+        EXPECT_NEAR(ratio, found.value(), 3 * found.sigma());
+    }
+    const ReadoutRatio reversed = ratioOf(truth, cameraOf(SCAN_BOTTOM_TO_TOP, READOUT), 60);
+    EXPECT_NEAR(-1, reversed.value(), 0.3);
+    EXPECT_GT(reversed.error(), 1);
+    const ReadoutRatio global = ratioOf(cameraOf(SCAN_TOP_TO_BOTTOM, 1e-4 * READOUT), truth, 60);
+    EXPECT_NEAR(0, global.value(), 0.3);
+    EXPECT_GT(global.error(), 0);
+}
+
+// Its standard deviation is that of parts of the drive, of which there are 16 at most.
+TEST(RSAckermann_Readout, is_known_after_some_frames)
+{
+    const RollingShutterCamera camera = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT);
+    EXPECT_EQ(1, ReadoutRatio().value());
+    for (const int frames : {0, 14, 15, 32, 33, 64, 65, 150})
+    {
+        const ReadoutRatio ratio = ratioOf(camera, camera, frames);
+        EXPECT_EQ(0, ratio.error()) << frames;
+        EXPECT_EQ(frames > 14, ratio.sigma() > 0) << frames;
+        EXPECT_NEAR(1, ratio.value(), 0.1) << frames;
+    }
+}
+
+// Where columns are read verticals don't lean.
+TEST(RSAckermann_Readout, of_columns_is_not_known)
+{
+    const RollingShutterCamera camera = cameraOf(SCAN_LEFT_TO_RIGHT, READOUT);
+    const ReadoutRatio ratio = ratioOf(camera, camera, 30);
+    EXPECT_EQ(1, ratio.value());
+    EXPECT_EQ(0, ratio.sigma());
+}
+
+// The standard deviation is true of parts that differ at random, and doesn't depend on how many frames they have.
+TEST(RSAckermann_Readout, sigma_is_that_of_parts)
+{
+    RNG rng(3);
+    std::vector<double> squares;
+    for (int i = 0; i < 500; i++)
+    {
+        ReadoutRatio ratio;
+        const int frames = rng.uniform(20, 300);
+        for (int k = 0; k < frames; k++)
+        {
+            ReadoutEvidence frame;
+            frame.information = rng.uniform(0.5, 1.5);
+            frame.weighed = frame.information * (0.7 + rng.gaussian(3));
+            ratio.add(frame);
+        }
+        const double byScene = 0.1, byParts = std::sqrt(ratio.sigma() * ratio.sigma() - byScene * byScene);
+        squares.push_back(std::pow((ratio.value() - 0.7) / byParts, 2));
+    }
+    EXPECT_NEAR(1, std::accumulate(squares.begin(), squares.end(), 0.) / double(squares.size()), 0.25);
+}
+
+}} // namespace opencv_test
