@@ -60,12 +60,12 @@ show_progress()
 }
 
 # Has ccache find objects again from another checkout, and those with precompiled headers, also if CMake wrote the list
-# of these headers in the second in which they are compiled.
+# of these headers in the second in which they are compiled. Builds that ctest starts have other variables of the locale.
 # usage: use_ccache DIRECTORY_OF_THE_SOURCES
 use_ccache()
 {
     export CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1
-    export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+    export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime,locale
 }
 
 as_root()
