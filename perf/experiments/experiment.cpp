@@ -27,6 +27,8 @@ bool isAtRest(const street::StreetScene& scene)
 // The camera as the estimator is given it.
 RollingShutterCamera givenCamera(const street::StreetCamera& truth, const Knowledge& knowledge, cv::RNG& rng)
 {
+    if (!knowledge.camera)
+        return RollingShutterCamera::fromFocal(truth.size);
     street::StreetCamera given = truth;
     given.roll += rng.gaussian(knowledge.rollNoise);
     given.pitch += rng.gaussian(knowledge.pitchNoise);
@@ -178,6 +180,7 @@ Result evaluate(const Case& c, const cv::Mat& image, const Experiment& experimen
     const cv::Mat seen = mask & structureOf(image);
     result.seenLeft = meanDistance(estimated[0], estimated[1], truth[0], truth[1], seen);
     result.expectedResidual = motion.expectedResidual;
+    result.probabilityWorse = motion.probabilityWorse;
 
     double yawRate = 0, speed = 0;
     const bool ok = motion.status == MOTION_OK;

@@ -19,10 +19,11 @@ struct Knowledge
     double yawRateSigma;          //!< radians per second, of the error of a known yaw rate; 0: it isn't known
     double wallDirectionSigma;    //!< radians, of the error of a known wall direction; 0: it isn't known
     bool exactPriors;             //!< known values have no error, whatever their standard deviation
+    bool camera;                  //!< false: nothing of it, neither focal length and lens nor mount and read-out
 
     Knowledge()
         : rollNoise(0), pitchNoise(0), focalError(0), focalNoise(0), speedSigma(0), yawRateSigma(0),
-          wallDirectionSigma(0), exactPriors(false)
+          wallDirectionSigma(0), exactPriors(false), camera(true)
     {
     }
 };
@@ -58,11 +59,12 @@ struct Result
     double raw, left;        //!< mean displacement in pixels before and after
     double seenLeft;         //!< mean displacement after the correction next to edges
     double expectedResidual; //!< what the estimator expects to be left
-    double yawRateError;     //!< degrees per second
-    double yawRateSigma;     //!< its standard deviation as the estimator sees it; NaN if there is none
-    double speedError;       //!< km/h; NaN if the speed isn't known
-    double speedSigma;       //!< its standard deviation as the estimator sees it; NaN if there is none
-    double deltaError;       //!< pixels; NaN if there are no walls
+    double probabilityWorse;
+    double yawRateError; //!< degrees per second
+    double yawRateSigma; //!< its standard deviation as the estimator sees it; NaN if there is none
+    double speedError;   //!< km/h; NaN if the speed isn't known
+    double speedSigma;   //!< its standard deviation as the estimator sees it; NaN if there is none
+    double deltaError;   //!< pixels; NaN if there are no walls
     //! Displacement in pixels that the estimator's covariance predicts; NaN if it wasn't asked for
     double floor;
 };

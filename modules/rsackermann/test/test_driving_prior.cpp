@@ -32,7 +32,7 @@ void drawSpeedAndWall(RNG& rng, double wallSigma, double& speed, double& wall)
 DrivingPrior makeDrive(const RollingShutterCamera& camera, const MotionPrior& prior = MotionPrior(),
                        const Params& params = Params())
 {
-    return DrivingPrior(prior, camera, params, MotionLimits(camera, params));
+    return DrivingPrior(prior, camera, params);
 }
 
 MotionPrior givenSpeed(double speed, double sigma)
@@ -153,6 +153,7 @@ TEST(RSAckermann_DrivingPrior, unknown_line_delay)
     params.priorReadoutTimeLogSigma = 0.5;
     const DrivingPrior a = makeDrive(known, MotionPrior(), params), b = makeDrive(unknown, MotionPrior(), params);
     EXPECT_NEAR(a.expectedScaledSpeed(), b.expectedScaledSpeed(), 1e-12);
+    EXPECT_NEAR(a.alphaScale() * std::exp(0.5 * 0.5), b.alphaScale(), 1e-12);
     double logG, sigma, widerSigma;
     a.anyRoad(logG, sigma);
     b.anyRoad(logG, widerSigma);

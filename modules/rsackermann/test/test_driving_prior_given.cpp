@@ -15,7 +15,7 @@ DrivingPrior makeTerms(const MotionPrior& prior, const Params& params = Params()
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.heading = heading;
-    return DrivingPrior(prior, camera, params, MotionLimits(camera, params));
+    return DrivingPrior(prior, camera, params);
 }
 
 double costOf(const DrivingPrior& terms, const Model& model, const MotionHypothesis& hypothesis)
@@ -85,7 +85,7 @@ TEST(RSAckermann_DrivingPrior, line_delay_is_uncertain)
     prior.yawRateSigma = 0.04;
     prior.speed = -20;
     prior.speedSigma = 1.5;
-    const DrivingPrior terms(prior, camera, params, MotionLimits(camera, params));
+    const DrivingPrior terms(prior, camera, params);
     const double unit = camera.secondsPerUnitTime();
     // 3-4-5 triangles
     EXPECT_NEAR(0.05 * unit / 2, terms.given().alphaSigma, 1e-12);

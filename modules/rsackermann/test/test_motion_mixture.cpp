@@ -13,8 +13,7 @@ class MixtureOfMotions : public testing::Test
 {
 protected:
     MixtureOfMotions()
-        : camera(simulation::paperCamera()), field(camera), prior(MotionPrior(), camera, AckermannEstimator::Params(),
-                                                                  MotionLimits(camera, AckermannEstimator::Params())),
+        : camera(simulation::paperCamera()), field(camera), prior(MotionPrior(), camera, AckermannEstimator::Params()),
           mixture(field, prior, 0)
     {
     }

@@ -73,7 +73,7 @@ TEST(RSAckermann_YawSweep, no_motion_is_swept_twice)
     simulation::SegmentOptions options;
     options.noise = 0.3;
     RefinementProblem problem = makeProblem(camera, params, simulation::randomSegments(street, options, rng).ends);
-    const DrivingPrior prior(MotionPrior(), camera, params, problem.limits);
+    const DrivingPrior prior(MotionPrior(), camera, params);
     problem.prior = &prior;
     problem.weigh();
     Fit fit(MotionHypothesis(MODEL_4LA, 2));

@@ -46,15 +46,23 @@ static void measureLogarithm(double value, double sigma, double& mean, double& l
 }
 
 DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera,
-                           const AckermannEstimator::Params& params, const MotionLimits& limits)
+                           const AckermannEstimator::Params& params)
     : given_(prior, camera), logRatioSigma(params.priorWallRatioLogSigma), heading_(camera.heading),
       headingSigma(params.wallDeviationSigma), height(camera.height),
       speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation), standing(params.standingProbability),
       reverse(params.reverseProbability)
 {
-    const double unit = camera.secondsPerUnitTime();
     const bool knowsWall = params.wallDistance > 0;
-    yawScale = unit > 0 ? params.priorYawRate * unit / 2 : 0.5 * limits.maxAlpha;
+    RollingShutterCamera timed = camera;
+    double unitLogSigma = 0;
+    if (!(camera.secondsPerUnitTime() > 0))
+    {
+        timed.lineDelay = params.priorReadoutTime / camera.imageSize.height;
+        unitLogSigma = params.priorReadoutTimeLogSigma;
+    }
+    const double unit = timed.secondsPerUnitTime();
+    // Of Student's distribution times a log-normal one: the tails go with the mean square of the latter.
+    yawScale = params.priorYawRate * unit / 2 * std::exp(unitLogSigma * unitLogSigma);
     yawShare = yawRateIsGiven() ? 1 / (1 + std::pow(given_.alphaSigma / yawScale, 2)) : 0;
     logYawSum = yawRateIsGiven() ? logSumOfYaw() : 0;
     double logMetres = std::log(params.priorSpeed), speedSigma = params.priorSpeedLogSigma; // per second
@@ -62,11 +70,8 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
         measureLogarithm(std::abs(prior.speed), prior.speedSigma, logMetres, speedSigma);
     roadIsSought_ = params.scaleFromRoad && height > 0 && !knowsWall;
     const double wallDistance = knowsWall ? params.wallDistance : params.priorWallDistance;
-    RollingShutterCamera timed = camera;
-    if (!(unit > 0))
-        timed.lineDelay = params.priorReadoutTime / camera.imageSize.height;
-    logSpeed = logMetres + std::log(timed.secondsPerUnitTime() / wallDistance);
-    logSpeedSigma = std::hypot(speedSigma, unit > 0 ? 0 : params.priorReadoutTimeLogSigma);
+    logSpeed = logMetres + std::log(unit / wallDistance);
+    logSpeedSigma = std::hypot(speedSigma, unitLogSigma);
     logWallSigma = knowsWall ? 0 : params.priorWallDistanceLogSigma;
     roadRatioIsGiven = params.roadRatio > 0 && !roadIsSought_;
     ratio = roadRatioIsGiven ? params.roadRatio : wallDistance / (height > 0 ? height : params.priorHeight);

@@ -34,8 +34,8 @@ It takes the place of a choice among motion models: what the segments don't dete
 class DrivingPrior
 {
 public:
-    DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
-                 const MotionLimits& limits);
+    DrivingPrior(const MotionPrior& prior, const RollingShutterCamera& camera,
+                 const AckermannEstimator::Params& params);
 
     enum { MAX_RESIDUALS = 7, MAX_YAW_RESIDUALS = 2 };
     //! Residuals in units of their standard deviations. @return their number.

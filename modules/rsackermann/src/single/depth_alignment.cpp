@@ -285,7 +285,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
             ? motion.status != MOTION_OK || !isMetric(camera, motion) || relative.isInAnotherUnit(camera.height, params)
             : !relative.hasRoad() || relative.edgesInCommon(segments, params.minLength) < LEAST_IN_COMMON)
         return false;
-    const DrivingPrior prior(given, camera, params, MotionLimits(camera, params));
+    const DrivingPrior prior(given, camera, params);
     const int known = motion.status == MOTION_OK ? motion.direction : prior.givenDirection(),
               direction = known < 0 ? -1 : 1;
     AlignmentProblem problem(camera, params, prior, direction);

@@ -133,7 +133,7 @@ private:
     void findMotion(RefinementProblem& problem, const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
                     Mat& labels) const
     {
-        const DrivingPrior driving(prior, camera, params, problem.limits);
+        const DrivingPrior driving(prior, camera, params);
         problem.prior = &driving;
         problem.roadRatio = driving.roadRatio();
         Posterior found;

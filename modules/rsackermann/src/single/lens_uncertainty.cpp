@@ -24,10 +24,9 @@ void addFocalUncertainty(const RefinementProblem& problem, const RollingShutterC
     RollingShutterCamera other = camera;
     other.cameraMatrix(0, 0) *= longer;
     other.cameraMatrix(1, 1) *= longer;
-    const MotionLimits limits(other, params);
-    const DrivingPrior driving(prior, other, params, limits);
+    const DrivingPrior driving(prior, other, params);
     RefinementProblem rescaled = problem;
-    rescaled.limits = limits;
+    rescaled.limits = MotionLimits(other, params);
     rescaled.prior = &driving;
     rescaled.focal = other.cameraMatrix(0, 0);
     selectCandidates(segments, other, params, rescaled.verticals, rescaled.others);
