@@ -23,8 +23,16 @@ RollingShutterCamera cameraOf(int scan, double readout)
     return camera;
 }
 
-ReadoutRatio ratioOf(const RollingShutterCamera& truth, const RollingShutterCamera& given, int frames)
+// Of the right third of the image, by how much a truck that drives there makes points move and verticals lean.
+struct Truck
 {
+    double motion = 0, lean = 0; // pixels, tangent
+};
+
+ReadoutRatio ratioOf(const RollingShutterCamera& truth, const RollingShutterCamera& given, int frames,
+                     const Truck& truck = Truck())
+{
+    const double left = 640;
     const AckermannEstimator::Params params;
     StreetDrive street(truth, 0, 0, StreetDrive::Options(), 5);
     SequenceFilter filter(given, params);
@@ -33,12 +41,19 @@ ReadoutRatio ratioOf(const RollingShutterCamera& truth, const RollingShutterCame
     ReadoutRatio ratio;
     for (int i = 0; i < frames; i++)
     {
-        const StreetDrive::Frame frame = street.frame(i / 30., 1 / 30.);
+        StreetDrive::Frame frame = street.frame(i / 30., 1 / 30.);
         std::vector<PointPair> pairs;
         for (int k = 0; k < frame.points.rows; k++)
         {
             const double* p = frame.points.ptr<double>(k);
-            pairs.push_back(PointPair{Point2d(p[0], p[1]), Point2d(p[2], p[3])});
+            const bool isOfTruck = p[2] > left;
+            pairs.push_back(PointPair{Point2d(p[0] - isOfTruck * truck.motion, p[1]), Point2d(p[2], p[3])});
+        }
+        for (int k = 0; k < frame.segments.rows; k++)
+        {
+            Vec4d& segment = *frame.segments.ptr<Vec4d>(k);
+            if (segment[0] > left)
+                segment[0] += truck.lean * (segment[1] - segment[3]);
         }
         features.setPoints(given, pairs, 1 / 30.);
         selectCandidates(frame.segments, given, params, features.verticals, features.others);
@@ -66,6 +81,20 @@ TEST(RSAckermann_Readout, is_found_over_the_given_one)
     const ReadoutRatio global = ratioOf(cameraOf(SCAN_TOP_TO_BOTTOM, 1e-4 * READOUT), truth, 60);
     EXPECT_NEAR(0, global.value(), 0.3);
     EXPECT_GT(global.error(), 0);
+}
+
+// Verticals beside points that move otherwise count as little as these.
+TEST(RSAckermann_Readout, of_trucks_does_not_count)
+{
+    const RollingShutterCamera camera = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT);
+    for (const double lean : {-0.05, -0.01, 0.05})
+    {
+        Truck truck;
+        truck.motion = 20;
+        truck.lean = lean;
+        const ReadoutRatio ratio = ratioOf(camera, camera, 60, truck);
+        EXPECT_NEAR(1, ratio.value(), 0.1) << lean;
+    }
 }
 
 // Its standard deviation is that of parts of the drive, of which there are 16 at most.
