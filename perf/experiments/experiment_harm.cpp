@@ -58,13 +58,15 @@ void makeAnyCamera(cv::RNG& rng, Frame& frame)
 {
     const double rollSigma = 2 * DEGREE, pitchSigma = 5 * DEGREE;
     street::StreetCamera& camera = frame.street.camera;
+    AckermannEstimator::Params& params = frame.experiment.params;
     camera.fx = camera.fy = 0.9 * camera.size.width * std::max(1 + rng.gaussian(0.2), 0.5);
-    camera.lineDelay = 0.05 * std::exp(rng.gaussian(0.7)) / camera.size.height;
+    camera.lineDelay =
+        params.priorReadoutTime * std::exp(rng.gaussian(params.priorReadoutTimeLogSigma)) / camera.size.height;
     camera.roll = rng.gaussian(rollSigma);
     camera.pitch = rng.gaussian(pitchSigma);
     frame.experiment.knowledge.camera = false;
-    frame.experiment.params.gravitySigma = rollSigma;
-    frame.experiment.params.vehiclePitchSigma = pitchSigma;
+    params.gravitySigma = rollSigma;
+    params.vehiclePitchSigma = pitchSigma;
 }
 
 Frame randomFrame(int seed, int given, bool isCameraKnown)
