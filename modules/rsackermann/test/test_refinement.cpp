@@ -52,6 +52,13 @@ TEST(RSAckermann_Refinement, covariance_of_gravity_alone)
     }
 }
 
+void refineWithInflation(RefinementProblem& problem, Fit& fit)
+{
+    fit.refine(problem);
+    problem.inflation = covarianceInflation(problem, fit);
+    fit.refine(problem);
+}
+
 // If the loss is quadratic: the least-squares estimate of the noise, with the unknowns taken off, and the covariance of
 // dense normal equations with derivatives by differences.
 TEST(RSAckermann_Refinement, covariance_of_least_squares)
@@ -64,9 +71,11 @@ TEST(RSAckermann_Refinement, covariance_of_least_squares)
     problem.sigma = 0.05; // too small: the residuals say more
     problem.weigh();
     const MotionHypothesis hypothesis(MODEL_4LA, 2);
-    Model model = modelOf(street);
-    Matx<double, PARAMETERS, PARAMETERS> covariance;
-    refine(problem, hypothesis, VERTICALS_ONLY, 50, model, &covariance);
+    Fit fit(hypothesis);
+    fit.model = modelOf(street);
+    refineWithInflation(problem, fit);
+    const Model& model = fit.model;
+    const Matx<double, PARAMETERS, PARAMETERS>& covariance = fit.covariance;
 
     const int n = hypothesis.unknowns();
     Mat1d J(count, n);
@@ -109,11 +118,11 @@ TEST(RSAckermann_Refinement, covariance_of_what_is_known)
     {
         problem.sigma = sigma;
         problem.weigh();
-        Model model = modelOf(street);
-        Matx<double, PARAMETERS, PARAMETERS> covariance;
-        refine(problem, MotionHypothesis(MODEL_4LA, 2), VERTICALS_ONLY, 50, model, &covariance);
+        Fit fit(MotionHypothesis(MODEL_4LA, 2));
+        fit.model = modelOf(street);
+        refineWithInflation(problem, fit);
         for (const Parameter p : {P_ROLL, P_PITCH})
-            EXPECT_NEAR(1e-4, std::sqrt(covariance(p, p)), 2e-6) << sigma;
+            EXPECT_NEAR(1e-4, std::sqrt(fit.covariance(p, p)), 2e-6) << sigma;
     }
 }
 

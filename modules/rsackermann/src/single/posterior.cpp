@@ -235,7 +235,9 @@ private:
         problem.noiseIsKnown = true;
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
-        ownNoise = ownNoiseOf(leastOf(rest, moving));
+        const Fit& best = leastOf(rest, moving);
+        ownNoise = ownNoiseOf(best);
+        problem.inflation = covarianceInflation(problem, best);
         refineAll(rest, moving);
     }
 

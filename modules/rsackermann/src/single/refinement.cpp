@@ -103,16 +103,6 @@ bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypo
            hasBothSides(problem.verticals.front().u[0], problem.verticals.back().u[0]);
 }
 
-// Covariance of an M-estimator over the inverse of its weighted normal equations (doc/theory.md, "Estimation"): what
-// the outliers that still count and the unknowns themselves cost.
-static double covarianceInflation(const ResidualSums& sums, double unknowns)
-{
-    if (!(sums.slopes > 0) || !(sums.weights > unknowns))
-        return 1;
-    return std::max(1., sums.influence2 * sums.weights / (sums.slopes * sums.slopes) * sums.weights /
-                            (sums.weights - unknowns));
-}
-
 // Sums over segments and priors as normal equations of the free parameters.
 static void toEquations(const ResidualSums& sums, int size, ParameterEquations& equations)
 {
@@ -130,11 +120,8 @@ class ModelProblem
 {
 public:
     typedef Model State;
-    typedef ParameterEquations::Vector Step;
-    struct Equations : ParameterEquations
-    {
-        double inflation; // of the covariance
-    };
+    typedef ParameterEquations Equations;
+    typedef Equations::Vector Step;
 
     ModelProblem(const RefinementProblem& data_, const MotionHypothesis& hypothesis_, Evidence evidence_)
         : data(data_), hypothesis(hypothesis_), evidence(evidence_),
@@ -142,7 +129,7 @@ public:
     {
     }
 
-    void evaluate(const Model& model, Equations& equations) const
+    ResidualSums ofSegments(const Model& model) const
     {
         const RobustLoss loss(data.lossScale, data.verticalWeight), otherLoss(data.lossScale, data.otherWeight);
         const PreparedModel prepared(model, data.heading, data.roadRatio, hypothesis.translates());
@@ -150,9 +137,14 @@ public:
         addVerticals(data.verticalArrays, prepared, loss, unknowns, sums);
         if (evidence == ALL_SEGMENTS)
             addDirections(data.otherArrays, prepared, otherLoss, unknowns, sums);
+        return sums;
+    }
+
+    void evaluate(const Model& model, Equations& equations) const
+    {
+        ResidualSums sums = ofSegments(model);
         addPriors(data, hypothesis, unknowns, model, sums);
         toEquations(sums, unknowns.count, equations);
-        equations.inflation = covarianceInflation(sums, unknowns.count);
     }
 
     Model moved(Model model, const Step& step) const
@@ -175,7 +167,7 @@ public:
         toEquations(ofPriors, n, prior);
         const ParameterEquations::Matrix known = prior.symmetric();
         const ParameterEquations::Matrix inverse =
-            scaledInverse<ParameterEquations::Matrix>((equations.symmetric() - known) / equations.inflation + known);
+            scaledInverse<ParameterEquations::Matrix>((equations.symmetric() - known) / data.inflation + known);
         Matx<double, PARAMETERS, PARAMETERS> result = Matx<double, PARAMETERS, PARAMETERS>::zeros();
         if (inverse.allFinite())
             for (int i = 0; i < n; i++)
@@ -204,6 +196,17 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
     if (covariance)
         *covariance = ofModel.covariance(model, equations);
     return equations.cost < DBL_MAX ? equations.cost : DBL_MAX;
+}
+
+double covarianceInflation(const RefinementProblem& problem, const Fit& fit)
+{
+    const ModelProblem ofModel(problem, fit.hypothesis, ALL_SEGMENTS);
+    const ResidualSums sums = ofModel.ofSegments(fit.model);
+    const int unknowns = ofModel.unknowns.count;
+    if (!(sums.slopes > 0) || !(sums.weights > unknowns))
+        return 1;
+    return std::max(1., sums.influence2 * sums.weights / (sums.slopes * sums.slopes) * sums.weights /
+                            (sums.weights - unknowns));
 }
 
 void Fit::refine(const RefinementProblem& problem, double farthest)
