@@ -99,6 +99,20 @@ TEST(RSAckermann_RateProcess, begins_with_the_last_mean)
     }
 }
 
+// Of a car that steers into a bend, of whose turns those of a wandering rate are half as large again.
+TEST(RSAckermann_RateProcess, learns_how_it_grows)
+{
+    const double usual = 0.05, growth = 0.4, noise = 1e-4;
+    RateProcess rate;
+    rate.expectChange(1e-6, INTERVAL);
+    EXPECT_NEAR(usual, rate.expectedGrowth(INTERVAL, usual), 1e-12);
+    const int frames = 200;
+    for (int i = 0; i < frames; i++)
+        rate.add(InstantRate(growth * i * INTERVAL, noise), 0, INTERVAL);
+    EXPECT_NEAR(std::sqrt(2.) * growth, rate.expectedGrowth(INTERVAL, usual), 0.03 * growth);
+    EXPECT_NEAR(rate.expectedGrowth(INTERVAL, usual), rate.expectedGrowth(-INTERVAL, usual), 1e-12);
+}
+
 // A suspension, and an arm of 5 Hz: with the next frame better than without, without better than the last mean, and
 // better still if the rows show changes, whatever the scene adds to all of them.
 TEST(RSAckermann_RowRates, of_oscillations)

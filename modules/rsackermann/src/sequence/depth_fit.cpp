@@ -146,7 +146,7 @@ public:
         addPrior(u, D_YAW_RATE, before.value[SEQUENCE_YAW_RATE],
                  std::sqrt(before.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)), equations);
         for (int i = SEQUENCE_VALUES; i < FLOW_VALUES; i++)
-            addPrior(u, D_TURNS + i - SEQUENCE_VALUES, 0, i == FLOW_YAW_CHANGE ? YAW_CHANGE_SIGMA : TURN_SIGMA,
+            addPrior(u, D_TURNS + i - SEQUENCE_VALUES, 0, i == FLOW_YAW_CHANGE ? planes.yawGrowthSigma : TURN_SIGMA,
                      equations);
         addPrior(u, D_SCALE, sign * standard.sigma * given.scale, standard.sigma * given.sigma, equations);
         if (given.isMetric) // a rounding error, so that the equations stay regular

@@ -32,13 +32,13 @@ public:
     typedef FlowEquations Equations;
 
     FrameFitProblem(const RollingShutterCamera& camera_, const std::vector<TrackedBearing>& bearings_,
-                    const std::vector<UprightSegment>& verticals_, const SequenceState& prediction)
+                    const std::vector<UprightSegment>& verticals_, const SequenceState& prediction, double yawGrowth)
         : bearings(bearings_), residual(camera_), camera(camera_), verticals(verticals_),
           pointWeights(bearings_.size(), Matx22d::eye() * (1 / POINT_SIGMA)), slantWeights(verticals_.size(), 1.),
           unit(camera.secondsPerUnitTime()), focal(camera.cameraMatrix(0, 0)), scale(1)
     {
         FlowEquations::Matrix covariance = FlowEquations::Matrix::Identity() * (TURN_SIGMA * TURN_SIGMA);
-        covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = YAW_CHANGE_SIGMA * YAW_CHANGE_SIGMA;
+        covariance(FLOW_YAW_CHANGE, FLOW_YAW_CHANGE) = yawGrowth * yawGrowth;
         covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>() =
             Eigen::Map<const StateMatrix>(prediction.covariance.val);
         prior = scaledInverse(covariance);
@@ -340,6 +340,7 @@ SequenceFit toFit(FrameFitProblem& problem, Minimum best, const FitNuisances& nu
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     problem.measureTurns(best.at, fit.before, fit.after);
     problem.setState(best, nuisances, fit.state);
+    fit.yawGrowthSigma = nuisances.yawGrowth;
     fit.readout = problem.measureReadout(best, nuisances.readoutRatio);
     return fit;
 }
@@ -351,7 +352,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
                      bool isUninitialised, const FitNuisances& nuisances)
 {
     const double focal = camera.cameraMatrix(0, 0);
-    FrameFitProblem problem(camera, bearings, verticals, prediction);
+    FrameFitProblem problem(camera, bearings, verticals, prediction, nuisances.yawGrowth);
     SequenceFit fit(prediction), other(prediction);
     const Minimum best = search(problem, focal, isUninitialised, fit);
     Minimum rest;
@@ -361,7 +362,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
     const std::vector<TrackedBearing> above = aboveOwnCar(bearings, focal, cost);
     if (fit.moves && above.size() < bearings.size() && above.size() >= LEAST_POINTS)
     {
-        FrameFitProblem ofScene(camera, above, verticals, prediction);
+        FrameFitProblem ofScene(camera, above, verticals, prediction, nuisances.yawGrowth);
         const Minimum scene = search(ofScene, focal, isUninitialised, other);
         if (scene.equations.cost + cost < best.equations.cost)
             return toFit(ofScene, scene, nuisances, other);

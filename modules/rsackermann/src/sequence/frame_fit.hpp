@@ -26,6 +26,8 @@ struct NeighbourTurns
     RowTurn yaw, pitch, roll;
 };
 
+const double YAW_GROWTH = 3 * CV_PI / 180; //!< rad/s^2, of a car that steers gently
+
 //! The evidence of a frame of a sequence.
 struct SequenceFit
 {
@@ -36,7 +38,8 @@ struct SequenceFit
     bool moves = false;              //!< whether the points rule out a camera at rest
     bool stands = false;             //!< whether they rule out the predicted motion instead
     ReadoutEvidence readout;
-    double residual = 1; //!< of the points that agree, over their displacement in the raw image
+    double yawGrowthSigma = YAW_GROWTH; //!< of its prior, rad/s^2
+    double residual = 1;                //!< of the points that agree, over their displacement in the raw image
     double agreeing = 0; //!< share of the points that agree with the motion, without those on the car itself
 
     explicit SequenceFit(const SequenceState& prediction_) : prediction(prediction_), state(prediction_) {}
@@ -46,6 +49,7 @@ struct SequenceFit
 struct FitNuisances
 {
     double pitchChange = 0, rollChange = 0; //!< of these rates from frame to frame, rad/s
+    double yawGrowth = YAW_GROWTH;          //!< of the yaw rate between frames, rad/s^2
     double interval = 0;                    //!< relative, of the time between frames
     double readoutRatio = 1;                //!< what the frames so far show of it, see ReadoutRatio
 };

@@ -17,8 +17,7 @@ namespace cv { namespace rsackermann {
 const int STEPS = 10; //!< of a fit, at each scale of the loss
 //! Of the points' loss, in sigmas: with ever less tolerance for points that disagree.
 const double POINT_SCALES[] = {8, 3, 1};
-const double YAW_CHANGE_SIGMA = 3 * CV_PI / 180; //!< rad/s^2, as cars usually steer: two frames hardly determine it
-const double TURN_SIGMA = 0.5 * CV_PI / 180;     //!< of pitch and roll from frame to frame
+const double TURN_SIGMA = 0.5 * CV_PI / 180; //!< of pitch and roll from frame to frame
 
 //! Whether a point is seen on the car itself: it stands still where the scene moves. @param squared its residual, in
 //! sigmas.

@@ -160,6 +160,14 @@ double RateProcess::expectedChange(double interval, double usual) const
     return pairs > 0 ? std::sqrt(1.5 * std::max(differenceAfter(std::abs(interval)) - 2 * noise, 0.)) : usual;
 }
 
+// A rate that wanders with q per second turns over an interval T by sqrt(q T^3 / 3) more or less than at its end, and
+// one that grows evenly by g T^2 / 2.
+double RateProcess::expectedGrowth(double interval, double usual) const
+{
+    const double perSecond = expectedChange(interval, 0) / interval, square = 4. / 3 * perSecond * perSecond;
+    return std::sqrt((count * square + ASSUMED_FRAMES * usual * usual) / (count + ASSUMED_FRAMES));
+}
+
 void RateProcess::expectChange(double square, double interval)
 {
     if (pairs > 0 || !(square > 0))
@@ -297,6 +305,7 @@ void RowRates::expectChanges(double interval, FitNuisances& nuisances) const
     const double usual = std::sqrt(2.) * TURN_SIGMA / std::abs(interval);
     nuisances.pitchChange = pitch.expectedChange(interval, usual);
     nuisances.rollChange = roll.expectedChange(interval, usual);
+    nuisances.yawGrowth = yaw.expectedGrowth(interval, YAW_GROWTH);
 }
 
 void RowRates::set(const MeasuredTurns& measured)

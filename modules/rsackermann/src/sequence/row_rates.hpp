@@ -70,6 +70,11 @@ public:
     @param usual that of a camera of which nothing is known. */
     double expectedChange(double interval, double usual) const;
 
+    /** Standard deviation of the growth, per second squared, of a rate that grows evenly over an interval in seconds
+    and turns as much as this one does, which wanders.
+    @param usual that of a camera of which nothing is known; it counts as some frames do. */
+    double expectedGrowth(double interval, double usual) const;
+
     //! Standard deviation of the rate at the present frame about 0, if nothing but changes is known.
     double aboutNothing(double read) const;
 
