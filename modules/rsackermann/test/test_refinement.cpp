@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_private_problem.hpp"
-#include "../src/single/refinement.hpp"
+#include "../src/single/posterior.hpp"
 #include "../src/factors/segment_residuals.hpp"
 
 namespace opencv_test { namespace {
@@ -124,6 +124,29 @@ TEST(RSAckermann_Refinement, covariance_of_what_is_known)
         for (const Parameter p : {P_ROLL, P_PITCH})
             EXPECT_NEAR(1e-4, std::sqrt(fit.covariance(p, p)), 2e-6) << sigma;
     }
+}
+
+// What outliers cost is measured with the noise, which the problem keeps.
+TEST(RSAckermann_Refinement, inflation_is_that_of_the_best_fit)
+{
+    const Simulator street = Simulator::fromMetric(simulation::paperCamera(), 0.3, 12, 4, 5, 0);
+    RNG rng(6);
+    simulation::SegmentOptions options;
+    options.count = 250;
+    options.noise = 2;
+    options.inlierRatio = 0.6;
+    const AckermannEstimator::Params params;
+    const Mat segments = simulation::randomSegments(street, options, rng).ends;
+    RefinementProblem problem = makeProblem(street.camera, params, segments);
+    const DrivingPrior prior(MotionPrior(), street.camera, params);
+    problem.prior = &prior;
+    Posterior found;
+    ASSERT_TRUE(explorePosterior(problem, params, DisplacementField(street.camera, problem.ends()), found));
+    Fit best(MotionHypothesis(MODEL_4LA, 2));
+    best.model = modelOf(street);
+    best.refine(problem);
+    EXPECT_NEAR(covarianceInflation(problem, best), problem.inflation, 0.1 * problem.inflation);
+    EXPECT_GT(problem.inflation, 2);
 }
 
 }} // namespace

@@ -7,6 +7,7 @@
 #include "test_drive_simulator.hpp"
 #include "test_shaking_camera.hpp"
 #include "../src/sequence/row_rates.hpp"
+#include "../src/sequence/sequence_filter.hpp"
 #include "opencv2/rsackermann/corrector.hpp"
 
 #include <numeric>
@@ -99,7 +100,7 @@ TEST(RSAckermann_RateProcess, begins_with_the_last_mean)
     }
 }
 
-// Of a car that steers into a bend, of whose turns those of a wandering rate are half as large again.
+// A rate that grows evenly: one that wanders has to grow by sqrt(2) of that for means that differ as much.
 TEST(RSAckermann_RateProcess, learns_how_it_grows)
 {
     const double usual = 0.05, growth = 0.4, noise = 1e-4;
@@ -111,6 +112,54 @@ TEST(RSAckermann_RateProcess, learns_how_it_grows)
         rate.add(InstantRate(growth * i * INTERVAL, noise), 0, INTERVAL);
     EXPECT_NEAR(std::sqrt(2.) * growth, rate.expectedGrowth(INTERVAL, usual), 0.03 * growth);
     EXPECT_NEAR(rate.expectedGrowth(INTERVAL, usual), rate.expectedGrowth(-INTERVAL, usual), 1e-12);
+}
+
+// By how much a level car seems to pitch and roll between frames, radians, root mean square.
+double turnsOfLevelCar(double yawRate, bool learns)
+{
+    const RollingShutterCamera camera = cameraOf(0.03);
+    const AckermannEstimator::Params params;
+    simulation::StreetDrive::Options options;
+    options.yawRate = yawRate;
+    options.tilt = 0;
+    simulation::StreetDrive street(camera, 0, 0, options, 3);
+    SequenceFilter filter(camera, params);
+    RowRates rates(RowRates::usualSteering(params));
+    FrameFeatures features;
+    const int frames = 100, first = 10;
+    const double interval = 0.1;
+    double squares = 0;
+    for (int i = 0; i < frames; i++)
+    {
+        const simulation::StreetDrive::Frame frame = street.frame(i * interval, interval);
+        std::vector<PointPair> pairs;
+        for (int k = 0; k < frame.points.rows; k++)
+        {
+            const double* p = frame.points.ptr<double>(k);
+            pairs.push_back(PointPair{Point2d(p[0], p[1]), Point2d(p[2], p[3])});
+        }
+        features.setPoints(camera, pairs, interval);
+        selectCandidates(frame.segments, camera, params, features.verticals, features.others);
+        filter.advance(frame.seconds, camera, params);
+        FitNuisances nuisances;
+        if (learns)
+            rates.expectChanges(interval, nuisances);
+        SequenceFit fit(filter.state);
+        EXPECT_TRUE(filter.update(features, camera, params, fit, nuisances)) << i;
+        rates.update(fit, interval, 0, camera.lineDelay * camera.imageSize.height);
+        if (i >= first)
+            squares += std::pow(fit.values[FLOW_PITCH_BEFORE], 2) + std::pow(fit.values[FLOW_ROLL_BEFORE], 2);
+    }
+    return std::sqrt(squares / (frames - first));
+}
+
+// A yaw rate that grows isn't a turn about another axis.
+TEST(RSAckermann_RowRates, in_bends)
+{
+    const double bends = turnsOfLevelCar(40 * degree, true), unlearned = turnsOfLevelCar(40 * degree, false);
+    RecordProperty("bends", std::to_string(bends));
+    RecordProperty("unlearned", std::to_string(unlearned));
+    EXPECT_LT(bends, 0.7 * unlearned);
 }
 
 // A suspension, and an arm of 5 Hz: with the next frame better than without, without better than the last mean, and
