@@ -29,8 +29,6 @@ struct FreeParameters
 struct ResidualSums
 {
     double cost = 0;
-    double weights = 0, influence2 = 0,
-           slopes = 0;                           // over the segments: weight, squared influence, slope of the influence
     double gradient[PARAMETERS] = {};            // in the order of FreeParameters
     double hessian[PARAMETERS][PARAMETERS] = {}; // lower triangle
 };

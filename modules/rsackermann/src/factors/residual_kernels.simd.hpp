@@ -85,7 +85,7 @@ class Sums
 
 public:
     Sums(const RobustLoss& loss_, const FreeParameters& unknowns_)
-        : unknowns(unknowns_), loss(loss_), cost(0.), weights(0.), influence2(0.), slopes(0.), filled(0)
+        : unknowns(unknowns_), loss(loss_), cost(0.), filled(0)
     {
         for (int i = 0; i < unknowns.count; i++)
         {
@@ -98,13 +98,9 @@ public:
     // The residual scale * value of a segment; padding has the scale 0.
     void add(const Pack& value, const Pack* by, const Pack& scale)
     {
-        const Pack one(1), r = scale * value, r2 = r * r;
+        const Pack r = scale * value, r2 = r * r;
         const Pack w = choose(scale > Pack(0.), loss.slope(r2), Pack(0.));
         cost = cost + loss.cost(r2);
-        weights = weights + w;
-        // The influence is r * weight.
-        influence2 = influence2 + w * w * r2;
-        slopes = slopes + w * (one - Pack(4) * (one - loss.fading(r2)));
         weight[filled] = w;
         residual[filled] = r;
         for (int i = 0; i < unknowns.count; i++)
@@ -121,9 +117,6 @@ public:
         while (filled > 0) // up to a whole block
             add(zero, none, zero);
         sums.cost += cost.sum();
-        sums.weights += weights.sum();
-        sums.influence2 += influence2.sum();
-        sums.slopes += slopes.sum();
         for (int i = 0; i < unknowns.count; i++)
         {
             sums.gradient[i] += gradient[i].sum();
@@ -153,7 +146,7 @@ private:
 
     const FreeParameters& unknowns;
     GemanMcClureLoss<Pack> loss;
-    Pack cost, weights, influence2, slopes;
+    Pack cost;
     Pack gradient[PARAMETERS], hessian[PARAMETERS][PARAMETERS];
     int filled;
     Pack weight[BLOCK], residual[BLOCK], scaled[PARAMETERS][BLOCK];

@@ -235,9 +235,7 @@ private:
         problem.noiseIsKnown = true;
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
-        const Fit& best = leastOf(rest, moving);
-        ownNoise = ownNoiseOf(best);
-        problem.inflation = covarianceInflation(problem, best);
+        ownNoise = ownNoiseOf(leastOf(rest, moving));
         refineAll(rest, moving);
     }
 

@@ -129,7 +129,7 @@ public:
     {
     }
 
-    ResidualSums ofSegments(const Model& model) const
+    void evaluate(const Model& model, Equations& equations) const
     {
         const RobustLoss loss(data.lossScale, data.verticalWeight), otherLoss(data.lossScale, data.otherWeight);
         const PreparedModel prepared(model, data.heading, data.roadRatio, hypothesis.translates());
@@ -137,12 +137,6 @@ public:
         addVerticals(data.verticalArrays, prepared, loss, unknowns, sums);
         if (evidence == ALL_SEGMENTS)
             addDirections(data.otherArrays, prepared, otherLoss, unknowns, sums);
-        return sums;
-    }
-
-    void evaluate(const Model& model, Equations& equations) const
-    {
-        ResidualSums sums = ofSegments(model);
         addPriors(data, hypothesis, unknowns, model, sums);
         toEquations(sums, unknowns.count, equations);
     }
@@ -157,17 +151,10 @@ public:
     bool allows(const Model& model) const { return data.limits.allow(model) && wallsAreSeen(data, hypothesis, model); }
 
     // The covariance of all parameters; 0 for those that aren't free.
-    Matx<double, PARAMETERS, PARAMETERS> covariance(const Model& model, const Equations& equations) const
+    Matx<double, PARAMETERS, PARAMETERS> covariance(const Equations& equations) const
     {
         const int n = unknowns.count;
-        // The inflation takes from the information of the segments, but not from that of the priors.
-        ResidualSums ofPriors;
-        addPriors(data, hypothesis, unknowns, model, ofPriors);
-        ParameterEquations prior;
-        toEquations(ofPriors, n, prior);
-        const ParameterEquations::Matrix known = prior.symmetric();
-        const ParameterEquations::Matrix inverse =
-            scaledInverse<ParameterEquations::Matrix>((equations.symmetric() - known) / data.inflation + known);
+        const Equations::Matrix inverse = scaledInverse<Equations::Matrix>(equations.symmetric());
         Matx<double, PARAMETERS, PARAMETERS> result = Matx<double, PARAMETERS, PARAMETERS>::zeros();
         if (inverse.allFinite())
             for (int i = 0; i < n; i++)
@@ -194,19 +181,8 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
     options.farthest = farthest;
     minimize(ofModel, options, model, equations);
     if (covariance)
-        *covariance = ofModel.covariance(model, equations);
+        *covariance = ofModel.covariance(equations);
     return equations.cost < DBL_MAX ? equations.cost : DBL_MAX;
-}
-
-double covarianceInflation(const RefinementProblem& problem, const Fit& fit)
-{
-    const ModelProblem ofModel(problem, fit.hypothesis, ALL_SEGMENTS);
-    const ResidualSums sums = ofModel.ofSegments(fit.model);
-    const int unknowns = ofModel.unknowns.count;
-    if (!(sums.slopes > 0) || !(sums.weights > unknowns))
-        return 1;
-    return std::max(1., sums.influence2 * sums.weights / (sums.slopes * sums.slopes) * sums.weights /
-                            (sums.weights - unknowns));
 }
 
 void Fit::refine(const RefinementProblem& problem, double farthest)

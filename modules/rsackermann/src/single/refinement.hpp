@@ -31,7 +31,6 @@ struct RefinementProblem
     double directionSigma = 1;          // pixels, of the residual of another segment
     double lossScale = 1;               // of the robust loss, in sigmas
     bool noiseIsKnown = false;          // whether sigma, lean and lossScale are those that were measured
-    double inflation = 1;               // of the covariance, by the segments' noise
     double verticalWeight = 1;          // of the evidence of a vertical: below 1 if they err together
     double otherWeight = 1;             // the same for another segment
     double roadRatio = 1;               // distance of the left (or only) wall over the height of the camera
@@ -89,11 +88,6 @@ struct Fit
     //! Refines the model with all segments. @param farthest cost above which it may end early.
     void refine(const RefinementProblem& problem, double farthest = DBL_MAX);
 };
-
-/** Covariance of an M-estimator over the inverse of its weighted normal equations (doc/theory.md, "Estimation"): what
-the outliers that still count and the unknowns themselves cost. It belongs to the noise, which the best fit shows:
-elsewhere the loss has hardly a slope, or none. */
-double covarianceInflation(const RefinementProblem& problem, const Fit& fit);
 
 //! Logarithm of the square root of the determinant of the covariance of the unknowns that are free.
 double logVolume(const Fit& fit);

@@ -68,7 +68,7 @@ YawSweep::YawSweep(const RefinementProblem& problem, const Fit& minimum, const s
 // Refines the motion at the yaw rate of a fit. Returns the logarithm of its density.
 double YawSweep::add(const RefinementProblem& problem, double width, Fit& fit)
 {
-    const int iterations = 12;
+    const int iterations = 8;
     fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
     const double density = logEvidence(problem, fit) + problem.prior->logYawDensity(fit.model[P_ALPHA]);
     fits.push_back(fit);
