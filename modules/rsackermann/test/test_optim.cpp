@@ -223,7 +223,8 @@ TEST(RSAckermann_Optim, schur_complement_is_a_part_of_the_inverse)
         const ByOthers B = H.topRightCorner<ELIMINATED, OTHERS>();
         Eigen::Matrix3d C = H.bottomRightCorner<OTHERS, OTHERS>();
         Eigen::Vector3d b = g.tail<OTHERS>();
-        const SchurComplement<ByOthers, Eliminated> eliminated(A.llt(), B, g.head<ELIMINATED>());
+        const Eliminated a = g.head<ELIMINATED>();
+        const SchurComplement<ByOthers, Eliminated> eliminated(A.llt().solve(B), A.llt().solve(a), a);
         eliminated.reduce(B, C, b);
         const Eigen::Vector3d others = -C.inverse() * b;
         const double tolerance = 1e-9 * inverse.norm();

@@ -26,12 +26,13 @@ ReducedMount::ReducedMount(const MountEquations& equations, double damping)
     {
         FrameEquations::Matrix full = equations.frames[k].symmetric();
         full.diagonal() *= 1 + damping;
-        const Eigen::Matrix<double, SCENE_VALUES, SCENE_VALUES> ofScene =
-            full.topLeftCorner<SCENE_VALUES, SCENE_VALUES>();
+        typedef Eigen::Matrix<double, SCENE_VALUES, SCENE_VALUES> OfScene;
+        const OfScene inverse = scaledInverse<OfScene>(full.topLeftCorner<SCENE_VALUES, SCENE_VALUES>());
+        const Eigen::Matrix<double, SCENE_VALUES, 1> own = equations.frames[k].gradient.head<SCENE_VALUES>();
         const Eigen::Matrix<double, SCENE_VALUES, OTHERS> byOthers = full.topRightCorner<SCENE_VALUES, OTHERS>();
         Eigen::Matrix<double, OTHERS, OTHERS> rest = full.bottomRightCorner<OTHERS, OTHERS>();
         Others others = equations.frames[k].gradient.tail<OTHERS>();
-        scenes.push_back(Scene(ofScene.llt(), byOthers, equations.frames[k].gradient.head<SCENE_VALUES>()));
+        scenes.push_back(Scene(inverse * byOthers, inverse * own, own));
         scenes[k].reduce(byOthers, rest, others);
         gradients.push_back(others);
         const int at = unknownOf(k, 0);
@@ -64,14 +65,16 @@ ReducedMount::ReducedMount(const MountEquations& equations, double damping)
         }
     Eigen::SparseMatrix<double> ofLinked(unknowns, unknowns);
     ofLinked.setFromTriplets(entries.begin(), entries.end());
-    linked = SchurComplement<ByMount, Eigen::VectorXd>(Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(ofLinked),
-                                                       mixed, linkedGradient);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(ofLinked);
+    linked =
+        SchurComplement<ByMount, Eigen::VectorXd>(solver.solve(mixed), solver.solve(linkedGradient), linkedGradient);
     linked.reduce(mixed, information, gradient);
 }
 
 double ReducedMount::solve(MountState& step) const
 {
-    step.mount = -information.ldlt().solve(gradient);
+    step.mount = -gradient;
+    solveDamped(information, 0, step.mount);
     double gain = linked.gain - step.mount.dot(gradient);
     const Eigen::VectorXd change = linked.substitute(step.mount);
     step.frames.resize(scenes.size());

@@ -110,7 +110,7 @@ public:
     MountFit result() const
     {
         const ReducedMount reduced(equations);
-        const MountMatrix inverse = reduced.information.inverse();
+        const MountMatrix inverse = scaledInverse(reduced.information);
         const SeriesMatrix scatter = scatterOfMeans(reduced.scores());
         // The information of the weights joins what the frames show as some more frames would.
         const double more = ASSUMED_FRAMES / (double(frames.size()) + ASSUMED_FRAMES);
@@ -120,7 +120,7 @@ public:
         fit.value = mount;
         fit.sigma = MountMatrix(inverse * (ofScores + prior()) * inverse).diagonal().cwiseSqrt();
         fit.turningSigma =
-            std::sqrt(MountMatrix((reduced.information - sameDelay()).inverse())(MOUNT_DELAY, MOUNT_DELAY));
+            std::sqrt(scaledInverse<MountMatrix>(reduced.information - sameDelay())(MOUNT_DELAY, MOUNT_DELAY));
         fit.weightsSigma = std::sqrt(inverse(MOUNT_DELAY, MOUNT_DELAY));
         takeMeanTilts(scatter, reduced.linkedByMount(), inverse, fit);
         return fit;

@@ -9,19 +9,25 @@
 
 namespace cv { namespace rsackermann {
 
+//! The most unknowns that can be solved for at once.
+enum { MAX_UNKNOWNS = 24 };
+
+//! As scaledInverse(), in place. Compiled once for all sizes, which templates of Eigen would be for each.
+void invertScaled(Eigen::Ref<Eigen::MatrixXd> information);
+
+//! As NormalEquations::solve(). @param step the negative gradient, and then the step.
+void solveDamped(const Eigen::Ref<const Eigen::MatrixXd>& information, double damping,
+                 Eigen::Ref<Eigen::VectorXd> step);
+
 /** Inverse of a positive semidefinite matrix whose rows and columns may have units that differ by orders of magnitude:
 it keeps its digits because a matrix with a diagonal of ones is inverted. What nothing is known of gets a large
 variance. */
 template <class Square>
-Square scaledInverse(const Square& information)
+Square scaledInverse(Square information)
 {
-    const Eigen::Matrix<double, Square::RowsAtCompileTime, 1, 0, Square::MaxRowsAtCompileTime, 1> scale =
-        (information.diagonal().array() + 1e-9).sqrt().inverse();
-    Square scaled = scale.asDiagonal() * information * scale.asDiagonal();
-    scaled.diagonal().array() += 1e-12;
-    Square inverse = Square::Identity(scaled.rows(), scaled.cols());
-    Eigen::LLT<Eigen::Ref<Square>>(scaled).solveInPlace(inverse);
-    return scale.asDiagonal() * inverse * scale.asDiagonal();
+    static_assert(int(Square::MaxRowsAtCompileTime) <= int(MAX_UNKNOWNS), "too many unknowns");
+    invertScaled(information);
+    return information;
 }
 
 /** Cost and normal equations of a least squares problem at a state: the sums of w r^2, w J^T r and w J^T J.
@@ -62,9 +68,9 @@ struct NormalEquations
     @return the gain of the step if the cost is quadratic and the damping small. */
     double solve(double damping, Vector& step) const
     {
-        Matrix damped = information;
-        damped.diagonal() *= 1 + damping;
-        step = damped.template selfadjointView<Eigen::Lower>().ldlt().solve(-gradient);
+        static_assert(MAX <= int(MAX_UNKNOWNS), "too many unknowns");
+        step = -gradient;
+        solveDamped(information, damping, step);
         return -step.dot(gradient);
     }
 };

@@ -22,10 +22,8 @@ struct SchurComplement
     double gain;       // a^T A^-1 a: that of a step of x alone
 
     SchurComplement() : gain(0) {}
-    //! @param solver a decomposition of A.
-    template <class Solver>
-    SchurComplement(const Solver& solver, const ByOthers& B, const Vector& a)
-        : byOthers(solver.solve(B)), own(solver.solve(a)), gain(a.dot(own))
+    SchurComplement(const ByOthers& inverseTimesB, const Vector& inverseTimesA, const Vector& a)
+        : byOthers(inverseTimesB), own(inverseTimesA), gain(a.dot(own))
     {
     }
 

@@ -181,11 +181,14 @@ public:
         const FlowEquations::Matrix P = scaledInverse(m.equations.symmetric());
         const Eigen::Matrix<double, OTHERS, FLOW_VALUES> C =
             sigmas.asDiagonal() * equations.information.bottomLeftCorner<OTHERS, FLOW_VALUES>();
-        const OtherMatrix D = sigmas.asDiagonal() * equations.symmetric().bottomRightCorner<OTHERS, OTHERS>() *
-                              sigmas.asDiagonal(),
-                          K = scaledInverse<OtherMatrix>(OtherMatrix::Identity() + D - C * P * C.transpose());
-        const Unknowns x = m.at + P * C.transpose() * K * sigmas.asDiagonal() * equations.gradient.tail<OTHERS>();
-        const FlowEquations::Matrix covariance = P + P * C.transpose() * K * C * P;
+        OtherMatrix D = equations.symmetric().bottomRightCorner<OTHERS, OTHERS>();
+        D = sigmas.asDiagonal() * D * sigmas.asDiagonal();
+        const Eigen::Matrix<double, FLOW_VALUES, OTHERS> PC = P * C.transpose();
+        const OtherMatrix K = scaledInverse<OtherMatrix>(OtherMatrix::Identity() + D - C * PC);
+        const Eigen::Matrix<double, FLOW_VALUES, OTHERS> gain = PC * K;
+        const OtherVector gradient = sigmas.cwiseProduct(equations.gradient.tail<OTHERS>());
+        const Unknowns x = m.at + gain * gradient;
+        const FlowEquations::Matrix covariance = P + gain * PC.transpose();
         std::copy(x.data(), x.data() + SEQUENCE_VALUES, state.value.val);
         for (int i = SEQUENCE_LEFT; i <= SEQUENCE_ROAD; i++)
             state.value[i] = std::max(state.value[i], 0.);
@@ -260,7 +263,8 @@ private:
         const Eigen::Map<Eigen::Matrix<double, SEQUENCE_VALUES, PARAMETERS>> J(byValues.val);
         equations.cost += sums.cost;
         equations.gradient.head<SEQUENCE_VALUES>() += J * sums.gradient;
-        equations.information.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>() += J * sums.symmetric() * J.transpose();
+        const Eigen::Matrix<double, SEQUENCE_VALUES, PARAMETERS> weighed = J * sums.symmetric();
+        equations.information.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>() += weighed * J.transpose();
     }
 
     const RollingShutterCamera& camera;

@@ -182,16 +182,19 @@ private:
     std::vector<DeepVertical> verticals;
 };
 
+template <class Matrix>
+double logVolume(const Matrix& information)
+{
+    return 0.5 * double(information.rows()) * std::log(2 * CV_PI) - 0.5 * std::log(information.determinant());
+}
+
 // The odds, as a logarithm, on a camera at rest against one that moves, by what is left of both after refinement. Rest
 // has no yaw rate and no depth that matters.
 double logOddsOfRest(const AlignmentProblem& problem, const AlignmentProblem::Equations& moving,
                      const AlignmentProblem::Equations& rest)
 {
-    const auto logVolume = [](const Eigen::MatrixXd& information) {
-        return 0.5 * double(information.rows()) * std::log(2 * CV_PI) - 0.5 * std::log(information.determinant());
-    };
-    return problem.logRest() + (moving.cost - rest.cost) / 2 + logVolume(rest.symmetric().bottomRightCorner<2, 2>()) -
-           logVolume(moving.symmetric());
+    return problem.logRest() + (moving.cost - rest.cost) / 2 +
+           logVolume<Eigen::Matrix2d>(rest.symmetric().bottomRightCorner<2, 2>()) - logVolume(moving.symmetric());
 }
 
 // Whether verticals have less of a slant left by the planes than by a depth in metres.
