@@ -9,6 +9,7 @@
 
 #include "opencv2/imgproc.hpp"
 #include <iostream>
+#include <random>
 
 using namespace cv::rsackermann;
 using namespace rsackermann_samples;
@@ -234,7 +235,8 @@ int runEstimates(const Options& options, const cv::Size& size)
     for (int i = 0; i < streets; i++)
     {
         const unsigned seed = unsigned(options.integer("first", 0, 1000000) + i);
-        cv::RNG rng((uint64_t(seed) + 1) * 0x9e3779b97f4a7c15); // of similar seeds the first numbers are alike
+        std::mt19937_64 generator(seed); // first numbers of a linear one would form a pattern over the streets
+        cv::RNG rng(generator());
         const Estimated found = estimate(makeCamera(size), makeScene(options, seed), whose, options, rng);
         raw += found.with.raw / streets;
         with += found.with.residual / streets;

@@ -128,6 +128,27 @@ TEST(RSAckermann_DepthAlignment, without_a_yaw_rate_what_is_expected_is_uncertai
     EXPECT_GT(free.probabilityWorse, 0.003);
 }
 
+// A car that turns as usual, and leans, is likelier than most that turn more: the likeliest motions hardly turn.
+TEST(RSAckermann_DepthAlignment, yaw_rate_is_the_mean)
+{
+    RNG rng(15);
+    double products = 0, squares = 0;
+    for (int round = 0; round < 16; round++)
+    {
+        PostsInStreet s(rng);
+        s.params.gravitySigma = CV_PI / 180;
+        s.params.standingProbability = 1e-9;
+        s.prior.yawRateSigma = 0;
+        DepthMap depth = s.relative(rng);
+        AckermannMotion motion = s.motion;
+        ASSERT_TRUE(s.align(depth, motion)) << round;
+        products += 2 * motion.alpha / s.camera.secondsPerUnitTime() * s.yawRate;
+        squares += s.yawRate * s.yawRate;
+    }
+    RecordProperty("share", format("%.4f", products / squares));
+    EXPECT_GT(products / squares, 0.1); // of the likeliest ones: 0.05
+}
+
 // What a yaw rate that is known otherwise has to do with the walls is a share of what it was.
 TEST(RSAckermann_DepthAlignment, correlations_with_the_walls_stay)
 {

@@ -17,6 +17,7 @@
 #include "depth_alignment.hpp"
 #include "displacement_field.hpp"
 #include "relative_depth.hpp"
+#include "yaw_sweep.hpp"
 #include <Eigen/LU>
 
 namespace cv { namespace rsackermann {
@@ -49,8 +50,8 @@ public:
 
     AlignmentProblem(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                      const DrivingPrior& prior_, int direction_)
-        : prior(prior_), heading(camera.heading), direction(direction_), focal(camera.cameraMatrix(0, 0)),
-          maxAlpha(MotionLimits(camera, params).maxAlpha),
+        : maxAlpha(MotionLimits(camera, params).maxAlpha), prior(prior_), heading(camera.heading),
+          direction(direction_), focal(camera.cameraMatrix(0, 0)),
           rollSigma(params.gravitySigma > 0 ? params.gravitySigma : EXACT_GRAVITY),
           pitchSigma(params.gravitySigma > 0 ? params.vehiclePitchSigma : EXACT_GRAVITY),
           loss(SLANT_SCALE, 1 / dependenceOf(std::hypot(heading.c * rollSigma, heading.s * pitchSigma)))
@@ -75,21 +76,23 @@ public:
         add(segment, direction * std::exp(-state[A_LOG_ROAD]) * seen);
     }
 
+    static MinimizerOptions options() { return MinimizerOptions(30, 1e-9, 1e-6); }
+
     bool empty() const { return verticals.empty(); }
+
+    //! From now on the yaw rate keeps its value.
+    void fixYaw() { firstFree = A_LOG_ROAD; }
 
     //! From now on the camera doesn't move: nothing but the tilts is unknown.
     void rest(Aligned& state)
     {
-        rests = true;
+        firstFree = A_ROLL;
         state[A_ALPHA] = 0;
         state[A_LOG_ROAD] = -std::numeric_limits<double>::infinity();
     }
 
-    //! The odds without the verticals, as a logarithm, on a camera at rest over the density of the motion.
-    double logRest() const
-    {
-        return prior.logRest() - prior.logYawDensity(0) + std::log(logRoadSigma * std::sqrt(2 * CV_PI));
-    }
+    //! The logarithm of the volume that the prior leaves to the road.
+    double logRoadVolume() const { return std::log(logRoadSigma * std::sqrt(2 * CV_PI)); }
 
     // What to expect before the verticals are seen.
     Aligned start(const AckermannMotion& motion) const
@@ -105,7 +108,7 @@ public:
         {
             Eigen::Matrix<double, UNKNOWNS, 1> J;
             J.setZero();
-            for (int i = rests ? A_ROLL : 0; i < UNKNOWNS; i++)
+            for (int i = firstFree; i < UNKNOWNS; i++)
             {
                 Aligned more = state, less = state;
                 more[i] += by;
@@ -120,6 +123,8 @@ public:
     static Aligned moved(const Aligned& state, const Aligned& step) { return state + step; }
 
     bool allows(const Aligned& state) const { return std::abs(state[A_ALPHA]) < maxAlpha; }
+
+    const double maxAlpha;
 
 private:
     // The difference of the compensated columns of both ends, in sigmas. All of a vertical has the horizontal depth of
@@ -150,7 +155,7 @@ private:
     {
         const int ofYaw = DrivingPrior::MAX_YAW_RESIDUALS, all = ofYaw + 3;
         Jet yaw[ofYaw];
-        const int count = prior.evaluateYaw(state[A_ALPHA], !rests, yaw);
+        const int count = prior.evaluateYaw(state[A_ALPHA], firstFree == A_ALPHA, yaw);
         const double c = heading.c, s = heading.s;
         Eigen::Matrix<double, UNKNOWNS, all> J;
         Eigen::Matrix<double, all, 1> r;
@@ -159,11 +164,11 @@ private:
         for (int i = 0; i < count; i++)
         {
             r[i] = yaw[i].value;
-            J(A_ALPHA, i) = rests ? 0 : yaw[i].derivative[P_ALPHA];
+            J(A_ALPHA, i) = firstFree > A_ALPHA ? 0 : yaw[i].derivative[P_ALPHA];
         }
-        r.tail<3>() << (rests ? 0 : (state[A_LOG_ROAD] - logRoad) / logRoadSigma),
+        r.tail<3>() << (firstFree > A_LOG_ROAD ? 0 : (state[A_LOG_ROAD] - logRoad) / logRoadSigma),
             (c * state[A_ROLL] - s * state[A_PITCH]) / rollSigma, (s * state[A_ROLL] + c * state[A_PITCH]) / pitchSigma;
-        J(A_LOG_ROAD, ofYaw) = rests ? 0 : 1 / logRoadSigma;
+        J(A_LOG_ROAD, ofYaw) = firstFree > A_LOG_ROAD ? 0 : 1 / logRoadSigma;
         J(A_ROLL, ofYaw + 1) = c / rollSigma;
         J(A_PITCH, ofYaw + 1) = -s / rollSigma;
         J(A_ROLL, ofYaw + 2) = s / pitchSigma;
@@ -176,9 +181,9 @@ private:
     const DrivingPrior& prior;
     Heading heading;
     int direction;
-    double focal, maxAlpha, rollSigma, pitchSigma, logRoad, logRoadSigma;
+    double focal, rollSigma, pitchSigma, logRoad, logRoadSigma;
     RobustLoss loss;
-    bool rests = false;
+    int firstFree = A_ALPHA;
     std::vector<DeepVertical> verticals;
 };
 
@@ -188,14 +193,50 @@ double logVolume(const Matrix& information)
     return 0.5 * double(information.rows()) * std::log(2 * CV_PI) - 0.5 * std::log(information.determinant());
 }
 
-// The odds, as a logarithm, on a camera at rest against one that moves, by what is left of both after refinement. Rest
-// has no yaw rate and no depth that matters.
-double logOddsOfRest(const AlignmentProblem& problem, const AlignmentProblem::Equations& moving,
-                     const AlignmentProblem::Equations& rest)
+// The posterior of a camera that moves: at each of several yaw rates the best road and tilts.
+class MovingPosterior
 {
-    return problem.logRest() + (moving.cost - rest.cost) / 2 +
-           logVolume<Eigen::Matrix2d>(rest.symmetric().bottomRightCorner<2, 2>()) - logVolume(moving.symmetric());
-}
+public:
+    MovingPosterior(AlignmentProblem problem, const DrivingPrior& prior, const Aligned& best, double sigma)
+    {
+        problem.fixYaw();
+        std::vector<double> logMasses, roadVariances;
+        std::vector<Aligned> states;
+        sweepYaw(best, sigma, prior.alphaScale(), 2 * problem.maxAlpha,
+                 [&](Aligned& state, double, double offset, double width) {
+                     state[A_ALPHA] = best[A_ALPHA] + offset;
+                     if (!problem.allows(state))
+                         return -DBL_MAX;
+                     AlignmentProblem::Equations equations;
+                     minimize(problem, AlignmentProblem::options(), state, equations);
+                     const Eigen::Matrix3d others = equations.symmetric().bottomRightCorner<3, 3>();
+                     const double density = prior.logYawDensity(state[A_ALPHA]) + logVolume(others) -
+                                            problem.logRoadVolume() - equations.cost / 2;
+                     states.push_back(state);
+                     logMasses.push_back(density + std::log(width));
+                     roadVariances.push_back(scaledInverse(others)(0, 0));
+                     return density;
+                 });
+        const double largest = *std::max_element(logMasses.begin(), logMasses.end());
+        double sum = 0;
+        for (const double logMass : logMasses)
+            sum += std::exp(logMass - largest);
+        logEvidence = largest + std::log(sum);
+        for (size_t i = 0; i < states.size(); i++)
+            mean += std::exp(logMasses[i] - logEvidence) * states[i];
+        for (size_t i = 0; i < states.size(); i++)
+        {
+            const Eigen::Vector2d away = (states[i] - mean).head<2>();
+            Eigen::Matrix2d square = away * away.transpose();
+            square(A_LOG_ROAD, A_LOG_ROAD) += roadVariances[i];
+            covariance += std::exp(logMasses[i] - logEvidence) * square;
+        }
+    }
+
+    Aligned mean = Aligned::Zero();
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); // of alpha and the logarithm of the road
+    double logEvidence;
+};
 
 // Whether verticals have less of a slant left by the planes than by a depth in metres.
 bool contradictsVerticals(const RelativeDepth& relative, const AlignmentProblem& none, const Mat& segments,
@@ -322,12 +363,18 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
         return false;
     Aligned state = problem.start(motion), atRest = state;
     AlignmentProblem::Equations equations, rest;
-    const MinimizerOptions options(30, 1e-9, 1e-6);
-    minimize(problem, options, state, equations);
-    problem.rest(atRest);
-    minimize(problem, options, atRest, rest);
-    const AlignmentProblem::Equations::Matrix covariance =
+    minimize(problem, AlignmentProblem::options(), state, equations);
+    const AlignmentProblem::Equations::Matrix ofState =
         scaledInverse<AlignmentProblem::Equations::Matrix>(equations.symmetric());
+    const MovingPosterior moving(problem, prior, state, std::sqrt(ofState(A_ALPHA, A_ALPHA)));
+    const Eigen::Matrix2d& covariance = moving.covariance;
+    state = moving.mean;
+    problem.rest(atRest);
+    minimize(problem, AlignmentProblem::options(), atRest, rest);
+    // Rest has no yaw rate and no depth that matters.
+    const double logOddsOfRest = prior.logRest() - rest.cost / 2 +
+                                 logVolume<Eigen::Matrix2d>(rest.symmetric().bottomRightCorner<2, 2>()) -
+                                 moving.logEvidence;
     const double scale = std::exp(state[A_LOG_ROAD]) / relative.slope(), shift = -scale * relative.infinity();
     if (!(scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX))
         return false;
@@ -347,7 +394,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     const Matx22d ofAlphaAndRoad(covariance(A_ALPHA, A_ALPHA), covariance(A_ALPHA, A_LOG_ROAD),
                                  covariance(A_ALPHA, A_LOG_ROAD), covariance(A_LOG_ROAD, A_LOG_ROAD));
     expectWithDepth(camera, depth, scale, shift, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), changed);
-    mixWithRest(1 / (1 + std::exp(-logOddsOfRest(problem, equations, rest))), changed);
+    mixWithRest(1 / (1 + std::exp(-logOddsOfRest)), changed);
     if (!(changed.expectedResidual < changed.expectedRaw))
         return false;
     motion = changed;

@@ -7,10 +7,6 @@
 
 namespace cv { namespace rsackermann {
 
-// doc/theory.md, "Posterior", has the reasons.
-static const double FIRST_STEP = 0.7; // in sigmas
-static const double STEP_GROWTH = 1.25;
-
 bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model)
 {
     return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
@@ -30,39 +26,27 @@ double logEvidence(const RefinementProblem& problem, const Fit& fit)
 YawSweep::YawSweep(const RefinementProblem& problem, const Fit& minimum, const std::vector<YawSweep>& valleys)
 {
     const MotionHypothesis& hypothesis = minimum.hypothesis;
-    const double scale = problem.prior->alphaScale(), variance = minimum.covariance(P_ALPHA, P_ALPHA),
-                 sigma = variance > 0 ? std::sqrt(variance) : scale;
-    const double first = std::min(FIRST_STEP * sigma, 0.5 * scale);
+    const double scale = problem.prior->alphaScale(), variance = minimum.covariance(P_ALPHA, P_ALPHA);
     Fit middle(MotionHypothesis(hypothesis.translates() ? MODEL_3LA : MODEL_NONE, hypothesis.walls));
     middle.model = minimum.model;
-    double highest = add(problem, first, middle);
-    for (int side = -1; side <= 1; side += 2)
-    {
-        Fit last = middle;
-        for (double step = first, offset = first; offset < 2 * problem.limits.maxAlpha;
-             step *= STEP_GROWTH, offset += step)
-        {
-            Model next = last.model;
-            for (int i = 0; i < PARAMETERS && variance > 0; i++)
-                next.value[i] += side * step * minimum.covariance(i, P_ALPHA) / variance;
-            if (!isAllowed(problem, hypothesis, next))
-                next = last.model;
-            next[P_ALPHA] = minimum.model[P_ALPHA] + side * offset;
-            if (!problem.limits.allow(next))
-                break;
-            last.model = next;
-            const double density = add(problem, (1 + STEP_GROWTH) / 2 * step, last);
-            if (contain(valleys, last))
-            {
-                fits.pop_back();
-                logMasses.pop_back();
-                break;
-            }
-            highest = std::max(highest, density);
-            if (density < highest + std::log(NEGLIGIBLE))
-                break;
-        }
-    }
+    const auto addNext = [&](Fit& fit, double before, double offset, double width) {
+        Model next = fit.model;
+        for (int i = 0; i < PARAMETERS && variance > 0; i++)
+            next.value[i] += (offset - before) * minimum.covariance(i, P_ALPHA) / variance;
+        if (!isAllowed(problem, hypothesis, next))
+            next = fit.model;
+        next[P_ALPHA] = minimum.model[P_ALPHA] + offset;
+        if (!problem.limits.allow(next))
+            return -DBL_MAX;
+        fit.model = next;
+        const double density = add(problem, width, fit);
+        if (offset == 0 || !contain(valleys, fit))
+            return density;
+        fits.pop_back();
+        logMasses.pop_back();
+        return -DBL_MAX;
+    };
+    sweepYaw(middle, variance > 0 ? std::sqrt(variance) : scale, scale, 2 * problem.limits.maxAlpha, addNext);
 }
 
 // Refines the motion at the yaw rate of a fit. Returns the logarithm of its density.

@@ -16,6 +16,37 @@ bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothe
 //! being those of the fit (doc/theory.md, "Posterior").
 double logEvidence(const RefinementProblem& problem, const Fit& fit);
 
+// doc/theory.md, "Posterior", has the reasons.
+const double FIRST_STEP = 0.7; //!< in sigmas
+const double STEP_GROWTH = 1.25;
+
+/** Goes from a motion to both sides, in steps of the yaw rate that grow, until densities are negligible
+(doc/theory.md, "Posterior").
+@param sigma standard deviation of the yaw rate.
+@param scale of its prior.
+@param add takes the motion at the last offset from the middle, that offset, the next one, and the width of the range
+that this stands for. It makes the motion that at the next offset, and returns the logarithm of its density; -DBL_MAX:
+no farther on that side. */
+template <class Motion, class Add>
+void sweepYaw(Motion middle, double sigma, double scale, double farthest, Add add)
+{
+    const double first = std::min(FIRST_STEP * sigma, 0.5 * scale);
+    double highest = add(middle, 0., 0., first);
+    for (int side = -1; side <= 1; side += 2)
+    {
+        Motion last = middle;
+        double before = 0;
+        for (double step = first, offset = first; offset < farthest; step *= STEP_GROWTH, offset += step)
+        {
+            const double density = add(last, before, side * offset, (1 + STEP_GROWTH) / 2 * step);
+            before = side * offset;
+            highest = std::max(highest, density);
+            if (density < highest + std::log(NEGLIGIBLE))
+                break;
+        }
+    }
+}
+
 //! The motions of a valley of the posterior: the best at each of several yaw rates (doc/theory.md, "Posterior").
 class YawSweep
 {
