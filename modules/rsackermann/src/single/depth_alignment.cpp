@@ -205,7 +205,7 @@ public:
         sweepYaw(best, sigma, prior.alphaScale(), 2 * problem.maxAlpha,
                  [&](Aligned& state, double, double offset, double width) {
                      state[A_ALPHA] = best[A_ALPHA] + offset;
-                     if (!problem.allows(state))
+                     if (offset != 0 && !problem.allows(state))
                          return -DBL_MAX;
                      AlignmentProblem::Equations equations;
                      minimize(problem, AlignmentProblem::options(), state, equations);

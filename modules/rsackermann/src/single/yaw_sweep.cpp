@@ -36,7 +36,7 @@ YawSweep::YawSweep(const RefinementProblem& problem, const Fit& minimum, const s
         if (!isAllowed(problem, hypothesis, next))
             next = fit.model;
         next[P_ALPHA] = minimum.model[P_ALPHA] + offset;
-        if (!problem.limits.allow(next))
+        if (offset != 0 && !problem.limits.allow(next))
             return -DBL_MAX;
         fit.model = next;
         const double density = add(problem, width, fit);
