@@ -26,7 +26,7 @@ const double STEP_GROWTH = 1.25;
 @param scale of its prior.
 @param add takes the motion at the last offset from the middle, that offset, the next one, and the width of the range
 that this stands for. It makes the motion that at the next offset, and returns the logarithm of its density; -DBL_MAX:
-no farther on that side. */
+no farther on that side. The middle itself, at the offset 0, is always added. */
 template <class Motion, class Add>
 void sweepYaw(Motion middle, double sigma, double scale, double farthest, Add add)
 {
