@@ -11,13 +11,17 @@
 #include "output/image_file.hpp"
 #include "motion_words.hpp"
 #include "output/output_plan.hpp"
+#include "output/result_names.hpp"
 #include "units.hpp"
 
+#include "opencv2/core/utils/filesystem.hpp"
 #include "opencv2/highgui.hpp"
 #include "opencv2/imgcodecs.hpp"
 #include "opencv2/imgproc.hpp"
 #include "opencv2/rsackermann.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -34,10 +38,11 @@ const char* const ABOUT =
     "INPUT is a video or the number of a camera. Every key ends the program.\n"
     "Exit code: 0 done, 1 failed, 2 the command line isn't understood.\n";
 
-const char* const KEYS = "{help    |   | print this message}"
-                         "{wall    |   | metres to the left wall, or the only one seen; makes the speed metric}"
-                         "{frames  | 0 | end after that many frames; 0: go on}"
-                         "{picture |   | image file for the last picture shown, instead of a window}";
+const char* const KEYS = "{help      |   | print this message}"
+                         "{wall      |   | metres to the left wall, or the only one seen; makes the speed metric}"
+                         "{frames    | 0 | end after that many frames; 0: go on}"
+                         "{picture   |   | image file for the last picture shown, instead of a window}"
+                         "{overwrite |   | replace an existing picture}";
 
 // Frames with their times: of a camera those at which they arrive, of a video those that it has.
 class Source
@@ -172,15 +177,37 @@ void writeNumbers(cv::Mat& picture, const RollingShutterCamera& camera, const Ac
           cv::format("%d of %d verticals, %.0f ms", motion.inliers, motion.candidates, cv::sum(milliseconds)[0]));
 }
 
+std::string withoutDigits(std::string text)
+{
+    text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); }), text.end());
+    return text;
+}
+
+// OpenCV reads a numbered image as a sequence of those whose names differ from it in their digits.
+std::vector<std::string> filesRead(const std::string& input)
+{
+    std::vector<std::string> files(1, input);
+    if (!cv::utils::fs::exists(input))
+        return files;
+    const std::string name = fileName(input), folder = input.substr(0, input.size() - name.size());
+    std::vector<cv::String> others;
+    cv::utils::fs::glob(folder.empty() ? "." : folder, "*", others, false, false);
+    for (const std::string& path : others)
+        if (withoutDigits(fileName(path)) == withoutDigits(name))
+            files.push_back(path);
+    return files;
+}
+
 void checkPicture(const Options& options)
 {
     const std::string path = options.outputFile("picture");
     if (!cv::haveImageWriter(path))
         throw UsageError("option --picture: " + path + " has the extension of no image format that can be written");
     OutputPlan plan;
-    plan.addInput(options.arguments()[0]);
+    plan.addInputs(filesRead(options.arguments()[0]));
     plan.addInputs(options.inputFiles());
     plan.addOutput(path, "--picture");
+    checkResult(path, options.flag("overwrite"));
 }
 
 int run(const Options& options)

@@ -86,8 +86,7 @@ protected:
         Arguments arguments = reads.others + Arguments{input + read, output.option + result};
         if (way == "dot")
             arguments.back() = output.option + (output.name.empty() ? target + "/./" + name : target + "/../written");
-        if (output.option != "--picture=")
-            arguments.push_back("--overwrite");
+        arguments.push_back("--overwrite");
         const Outcome outcome = runProgram(reads.program, arguments);
         EXPECT_EQ(2, outcome.exitCode) << outcome.messages;
         EXPECT_NE(std::string::npos, outcome.messages.find("would replace the input")) << outcome.messages;

@@ -62,7 +62,8 @@ TEST_F(Live, goes_by_the_times_of_frames)
     cv::Mat pictures[2];
     for (const bool isSlow : {false, true})
     {
-        ASSERT_EQ(0, live({isSlow ? slow_ : video_, camera_, "--frames=4", "--picture=" + picture_}).exitCode);
+        ASSERT_EQ(
+            0, live({isSlow ? slow_ : video_, camera_, "--frames=4", "--picture=" + picture_, "--overwrite"}).exitCode);
         pictures[isSlow] = cv::imread(picture_);
     }
     const cv::Rect corrected(SIZE.width, SIZE.height / 6, SIZE.width, SIZE.height - SIZE.height / 6);
@@ -90,7 +91,7 @@ TEST_F(Live, video_that_is_cut_short)
     EXPECT_NE(std::string::npos, outcome.messages.find((folder_ / "cut.avi") + ": the video is cut short"))
         << outcome.messages;
     EXPECT_EQ(cv::Size(2 * SIZE.width, SIZE.height), cv::imread(picture_).size());
-    EXPECT_EQ(0, live({folder_ / "cut.avi", camera_, "--frames=1", "--picture=" + picture_}).exitCode);
+    EXPECT_EQ(0, live({folder_ / "cut.avi", camera_, "--frames=1", "--picture=" + picture_, "--overwrite"}).exitCode);
 }
 
 TEST_F(Live, no_display)
@@ -109,7 +110,7 @@ TEST_F(Live, usage)
 {
     const Outcome help = live({"--help"});
     EXPECT_EQ(0, help.exitCode);
-    for (const char* name : {"--camera", "--wall", "--frames", "--picture"})
+    for (const char* name : {"--camera", "--wall", "--frames", "--picture", "--overwrite"})
         EXPECT_NE(std::string::npos, help.output.find(name)) << name;
     EXPECT_EQ(2, live({}).exitCode);
     EXPECT_EQ(2, live({video_, video_}).exitCode);
@@ -125,6 +126,36 @@ TEST_F(Live, usage)
     EXPECT_EQ(before, contentOf(street_ / "rolling.png"));
     EXPECT_EQ(2, live({video_, "--picture=" + (folder_ / "picture.unknown")}).exitCode);
     EXPECT_EQ((std::vector<std::string>{"drive.avi", "slow.avi"}), namesIn(folder_.path()));
+}
+
+TEST_F(Live, existing_picture)
+{
+    writeContent(picture_, "mine");
+    const Arguments arguments = {video_, "--frames=1", "--picture=" + picture_};
+    const Outcome refused = live(arguments);
+    EXPECT_EQ(1, refused.exitCode);
+    EXPECT_NE(std::string::npos, refused.messages.find("picture.png exists (--overwrite replaces it)"))
+        << refused.messages;
+    EXPECT_EQ("mine", contentOf(picture_));
+    EXPECT_EQ(0, live(arguments + Arguments{"--overwrite"}).exitCode);
+    EXPECT_FALSE(cv::imread(picture_).empty());
+}
+
+// OpenCV reads a numbered image as the first one of a sequence.
+TEST_F(Live, images_of_a_sequence_stay)
+{
+    const cv::Mat image(SIZE, CV_8UC3, cv::Scalar::all(90));
+    for (int i = 0; i < 3; i++)
+        cv::imwrite(folder_ / cv::format("%06d.png", i), image);
+    for (const char* name : {"000000.png", "000002.png"})
+    {
+        const std::string before = contentOf(folder_ / name);
+        const Outcome outcome = live({folder_ / "000000.png", "--picture=" + (folder_ / name), "--overwrite"});
+        EXPECT_EQ(2, outcome.exitCode) << name;
+        EXPECT_NE(std::string::npos, outcome.messages.find("would replace the input")) << outcome.messages;
+        EXPECT_EQ(before, contentOf(folder_ / name)) << name;
+    }
+    EXPECT_EQ(0, live({folder_ / "000000.png", "--picture=" + picture_}).exitCode);
 }
 
 }} // namespace
