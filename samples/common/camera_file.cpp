@@ -255,6 +255,27 @@ void readKalibr(const YamlValues& camera, CameraSettings& s)
     }
 }
 
+// The first camera of a file of Kalibr, cam0 if it is there; the file itself if it is none of Kalibr.
+YAML::Node firstCamera(const YAML::Node& file, std::string& severalCameras)
+{
+    std::set<std::string> names;
+    for (const auto& entry : file)
+    {
+        const std::string name = entry.first.Scalar();
+        if (name.size() > 3 && name.compare(0, 3, "cam") == 0 &&
+            name.find_first_not_of("0123456789", 3) == std::string::npos)
+            names.insert(name);
+    }
+    if (names.empty())
+        return file;
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "" : ", ") + name;
+    if (names.size() > 1)
+        severalCameras = list + ": " + *names.begin();
+    return file[*names.begin()];
+}
+
 void readYaml(const std::string& text, CameraSettings& s)
 {
     // cv::FileStorage writes a directive that isn't YAML.
@@ -264,7 +285,7 @@ void readYaml(const std::string& text, CameraSettings& s)
         file.IsMap(),
         "is neither a calibration of OpenCV nor a camera_info of ROS nor a camchain of Kalibr nor a lens profile of "
         "Gyroflow");
-    const YAML::Node map = file["cam0"] ? file["cam0"] : file;
+    const YAML::Node map = firstCamera(file, s.severalCameras);
     const YamlValues root(map);
     if (root["intrinsics"])
         readKalibr(root, s);

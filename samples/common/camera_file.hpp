@@ -12,10 +12,10 @@ namespace rsackermann_samples {
 /** Reads a camera file.
 
 Known are OpenCV's calibration files (YAML, XML or JSON of cv::FileStorage), camera_info files of ROS, camchain files
-of Kalibr (the first camera) and lens profiles of Gyroflow. All but the latter may have these keys besides: line_delay
-or readout (seconds), scan, reference, roll, pitch, heading (degrees), camera_height (metres), and the standard
-deviations roll_sigma, pitch_sigma, heading_sigma (degrees), line_delay_sigma (seconds) and focal_sigma (pixels).
-Throws UsageError that names the fault.
+of Kalibr (the first camera, cam0) and lens profiles of Gyroflow. All but the latter may have these keys besides:
+line_delay or readout (seconds), scan, reference, roll, pitch, heading (degrees), camera_height (metres), and the
+standard deviations roll_sigma, pitch_sigma, heading_sigma (degrees), line_delay_sigma (seconds) and focal_sigma
+(pixels). Throws UsageError that names the fault.
 */
 void readCameraFile(const std::string& path, CameraSettings& settings);
 

@@ -218,6 +218,9 @@ static void warnOfUnusualValues(const Options& options, const CameraSettings& s)
 {
     if (!s.unknownKeys.empty())
         options.warn("the camera file has keys that mean nothing here: " + s.unknownKeys);
+    if (!s.severalCameras.empty())
+        options.warn("the camera file has the cameras " + s.severalCameras +
+                     " is taken; for another one give a file that has it alone");
     const bool readsRows = s.scan == SCAN_TOP_TO_BOTTOM || s.scan == SCAN_BOTTOM_TO_TOP;
     const double readOut = s.readOut > 0 ? s.readOut : s.lineDelay * (readsRows ? s.size.height : s.size.width);
     const AckermannEstimator::Params prior; // doc/theory.md, "Prior"

@@ -41,8 +41,9 @@ struct CameraSettings
     double rollSigma, pitchSigma, headingSigma, lineDelaySigma; //!< standard deviations in the same units; 0: not known
     double focalSigma;                                          //!< pixels; 0: not known
     std::vector<CompatibleSetting> compatible;                  //!< with #isScaled
-    std::string unknownKeys; //!< of a file, with commas between, which have no effect
-    bool needsReadOut;       //!< whether one that depends on more than the size is an error; it is unknown otherwise
+    std::string unknownKeys;    //!< of a file, with commas between, which have no effect
+    std::string severalCameras; //!< of a file, and which of them is taken; empty if it has one
+    bool needsReadOut;          //!< whether one that depends on more than the size is an error; it is unknown otherwise
 
     CameraSettings();
 

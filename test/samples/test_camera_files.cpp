@@ -273,6 +273,34 @@ TEST(CameraFiles, one_map_and_nothing_else)
     EXPECT_EQ(816, read("%YAML:1.0\n# camera\n---\n\n" + rest + "...\n").K(0, 0));
 }
 
+// One of several is taken, with a warning of the program.
+TEST(CameraFiles, cameras_of_a_camchain)
+{
+    const auto camera = [](const std::string& name, int focal) {
+        return cv::format("%s:\n  camera_model: pinhole\n  intrinsics: [%d, %d, 319.5, 189.5]\n", name.c_str(), focal,
+                          focal);
+    };
+    const struct
+    {
+        std::string content, several;
+        double focal;
+    } cases[] = {{camera("cam0", 800), "", 800},
+                 {camera("cam1", 900), "", 900},
+                 {camera("cam1", 900) + camera("cam0", 800) + camera("cam2", 700), "cam0, cam1, cam2: cam0", 800}};
+    for (const auto& c : cases)
+    {
+        const rsackermann_samples::CameraSettings s = read(c.content);
+        EXPECT_EQ(c.focal, s.K(0, 0)) << c.content;
+        EXPECT_EQ(c.several, s.severalCameras) << c.content;
+    }
+    const TemporaryFolder folder;
+    writeContent(folder / "chain.yaml", cases[2].content);
+    const std::string messages =
+        correct({streetFolder() + "/rolling.png", "--report=-", "--camera=" + (folder / "chain.yaml")}).messages;
+    EXPECT_NE(std::string::npos, messages.find("the camera file has the cameras cam0, cam1, cam2: cam0 is taken"))
+        << messages;
+}
+
 // A roll beyond those of any mount is said to be one, and what to do, in the unit of the file.
 TEST(CameraFiles, mounted_upside_down_or_on_its_side)
 {
