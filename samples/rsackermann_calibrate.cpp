@@ -97,6 +97,9 @@ Task readTask(const Options& options)
     plan.addOutput(task.output, "the calibration");
     setThreads(options);
     checkResult(task.output, options.flag("overwrite"));
+    if (!isStorageFormat(extension(task.output)))
+        throw UsageError("option --output: the extension of " + task.output +
+                         " is none of .yml, .yaml, .xml and .json");
     plan.removeLeftovers();
     return task;
 }

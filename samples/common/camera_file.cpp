@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "camera_file.hpp"
+#include "files.hpp"
 #include "lens_profile.hpp"
 #include "output/atomic_file.hpp"
 #include "parsable_text.hpp"
@@ -358,9 +359,9 @@ void readCameraFile(const std::string& path, CameraSettings& settings)
     }
 }
 
-std::string cameraText(const CameraSettings& s)
+std::string cameraText(const CameraSettings& s, const std::string& format)
 {
-    cv::FileStorage fs(".yml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
+    cv::FileStorage fs(format, cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
     fs << "image_width" << s.size.width << "image_height" << s.size.height << "camera_matrix" << cv::Mat(s.K);
     fs << "distortion_coefficients" << cv::Mat(1, int(s.lens.size()), CV_64F, const_cast<double*>(s.lens.data()));
     fs << "fisheye_model" << int(s.lensModel == LENS_FISHEYE);
@@ -380,7 +381,7 @@ std::string cameraText(const CameraSettings& s)
 
 void writeCameraFile(const std::string& path, const CameraSettings& settings)
 {
-    writeFile(path, cameraText(settings));
+    writeFile(path, cameraText(settings, extension(path)));
 }
 
 } // namespace rsackermann_samples

@@ -19,10 +19,11 @@ standard deviations roll_sigma, pitch_sigma, heading_sigma (degrees), line_delay
 */
 void readCameraFile(const std::string& path, CameraSettings& settings);
 
-//! The text of a camera file that readCameraFile() reads, in OpenCV's format.
-std::string cameraText(const CameraSettings& settings);
+//! The text of a camera file that readCameraFile() reads, of OpenCV.
+//! @param format an extension that isStorageFormat() knows.
+std::string cameraText(const CameraSettings& settings, const std::string& format = ".yml");
 
-//! Writes a camera file that readCameraFile() reads, in OpenCV's format.
+//! Writes a camera file that readCameraFile() reads, of OpenCV, in the format of the path's extension.
 void writeCameraFile(const std::string& path, const CameraSettings& settings);
 
 } // namespace rsackermann_samples

@@ -169,6 +169,11 @@ std::string extension(const std::string& path)
     return result;
 }
 
+bool isStorageFormat(const std::string& extension)
+{
+    return extension == ".yml" || extension == ".yaml" || extension == ".xml" || extension == ".json";
+}
+
 bool isVideo(const std::string& path)
 {
     // Those of cameras beside the usual ones: the containers MP4 (.360, .insv, .lrv) and MPEG-TS, and bare streams.

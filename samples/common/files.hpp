@@ -59,6 +59,8 @@ std::string fileName(const std::string& path);
 std::string stem(const std::string& path);
 //! The extension with its dot, in lower case; empty if there is none.
 std::string extension(const std::string& path);
+//! Whether an extension, in lower case, is that of a format of cv::FileStorage.
+bool isStorageFormat(const std::string& extension);
 //! Whether a file is a video, by the extension of its name.
 bool isVideo(const std::string& path);
 

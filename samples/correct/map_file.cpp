@@ -47,8 +47,7 @@ void writeMaps(AtomicFile& file, const cv::Mat& map1, const cv::Mat& map2)
     const bool compressed = name.size() > 3 && name.compare(name.size() - 3, 3, ".gz") == 0;
     if (compressed)
         name.erase(name.size() - 3);
-    const std::string format = extension(name);
-    if (format != ".yml" && format != ".yaml" && format != ".xml" && format != ".json")
+    if (!isStorageFormat(extension(name)))
         throw InputError(file.path() + ": the extension is none of .yml, .yaml, .xml and .json, with or without .gz");
     // In memory, as cv::FileStorage doesn't report a full disk. Base64 takes a quarter of the time of decimal numbers
     // and two thirds of their room, and it is exact.

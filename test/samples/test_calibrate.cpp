@@ -360,6 +360,7 @@ TEST_F(Calibrate, bad_arguments)
         {{inputs_[0], output, camera, "--focal=500"}, "exclude each other"},
         {{inputs_[0], camera}, "--output is missing"},
         {{inputs_[0], camera, output, "--carry"}, "carry"},
+        {{inputs_[0], camera, output + ".txt"}, ".txt is none of .yml, .yaml, .xml and .json"},
         {{inputs_[0], camera, output, "--detector=canny"}, "canny"},
         {{inputs_[0], camera, output, "--scan=left_to_right"}, "columns"},
         {{inputs_[0], "--focal=500", output, "--focal_sigma=251"}, "up to half of the focal length, 250 px"},

@@ -435,20 +435,28 @@ TEST(CameraFiles, written_and_read)
     s.pitch = 2;
     s.heading = 3;
     s.height = 4;
-    const TemporaryFolder folder;
-    rsackermann_samples::writeCameraFile(folder / "camera.yml", s);
-    rsackermann_samples::CameraSettings r;
-    rsackermann_samples::readCameraFile(folder / "camera.yml", r);
-    EXPECT_EQ(s.K, r.K);
-    EXPECT_EQ(s.lens, r.lens);
-    EXPECT_EQ(s.size, r.size);
-    EXPECT_EQ(s.readOut, r.readOut);
-    EXPECT_EQ(s.scan, r.scan);
-    EXPECT_EQ(s.reference, r.reference);
-    EXPECT_EQ(s.roll, r.roll);
-    EXPECT_EQ(s.pitch, r.pitch);
-    EXPECT_EQ(s.heading, r.heading);
-    EXPECT_EQ(s.height, r.height);
+    const std::pair<const char*, const char*> formats[] = {
+        {"camera.yml", "%YAML"}, {"camera.yaml", "%YAML"}, {"camera.xml", "<?xml"}, {"camera.JSON", "{"}};
+    for (const auto& format : formats)
+    {
+        SCOPED_TRACE(format.first);
+        const TemporaryFolder folder;
+        const std::string path = folder / format.first;
+        rsackermann_samples::writeCameraFile(path, s);
+        EXPECT_EQ(0u, contentOf(path).find(format.second));
+        rsackermann_samples::CameraSettings r;
+        rsackermann_samples::readCameraFile(path, r);
+        EXPECT_EQ(s.K, r.K);
+        EXPECT_EQ(s.lens, r.lens);
+        EXPECT_EQ(s.size, r.size);
+        EXPECT_EQ(s.readOut, r.readOut);
+        EXPECT_EQ(s.scan, r.scan);
+        EXPECT_EQ(s.reference, r.reference);
+        EXPECT_EQ(s.roll, r.roll);
+        EXPECT_EQ(s.pitch, r.pitch);
+        EXPECT_EQ(s.heading, r.heading);
+        EXPECT_EQ(s.height, r.height);
+    }
 }
 
 // A profile with another value of a field; null takes it away.

@@ -13,11 +13,7 @@ namespace rsackermann_samples {
 // Whether a name is that of a result in a file.
 static bool isNamedLikeFile(const std::string& path)
 {
-    const std::string format = extension(path);
-    for (const char* maps : {".gz", ".yml", ".yaml", ".xml", ".json"})
-        if (format == maps)
-            return true;
-    return isVideo(path) || cv::haveImageWriter(path);
+    return extension(path) == ".gz" || isStorageFormat(extension(path)) || isVideo(path) || cv::haveImageWriter(path);
 }
 
 bool isResultFolder(const std::string& target, bool isSingle, const std::string& option)
