@@ -88,7 +88,7 @@ CameraSettings readSettings(const Options& options, const cv::Size& size, double
     CameraSettings s;
     s.size = size;
     s.calibrated = true;
-    const double focal = options.given("focal") ? options.positive("focal", 1e7) : defaultFocal;
+    const double focal = options.given("focal") ? options.positive("focal", MOST_FOCAL) : defaultFocal;
     s.K = cv::Matx33d(focal, 0, (size.width - 1) / 2., 0, focal, (size.height - 1) / 2., 0, 0, 1);
     if (options.given("lens"))
         s.lens = options.numbers("lens");
@@ -101,10 +101,10 @@ CameraSettings readSettings(const Options& options, const cv::Size& size, double
         s.readOut =
             options.given("readout") ? options.positive("readout", cv::rsackermann::LONGEST_READ_OUT) : 0.4 / 30;
     s.reference = readReference(options);
-    s.roll = options.number("roll", -89, 89);
-    s.pitch = options.number("pitch", -89, 89);
-    s.heading = options.number("heading", -180, 180);
-    s.height = options.positive("height", 1000);
+    s.roll = options.number("roll", -MOST_TILT, MOST_TILT);
+    s.pitch = options.number("pitch", -MOST_TILT, MOST_TILT);
+    s.heading = options.number("heading", -MOST_HEADING, MOST_HEADING);
+    s.height = options.positive("height", MOST_HEIGHT);
     return s;
 }
 

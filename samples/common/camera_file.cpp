@@ -80,33 +80,51 @@ void require(bool condition, const std::string& message)
         throw UsageError(message);
 }
 
+//! A number that all formats may have; 0 is that of a value that isn't known.
+struct NumberKey
+{
+    const char* name;
+    double CameraSettings::*value;
+    double low, high;
+    const char* meaning;
+};
+
+const double MOST_TILT_SIGMA = 45; // degrees, as of --gravity_sigma
+
+const NumberKey NUMBER_KEYS[] = {
+    {"line_delay", &CameraSettings::lineDelay, 0, LONGEST_READ_OUT, "seconds"},
+    {"readout", &CameraSettings::readOut, 0, LONGEST_READ_OUT, "seconds"},
+    {"roll", &CameraSettings::roll, -MOST_TILT, MOST_TILT,
+     "degrees; turn the images of a camera that is mounted upside down or on its side, and with them scan and the "
+     "principal point"},
+    {"pitch", &CameraSettings::pitch, -MOST_TILT, MOST_TILT, "degrees"},
+    {"heading", &CameraSettings::heading, -MOST_HEADING, MOST_HEADING, "degrees"},
+    {"camera_height", &CameraSettings::height, 0, MOST_HEIGHT, "metres"},
+    {"roll_sigma", &CameraSettings::rollSigma, 0, MOST_TILT_SIGMA, "degrees"},
+    {"pitch_sigma", &CameraSettings::pitchSigma, 0, MOST_TILT_SIGMA, "degrees"},
+    {"heading_sigma", &CameraSettings::headingSigma, 0, MOST_HEADING, "degrees"},
+    {"line_delay_sigma", &CameraSettings::lineDelaySigma, 0, LONGEST_READ_OUT, "seconds"},
+    {"focal_sigma", &CameraSettings::focalSigma, 0, MOST_FOCAL, "pixels"}};
+
 // The keys that all formats may have.
 void readShutterAndMounting(const NumberSource& number, const TextSource& text, CameraSettings& s)
 {
-    const bool delay = number("line_delay", s.lineDelay), readOut = number("readout", s.readOut);
-    require(!delay || !readOut, "line_delay and readout exclude each other");
-    require(s.lineDelay >= 0 && s.readOut >= 0, "line_delay and readout must not be negative");
-    require(s.lineDelay <= LONGEST_READ_OUT && s.readOut <= LONGEST_READ_OUT, "line_delay and readout are in seconds");
-    s.rollIsGiven = number("roll", s.roll);
-    s.pitchIsGiven = number("pitch", s.pitch);
-    number("heading", s.heading);
-    number("camera_height", s.height);
-    require(std::abs(s.roll) < 90,
-            "roll must be between -90 and 90 degrees: turn the images of a camera that is mounted "
-            "upside down or on its side, and with them scan and the principal point");
-    require(std::abs(s.pitch) < 90, "pitch must be between -90 and 90 degrees");
-    require(s.height >= 0, "camera_height must not be negative");
-    number("roll_sigma", s.rollSigma);
-    number("pitch_sigma", s.pitchSigma);
-    number("heading_sigma", s.headingSigma);
-    number("line_delay_sigma", s.lineDelaySigma);
-    number("focal_sigma", s.focalSigma);
-    require(s.rollSigma >= 0 && s.pitchSigma >= 0 && s.headingSigma >= 0 && s.lineDelaySigma >= 0 && s.focalSigma >= 0,
-            "standard deviations must not be negative");
+    std::set<std::string> given;
+    for (const NumberKey& key : NUMBER_KEYS)
+        if (number(key.name, s.*key.value))
+        {
+            parseNumber(cv::format("%.10g", s.*key.value), std::string(key.name) + " (" + key.meaning + ")", key.low,
+                        key.high);
+            given.insert(key.name);
+        }
+    require(!given.count("line_delay") || !given.count("readout"), "line_delay and readout exclude each other");
+    s.rollIsGiven = given.count("roll") > 0;
+    s.pitchIsGiven = given.count("pitch") > 0;
     std::string word;
     if (text("scan", word))
         s.scan = parseWord(word, "scan", SCAN_WORDS);
-    text("reference", s.reference);
+    if (text("reference", word))
+        s.reference = parseReference(word, "reference");
 }
 
 void setIntrinsics(const std::vector<double>& k, CameraSettings& s)

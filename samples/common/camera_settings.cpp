@@ -196,12 +196,16 @@ bool isCameraGiven(const Options& options)
     return false;
 }
 
+std::string parseReference(const std::string& text, const std::string& source)
+{
+    if (text != "first" && text != "middle" && text != "last")
+        parseNumber(text, source + " (first, middle, last or a line's number)", -1e9, 1e9);
+    return text;
+}
+
 std::string readReference(const Options& options)
 {
-    const std::string reference = options.text("reference");
-    if (reference != "first" && reference != "middle" && reference != "last")
-        parseNumber(reference, "option --reference (first, middle, last or a line's number)", -1e9, 1e9);
-    return reference;
+    return parseReference(options.text("reference"), "option --reference");
 }
 
 // Of a value that is far from those of cameras in cars, as one in another unit would be. Five standard deviations: a
@@ -240,9 +244,9 @@ CameraSettings readCameraOptions(const Options& options)
         readCameraFile(options.inputFile("camera"), s);
     }
     if (options.given("focal"))
-        s.focal = options.positive("focal", 1e7);
+        s.focal = options.positive("focal", MOST_FOCAL);
     if (options.given("focal_sigma"))
-        s.focalSigma = options.positive("focal_sigma", 1e7);
+        s.focalSigma = options.positive("focal_sigma", MOST_FOCAL);
     if (options.given("line_delay") && options.given("readout"))
         throw UsageError("--line_delay and --readout exclude each other");
     if (options.given("line_delay") || options.given("readout"))
@@ -263,23 +267,23 @@ CameraSettings readCameraOptions(const Options& options)
         s.reference = readReference(options);
     if (options.given("roll"))
     {
-        s.roll = options.number("roll", -89, 89);
+        s.roll = options.number("roll", -MOST_TILT, MOST_TILT);
         s.rollSigma = 0;
         s.rollIsGiven = true;
     }
     if (options.given("pitch"))
     {
-        s.pitch = options.number("pitch", -89, 89);
+        s.pitch = options.number("pitch", -MOST_TILT, MOST_TILT);
         s.pitchSigma = 0;
         s.pitchIsGiven = true;
     }
     if (options.given("heading"))
     {
-        s.heading = options.number("heading", -180, 180);
+        s.heading = options.number("heading", -MOST_HEADING, MOST_HEADING);
         s.headingSigma = 0;
     }
     if (options.given("height"))
-        s.height = options.positive("height", 1000);
+        s.height = options.positive("height", MOST_HEIGHT);
     warnOfUnusualValues(options, s);
     return s;
 }

@@ -76,7 +76,13 @@ extern const char* const CAMERA_KEYS;
 //! Whether an option for the camera is given.
 bool isCameraGiven(const Options& options);
 
-//! The value of --reference: a word, or a number that an image's line may have.
+//! Largest values of options and of camera files: degrees, metres and pixels.
+const double MOST_TILT = 89, MOST_HEADING = 180, MOST_HEIGHT = 1000, MOST_FOCAL = 1e7;
+
+//! A reference: a word, or a number that an image's line may have. Throws UsageError which names its source.
+std::string parseReference(const std::string& text, const std::string& source);
+
+//! The value of --reference.
 std::string readReference(const Options& options);
 
 //! Reads --camera and the other options for a camera, which go before the file.

@@ -259,7 +259,7 @@ TEST_F(Calibrate, mount_sigma_adds_to_the_vehicles)
     writeContent(folder_ / "bad.yml", camera + "roll_sigma: -1.\n");
     const Outcome bad = correct({inputs_[0], "--report=-", "--camera=" + (folder_ / "bad.yml")});
     EXPECT_EQ(2, bad.exitCode);
-    EXPECT_NE(std::string::npos, bad.messages.find("negative")) << bad.messages;
+    EXPECT_NE(std::string::npos, bad.messages.find("roll_sigma (degrees): -1 is not from 0 to 45")) << bad.messages;
 }
 
 // A drive that is shown backward is one of a camera that looks back, unless the car is in reverse.

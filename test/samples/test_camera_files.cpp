@@ -317,10 +317,68 @@ TEST(CameraFiles, mounted_upside_down_or_on_its_side)
         catch (const rsackermann_samples::UsageError& e)
         {
             const std::string message = e.what();
-            EXPECT_NE(std::string::npos, message.find("roll must be between -90 and 90 degrees")) << message;
+            EXPECT_NE(std::string::npos, message.find("is not from -89 to 89")) << message;
             EXPECT_NE(std::string::npos, message.find("turn the images")) << message;
         }
     }
+}
+
+// Of a value that a file has, or the options.
+std::string refusalOf(const std::string& keys, const Arguments& options = Arguments())
+{
+    const TemporaryFolder folder;
+    writeContent(folder / "camera.yml", ROS + keys);
+    const std::string file = "--camera=" + (folder / "camera.yml");
+    std::vector<const char*> arguments = {"program", file.c_str()};
+    for (const std::string& option : options)
+        arguments.push_back(option.c_str());
+    try
+    {
+        rsackermann_samples::readCameraOptions(
+            rsackermann_samples::Options(int(arguments.size()), arguments.data(), rsackermann_samples::CAMERA_KEYS));
+        return "";
+    }
+    catch (const rsackermann_samples::UsageError& e)
+    {
+        return e.what();
+    }
+}
+
+// Of a file and of the option of the same meaning, if there is one.
+TEST(CameraFiles, ranges_of_values)
+{
+    const struct
+    {
+        const char *key, *option, *least, *most, *tooSmall, *tooLarge, *range;
+    } cases[] = {{"roll", "roll", "-89", "89", "-89.5", "89.5", "-89 to 89"},
+                 {"pitch", "pitch", "-89", "89", "-89.5", "89.5", "-89 to 89"},
+                 {"heading", "heading", "-180", "180", "-181", "400", "-180 to 180"},
+                 {"camera_height", "height", "0.3", "1000", "-1", "1200", "to 1000"},
+                 {"line_delay", "line_delay", "1e-6", "2e-3", "-1", "2", "to 1"},
+                 {"readout", "readout", "2e-3", "1", "-0.1", "30", "to 1"},
+                 {"focal_sigma", "focal_sigma", "1e-9", "1e7", "-1", "2e7", "to 10000000"},
+                 {"reference", "reference", "-1e9", "1e9", "-2e9", "2e9", "-1000000000 to 1000000000"},
+                 {"roll_sigma", "", "0", "45", "-1", "46", "0 to 45"},
+                 {"pitch_sigma", "", "0", "45", "-1", "46", "0 to 45"},
+                 {"heading_sigma", "", "0", "180", "-1", "181", "0 to 180"},
+                 {"line_delay_sigma", "", "0", "1", "-1", "1.5", "0 to 1"}};
+    for (const auto& c : cases)
+        for (const std::string value : {c.least, c.most, c.tooSmall, c.tooLarge})
+        {
+            const bool isAccepted = value == c.least || value == c.most;
+            std::vector<std::string> refusals = {refusalOf(std::string(c.key) + ": " + value + "\n")};
+            SCOPED_TRACE(c.key + (": " + value) + ": " + refusals[0]);
+            const std::string ofFile = "/camera.yml: " + std::string(c.key) + " (";
+            EXPECT_NE(isAccepted, refusals[0].find(ofFile) != std::string::npos);
+            if (*c.option)
+                refusals.push_back(refusalOf("", {std::string("--") + c.option + "=" + value}));
+            for (const std::string& refusal : refusals)
+            {
+                EXPECT_EQ(isAccepted, refusal.empty()) << refusal;
+                EXPECT_NE(isAccepted, refusal.find(" is not from ") != std::string::npos) << refusal;
+                EXPECT_NE(isAccepted, refusal.find(c.range) != std::string::npos) << refusal;
+            }
+        }
 }
 
 // A matrix alone is evidently not that of larger or smaller images, whose centre is elsewhere.
