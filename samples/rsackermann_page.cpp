@@ -92,8 +92,6 @@ Task readTask(const Options& options)
     task.frames = readPageFrames(task.report);
     if (task.frames.size() > size_t(options.integer("embed", 0, INT_MAX)))
         task.folder = task.output.substr(0, task.output.size() - extension(task.output).size()) + "_files";
-    if (task.frames.empty())
-        throw InputError(task.report + " has no lines");
     listPictures(options, task);
     OutputPlan plan;
     plan.addInputs(options.inputFiles());

@@ -30,11 +30,13 @@ void readReportLines(const std::string& path,
     if (!file)
         throw InputError(path + " can't be read");
     int number = 0;
+    bool hasLine = false;
     for (std::string text; std::getline(file, text);)
     {
         const std::string source = path + cv::format(", line %d", ++number);
         if (isBlank(text))
             continue;
+        hasLine = true;
         try
         {
             use(parseJson(text), source);
@@ -44,6 +46,8 @@ void readReportLines(const std::string& path,
             throw InputError(source + " isn't one of a report: " + messageOf(e));
         }
     }
+    if (!hasLine)
+        throw InputError(path + " has no lines");
 }
 
 } // namespace rsackermann_samples

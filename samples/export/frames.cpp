@@ -162,6 +162,8 @@ std::vector<MotionFrame> readReport(const std::string& path)
         if (line.at("status") != "failed")
             frames.push_back(frameOfLine(line, source));
     });
+    if (frames.empty())
+        throw InputError(path + " has no lines but of inputs that failed");
     return frames;
 }
 

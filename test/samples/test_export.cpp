@@ -1229,6 +1229,24 @@ TEST_F(Export, usage)
     EXPECT_NE(std::string::npos, nothing.messages.find("nothing to do")) << nothing.messages;
 }
 
+TEST_F(Export, reports_without_a_motion)
+{
+    const std::string report = folder / "none.jsonl", poses = folder / "poses.json";
+    const std::pair<const char*, const char*> reports[] = {
+        {"", "none.jsonl has no lines"},
+        {"\n \n", "none.jsonl has no lines"},
+        {"{\"input\":\"a.png\",\"status\":\"failed\"}\n", "none.jsonl has no lines but of inputs that failed"}};
+    for (const auto& c : reports)
+        for (const Arguments& size : {Arguments(), Arguments{"--size=640x380"}})
+        {
+            writeContent(report, c.first);
+            const Outcome outcome = exportMotion(size + Arguments{"--report=" + report, "--row_poses=" + poses});
+            EXPECT_EQ(1, outcome.exitCode) << c.first;
+            EXPECT_NE(std::string::npos, outcome.messages.find(c.second)) << outcome.messages;
+            EXPECT_FALSE(cv::utils::fs::exists(poses));
+        }
+}
+
 TEST_F(Export, no_result_replaces_an_input_or_another_result)
 {
     const std::string camera = "--camera=" + streetFolder() + "/camera.yml", tracks = folder / "t.csv",
