@@ -5,12 +5,13 @@
 #include "drive_log.hpp"
 #include "csv.hpp"
 #include "files.hpp"
-#include "inputs.hpp"
 #include "options.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace rsackermann_samples {
 
@@ -103,15 +104,15 @@ FrameFacts::FrameFacts()
 {
 }
 
-DriveLog::DriveLog(const std::string& path)
+DriveLog::DriveLog(const std::string& path) : path_(path)
 {
     const CsvTable table = readCsv(path);
     checkHeader(table.header, path);
-    std::map<Key, int> linesOfNames;
     for (size_t i = 0; i < table.rows.size(); i++)
     {
         const std::string row = cv::format("line %d of %s", table.lines[i], path.c_str());
         Key key("", -1);
+        int frame = -1;
         FrameFacts facts;
         for (size_t k = 0; k < table.header.size(); k++)
         {
@@ -121,17 +122,16 @@ DriveLog::DriveLog(const std::string& path)
             else if (name != "frame")
                 facts.*findColumn(name)->value = readCell(*findColumn(name), cell, place);
             else if (!cell.empty())
-                key.second = parseInteger(cell, place, 0, INT_MAX);
+                frame = parseInteger(cell, place, 0, INT_MAX);
         }
         const bool namesImage = !key.first.empty() && !isVideo(key.first);
-        if (namesImage)
-            key.second = -1; // the file's name says all
-        if (namesImage || key.second >= 0)
+        if (!namesImage) // of which the file's name says all
+            key.second = frame;
+        if (namesImage || frame >= 0)
         {
-            const int other = linesOfNames.insert(std::make_pair(key, table.lines[i])).first->second;
-            if (other != table.lines[i])
-                throw UsageError(row + cv::format(": the frame is that of line %d", other));
-            named_[key] = facts;
+            const auto other = named_.insert(std::make_pair(key, Row{facts, table.lines[i], namesImage ? frame : -1}));
+            if (!other.second)
+                throw UsageError(row + cv::format(": the frame is that of line %d", other.first->second.line));
             continue;
         }
         std::vector<FrameFacts>& samples = samples_[key.first];
@@ -164,11 +164,51 @@ std::string DriveLog::nameOf(const std::string& file) const
 {
     for (const std::string& name : {file, fileName(file)})
     {
-        const std::map<Key, FrameFacts>::const_iterator row = named_.lower_bound(Key(name, -1));
+        const std::map<Key, Row>::const_iterator row = named_.lower_bound(Key(name, -1));
         if (samples_.count(name) || (row != named_.end() && row->first.first == name))
             return name;
     }
     return "";
+}
+
+void DriveLog::checkNames(const InputList& inputs) const
+{
+    std::map<std::string, std::set<std::string>> inputsOfNames; // by the name without folders
+    std::map<std::string, std::set<int>> numbers;               // by the log's name: an image may come again
+    bool hasVideo = false;
+    for (const Input& input : inputs.inputs)
+    {
+        inputsOfNames[fileName(input.name)].insert(input.name);
+        numbers[nameOf(input.name)].insert(input.number);
+        hasVideo |= isVideo(input.name);
+    }
+    for (const Input& input : inputs.inputs)
+    {
+        const bool isImage = !isVideo(input.name);
+        std::vector<std::string> names(1, input.name);
+        if (fileName(input.name) != input.name && inputsOfNames[fileName(input.name)].size() == 1)
+            names.push_back(fileName(input.name));
+        if (!isImage || !hasVideo) // else numbers alone may be those of the video's frames
+            names.push_back("");
+        std::map<int, int> lines; // by the frame
+        for (const std::string& name : names)
+        {
+            const int first = !isImage ? 0 : name.empty() ? input.number : -1, last = isImage ? first : INT_MAX;
+            for (auto row = named_.lower_bound(Key(name, first)); row != named_.end() && row->first <= Key(name, last);
+                 ++row)
+            {
+                const int frame = isImage ? input.number : row->first.second, line = row->second.line,
+                          other = lines.insert(std::make_pair(frame, line)).first->second;
+                if (other != line)
+                    throw UsageError(cv::format("lines %d and %d of %s both name %s %d, %s", std::min(line, other),
+                                                std::max(line, other), path_.c_str(), isImage ? "image" : "frame",
+                                                frame, input.name.c_str()));
+                if (row->second.frame >= 0 && !numbers[name].count(row->second.frame))
+                    throw UsageError(cv::format("line %d of %s: %s is image %d of the inputs, and not %d", line,
+                                                path_.c_str(), name.c_str(), frame, row->second.frame));
+            }
+        }
+    }
 }
 
 bool DriveLog::hasNumberAlone() const
@@ -180,10 +220,10 @@ const FrameFacts* DriveLog::named(const std::string& file, int number) const
 {
     for (const std::string& name : {file, fileName(file), std::string()})
     {
-        const std::map<Key, FrameFacts>::const_iterator it =
+        const std::map<Key, Row>::const_iterator it =
             named_.find(Key(name, isVideo(file) || name.empty() ? number : -1));
         if (it != named_.end())
-            return &it->second;
+            return &it->second.facts;
     }
     return nullptr;
 }
@@ -229,8 +269,8 @@ double DriveLog::shortestStep() const
 bool DriveLog::has(double FrameFacts::*value) const
 {
     const auto isGiven = [value](const FrameFacts& facts) { return !std::isnan(facts.*value); };
-    for (const std::pair<const Key, FrameFacts>& entry : named_)
-        if (isGiven(entry.second))
+    for (const std::pair<const Key, Row>& entry : named_)
+        if (isGiven(entry.second.facts))
             return true;
     for (const std::pair<const std::string, std::vector<FrameFacts>>& entry : samples_)
         if (std::any_of(entry.second.begin(), entry.second.end(), isGiven))

@@ -5,6 +5,7 @@
 #ifndef RSACKERMANN_SAMPLES_DRIVE_LOG_HPP
 #define RSACKERMANN_SAMPLES_DRIVE_LOG_HPP
 
+#include "inputs.hpp"
 #include <map>
 #include <string>
 #include <utility>
@@ -60,6 +61,8 @@ public:
     std::string nameOf(const std::string& file) const;
     //! Whether a row names the frame.
     bool names(const std::string& file, int number) const { return named(file, number) != nullptr; }
+    //! Throws UsageError if two rows name one frame of the inputs, or one row names two of the images.
+    void checkNames(const InputList& inputs) const;
     //! Whether a row names a frame by its number alone.
     bool hasNumberAlone() const;
     //! Whether a speed or a yaw rate is given anywhere.
@@ -72,11 +75,18 @@ public:
 private:
     typedef std::pair<std::string, int> Key; // file, empty: any; number, -1: an image that is named by its file
 
+    struct Row
+    {
+        FrameFacts facts;
+        int line, frame; //!< the number beside the name of an image; -1: none
+    };
+
     const FrameFacts* named(const std::string& file, int number) const;
     const std::vector<FrameFacts>* samplesOf(const std::string& file) const;
     bool has(double FrameFacts::*value) const;
 
-    std::map<Key, FrameFacts> named_;
+    std::string path_;
+    std::map<Key, Row> named_;
     std::map<std::string, std::vector<FrameFacts>> samples_; // by the video's name, empty: any; increasing in time
 };
 

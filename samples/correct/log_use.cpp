@@ -54,6 +54,7 @@ void checkLog(const DriveLog& log, const InputList& inputs, const std::string& p
     }
     if (videos > 1 && log.hasNumberAlone())
         throw UsageError("the log's column frame needs the column file: there are several videos");
+    log.checkNames(inputs);
     if (images > 0 && unknown == images)
         throw UsageError("the log names none of the images (columns file or frame), and samples need their times");
     if (log.shortestStep() > RAREST_SAMPLES)

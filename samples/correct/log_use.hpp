@@ -16,8 +16,8 @@ cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts,
                                      const cv::rsackermann::MotionPrior& other = cv::rsackermann::MotionPrior());
 
 /** Only videos know the time of their frames: a log has to name the images that it is about.
-Throws UsageError if it names none of them, or two inputs by the same name without its folders, and warns if some are
-missing, and of samples whose times seem to be in another unit. */
+Throws UsageError if it names none of them, or two inputs by the same name without its folders, or one twice, and warns
+if some are missing, and of samples whose times seem to be in another unit. */
 void checkLog(const DriveLog& log, const InputList& inputs, const std::string& program);
 
 } // namespace rsackermann_samples

@@ -298,6 +298,35 @@ TEST_F(CorrectLog, refused)
     }
 }
 
+// Under different names, or a row two of them.
+TEST_F(CorrectLog, frames_that_are_named_twice)
+{
+    ASSERT_TRUE(cv::utils::fs::createDirectory(folder_ / "drive"));
+    const std::string a = folder_ / "a.png", b = folder_ / "drive/b.png", other = folder_ / "drive/a.png";
+    for (const std::string& path : {a, b, other})
+        cv::imwrite(path, cv::Mat(48, 64, CV_8U, cv::Scalar(40)));
+    const struct
+    {
+        Arguments inputs;
+        std::string rows, message;
+    } logs[] = {
+        {{a, b}, "b.png,,40\na.png,,40\n" + b + ",,90\n", "lines 2 and 4 of "},
+        {{a, b}, "b.png,,40\n" + b + ",,90\n", "both name image 1, " + b},
+        {{a, b}, ",1,40\nb.png,,90\n", "both name image 1, " + b},
+        {{a, b}, "b.png,0,40\n", "line 2 of " + (folder_ / "log.csv") + ": b.png is image 1 of the inputs, and not 0"},
+        {{a, b}, "b.png,1,40\na.png,0,40\n", ""},
+        {{b, a, b}, "b.png,0,40\na.png,1,40\n", ""},
+        {{a, other}, a + ",,40\n" + other + ",,40\n", ""}};
+    for (const auto& log : logs)
+    {
+        writeContent(folder_ / "log.csv", "file,frame,speed_kmh\n" + log.rows);
+        const Outcome outcome =
+            correct(log.inputs + Arguments{"--focal=60", "--report=-", "--log=" + (folder_ / "log.csv")});
+        EXPECT_EQ(log.message.empty() ? 0 : 2, outcome.exitCode) << log.rows << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.messages.find(log.message)) << log.rows << outcome.messages;
+    }
+}
+
 // Of 30 frames/s; those of 25 and 10 frames/s have two decimals, whatever is missing.
 TEST(CorrectLogTimes, that_are_rounded)
 {
