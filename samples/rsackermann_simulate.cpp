@@ -199,6 +199,9 @@ void writeDrive(const Options& options, const CameraSettings& settings, const Tr
                               options.flag("global"),
                               raysOf(options)};
     checkResults(options, files.names());
+    const std::string doubt = doubtOfReadOut(libraryCamera(truth.camera), 1 / street::RenderedDrive::framesPerSecond());
+    if (!doubt.empty())
+        options.warn(doubt);
     street::RenderedDrive drive(truth.camera, truth.scene);
     drive.course = street::RenderedDrive::WEAVING;
     drive.speedSwing = options.number("speed_swing", -500, 500) * KMH;

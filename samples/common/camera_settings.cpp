@@ -41,6 +41,18 @@ CameraSettings::CameraSettings()
 {
 }
 
+std::string doubtOfReadOut(const RollingShutterCamera& camera, double interval)
+{
+    const double rounding = 1.05; // of intervals to milliseconds
+    const double readOut =
+        camera.lineDelay * (camera.isRowShutter() ? camera.imageSize.height : camera.imageSize.width);
+    if (readOut <= rounding * interval)
+        return "";
+    return cv::format("the read-out of %.3g s is longer than the %.3g s between frames, but a sensor reads one frame "
+                      "after the other: check --readout or --line_delay, and the times",
+                      readOut, interval);
+}
+
 cv::Matx33d scaledIntrinsics(cv::Matx33d K, double widthFactor, double heightFactor)
 {
     K(0, 0) *= widthFactor;

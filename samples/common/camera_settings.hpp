@@ -63,6 +63,9 @@ struct CameraSettings
     bool hasLineDelay() const;
 };
 
+//! What is to be said of a camera whose read-out takes longer than the seconds between frames; empty if it doesn't.
+std::string doubtOfReadOut(const cv::rsackermann::RollingShutterCamera& camera, double interval);
+
 /** The camera matrix of images that are scaled by factors for width and height: the centre of the first pixel is at 0,
 and the sides of the image stay its sides. */
 cv::Matx33d scaledIntrinsics(cv::Matx33d K, double widthFactor, double heightFactor);

@@ -34,6 +34,7 @@ void Warnings::end()
     // The frames of a log may all be in other shards.
     if (hasFrame_ && !job_.log.empty() && !isLogUsed_ && job_.shardCount == 1)
         warn(job_.log.whyUseless());
+    endSequence("");
     addRounding();
     addRepeated();
     addReadout();
@@ -108,7 +109,10 @@ void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>
 {
     const bool isVideo = !frames.empty() && frames[0].frame >= 0;
     if (isVideo)
+    {
+        endSequence("");
         lastTime_ = std::numeric_limits<double>::quiet_NaN();
+    }
     for (const FrameReport& frame : frames)
     {
         if (job_.params.sequence && !isVideo && std::isfinite(frame.time))
@@ -117,6 +121,8 @@ void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>
             warnOnce(NO_TIMES);
         const double gap = frame.time - lastTime_;
         lastTime_ = frame.time;
+        if (job_.params.sequence)
+            addInterval(frame, std::isnan(frame.time) && untimed_ > 1 ? job_.params.frameInterval : gap);
         if (!job_.params.sequence || hasGap_ || !(gap <= 0 || gap >= cv::rsackermann::LONGEST_INTERVAL))
             continue;
         hasGap_ = true;
@@ -126,7 +132,33 @@ void Warnings::addTimes(const std::string& input, const std::vector<FrameReport>
             input.c_str(), gap, cv::rsackermann::LONGEST_INTERVAL));
     }
     if (isVideo)
+    {
+        endSequence(input + ": ");
         lastTime_ = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+// Since the frame before, if there is one.
+void Warnings::addInterval(const FrameReport& frame, double interval)
+{
+    if (interval <= 0 || interval >= cv::rsackermann::LONGEST_INTERVAL)
+        endSequence("");
+    else if (interval > 0)
+        intervals_.push_back(interval);
+    camera_ = frame.camera;
+}
+
+// Times may jitter, and frames be missing: the median is that of a steady clock.
+void Warnings::endSequence(const std::string& source)
+{
+    if (intervals_.empty())
+        return;
+    const auto median = intervals_.begin() + std::ptrdiff_t(intervals_.size() / 2);
+    std::nth_element(intervals_.begin(), median, intervals_.end());
+    const std::string doubt = doubtOfReadOut(camera_, *median);
+    if (!doubt.empty())
+        warnOnce(source + doubt);
+    intervals_.clear();
 }
 
 void Warnings::addReference(const FrameReport& frame)

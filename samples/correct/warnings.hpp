@@ -29,6 +29,8 @@ public:
 private:
     void addContradiction(const std::string& input, const std::vector<FrameReport>& frames);
     void addTimes(const std::string& input, const std::vector<FrameReport>& frames);
+    void addInterval(const FrameReport& frame, double interval);
+    void endSequence(const std::string& source);
     void addRounding();
     void addRepeated();
     void addReadout();
@@ -49,6 +51,8 @@ private:
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence
     cv::rsackermann::AckermannMotion lastMotion_;                // of which the read-out is known
     std::vector<double> times_, changes_;                        // of images of a sequence
+    std::vector<double> intervals_;                              // of one sequence
+    cv::rsackermann::RollingShutterCamera camera_;               // of the sequence
     std::set<std::string> given_;                                // warnings that hold for all inputs
 };
 

@@ -133,6 +133,45 @@ TEST_F(CorrectSequence, times_that_begin_another_sequence)
     EXPECT_EQ(1, std::count(untimed.begin(), untimed.end(), '\n')) << untimed;
 }
 
+// No sensor reads two frames at once.
+TEST_F(CorrectSequence, read_out_longer_than_the_time_between_frames)
+{
+    const TemporaryFolder images;
+    for (int i = 0; i < 7; i++)
+        cv::imwrite(images / cv::format("%d.png", i), cv::Mat(48, 64, CV_8U, cv::Scalar(7)));
+    const struct
+    {
+        const char *times, *readOut, *message; //!< no times: 1/30 s apart
+    } cases[] = {{"", "0.05", ": the read-out of 0.05 s is longer than the 0.0333 s between frames"},
+                 {"", "0.033", ""},
+                 {"0 0.04 0.08 0.12 0.16", "0.04", ""},
+                 {"0 0.04 0.08 0.12 0.16", "0.05", ": the read-out of 0.05 s is longer than the 0.04 s between frames"},
+                 {"0 0.04 0.08 0.14 0.16 0.20", "0.038", ""},                         // jitter
+                 {"0 0.02 0.04 0.06 5 5.02 5.04", "0.05", "longer than the 0.02 s"}}; // two sequences
+    for (const auto& c : cases)
+    {
+        SCOPED_TRACE(c.times + std::string(" ") + c.readOut);
+        std::istringstream times(c.times);
+        std::string log = "frame,time_s\n", time;
+        Arguments arguments = {"--focal=50", std::string("--readout=") + c.readOut, "--report=-"};
+        int count = 0;
+        for (; times >> time; count++)
+            log += cv::format("%d,%s\n", count, time.c_str());
+        writeContent(images / "log.csv", log);
+        if (count > 0)
+            arguments.push_back("--log=" + (images / "log.csv"));
+        for (int i = 0; i < (count > 0 ? count : 3); i++)
+            arguments.push_back(images / cv::format("%d.png", i));
+        const Outcome carried = correct(arguments + Arguments{"--carry"});
+        EXPECT_EQ(0, carried.exitCode);
+        const size_t found = carried.messages.find("read-out");
+        EXPECT_EQ(*c.message != 0, found != std::string::npos) << carried.messages;
+        EXPECT_NE(std::string::npos, carried.messages.find(c.message)) << carried.messages;
+        EXPECT_EQ(found, carried.messages.rfind("read-out of")) << carried.messages; // once
+        EXPECT_EQ(std::string::npos, correct(arguments).messages.find("read-out"));
+    }
+}
+
 // Images whose rows a log lacks are taken as far apart as the others, and not 1/30 s.
 TEST_F(CorrectSequence, images_without_a_row_have_times_between_others)
 {

@@ -227,6 +227,17 @@ TEST_F(CorrectVideo, clocks_of_images_and_videos)
     }
 }
 
+TEST_F(CorrectVideo, read_out_longer_than_the_time_between_frames)
+{
+    const auto messagesOf = [&](const std::string& readOut) {
+        return correct({video_, "--focal=816", "--carry", "--report=-", "--readout=" + readOut}).messages;
+    };
+    EXPECT_NE(std::string::npos,
+              messagesOf("0.1").find(video_ + ": the read-out of 0.1 s is longer than the 0.0833 s between frames"))
+        << messagesOf("0.1");
+    EXPECT_EQ(std::string::npos, messagesOf("0.08").find("read-out")) << messagesOf("0.08");
+}
+
 // The frames that are there are corrected, and the exit code says that some are missing.
 TEST_F(CorrectVideo, cut_short)
 {

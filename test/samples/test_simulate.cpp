@@ -38,6 +38,21 @@ TEST(Simulate, refuses_what_it_does_not_know)
     EXPECT_EQ(0, simulate({"--help"}).exitCode);
 }
 
+TEST(Simulate, read_out_longer_than_the_time_between_frames)
+{
+    for (const char* readOut : {"0.05", "0.03"})
+    {
+        const TemporaryFolder folder;
+        const Outcome outcome = simulate({"--output=" + folder.path(), "--frames=1", "--size=64x48", "--focal=60",
+                                          std::string("--readout=") + readOut});
+        EXPECT_EQ(0, outcome.exitCode);
+        EXPECT_EQ(readOut == std::string("0.05"),
+                  outcome.messages.find("the read-out of 0.05 s is longer than the 0.0333 s between frames") !=
+                      std::string::npos)
+            << outcome.messages;
+    }
+}
+
 TEST(Simulate, true_depth)
 {
     const TemporaryFolder folder;
