@@ -9,12 +9,15 @@
 #include "output/output_plan.hpp"
 #include "output/result_names.hpp"
 #include "page/page_text.hpp"
+#include "page/picture_names.hpp"
 #include "page/pictures.hpp"
 #include "progress.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
 #include <climits>
+#include <cstdio>
 #include <iostream>
+#include <set>
 
 namespace {
 
@@ -48,6 +51,7 @@ struct Task
     std::string report, output, folder; //!< folder of the pictures; empty: they are in the page
     std::vector<json> frames;
     std::vector<Picture> pictures;
+    std::set<std::string> oldPictures; //!< those beside an older page of this name
     int width;
 };
 
@@ -67,7 +71,7 @@ void listPictures(const Options& options, Task& task)
         const std::string input = task.frames[i]["input"];
         const bool isOnly = task.frames[0]["input"] == input;
         const auto add = [&](const char* kind, const std::string& source) {
-            task.pictures.push_back({i, kind, source, cv::format("%06zu_%s.jpg", i, kind)});
+            task.pictures.push_back({i, kind, source, pictureName(i, kind)});
         };
         add("raw", input);
         if (task.frames[i]["status"] == "failed")
@@ -90,17 +94,27 @@ Task readTask(const Options& options)
     task.output = options.outputFile("output");
     task.width = options.integer("width", 16, 65535);
     task.frames = readPageFrames(task.report);
+    const std::string folder = task.output.substr(0, task.output.size() - extension(task.output).size()) + "_files";
     if (task.frames.size() > size_t(options.integer("embed", 0, INT_MAX)))
-        task.folder = task.output.substr(0, task.output.size() - extension(task.output).size()) + "_files";
+        task.folder = folder;
     listPictures(options, task);
     OutputPlan plan;
     plan.addInputs(options.inputFiles());
     for (const Picture& picture : task.pictures)
         plan.addInput(picture.source);
     plan.addOutput(task.output, "the page");
+    if (options.flag("overwrite"))
+        for (const std::string& path : picturesIn(folder))
+            task.oldPictures.insert(path);
+    std::set<std::string> others = task.oldPictures;
     for (const Picture& picture : task.pictures)
         if (!task.folder.empty())
+        {
             plan.addOutput(task.folder + "/" + picture.name, picture.source);
+            others.erase(task.folder + "/" + picture.name);
+        }
+    for (const std::string& path : others)
+        plan.addOutput(path, "an older page");
     checkResult(task.output, options.flag("overwrite"));
     if (!options.flag("overwrite") && cv::utils::fs::exists(task.folder))
         throw InputError(task.folder + " exists (--overwrite replaces it)");
@@ -122,7 +136,10 @@ int run(const Options& options)
             const std::vector<uchar> bytes =
                 makers[picture.kind].make(picture.source, frame.value("frame", -1), task.width);
             if (!task.folder.empty())
+            {
                 writeFile(task.folder + "/" + picture.name, std::string(bytes.begin(), bytes.end()));
+                task.oldPictures.erase(task.folder + "/" + picture.name);
+            }
             frame[picture.kind] = task.folder.empty() ? dataAddress(bytes) : picture.name;
         }
         catch (const std::exception& e)
@@ -134,6 +151,8 @@ int run(const Options& options)
     }
     writeFile(task.output,
               pageText({{"report", task.report}, {"folder", fileName(task.folder)}, {"frames", task.frames}}));
+    for (const std::string& path : task.oldPictures) // to which the page doesn't lead
+        std::remove(path.c_str());
     if (missing > 0)
         std::cerr << "rsackermann_page: " << missing << " pictures are missing on the page" << std::endl;
     return missing > 0 ? 1 : 0;

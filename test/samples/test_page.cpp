@@ -138,6 +138,32 @@ TEST_F(Page, pictures_of_many_frames_are_beside_it)
     expectColour(cv::Scalar(250, 0, 0), cv::imread(folder / "page_files/000001_corrected.jpg"), cv::Size(40, 30));
 }
 
+TEST_F(Page, pictures_of_an_older_page_are_removed)
+{
+    const std::string others = folder / "page_files/";
+    ASSERT_EQ(0, make(results() + Arguments{"--embed=0"}).exitCode);
+    const Arguments mine = {"0000001_raw.jpg", "000001_raw.jpeg", "000001_raw.png",
+                            "000002_mine.jpg", "00000_raw.jpg",   "mine.jpg"};
+    for (const std::string& name : mine)
+        writeContent(others + name, "mine");
+    writeContent(others + "1234567_raw.jpg", "of a longer drive");
+    lines.erase(lines.begin() + 1, lines.end());
+    ASSERT_EQ(0, make({"--embed=0", "--overwrite"}).exitCode);
+    Arguments left = mine + Arguments{"000000_raw.jpg"};
+    std::sort(left.begin(), left.end());
+    EXPECT_EQ(left, namesIn(others));
+    // They are in the page.
+    ASSERT_EQ(0, make({"--embed=1", "--overwrite"}).exitCode);
+    EXPECT_EQ(mine, namesIn(others));
+    // One that is read.
+    lines[0]["input"] = others + "000005_raw.jpg";
+    cv::imwrite(others + "000005_raw.jpg", cv::Mat(60, 80, CV_8U, cv::Scalar(40)));
+    const Outcome outcome = make({"--embed=1", "--overwrite"});
+    EXPECT_EQ(2, outcome.exitCode);
+    EXPECT_NE(std::string::npos, outcome.messages.find("would replace the input")) << outcome.messages;
+    EXPECT_TRUE(cv::utils::fs::exists(others + "000005_raw.jpg"));
+}
+
 TEST_F(Page, what_exists_stays)
 {
     writeContent(folder / "page.html", "mine");
