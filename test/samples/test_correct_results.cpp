@@ -13,6 +13,7 @@
 #include "opencv2/imgproc.hpp"
 #include <set>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace opencv_test { namespace {
@@ -330,6 +331,37 @@ TEST_F(CorrectResults, files_appear_together)
 }
 
 // Those of a video whose name isn't UTF-8 need their own lines.
+// Results that replace others, of which only some may be read by all.
+TEST_F(CorrectResults, permissions_stay)
+{
+    putImages(1);
+    const Arguments options = {in_ / "00.png",
+                               "--output=" + (out_ / "o.png"),
+                               "--overlay=" + (out_ / "v.png"),
+                               "--maps=" + (out_ / "m.yml.gz"),
+                               "--report=" + (out_ / "r.jsonl"),
+                               "--overwrite"};
+    const Names names = {"o.png", "v.png", "m.yml.gz", "r.jsonl"};
+    ASSERT_EQ(0, correct(options).exitCode);
+    const auto modeOf = [&](const std::string& name) {
+        struct stat status;
+        EXPECT_EQ(0, stat((out_ / name).c_str(), &status)) << name;
+        return int(status.st_mode & 07777);
+    };
+    const mode_t mask = umask(0);
+    umask(mask);
+    for (const std::string& name : names)
+        EXPECT_EQ(0666 & ~int(mask), modeOf(name)) << name;
+    for (const int mode : {0600, 0640, 0666})
+    {
+        for (const std::string& name : names)
+            ASSERT_EQ(0, chmod((out_ / name).c_str(), mode_t(mode)));
+        ASSERT_EQ(0, correct(options).exitCode);
+        for (const std::string& name : names)
+            EXPECT_EQ(mode, modeOf(name)) << name;
+    }
+}
+
 TEST_F(CorrectResults, names_that_are_not_text)
 {
     const Names names = {"a\xE4.png", "a\xF6.png", "a\xC3\xA4.png"};

@@ -37,10 +37,17 @@ bool isNameOf(const std::string& path, int file)
     return lstat(path.c_str(), &a) == 0 && fstat(file, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
-// A new file with a lock; nothing if its name was taken or someone has taken it for a leftover before it was locked.
-FileDescriptor createLocked(const std::string& path)
+// Permissions of a file; -1: there is none.
+int modeOf(const std::string& path)
 {
-    FileDescriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    struct stat status;
+    return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) ? int(status.st_mode & 0777) : -1;
+}
+
+// A new file with a lock; nothing if its name was taken or someone has taken it for a leftover before it was locked.
+FileDescriptor createLocked(const std::string& path, mode_t mode)
+{
+    FileDescriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode));
     // File systems without locks never have leftovers removed.
     if (file.get() >= 0 && flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     {
@@ -65,7 +72,7 @@ void FileDescriptor::close()
     number_ = -1;
 }
 
-AtomicFile::AtomicFile(const std::string& path) : path_(path), committed_(false)
+AtomicFile::AtomicFile(const std::string& path) : path_(path), mode_(modeOf(path)), committed_(false)
 {
     static std::atomic<unsigned> counter(0);
     const std::string name = fileName(path), folder = path.substr(0, path.size() - name.size());
@@ -77,7 +84,8 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), committed_(false)
     {
         temporary_ = folder + PREFIX + cv::format("%d-%u", int(getpid()), counter++) + extensionsOf(name);
         errno = 0;
-        file_ = createLocked(temporary_);
+        // Others mustn't read meanwhile what they mustn't read at the end, and it has to be written.
+        file_ = createLocked(temporary_, mode_ < 0 ? 0666 : mode_t(mode_) | S_IRUSR | S_IWUSR);
         const bool isWorthAnother = errno == EEXIST || errno == 0 || errno == ENOENT;
         if (file_.get() >= 0 || !isWorthAnother || !cv::utils::fs::exists(folder.empty() ? "." : folder))
             break;
@@ -109,6 +117,8 @@ void AtomicFile::write(const void* bytes, size_t count)
 
 void AtomicFile::commit()
 {
+    if (mode_ >= 0) // some file systems have none, and say that they can't be changed
+        (void)!fchmod(file_.get(), mode_t(mode_));
     // Data that have not reached the disk can be lost after the program has said that all is done.
     if (fsync(file_.get()) != 0 && errno != EINVAL && errno != EROFS)
         throw InputError(path_ + " can't be written: " + systemError());

@@ -30,7 +30,7 @@ private:
 };
 
 /** A file that appears complete or not at all: it is written under another name in the same folder and renamed at the
-end.
+end. It has the permissions of a file that it replaces.
 
 Until then it is locked: a temporary file without a lock was left behind by a process that was killed.
 */
@@ -56,6 +56,7 @@ private:
 
     std::string path_, temporary_;
     FileDescriptor file_;
+    int mode_; // permissions of the file that is replaced; -1: there is none
     bool committed_;
 };
 
