@@ -121,8 +121,8 @@ void correctImage(const Task& task, const std::string& input, DepthNetwork& netw
     const std::string output = task.outputOf(input), depthOutput = task.depthOf(input);
     checkResult(output, task.overwrite);
     checkResult(depthOutput, task.overwrite);
-    std::vector<uchar> exif;
-    const cv::Mat image = readImage(input, &exif);
+    ImageMetadata metadata;
+    const cv::Mat image = readImage(input, &metadata);
     const cv::Ptr<RollingShutterCorrector> corrector =
         RollingShutterCorrector::create(task.camera.makeCamera(image.size()), task.params);
     corrector->setPrior(task.prior);
@@ -132,7 +132,7 @@ void correctImage(const Task& task, const std::string& input, DepthNetwork& netw
     const AckermannMotion motion = corrector->correct(image, corrected, cv::noArray(), depth);
 
     AtomicFiles files;
-    writeImage(files.add(output), corrected, exif);
+    writeImage(files.add(output), corrected, metadata);
     if (!depthOutput.empty())
         writeImage(files.add(depthOutput), depth.values, {});
     files.commit();

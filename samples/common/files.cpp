@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "files.hpp"
-#include "image_metadata.hpp"
 #include "options.hpp"
 
 #include "opencv2/core/utils/filesystem.hpp"
@@ -44,7 +43,7 @@ std::vector<uchar> readBytes(const std::string& path)
     return bytes;
 }
 
-cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
+cv::Mat readImage(const std::string& path, ImageMetadata* metadata)
 {
     const std::vector<uchar> bytes = readBytes(path);
     // Some decoders fill up missing parts and say nothing.
@@ -67,12 +66,15 @@ cv::Mat readImage(const std::string& path, std::vector<uchar>* exif)
     const size_t pages = isTiff ? cv::imcount(path, cv::IMREAD_UNCHANGED) : 1;
     if (pages > 1)
         std::cerr << path << ": warning: only the first of " << pages << " pages is read" << std::endl;
-    if (exif)
-        *exif = exifOf(bytes);
+    if (metadata)
+    {
+        *metadata = metadataOf(bytes);
+        metadata->isGrey = image.channels() == 1;
+    }
     return image;
 }
 
-std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, const std::vector<uchar>& exif)
+std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, const ImageMetadata& metadata)
 {
     const std::string format = extension(path);
     if (!cv::haveImageWriter(path))
@@ -97,7 +99,7 @@ std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, co
     if (!encoded)
         throw InputError(path + ": the format " + format + " can't hold an image of type " +
                          cv::typeToString(image.type()));
-    addExif(bytes, exif);
+    addMetadata(bytes, metadata, image.channels() == 1);
     return bytes;
 }
 

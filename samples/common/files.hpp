@@ -5,6 +5,7 @@
 #ifndef RSACKERMANN_SAMPLES_FILES_HPP
 #define RSACKERMANN_SAMPLES_FILES_HPP
 
+#include "image_metadata.hpp"
 #include "opencv2/core.hpp"
 #include "options.hpp"
 #include <fstream>
@@ -15,14 +16,14 @@ namespace rsackermann_samples {
 
 /** Reads an image of 8 or 16 bits as it is stored (depth, channels, sensor rows). Throws InputError if it is missing,
 damaged, cut short, larger than cv::remap takes or of another kind.
-@param exif receives the image's Exif data, see exifOf(). */
-cv::Mat readImage(const std::string& path, std::vector<uchar>* exif = nullptr);
+@param metadata receives what the file has besides, see metadataOf(). */
+cv::Mat readImage(const std::string& path, ImageMetadata* metadata = nullptr);
 
 /** The bytes of an image file, without loss of depth or channels; throws InputError.
 @param path its extension stands for the format.
-@param exif Exif data, which are kept in the formats that addExif() knows. */
+@param metadata which the formats keep that addMetadata() knows. */
 std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image,
-                               const std::vector<uchar>& exif = std::vector<uchar>());
+                               const ImageMetadata& metadata = ImageMetadata());
 
 //! Whether a name is that of a pipe or a device: it can't be read at any place, and more than once, as files can.
 bool isPipe(const std::string& path);

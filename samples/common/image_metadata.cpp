@@ -12,7 +12,9 @@ namespace rsackermann_samples {
 
 namespace {
 
-const char EXIF_HEAD[6] = {'E', 'x', 'i', 'f', 0, 0}; // of the segment of a JPEG file
+// Of segments of a JPEG file.
+const char EXIF_HEAD[] = {'E', 'x', 'i', 'f', 0, 0};
+const char PROFILE_HEAD[] = {'I', 'C', 'C', '_', 'P', 'R', 'O', 'F', 'I', 'L', 'E', 0};
 
 bool beginsWith(const std::vector<uchar>& file, const char* magic, size_t size)
 {
@@ -87,7 +89,46 @@ std::vector<Part> chunksOf(const std::vector<uchar>& file)
 }
 
 const size_t EXIF_CHUNK = 'e' << 24 | 'X' << 16 | 'I' << 8 | 'f', END_CHUNK = 'I' << 24 | 'E' << 16 | 'N' << 8 | 'D',
-             APP1 = 0xE1;
+             PROFILE_CHUNK = 'i' << 24 | 'C' << 16 | 'C' << 8 | 'P', APP1 = 0xE1, APP2 = 0xE2;
+
+std::vector<uchar> bytesOf(const std::vector<uchar>& file, size_t begin, size_t size)
+{
+    return std::vector<uchar>(file.begin() + std::ptrdiff_t(begin), file.begin() + std::ptrdiff_t(begin + size));
+}
+
+void append(std::vector<uchar>& bytes, const std::vector<uchar>& more)
+{
+    bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+bool hasHead(const std::vector<uchar>& file, const Part& part, const char* head, size_t size)
+{
+    return part.size > size && std::memcmp(&file[part.begin], head, size) == 0;
+}
+
+std::vector<uchar> exifSegment(const std::vector<uchar>& exif)
+{
+    const size_t largest = 0xFFFF - 2 - sizeof EXIF_HEAD;
+    if (exif.empty() || exif.size() > largest)
+        return std::vector<uchar>();
+    std::vector<uchar> segment = {0xFF, uchar(APP1)};
+    appendBigEndian(segment, 2 + sizeof EXIF_HEAD + exif.size(), 2);
+    segment.insert(segment.end(), EXIF_HEAD, EXIF_HEAD + sizeof EXIF_HEAD);
+    append(segment, exif);
+    return segment;
+}
+
+std::vector<uchar> exifChunk(const std::vector<uchar>& exif)
+{
+    std::vector<uchar> chunk;
+    if (exif.empty())
+        return chunk;
+    appendBigEndian(chunk, exif.size(), 4);
+    appendBigEndian(chunk, EXIF_CHUNK, 4);
+    append(chunk, exif);
+    appendBigEndian(chunk, crc32(0, &chunk[4], uInt(chunk.size() - 4)), 4);
+    return chunk;
+}
 
 // A JPEG file is a row of segments, each with a marker and, except for a few, a length; EOI (0xD9) ends the image. In
 // coded data 0xFF is stuffed with a 0 or begins a restart, which have no length, either. Searching for EOI alone would
@@ -143,49 +184,39 @@ bool isCmykTiff(const std::vector<uchar>& file)
 
 } // namespace
 
-std::vector<uchar> exifOf(const std::vector<uchar>& file)
+ImageMetadata metadataOf(const std::vector<uchar>& file)
 {
+    ImageMetadata metadata;
     if (isJpeg(file))
     {
         for (const Part& part : segmentsOf(file))
-            if (part.type == APP1 && part.size > sizeof EXIF_HEAD &&
-                std::memcmp(&file[part.begin], EXIF_HEAD, sizeof EXIF_HEAD) == 0)
-                return std::vector<uchar>(&file[part.begin] + sizeof EXIF_HEAD, &file[part.begin] + part.size);
+            if (part.type == APP1 && metadata.exif.empty() && hasHead(file, part, EXIF_HEAD, sizeof EXIF_HEAD))
+                metadata.exif = bytesOf(file, part.begin + sizeof EXIF_HEAD, part.size - sizeof EXIF_HEAD);
+            else if (part.type == APP2 && hasHead(file, part, PROFILE_HEAD, sizeof PROFILE_HEAD))
+                append(metadata.profile, bytesOf(file, part.begin - 4, part.size + 4)); // a profile may have several
     }
     else if (isPng(file))
     {
         for (const Part& part : chunksOf(file))
-            if (part.type == EXIF_CHUNK)
-                return std::vector<uchar>(&file[part.begin], &file[part.begin] + part.size);
+            if (part.type == EXIF_CHUNK && metadata.exif.empty())
+                metadata.exif = bytesOf(file, part.begin, part.size);
+            else if (part.type == PROFILE_CHUNK && metadata.profile.empty())
+                metadata.profile = bytesOf(file, part.begin - 8, part.size + 12);
     }
-    return std::vector<uchar>();
+    return metadata;
 }
 
-void addExif(std::vector<uchar>& file, const std::vector<uchar>& exif)
+void addMetadata(std::vector<uchar>& file, const ImageMetadata& metadata, bool isGrey)
 {
-    const size_t largest = 0xFFFF - 2 - sizeof EXIF_HEAD; // of a segment
-    std::vector<uchar> part;
-    size_t place = 0;
-    if (exif.empty())
+    const size_t header = 13; // bytes of the first chunk of PNG, behind which others may stand
+    const size_t place = isJpeg(file) ? 2 : 8 + 12 + header;
+    if (!isJpeg(file) && !isPng(file))
         return;
-    if (isJpeg(file) && exif.size() <= largest)
-    {
-        place = 2;
-        part = {0xFF, uchar(APP1)};
-        appendBigEndian(part, 2 + sizeof EXIF_HEAD + exif.size(), 2);
-        part.insert(part.end(), EXIF_HEAD, EXIF_HEAD + sizeof EXIF_HEAD);
-        part.insert(part.end(), exif.begin(), exif.end());
-    }
-    else if (isPng(file))
-    {
-        const size_t header = 13; // bytes of the first chunk, behind which others may stand
-        place = 8 + 12 + header;
-        appendBigEndian(part, exif.size(), 4);
-        appendBigEndian(part, EXIF_CHUNK, 4);
-        part.insert(part.end(), exif.begin(), exif.end());
-        appendBigEndian(part, crc32(0, &part[4], uInt(part.size() - 4)), 4);
-    }
-    file.insert(file.begin() + std::ptrdiff_t(place), part.begin(), part.end());
+    std::vector<uchar> parts = isJpeg(file) ? exifSegment(metadata.exif) : exifChunk(metadata.exif);
+    const bool isSegment = !metadata.profile.empty() && metadata.profile[0] == 0xFF; // a chunk isn't that long
+    if (isSegment == isJpeg(file) && isGrey == metadata.isGrey)
+        append(parts, metadata.profile);
+    file.insert(file.begin() + std::ptrdiff_t(place), parts.begin(), parts.end());
 }
 
 bool isCmyk(const std::vector<uchar>& file)

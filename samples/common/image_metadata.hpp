@@ -10,12 +10,20 @@
 
 namespace rsackermann_samples {
 
-//! The Exif data of a JPEG or PNG file, from the byte order mark on; empty if there are none or the format is another
-//! one.
-std::vector<uchar> exifOf(const std::vector<uchar>& file);
+//! What an image's file has beside its pixels.
+struct ImageMetadata
+{
+    std::vector<uchar> exif;    //!< from the byte order mark on
+    std::vector<uchar> profile; //!< the segments of a JPEG or the chunk of a PNG file with the colour profile (ICC)
+    bool isGrey = false;        //!< so is the profile
+};
 
-//! Puts Exif data into a JPEG or PNG file that has none. Files of other formats and empty data: nothing is done.
-void addExif(std::vector<uchar>& file, const std::vector<uchar>& exif);
+//! The metadata of a JPEG or PNG file; none if the format is another one.
+ImageMetadata metadataOf(const std::vector<uchar>& file);
+
+/** Puts metadata into a JPEG or PNG file that has none: Exif data, and a profile of the same format and kind of
+colours. Files of other formats: nothing is done. */
+void addMetadata(std::vector<uchar>& file, const ImageMetadata& metadata, bool isGrey);
 
 //! Whether a JPEG or TIFF file has the four colours of printers.
 bool isCmyk(const std::vector<uchar>& file);

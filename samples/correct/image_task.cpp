@@ -34,7 +34,7 @@ bool isCopied(const std::string& input, const std::string& output)
 StoredImage readStored(const std::string& input)
 {
     StoredImage stored;
-    stored.pixels = readImage(input, &stored.exif);
+    stored.pixels = readImage(input, &stored.metadata);
     return stored;
 }
 
@@ -43,7 +43,7 @@ AtomicFiles writeResults(const std::string& input, const StoredImage& stored, co
 {
     AtomicFiles files;
     if (!targets.overlay.empty())
-        writeImage(files.add(targets.overlay), frame.overlay, stored.exif);
+        writeImage(files.add(targets.overlay), frame.overlay, stored.metadata);
     if (!targets.maps.empty())
         writeMaps(files.add(targets.maps), frame.map1, frame.map2);
     if (!targets.output.empty())
@@ -55,7 +55,7 @@ AtomicFiles writeResults(const std::string& input, const StoredImage& stored, co
             file.write(bytes.data(), bytes.size());
         }
         else
-            writeImage(file, frame.image, stored.exif);
+            writeImage(file, frame.image, stored.metadata);
     }
     return files;
 }

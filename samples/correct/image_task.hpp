@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_IMAGE_TASK_HPP
 
 #include "frame_corrector.hpp"
+#include "image_metadata.hpp"
 #include "output/atomic_file.hpp"
 #include "targets.hpp"
 
@@ -15,7 +16,7 @@ namespace rsackermann_samples {
 struct StoredImage
 {
     cv::Mat pixels;
-    std::vector<uchar> exif;
+    ImageMetadata metadata;
 };
 
 //! Throws InputError or cv::Exception.

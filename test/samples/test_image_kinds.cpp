@@ -69,6 +69,73 @@ TEST(ImageKinds, orientation)
     EXPECT_EQ(turned, shownSize(folder / "again.jpg"));
 }
 
+std::string bigEndian(size_t value, int count)
+{
+    std::string bytes;
+    for (int i = count - 1; i >= 0; i--)
+        bytes += char(value >> 8 * i & 255);
+    return bytes;
+}
+
+// A profile is what readers make of it, and is passed on as it is: of a JPEG file in two segments.
+std::string profileSegments()
+{
+    std::string segments;
+    for (const char number : {'\1', '\2'})
+    {
+        const std::string content = std::string("ICC_PROFILE\0", 12) + number + "\2" + "no real profile";
+        segments += "\xFF\xE2" + bigEndian(content.size() + 2, 2) + content;
+    }
+    return segments;
+}
+
+std::string profileChunk()
+{
+    const std::string content = std::string("iCCPname\0\0", 10) + "no real profile";
+    uint32_t checksum = 0xFFFFFFFF;
+    for (const char c : content)
+    {
+        checksum ^= uchar(c);
+        for (int i = 0; i < 8; i++)
+            checksum = checksum >> 1 ^ (checksum & 1 ? 0xEDB88320 : 0);
+    }
+    return bigEndian(content.size() - 4, 4) + content + bigEndian(~checksum & 0xFFFFFFFF, 4);
+}
+
+TEST(ImageKinds, colour_profile)
+{
+    const TemporaryFolder folder;
+    cv::Mat grey;
+    cv::cvtColor(streetImage(), grey, cv::COLOR_BGR2GRAY);
+    const struct
+    {
+        std::string input;
+        cv::Mat image;
+        std::string profile, output;
+        bool isKept, isKeptInOverlay; //!< which has colours
+    } cases[] = {{"a.jpg", streetImage(), profileSegments(), "b.jpg", true, true},
+                 {"a.jpg", streetImage(), profileSegments(), "b.png", false, false},
+                 {"a.jpg", grey, profileSegments(), "b.jpg", true, false},
+                 {"a.jpg", cv::Mat(grey.size(), CV_8UC3, cv::Scalar::all(90)), profileSegments(), "b.jpg", true, true},
+                 {"a.png", streetImage(), profileChunk(), "b.png", true, true},
+                 {"a.png", streetImage(), profileChunk(), "b.jpg", false, false}};
+    for (const auto& c : cases)
+    {
+        SCOPED_TRACE(c.input + " " + c.output + cv::format(" %d", c.image.channels()));
+        cv::imwrite(folder / c.input, c.image);
+        std::string content = contentOf(folder / c.input);
+        content.insert(c.input == "a.jpg" ? 2 : 33, c.profile);
+        writeContent(folder / c.input, content);
+        const std::string overlay = folder / ("overlay_" + c.output);
+        const Outcome outcome =
+            correct({folder / c.input, "--output=" + (folder / c.output), "--overlay=" + overlay, "--overwrite"});
+        ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(c.isKept, contentOf(folder / c.output).find(c.profile) != std::string::npos);
+        EXPECT_EQ(c.isKeptInOverlay, contentOf(overlay).find(c.profile) != std::string::npos);
+        EXPECT_EQ(c.image.size(), cv::imread(folder / c.output, cv::IMREAD_UNCHANGED).size());
+    }
+}
+
 TEST(ImageKinds, one_bit)
 {
     const TemporaryFolder folder;

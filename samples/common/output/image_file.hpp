@@ -10,10 +10,10 @@
 
 namespace rsackermann_samples {
 
-//! Writes an image, with Exif data that the formats keep which addExif() knows; throws InputError.
-inline void writeImage(AtomicFile& file, const cv::Mat& image, const std::vector<uchar>& exif)
+//! Writes an image, with metadata that the formats keep which addMetadata() knows; throws InputError.
+inline void writeImage(AtomicFile& file, const cv::Mat& image, const ImageMetadata& metadata)
 {
-    const std::vector<uchar> bytes = encodeImage(file.path(), image, exif);
+    const std::vector<uchar> bytes = encodeImage(file.path(), image, metadata);
     file.write(bytes.data(), bytes.size());
 }
 
