@@ -86,8 +86,8 @@ bool isUtf8(const std::string& text)
 } // namespace
 
 FrameReport::FrameReport()
-    : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), roll(0), pitch(0), segments(0),
-      isLogged(false), isGyroWrong(false), isGyroUsed(false), isDepthGiven(false), isDepthUsed(false),
+    : frame(-1), frames(-1), time(std::numeric_limits<double>::quiet_NaN()), pixelAspect(1), roll(0), pitch(0),
+      segments(0), isLogged(false), isGyroWrong(false), isGyroUsed(false), isDepthGiven(false), isDepthUsed(false),
       change(std::numeric_limits<double>::quiet_NaN()), meanShift(0)
 {
 }

@@ -18,6 +18,7 @@ struct FrameReport
     std::string input, error; //!< error: why the frame isn't corrected; empty: it is
     int frame, frames;        //!< number of a video's frame, from 0, and how many there are; -1: the input is an image
     double time;              //!< seconds; NaN: unknown
+    double pixelAspect;       //!< width of a pixel over its height, as the video says
     cv::rsackermann::RollingShutterCamera camera;
     double roll, pitch; //!< degrees, with which the camera was mounted: of the log or of the camera
     cv::rsackermann::AckermannMotion motion;

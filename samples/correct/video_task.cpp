@@ -130,6 +130,7 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
     const bool isWritten = !targets.output.empty() || !targets.overlay.empty();
     const FrameIndex index = readFrameIndex(input);
     const double announced = announcedFrames(index, capture), framesPerSecond = isWritten ? meanRate(input) : 0;
+    const double aspect = pixelAspect(capture);
     FrameReader reader(capture, index, job.log, input);
     if (needsGyroClock(job))
         corrector.setGyroDelay(gyroDelayOf(input, index, job));
@@ -150,6 +151,7 @@ void correctVideo(const std::string& input, const Targets& targets, const Job& j
             writeMapsOfFrame(targets.mapsOfFrame(number), job, frame);
         frame.report.input = input;
         frame.report.frame = number;
+        frame.report.pixelAspect = aspect;
         frames.push_back(frame.report);
         progress(announced > 0 ? std::min(double(frames.size()) / announced, 1.) : 0);
     }

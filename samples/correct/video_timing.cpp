@@ -67,6 +67,12 @@ int countFrames(const std::string& path)
     return count;
 }
 
+double pixelAspect(const cv::VideoCapture& capture)
+{
+    const double width = capture.get(cv::CAP_PROP_SAR_NUM), height = capture.get(cv::CAP_PROP_SAR_DEN);
+    return width > 0 && height > 0 ? width / height : 1;
+}
+
 cv::VideoCapture openVideo(const std::string& path)
 {
     if (!cv::utils::fs::exists(path))

@@ -37,6 +37,9 @@ double meanRate(const std::string& path);
 //! The number of frames that a video has; goes through the whole video.
 int countFrames(const std::string& path);
 
+//! Width of a video's pixels over their height; 1 if it doesn't say.
+double pixelAspect(const cv::VideoCapture& capture);
+
 //! Opens a video so that its frames have the sensor's rows as rows; throws InputError.
 cv::VideoCapture openVideo(const std::string& path);
 

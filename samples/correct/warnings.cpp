@@ -24,6 +24,7 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
         addReference(frame);
         addGyro(frame);
         addDepth(frame);
+        addPixels(frame);
         if (frame.motion.readoutRatioSigma > 0)
             lastMotion_ = frame.motion;
     }
@@ -241,6 +242,15 @@ void Warnings::addDepth(const FrameReport& frame)
             : "--depth has no effect where no depth is known, where it contradicts verticals or tracked points or is in another unit "
               "than walls and road (give --depth_scale), and on images whose speed in metres is unknown (give --speed, --wall or "
               "--scale_from_road)");
+}
+
+// OpenCV can't write what a video says of the shape of its pixels.
+void Warnings::addPixels(const FrameReport& frame)
+{
+    if (frame.pixelAspect != 1 && !(job_.output.empty() && job_.overlay.empty()))
+        warnOnce(cv::format("the pixels of the video are %.4g times as wide as high, which results don't say: encode "
+                            "them with ffmpeg -vf setsar=%.4g",
+                            frame.pixelAspect, frame.pixelAspect));
 }
 
 void Warnings::warn(const std::string& message)

@@ -39,6 +39,7 @@ private:
     std::string doubtOfGyro() const;
     void addGyro(const FrameReport& frame);
     void addDepth(const FrameReport& frame);
+    void addPixels(const FrameReport& frame);
     void warn(const std::string& message);
     void warnOnce(const std::string& message);
 

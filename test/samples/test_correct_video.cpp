@@ -491,6 +491,24 @@ TEST_F(CorrectVideo, number_of_a_frame_of_two_videos)
     }
 }
 
+TEST_F(CorrectVideo, pixels_that_are_not_square)
+{
+    const std::pair<const char*, const char*> shapes[] = {
+        {"4/3", "1.333 times as wide as high"}, {"1", ""}, {"8/9", "0.8889 times as wide as high"}};
+    for (const auto& shape : shapes)
+    {
+        const Outcome made = runCommand("ffmpeg -nostdin -v error -y -i '" + video_ +
+                                        "' -c:v mpeg4 -vf setsar=" + shape.first + " '" + (in_ / "shape.mp4") + "'");
+        ASSERT_EQ(0, made.exitCode) << made.messages << " (is ffmpeg installed?)";
+        const Arguments one = {in_ / "shape.mp4", "--overwrite"}, results = {"--output=" + out_.path()};
+        const Outcome outcome = correct(one + results);
+        EXPECT_EQ(0, outcome.exitCode);
+        EXPECT_EQ(*shape.second != 0, outcome.messages.find("pixels") != std::string::npos) << outcome.messages;
+        EXPECT_NE(std::string::npos, outcome.messages.find(shape.second)) << outcome.messages;
+        EXPECT_EQ(std::string::npos, correct(one + Arguments{"--report=-"}).messages.find("pixels"));
+    }
+}
+
 TEST_F(CorrectVideo, lines_are_for_images)
 {
     writeContent(in_ / "lines.txt", "1 2 3 4\n");
