@@ -155,6 +155,25 @@ TEST(RSAckermann_Posterior, roll_that_is_not_told_is_no_motion)
     EXPECT_LE(moved, 5);
 }
 
+// However far an unknown mount is tilted, and whatever else leans.
+TEST(RSAckermann_Posterior, mount_that_is_not_given_is_no_motion)
+{
+    RNG rng(3);
+    RollingShutterCamera camera = carCamera();
+    AckermannEstimator::Params params;
+    params.gravitySigma = 2 * degree;
+    params.vehiclePitchSigma = 5 * degree;
+    int moved = 0;
+    for (int i = 0; i < 100; i++)
+    {
+        Mat segments = leaningSegments(camera, 30, 0.3 * degree, rng);
+        segments.push_back(leaningSegments(camera, 15, 10 * degree, rng));
+        camera.setRollPitch(rng.uniform(-5., 5.) * degree, rng.uniform(-12., 12.) * degree);
+        moved += AckermannEstimator::create(camera, params)->estimate(segments).status == MOTION_OK;
+    }
+    EXPECT_LE(moved, 10);
+}
+
 TEST(RSAckermann_Posterior, copies_of_a_segment_are_one_witness)
 {
     const Mat one(Matx14d(1500, 300, 1512, 700));

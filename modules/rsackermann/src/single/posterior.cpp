@@ -40,7 +40,7 @@ Slants slantsOf(const RefinementProblem& problem, const Model& model, bool trans
     return slants;
 }
 
-// A motion hypothesis with the logarithm of its prior probability, given that the camera moves.
+// A motion hypothesis with the logarithm of its prior probability over that of a motion at all.
 struct WeighedHypothesis
 {
     MotionHypothesis hypothesis;
@@ -48,7 +48,7 @@ struct WeighedHypothesis
     // Starts, and then all that they lead to.
     std::vector<Fit> minima;
 
-    WeighedHypothesis(const MotionHypothesis& h, double prior) : hypothesis(h), logPrior(std::log(prior)) {}
+    WeighedHypothesis(const MotionHypothesis& h, double logPrior_) : hypothesis(h), logPrior(logPrior_) {}
 
     void addMinimum(const Fit& fit)
     {
@@ -63,7 +63,7 @@ struct WeighedHypothesis
         std::vector<Fit> refined;
         refined.swap(minima);
         std::sort(refined.begin(), refined.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
-        for (size_t i = 0; i < refined.size() && refined[i].cost < refined[0].cost + tooFar; i++)
+        for (size_t i = 0; i < refined.size() && refined[i].cost <= refined[0].cost + tooFar; i++)
             addMinimum(refined[i]);
     }
 };
@@ -85,44 +85,64 @@ public:
             problem.weigh();
         }
         dependence = dependenceOf(problem.rollSigma());
-        Fit rest = Fit(MotionHypothesis(MODEL_NONE, 0));
-        rest.model[P_STREET] = problem.heading.angle;
-        std::vector<WeighedHypothesis> moving = hypotheses();
-        forEachInParallel(int(moving.size()), [&](int i) { moving[i].minima = allowedStarts(moving[i].hypothesis); });
-        refineAll(rest, moving);
-        if (!(leastOf(rest, moving).cost < DBL_MAX))
+        std::vector<WeighedHypothesis> all = hypotheses();
+        forEachInParallel(int(all.size()),
+                          [&](int i) { all[i].minima = i == 0 ? startsAtRest() : allowedStarts(all[i].hypothesis); });
+        refineAll(all);
+        if (all[0].minima.empty())
             return false;
-        measureNoise(rest, moving);
-        mixture.setRoadLimit(roadLimit(moving));
-        mixture.add(rest, logWeight(rest, prior.logRest()));
+        measureNoise(all);
+        mixture.setRoadLimit(roadLimit(all));
         if (problem.distortionSigma > 0)
-            addRestThroughOtherLenses(rest);
-        addSceneWithoutVerticals(rest);
-        addMoving(moving);
+            addRestThroughOtherLenses(all[0]);
+        addSceneWithoutVerticals(cheapest(all[0].minima));
+        addAll(all);
         result = mixture.best();
         Vec<double, PARAMETERS> byAzimuth; // derivative of the model
         byAzimuth[P_B] = -result.model[P_D];
         byAzimuth[P_D] = result.model[P_B];
-        result.covariance += varianceOfOtherStreets(problem, leastOf(rest, moving)) * byAzimuth * byAzimuth.t();
+        result.covariance += varianceOfOtherStreets(problem, leastOf(all)) * byAzimuth * byAzimuth.t();
         return true;
     }
 
 private:
-    // A camera at rest is always among them.
+    // The first one is that of a camera at rest.
     std::vector<WeighedHypothesis> hypotheses() const
     {
         const int model = params.model, walls = problem.heading.looksAlong() ? 2 : 1;
-        std::vector<WeighedHypothesis> all;
+        std::vector<WeighedHypothesis> all(1, WeighedHypothesis(MotionHypothesis(MODEL_NONE, 0), prior.logRest()));
         if (model != MODEL_NONE && model != MODEL_1LA)
         {
             const int motion = model == MODEL_3LA ? MODEL_3LA : MODEL_4LA;
-            all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), 1 - 2 * UNUSUAL));
+            all.push_back(WeighedHypothesis(MotionHypothesis(motion, walls), std::log(1 - 2 * UNUSUAL)));
             if (walls == 2) // or one, on either side
-                all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), UNUSUAL / 2));
+                all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), std::log(UNUSUAL / 2)));
         }
         if (model == MODEL_AUTO || model == MODEL_1LA)
-            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), UNUSUAL / 2));
+            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), std::log(UNUSUAL / 2)));
         return all;
+    }
+
+    // Without a motion only tilts can explain what leans: three points of each normal distribution.
+    std::vector<Fit> startsAtRest() const
+    {
+        const double points[] = {0, std::sqrt(3.), -std::sqrt(3.)};
+        const Heading& heading = problem.heading;
+        std::vector<Fit> starts;
+        for (const double roll : points)
+            for (const double pitch : points)
+            {
+                Fit fit(MotionHypothesis(MODEL_NONE, 0));
+                fit.model[P_STREET] = heading.angle;
+                // About the vehicle's axes.
+                const double r = roll * problem.gravitySigma, p = pitch * problem.vehiclePitchSigma;
+                fit.model[P_ROLL] = heading.c * r + heading.s * p;
+                fit.model[P_PITCH] = heading.c * p - heading.s * r;
+                starts.push_back(fit);
+                if (!(problem.gravitySigma > 0))
+                    return starts;
+            }
+        return starts;
     }
 
     // The expected motion, a consensus of the verticals, and a pure rotation.
@@ -214,29 +234,29 @@ private:
         return allowed;
     }
 
-    static const Fit& leastOf(const Fit& rest, const std::vector<WeighedHypothesis>& moving)
+    static const Fit& leastOf(const std::vector<WeighedHypothesis>& all)
     {
-        const Fit* least = &rest;
-        for (size_t i = 0; i < moving.size(); i++)
-            if (!moving[i].minima.empty() && cheapest(moving[i].minima).cost < least->cost)
-                least = &cheapest(moving[i].minima);
+        const Fit* least = &cheapest(all[0].minima);
+        for (const WeighedHypothesis& h : all)
+            if (!h.minima.empty() && cheapest(h.minima).cost < least->cost)
+                least = &cheapest(h.minima);
         return *least;
     }
 
     // Noise and fits, in turn; then by how much the evidence says less than its number.
-    void measureNoise(Fit& rest, std::vector<WeighedHypothesis>& moving)
+    void measureNoise(std::vector<WeighedHypothesis>& all)
     {
         const int passes = problem.noiseIsKnown ? 1 : 3;
         for (int pass = 0; pass < passes; pass++)
         {
-            setNoise(leastOf(rest, moving));
-            refineAll(rest, moving);
+            setNoise(leastOf(all));
+            refineAll(all);
         }
         problem.noiseIsKnown = true;
         problem.verticalWeight = 1 / dependence;
         problem.otherWeight = problem.verticalWeight / DEPENDENCE_OF_OTHERS;
-        ownNoise = ownNoiseOf(leastOf(rest, moving));
-        refineAll(rest, moving);
+        ownNoise = ownNoiseOf(leastOf(all));
+        refineAll(all);
     }
 
     void setNoise(const Fit& fit)
@@ -250,12 +270,11 @@ private:
     }
 
     // The first minimum of each hypothesis says which others are worth their steps.
-    void refineAll(Fit& rest, std::vector<WeighedHypothesis>& moving) const
+    void refineAll(std::vector<WeighedHypothesis>& all) const
     {
-        const double tooFar = -2 * std::log(NEGLIGIBLE) * dependence;
-        std::vector<Fit*> firsts(1, &rest);
+        std::vector<Fit*> firsts;
         std::vector<std::pair<Fit*, const Fit*>> others;
-        for (WeighedHypothesis& h : moving)
+        for (WeighedHypothesis& h : all)
             for (size_t i = 0; i < h.minima.size(); i++)
                 if (i == 0)
                     firsts.push_back(&h.minima[i]);
@@ -263,10 +282,13 @@ private:
                     others.push_back(std::make_pair(&h.minima[i], &h.minima[0]));
         forEachInParallel(int(firsts.size()), [&](int i) { firsts[i]->refine(problem); });
         forEachInParallel(int(others.size()),
-                          [&](int i) { others[i].first->refine(problem, others[i].second->cost + tooFar); });
-        for (WeighedHypothesis& h : moving)
-            h.keepDistinct(tooFar);
+                          [&](int i) { others[i].first->refine(problem, others[i].second->cost + tooFar()); });
+        for (WeighedHypothesis& h : all)
+            h.keepDistinct(tooFar());
     }
+
+    // By so much a cost is above another one whose motion makes that of the former negligible.
+    double tooFar() const { return -2 * std::log(NEGLIGIBLE) * dependence; }
 
     // By how much the logarithm of a fit's likelihood with the noise that suits it best is above that of the
     // refinement.
@@ -296,13 +318,12 @@ private:
     }
 
     // As the best of the motions along walls shows it.
-    RoadLimit roadLimit(const std::vector<WeighedHypothesis>& moving) const
+    RoadLimit roadLimit(const std::vector<WeighedHypothesis>& all) const
     {
         Fit best = Fit(MotionHypothesis(MODEL_NONE, 0));
-        for (size_t i = 0; i < moving.size(); i++)
-            if (moving[i].hypothesis.translates() && !moving[i].minima.empty() &&
-                cheapest(moving[i].minima).cost < best.cost)
-                best = cheapest(moving[i].minima);
+        for (const WeighedHypothesis& h : all)
+            if (h.hypothesis.translates() && !h.minima.empty() && cheapest(h.minima).cost < best.cost)
+                best = cheapest(h.minima);
         if (!(best.cost < DBL_MAX))
             return RoadLimit();
         RoadLimit limit = findRoadLimit(problem, best.model, params.threshold);
@@ -315,25 +336,31 @@ private:
     double logNoise(const Fit& fit) const { return (ownNoiseOf(fit) - ownNoise) / dependence; }
 
     // A lens that isn't known bends verticals as a motion can: those of a camera at rest may be seen through any lens.
-    void addRestThroughOtherLenses(const Fit& rest)
+    void addRestThroughOtherLenses(const WeighedHypothesis& rest)
     {
         const int count = int(sizeof(OTHER_LENSES) / sizeof(*OTHER_LENSES));
-        double logWeights[count];
+        std::vector<WeighedHypothesis> seen(count, WeighedHypothesis(rest.hypothesis, rest.logPrior));
+        std::vector<double> logWeights[count];
         forEachInParallel(count, [&](int i) {
-            logWeights[i] = -DBL_MAX;
             RefinementProblem other = problem;
             double logJacobian;
             if (!seeThroughOtherLens(OTHER_LENSES[i] * problem.distortionSigma, other, logJacobian))
                 return;
             other.weigh();
-            Fit fit = rest;
-            fit.refine(other);
-            const double likelihood = ownNoiseOf(slantsOf(other, fit.model, false)) + logJacobian;
-            logWeights[i] = logEvidence(problem, fit) + (likelihood - ownNoise) / dependence + prior.logRest() -
-                            OTHER_LENSES[i] * OTHER_LENSES[i] / 2;
+            seen[i].minima = startsAtRest();
+            for (Fit& fit : seen[i].minima)
+                fit.refine(other);
+            seen[i].keepDistinct(tooFar());
+            for (const Fit& fit : seen[i].minima)
+            {
+                const double likelihood = ownNoiseOf(slantsOf(other, fit.model, false)) + logJacobian;
+                logWeights[i].push_back(logEvidence(problem, fit) + (likelihood - ownNoise) / dependence +
+                                        rest.logPrior - OTHER_LENSES[i] * OTHER_LENSES[i] / 2);
+            }
         });
-        for (double logWeight : logWeights)
-            mixture.add(rest, logWeight);
+        for (int i = 0; i < count; i++)
+            for (size_t k = 0; k < logWeights[i].size(); k++)
+                mixture.add(seen[i].minima[k], logWeights[i][k]);
     }
 
     // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known
@@ -372,35 +399,35 @@ private:
     }
 
     // Each minimum is swept over the yaw rate, if it has one and isn't improbable against the others.
-    void addMoving(const std::vector<WeighedHypothesis>& moving)
+    void addAll(const std::vector<WeighedHypothesis>& all)
     {
-        const int count = int(moving.size());
-        std::vector<std::vector<double>> logWeights(moving.size()); // of the minima
+        const int count = int(all.size());
+        std::vector<std::vector<double>> logWeights(all.size()); // of the minima
         forEachInParallel(count, [&](int i) {
-            for (const Fit& fit : moving[i].minima)
-                logWeights[i].push_back(logWeight(fit, moving[i].logPrior));
+            for (const Fit& fit : all[i].minima)
+                logWeights[i].push_back(logWeight(fit, all[i].logPrior));
         });
         double least = mixture.logSum();
         for (const std::vector<double>& ofHypothesis : logWeights)
             for (const double weight : ofHypothesis)
                 least = std::max(least, weight);
         least += 2 * std::log(NEGLIGIBLE); // a valley may hold more than its bottom says
-        std::vector<std::vector<YawSweep>> valleys(moving.size());
+        std::vector<std::vector<YawSweep>> valleys(all.size());
         forEachInParallel(count, [&](int i) {
-            for (size_t k = 0; k < logWeights[i].size() && moving[i].hypothesis.turns(); k++)
-                if (logWeights[i][k] > least && !contain(valleys[i], moving[i].minima[k]))
-                    valleys[i].push_back(YawSweep(problem, moving[i].minima[k], valleys[i]));
+            for (size_t k = 0; k < logWeights[i].size() && all[i].hypothesis.turns(); k++)
+                if (logWeights[i][k] > least && !contain(valleys[i], all[i].minima[k]))
+                    valleys[i].push_back(YawSweep(problem, all[i].minima[k], valleys[i]));
         });
         for (int i = 0; i < count; i++)
         {
             for (const YawSweep& valley : valleys[i])
             {
-                const double logShared = moving[i].logPrior + logNoise(cheapest(valley.fits));
+                const double logShared = all[i].logPrior + logNoise(cheapest(valley.fits));
                 for (size_t k = 0; k < valley.fits.size(); k++)
                     mixture.add(valley.fits[k], valley.logMasses[k] + logShared);
             }
-            for (size_t k = 0; k < logWeights[i].size() && !moving[i].hypothesis.turns(); k++)
-                mixture.add(moving[i].minima[k], logWeights[i][k]);
+            for (size_t k = 0; k < logWeights[i].size() && !all[i].hypothesis.turns(); k++)
+                mixture.add(all[i].minima[k], logWeights[i][k]);
         }
     }
 
