@@ -14,14 +14,6 @@ const double MOST_MOVES = 0.5;
 const double GRIP = 10;       // m/s^2, of tyres
 const double MOST_COPIES = 5; // of an image: 5 a second become 30
 
-bool showsCopy(const SequenceFit& fit, const MotionPrior& prior)
-{
-    const double speed = fit.prediction.value[SEQUENCE_SPEED],
-                 sigma = std::sqrt(fit.prediction.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
-    return fit.stands && std::abs(speed) > CONTRADICTION * sigma &&
-           !contradicts(speed, sigma, prior.speed, prior.speedSigma);
-}
-
 bool isStill(const std::vector<TrackedBearing>& bearings)
 {
     const auto still =
@@ -40,6 +32,15 @@ static double shareStill(const std::vector<TrackedBearing>& bearings, double sec
             still += b.isStill;
         }
     return still / count;
+}
+
+bool showsCopy(const SequenceFit& fit, const std::vector<TrackedBearing>& bearings, double passed,
+               const MotionPrior& prior)
+{
+    const double speed = fit.prediction.value[SEQUENCE_SPEED],
+                 sigma = std::sqrt(fit.prediction.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
+    return fit.stands && shareStill(bearings, passed) > MOST_MOVES && std::abs(speed) > CONTRADICTION * sigma &&
+           !contradicts(speed, sigma, prior.speed, prior.speedSigma);
 }
 
 bool isStillSince(const std::vector<TrackedBearing>& bearings, double seconds)

@@ -12,9 +12,11 @@
 
 namespace cv { namespace rsackermann {
 
-//! Whether nearly the same image comes again: a car that was fast a moment ago, and isn't given to be slow, doesn't
-//! stand.
-bool showsCopy(const SequenceFit& fit, const MotionPrior& prior);
+/** Whether nearly the same image comes again: a car that was fast a moment ago, and isn't given to be slow, doesn't
+stand.
+@param passed seconds since the one before. */
+bool showsCopy(const SequenceFit& fit, const std::vector<TrackedBearing>& bearings, double passed,
+               const MotionPrior& prior);
 
 //! Whether most of what was tracked stands still.
 bool isStill(const std::vector<TrackedBearing>& bearings);

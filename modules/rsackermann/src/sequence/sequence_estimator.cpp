@@ -273,7 +273,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         resetState();
         return false;
     }
-    isCopy = showsCopy(alone, prior);
+    isCopy = showsCopy(alone, features.bearings, passed, prior);
     if (isCopy)
     {
         filter = filterBefore; // at the time of that image
