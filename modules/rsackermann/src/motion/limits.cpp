@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "contradiction.hpp"
 #include "limits.hpp"
 
 namespace cv { namespace rsackermann {
@@ -36,6 +37,20 @@ double MotionLimits::maxSlant(double x, double heading) const
     const double turning = 2 * maxAlpha * (1 + x * x);
     const double passing = maxScaledSpeed * std::sqrt(1 + x * x) * std::abs(std::sin(heading) - x * std::cos(heading));
     return turning + passing;
+}
+
+// A value that is hardly known is no reason to allow more than what is usual.
+static double limitOf(double given, double sigma, double usual)
+{
+    const double deviation = CONTRADICTION * sigma;
+    return sigma > 0 && deviation < usual ? std::max(usual, std::abs(given) + deviation) : usual;
+}
+
+AckermannEstimator::Params withLimitsOf(const MotionPrior& given, AckermannEstimator::Params params)
+{
+    params.maxYawRate = limitOf(given.yawRate, given.yawRateSigma, params.maxYawRate);
+    params.maxSpeed = limitOf(given.speed, given.speedSigma, params.maxSpeed);
+    return params;
 }
 
 }} // namespace cv::rsackermann

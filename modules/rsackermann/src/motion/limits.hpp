@@ -29,6 +29,9 @@ struct MotionLimits
     double maxSlant(double x, double heading) const;
 };
 
+//! The same parameters with limits of yaw rate and speed that what is given doesn't exceed.
+AckermannEstimator::Params withLimitsOf(const MotionPrior& given, AckermannEstimator::Params params);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_MOTION_LIMITS_HPP

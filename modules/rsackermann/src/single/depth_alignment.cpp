@@ -332,7 +332,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     const DrivingPrior prior(given, camera, params);
     const int known = motion.status == MOTION_OK ? motion.direction : prior.givenDirection(),
               direction = known < 0 ? -1 : 1;
-    AlignmentProblem problem(camera, params, prior, direction);
+    AlignmentProblem problem(camera, withLimitsOf(given, params), prior, direction);
     std::vector<UprightSegment> verticals, others;
     selectCandidates(segments, camera, params, verticals, others);
     if (inMetres)

@@ -29,7 +29,7 @@ public:
     AckermannMotion estimate(InputArray segments, OutputArray labels, const MotionPrior& prior) const CV_OVERRIDE
     {
         CV_INSTRUMENT_REGION();
-        return run(segmentRows(segments), labels, prior);
+        return estimateRows(segmentRows(segments), labels, prior);
     }
 
     AckermannMotion estimateFromImage(InputArray image, OutputArray segments, OutputArray labels,
@@ -42,7 +42,7 @@ public:
         detectSegments(image, found, params.detector, params.minLength);
         if (segments.needed())
             returnSegments(found, segments);
-        return run(segmentRows(found), labels, prior);
+        return estimateRows(segmentRows(found), labels, prior);
     }
 
     String getDefaultName() const CV_OVERRIDE { return "rsackermann_AckermannEstimator"; }
@@ -100,9 +100,14 @@ private:
         compareWithGiven(prior, showsOtherDirection(seen, prior), motion);
     }
 
-    AckermannMotion run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const
+    AckermannMotion estimateRows(const Mat& segments, OutputArray labels, const MotionPrior& prior) const
     {
         prior.check();
+        return AckermannEstimatorImpl(camera, withLimitsOf(prior, params)).run(segments, labels, prior);
+    }
+
+    AckermannMotion run(const Mat& segments, OutputArray labels_, const MotionPrior& prior) const
+    {
         if (labels_.needed())
             checkOutput(labels_, "labels", Size(1, segments.rows), CV_8U);
         AckermannMotion motion;

@@ -82,7 +82,7 @@ public:
 
     /** @brief Sets uprightRotation from the direction of gravity.
     @param gravity direction of gravity (pointing down) in the camera frame, of any length; not parallel to the optical
-    axis.
+    axis. That of a level camera is (0, 1, 0); an accelerometer at rest measures the opposite.
      */
     CV_WRAP void setGravity(const Vec3d& gravity);
 

@@ -237,8 +237,8 @@ public:
 
     /** @brief Whether the given depth of the last image was used.
 
-    A depth in metres needs a motion in metres: AckermannMotion::wallDistance, or AckermannMotion::roadSlope and
-    RollingShutterCamera::height. A given speed (MotionPrior::speed) or AckermannEstimator::Params::wallDistance
+    A depth in metres needs a motion in metres: AckermannMotion::wallDistance, or AckermannMotion::roadSlope,
+    RollingShutterCamera::height and an AckermannMotion::scale. A given speed (MotionPrior::speed) or AckermannEstimator::Params::wallDistance
     suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK,
     where no depth at all is known, and unless the motion is given (correctWithMotion()) where the depths are evidently
     in another unit: their median is more than 20 times or less than a twentieth of that of the planes, or the camera's

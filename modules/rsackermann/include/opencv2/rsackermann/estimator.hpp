@@ -84,9 +84,11 @@ public:
         CV_PROP_RW double confidence; //!< probability with which RANSAC has found the best consensus, default 0.99
         CV_PROP_RW int maxIterations; //!< largest number of minimal samples, default 500
         CV_PROP_RW int seed;          //!< of the random numbers, default 0
-        //! Radians per second, default 90 degrees per second; used if lineDelay is known
+        //! Radians per second, default 90 degrees per second; used if lineDelay is known. A given yaw rate may exceed
+        //! it
         CV_PROP_RW double maxYawRate;
-        //! Metres per second, default 200 km/h; used if lineDelay and the wall's distance are known
+        //! Metres per second, default 200 km/h; used if lineDelay and the wall's distance are known. A given speed may
+        //! exceed it
         CV_PROP_RW double maxSpeed;
         CV_PROP_RW double
             wallDistance; //!< metres to the left wall, or to the only one that is seen; 0: unknown (default)

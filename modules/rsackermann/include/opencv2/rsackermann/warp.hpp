@@ -141,8 +141,8 @@ public:
     none.
     @param depths metres along the optical axis of the global-shutter camera to each point, N values CV_32F or CV_64F;
     for points whose value is not positive, and without this argument, the planes and the inverse-depth offset of the
-    motion are used. Depths need AckermannMotion::wallDistance, or AckermannMotion::roadSlope and
-    RollingShutterCamera::height.
+    motion are used. Depths need AckermannMotion::wallDistance, or AckermannMotion::roadSlope,
+    RollingShutterCamera::height and an AckermannMotion::scale.
     @param mask receives an N x 1 matrix CV_8U, 255 for the points that have a place, be it inside of the image or not,
     and 0 for the others.
 
