@@ -388,4 +388,23 @@ TEST_F(GyroOfDrive, engine_that_shakes_much)
     }
 }
 
+// Points hardly tell a turn of a camera that looks sideways from its way, and don't contradict a gyro that does.
+TEST_F(GyroOfDrive, sideways)
+{
+    const std::string sideways = folder / "sideways";
+    ASSERT_EQ(0, simulate({"--output=" + sideways, "--frames=40", "--size=480x300", "--focal=500", "--speed=30",
+                           "--heading=-80", "--left=5", "--right=6", "--samples=2", "--shake=phone", "--readout=0.02",
+                           "--seed=0"})
+                     .exitCode);
+    const Outcome outcome =
+        correct({sideways + "/frames", "--log=" + sideways + "/log.csv", "--camera=" + sideways + "/camera.yml",
+                 "--carry", "--report=" + (folder / "report.jsonl"), "--gyro=" + sideways + "/gyro.csv"});
+    EXPECT_EQ(0, outcome.exitCode);
+    EXPECT_EQ(std::string::npos, outcome.messages.find("contradict the gyro")) << outcome.messages;
+    int used = 0;
+    for (const json& frame : truthOf(folder / "report.jsonl"))
+        used += !frame["rotation_curve"].is_null();
+    EXPECT_GE(used, 38);
+}
+
 }} // namespace

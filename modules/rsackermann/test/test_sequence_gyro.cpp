@@ -107,6 +107,13 @@ TEST(RSAckermann_Gyro, turns_to_both_neighbours)
         EXPECT_EQ(7 + std::max(neighbour, 0.), turn.end);
         const Vec3d expected(-pitchRate, yawRate + change * neighbour / 2, rollRate);
         EXPECT_LT(cv::norm(camera.uprightRotation * turn.rate - expected), 1e-12) << neighbour;
+        EXPECT_EQ(Vec3d(), turn.variance);
+        const double sigma = 0.1;
+        const TurnOfPoints vague(camera, std::vector<TrackedBearing>(1, bearing), values, 7, neighbour, sigma);
+        EXPECT_EQ(turn.rate, vague.rate);
+        const Matx33d toCamera = camera.uprightRotation.t();
+        for (int i = 0; i < 3; i++)
+            EXPECT_NEAR(sigma * std::abs(toCamera(i, 1)), std::sqrt(vague.variance[i]), 1e-12) << i;
     }
 }
 
@@ -401,6 +408,38 @@ TEST(RSAckermann_Gyro, reset_forgets_every_history)
             EXPECT_EQ(unused.contradicts(), used.contradicts()) << k;
         }
     }
+}
+
+// A camera that looks sideways shows yaw rates that err by several degrees per second, and says so.
+TEST(RSAckermann_Gyro, vague_turns_do_not_contradict)
+{
+    int contradicted[3] = {0, 0, 0}; // exact turns, vague ones, and vague ones with their variance
+    for (int seed = 0; seed < 20; seed++)
+        for (int kind = 0; kind < 3; kind++)
+        {
+            RNG rng(500 + seed);
+            const Turning turning(rng, 0.3 * DEGREE);
+            Mat times, values;
+            measure(turning, {0, 0, Vec3d(), Vec3d(), 1}, 3, rng, times, values);
+            GyroRates gyro;
+            gyro.samples.add(times, values);
+            double error = 0;
+            for (int k = 1; k <= 40; k++)
+            {
+                TurnOfPoints turn = turnOfPoints(turning, k, 0.3 * DEGREE, rng);
+                const double sigma = 8 * DEGREE, kept = 0.9; // as a sequence's states keep their errors
+                error = k == 1 ? rng.gaussian(sigma) : kept * error + rng.gaussian(std::sqrt(1 - kept * kept) * sigma);
+                if (kind > 0)
+                    turn.rate[1] += error;
+                if (kind > 1)
+                    turn.variance[1] = sigma * sigma;
+                gyro.add(turn);
+                CameraRates rates;
+                contradicted[kind] += gyro.contradicts() || !gyro.at(k * INTERVAL, IMAGE, rates);
+            }
+        }
+    EXPECT_GE(contradicted[1], contradicted[0] + 30);
+    EXPECT_LE(contradicted[2], contradicted[0] + 5);
 }
 
 // Neither if only one axis turns, which some delay fits by chance, nor if the gyro would have a bias as none has.

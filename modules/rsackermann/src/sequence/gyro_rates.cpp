@@ -24,7 +24,7 @@ RowSpan::RowSpan(const RollingShutterCamera& camera)
 }
 
 TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
-                           const double* values, double seconds, double neighbour)
+                           const double* values, double seconds, double neighbour, double yawSigma)
     : begin(seconds + std::min(neighbour, 0.)), end(seconds + std::max(neighbour, 0.)), rows(0, 0)
 {
     const double unit = camera.secondsPerUnitTime(), interval = std::abs(neighbour);
@@ -44,7 +44,10 @@ TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector
                  roll = isEarlier ? values[FLOW_ROLL_BEFORE] : -values[FLOW_ROLL_AFTER],
                  yawRate = values[SEQUENCE_YAW_RATE] + values[FLOW_YAW_CHANGE] * neighbour / 2;
     rows = RowSpan(mean - half, mean + half);
-    rate = (tiltOf(values) * camera.uprightRotation).t() * Vec3d(-pitch / interval, yawRate, roll / interval);
+    const Matx33d toCamera = (tiltOf(values) * camera.uprightRotation).t();
+    rate = toCamera * Vec3d(-pitch / interval, yawRate, roll / interval);
+    for (int i = 0; i < 3; i++)
+        variance[i] = std::pow(toCamera(i, 1) * yawSigma, 2);
 }
 
 void CameraRates::about(const Matx33d& rotation, InstantRate& x, InstantRate& y, InstantRate& z) const
@@ -131,7 +134,7 @@ static GyroUnknowns derivatives(const Vec3d& g, const Vec3d& slope, int i)
 }
 
 // Before it is used: a bias that is fitted explains a few turns whatever the gyro says. What isn't known yet of bias,
-// axes and clock isn't the gyro's fault.
+// axes and clock, or of the turn, isn't the gyro's fault.
 void GyroRates::judge(const TurnOfPoints& turn)
 {
     Vec3d g, slope;
@@ -146,7 +149,8 @@ void GyroRates::judge(const TurnOfPoints& turn)
     for (int k = 0; k < 3; k++)
     {
         const GyroUnknowns J = derivatives(g, slope, k);
-        const double beyond = std::max(0., with[k] * with[k] - J.dot(covariance * J));
+        const double vague = CONTRADICTION * CONTRADICTION * turn.variance[k],
+                     beyond = std::max(0., with[k] * with[k] - J.dot(covariance * J) - vague);
         isUnlikely |= beyond > CONTRADICTION * CONTRADICTION * noise[k] * noise[k];
         turned += turn.rate[k] * turn.rate[k];
         leaves += beyond;

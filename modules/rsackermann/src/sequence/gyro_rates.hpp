@@ -29,6 +29,7 @@ struct TurnOfPoints
     double begin, end; // seconds, of both reference rows
     RowSpan rows;      // on which the points are seen
     Vec3d rate;        // mean, rad/s about the axes of the camera
+    Vec3d variance;    // of the rate, beside the noise that all turns have
 
     TurnOfPoints() : begin(0), end(0), rows(0, 0) {}
     TurnOfPoints(double begin_, double end_, const RowSpan& rows_, const Vec3d& rate_)
@@ -40,9 +41,11 @@ struct TurnOfPoints
     @param values of the fit, FLOW_VALUES of them.
     @param seconds time of the frame.
     @param neighbour seconds from there to the other frame, negative if it is earlier.
+    @param yawSigma standard deviation of the fit's yaw rate: a camera that looks sideways hardly tells a turn from the
+    way.
     */
     TurnOfPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
-                 double seconds, double neighbour);
+                 double seconds, double neighbour, double yawSigma = 0);
 };
 
 //! What is between a gyro and the camera, as the points of a sequence show it.

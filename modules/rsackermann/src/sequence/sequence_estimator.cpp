@@ -368,10 +368,11 @@ void SequenceEstimator::updateRates(double before, double after)
         rates.interrupt();
     if (gyro.samples.empty())
         return;
+    const double yawSigma = std::sqrt(last.state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
-        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, -before));
+        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, -before, yawSigma));
     else if (after != 0 && isSeen[after > 0 ? 1 : 0])
-        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, after));
+        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, after, yawSigma));
     useGyro();
 }
 
