@@ -112,7 +112,6 @@ DriveLog::DriveLog(const std::string& path) : path_(path)
     {
         const std::string row = cv::format("line %d of %s", table.lines[i], path.c_str());
         Key key("", -1);
-        int frame = -1;
         FrameFacts facts;
         for (size_t k = 0; k < table.header.size(); k++)
         {
@@ -122,14 +121,14 @@ DriveLog::DriveLog(const std::string& path) : path_(path)
             else if (name != "frame")
                 facts.*findColumn(name)->value = readCell(*findColumn(name), cell, place);
             else if (!cell.empty())
-                frame = parseInteger(cell, place, 0, INT_MAX);
+                key.second = parseInteger(cell, place, 0, INT_MAX);
         }
         const bool namesImage = !key.first.empty() && !isVideo(key.first);
-        if (!namesImage) // of which the file's name says all
-            key.second = frame;
-        if (namesImage || frame >= 0)
+        if (namesImage)
+            key.second = -1; // the file's name says all
+        if (namesImage || key.second >= 0)
         {
-            const auto other = named_.insert(std::make_pair(key, Row{facts, table.lines[i], namesImage ? frame : -1}));
+            const auto other = named_.insert(std::make_pair(key, Row{facts, table.lines[i]}));
             if (!other.second)
                 throw UsageError(row + cv::format(": the frame is that of line %d", other.first->second.line));
             continue;
@@ -174,12 +173,10 @@ std::string DriveLog::nameOf(const std::string& file) const
 void DriveLog::checkNames(const InputList& inputs) const
 {
     std::map<std::string, std::set<std::string>> inputsOfNames; // by the name without folders
-    std::map<std::string, std::set<int>> numbers;               // by the log's name: an image may come again
     bool hasVideo = false;
     for (const Input& input : inputs.inputs)
     {
         inputsOfNames[fileName(input.name)].insert(input.name);
-        numbers[nameOf(input.name)].insert(input.number);
         hasVideo |= isVideo(input.name);
     }
     for (const Input& input : inputs.inputs)
@@ -203,9 +200,6 @@ void DriveLog::checkNames(const InputList& inputs) const
                     throw UsageError(cv::format("lines %d and %d of %s both name %s %d, %s", std::min(line, other),
                                                 std::max(line, other), path_.c_str(), isImage ? "image" : "frame",
                                                 frame, input.name.c_str()));
-                if (row->second.frame >= 0 && !numbers[name].count(row->second.frame))
-                    throw UsageError(cv::format("line %d of %s: %s is image %d of the inputs, and not %d", line,
-                                                path_.c_str(), name.c_str(), frame, row->second.frame));
             }
         }
     }

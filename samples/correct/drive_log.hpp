@@ -61,7 +61,7 @@ public:
     std::string nameOf(const std::string& file) const;
     //! Whether a row names the frame.
     bool names(const std::string& file, int number) const { return named(file, number) != nullptr; }
-    //! Throws UsageError if two rows name one frame of the inputs, or one row names two of the images.
+    //! Throws UsageError if two rows name one frame of the inputs.
     void checkNames(const InputList& inputs) const;
     //! Whether a row names a frame by its number alone.
     bool hasNumberAlone() const;
@@ -78,7 +78,7 @@ private:
     struct Row
     {
         FrameFacts facts;
-        int line, frame; //!< the number beside the name of an image; -1: none
+        int line;
     };
 
     const FrameFacts* named(const std::string& file, int number) const;

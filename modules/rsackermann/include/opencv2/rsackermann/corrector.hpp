@@ -238,13 +238,13 @@ public:
     /** @brief Whether the given depth of the last image was used.
 
     A depth in metres needs a motion in metres: AckermannMotion::wallDistance, or AckermannMotion::roadSlope,
-    RollingShutterCamera::height and an AckermannMotion::scale. A given speed (MotionPrior::speed) or AckermannEstimator::Params::wallDistance
-    suffices for that. Without metres the planes count, and so they do for a motion whose status isn't #MOTION_OK,
-    where no depth at all is known, and unless the motion is given (correctWithMotion()) where the depths are evidently
-    in another unit: their median is more than 20 times or less than a twentieth of that of the planes, or the camera's
-    height above the road that they show is more than three standard deviations
-    (AckermannEstimator::Params::priorHeightLogSigma) away from RollingShutterCamera::height, or from
-    AckermannEstimator::Params::priorHeight if that isn't known. Nor is a depth of the raw camera used of which
+    RollingShutterCamera::height and an AckermannMotion::scale. A given speed (MotionPrior::speed) or
+    AckermannEstimator::Params::wallDistance suffices for that. Without metres the planes count, and so they do for a
+    motion whose status isn't #MOTION_OK, where no depth at all is known, and unless the motion is given
+    (correctWithMotion()) where the depths are evidently in another unit: their median is more than 20 times or less
+    than a twentieth of that of the planes, or the camera's height above the road that they show is more than three
+    standard deviations (AckermannEstimator::Params::priorHeightLogSigma) away from RollingShutterCamera::height, or
+    from AckermannEstimator::Params::priorHeight if that isn't known. Nor is a depth of the raw camera used of which
     verticals of the image have more of a slant left than of the planes: a disparity, a constant, one of another image.
 
     A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
