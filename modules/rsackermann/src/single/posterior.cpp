@@ -92,10 +92,11 @@ public:
         if (all[0].minima.empty())
             return false;
         measureNoise(all);
+        keepMostProbable(all[0].minima);
         mixture.setRoadLimit(roadLimit(all));
         if (problem.distortionSigma > 0)
             addRestThroughOtherLenses(all[0]);
-        addSceneWithoutVerticals(cheapest(all[0].minima));
+        addSceneWithoutVerticals(all[0].minima[0]);
         addAll(all);
         result = mixture.best();
         Vec<double, PARAMETERS> byAzimuth; // derivative of the model
@@ -335,32 +336,47 @@ private:
     // Each hypothesis may have its own noise: a motion that explains the noise of another one must not be paid twice.
     double logNoise(const Fit& fit) const { return (ownNoiseOf(fit) - ownNoise) / dependence; }
 
+    // Fits of a camera at rest differ in tilts of one normal distribution: together they would count twice.
+    void keepMostProbable(std::vector<Fit>& ofRest) const
+    {
+        const Fit best = *std::max_element(ofRest.begin(), ofRest.end(), [&](const Fit& a, const Fit& b) {
+            return logWeight(a, 0) < logWeight(b, 0);
+        });
+        ofRest.assign(1, best);
+    }
+
     // A lens that isn't known bends verticals as a motion can: those of a camera at rest may be seen through any lens.
-    void addRestThroughOtherLenses(const WeighedHypothesis& rest)
+    void addRestThroughOtherLenses(const WeighedHypothesis& known)
     {
         const int count = int(sizeof(OTHER_LENSES) / sizeof(*OTHER_LENSES));
-        std::vector<WeighedHypothesis> seen(count, WeighedHypothesis(rest.hypothesis, rest.logPrior));
-        std::vector<double> logWeights[count];
+        std::vector<Fit> fits(count, Fit(known.hypothesis));
+        double logWeights[count];
         forEachInParallel(count, [&](int i) {
+            logWeights[i] = -DBL_MAX;
+            WeighedHypothesis rest(known.hypothesis, known.logPrior);
             RefinementProblem other = problem;
             double logJacobian;
             if (!seeThroughOtherLens(OTHER_LENSES[i] * problem.distortionSigma, other, logJacobian))
                 return;
             other.weigh();
-            seen[i].minima = startsAtRest();
-            for (Fit& fit : seen[i].minima)
+            rest.minima = startsAtRest();
+            for (Fit& fit : rest.minima)
                 fit.refine(other);
-            seen[i].keepDistinct(tooFar());
-            for (const Fit& fit : seen[i].minima)
+            rest.keepDistinct(tooFar());
+            for (const Fit& fit : rest.minima)
             {
-                const double likelihood = ownNoiseOf(slantsOf(other, fit.model, false)) + logJacobian;
-                logWeights[i].push_back(logEvidence(problem, fit) + (likelihood - ownNoise) / dependence +
-                                        rest.logPrior - OTHER_LENSES[i] * OTHER_LENSES[i] / 2);
+                const double likelihood = ownNoiseOf(slantsOf(other, fit.model, false)) + logJacobian,
+                             logWeight = logEvidence(problem, fit) + (likelihood - ownNoise) / dependence +
+                                         rest.logPrior - OTHER_LENSES[i] * OTHER_LENSES[i] / 2;
+                if (logWeight > logWeights[i])
+                {
+                    logWeights[i] = logWeight;
+                    fits[i] = fit;
+                }
             }
         });
         for (int i = 0; i < count; i++)
-            for (size_t k = 0; k < logWeights[i].size(); k++)
-                mixture.add(seen[i].minima[k], logWeights[i][k]);
+            mixture.add(fits[i], logWeights[i]);
     }
 
     // A scene in which nothing is vertical, or on no two walls, shows nothing of the motion: it is what is known
