@@ -3,10 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "program.hpp"
+#include "rendered_drive.hpp"
 #include "street_model.hpp"
 #include "truth_file.hpp"
 
 #include "opencv2/imgproc.hpp"
+
+using namespace cv::rsackermann;
 
 namespace opencv_test { namespace {
 
@@ -237,6 +240,37 @@ TEST_F(CorrectDepth, metres_in_sequences)
     }
     const cv::Rect below(0, 250, 640, 130); // the road, where an error of 4 % is one of 0.1 px
     EXPECT_LT(cv::norm(columns[0](below), columns[1](below), cv::NORM_L1) / double(below.area()), 0.03);
+}
+
+// What the frames before let expect of one that shows no points is known beside a relative depth, too.
+TEST_F(CorrectDepth, relative_of_an_expected_motion)
+{
+    const street::StreetCamera eye(cv::Size(640, 380), 816, 35e-6, 1.2);
+    street::StreetScene scene;
+    scene.speed = 60 / 3.6;
+    scene.yawRate = 30 * CV_PI / 180;
+    scene.obstacles = 15;
+    scene.stagger = 1.5;
+    street::RenderedDrive drive(eye, scene);
+    drive.course = street::RenderedDrive::WEAVING;
+    drive.phase = CV_PI / 2; // the yaw rate hardly changes
+    const RollingShutterCamera camera = rsackermann_samples::libraryCamera(eye);
+    RollingShutterCorrector::Params params;
+    params.sequence = true;
+    const cv::Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera, params);
+    cv::Mat corrected;
+    for (int i = 0; i < 5; i++)
+        corrector->correct(drive.next().rollingShutter(), corrected);
+    const street::StreetRenderer last = drive.next();
+    const cv::Mat image = last.rollingShutter(), dark(image.size(), image.type(), cv::Scalar::all(0));
+    cv::Mat segments, inverse;
+    detectSegments(image, segments);
+    cv::divide(1, last.rollingDepth(), inverse); // 0 of the sky
+    const AckermannMotion motion = corrector->correctWithSegments(
+        dark, segments, corrected, cv::noArray(), DepthMap(inverse * 3 - 1, DEPTH_RAW, 1, DEPTH_RELATIVE));
+    ASSERT_FALSE(corrector->isTracked());
+    EXPECT_TRUE(corrector->isDepthUsed());
+    EXPECT_NEAR(drive.yawRate(), 2 * motion.alpha / camera.secondsPerUnitTime(), 0.02);
 }
 
 // Of the true depths 1/256 m are a unit, and no other one that makes images worse.

@@ -444,7 +444,7 @@ private:
             return false;
         if (depth.camera != DEPTH_RAW)
             return depth.kind == DEPTH_METRIC;
-        return sequence.alignDepth(segmentRows(segments), prior, motion, depth);
+        return sequence.alignDepth(segmentRows(segments), motion, depth);
     }
 
     void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,

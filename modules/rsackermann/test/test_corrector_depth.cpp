@@ -275,6 +275,35 @@ TEST_F(CorrectorDepth, relative_shows_a_motion)
     EXPECT_GT(rescued, 0);
 }
 
+// A gyro's yaw rate is known beside a depth, too.
+TEST_F(CorrectorDepth, relative_keeps_the_turn_of_a_gyro)
+{
+    RNG rng(21);
+    for (int round = 0; round < 4; round++)
+    {
+        simulation::PostsInStreet s(rng);
+        RollingShutterCorrector::Params params;
+        params.estimator = s.params;
+        params.estimator.gravitySigma = CV_PI / 180;
+        params.gyroBiasSigma = params.gyroAxesSigma = 0.001;
+        const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(s.camera, params);
+        Mat1d times(100, 1), rates(100, 3, 0.);
+        for (int i = 0; i < times.rows; i++)
+        {
+            times(i) = 0.01 * i;
+            rates(i, 1) = s.yawRate;
+        }
+        corrector->addGyro(times, rates);
+        corrector->setTimestamp(0.5);
+        Mat corrected;
+        const AckermannMotion found = corrector->correctWithSegments(Mat(s.camera.imageSize, CV_8U, Scalar(0)),
+                                                                     s.segments, corrected, noArray(), s.relative(rng));
+        ASSERT_EQ(MOTION_OK, found.status) << round;
+        EXPECT_TRUE(corrector->isDepthUsed()) << round;
+        EXPECT_NEAR(s.yawRate, 2 * found.alpha / s.camera.secondsPerUnitTime(), 0.02) << round;
+    }
+}
+
 TEST_F(CorrectorDepth, bad_depth_is_refused_first)
 {
     const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(camera);

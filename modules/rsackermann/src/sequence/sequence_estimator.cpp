@@ -86,6 +86,17 @@ AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFr
     return motionOfImage;
 }
 
+// What is known of yaw rate and speed, as if it were given.
+static MotionPrior valuesOf(const RollingShutterCamera& camera, const AckermannMotion& motion)
+{
+    MotionPrior known;
+    if (motion.yawRate(camera, known.yawRate))
+        known.yawRateSigma = std::sqrt(motion.metricCovariance(camera)(0, 0));
+    if (motion.speedSigma > 0 && motion.speed(camera, known.speed))
+        known.speedSigma = motion.speedSigma;
+    return known;
+}
+
 AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                                const MotionPrior& prior, Mat& labels)
 {
@@ -107,6 +118,7 @@ AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const Gra
     else
         expectMotion(prior, motion, labels);
     isKnown = motion.status == MOTION_OK && (isAfterCopy || isCopy);
+    priorOfImage = valuesOf(camera, motion);
     if (motion.status == MOTION_OK)
         return motion;
     motion = estimateAlone(frame.seconds, segments, prior, labels);
@@ -125,8 +137,7 @@ AckermannMotion SequenceEstimator::estimateSingle(double seconds, const Mat& seg
 }
 
 // A gyro gives the yaw rate, beside other sources, and how rows roll and pitch.
-AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior,
-                                                    Mat& labels) const
+AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels)
 {
     const MotionPrior given = prior;
     MeasuredTurns turns;
@@ -143,6 +154,7 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
         prior.yawRate = yaw.value;
         prior.yawRateSigma = yaw.sigma;
     }
+    priorOfImage = prior;
     AckermannMotion motion = single->estimate(segments, labels, prior);
     if (isMeasured)
         compareAgain(prior, given, motion);
@@ -473,17 +485,16 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
     motion = result;
 }
 
-bool SequenceEstimator::alignDepth(const Mat& segments, const MotionPrior& prior, AckermannMotion& motion,
-                                   DepthMap& depth) const
+bool SequenceEstimator::alignDepth(const Mat& segments, AckermannMotion& motion, DepthMap& depth) const
 {
     if (!isSeen())
-        return rsackermann::alignDepth(camera, params, prior, segments, motion, depth);
+        return rsackermann::alignDepth(camera, params, priorOfImage, segments, motion, depth);
     DepthFit found;
     DepthMap aligned = depth;
     if (motion.status != MOTION_OK || !fitDepth(camera, features.bearings, last, motion, aligned, found))
         // Where hardly any point has a depth none speaks against one in metres.
         return depth.kind == DEPTH_METRIC && found.points < LEAST_POINTS &&
-               rsackermann::alignDepth(camera, params, prior, segments, motion, depth);
+               rsackermann::alignDepth(camera, params, valuesOf(camera, motion), segments, motion, depth);
     AckermannMotion changed = motion;
     MeasuredTurns turns;
     if (!measure(filter.time, turns)) // a gyro knows the instant, whatever the scene is

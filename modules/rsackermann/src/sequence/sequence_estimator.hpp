@@ -52,9 +52,9 @@ public:
 
     /** Finds scale and shift of a #DEPTH_RELATIVE of the last frame, and the motion that goes with it: by its points if
     they showed its motion, else by its verticals. The frames after don't depend on it.
-    @param segments, prior those of estimate().
+    @param segments those of estimate().
     @return whether the image doesn't contradict the depth; otherwise motion and depth stay as they are. */
-    bool alignDepth(const Mat& segments, const MotionPrior& prior, AckermannMotion& motion, DepthMap& depth) const;
+    bool alignDepth(const Mat& segments, AckermannMotion& motion, DepthMap& depth) const;
 
     //! Whether points showed the motion of the last frame.
     bool isSeen() const { return seen == filter.time && !isCopy; }
@@ -78,7 +78,7 @@ private:
     bool update(const AboutFit& aboutFit, const FitNuisances& nuisances, MotionPrior& prior, AckermannMotion& motion);
     MotionPrior compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, const AboutFit& aboutFit,
                                 AckermannMotion& motion);
-    AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels) const;
+    AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels);
     AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
@@ -99,6 +99,7 @@ private:
     FrameFeatures features;
     Mat image; // the last one, with what was found in it
     AckermannMotion motionOfImage;
+    MotionPrior priorOfImage; // what is known of its motion, or else was before its verticals were seen
     Mat segmentsOfImage, labelsOfImage;
     bool isKnown = false; // by its points, or expected as its image before came again
     bool isCopy = false;  // nearly the image before
