@@ -18,7 +18,7 @@ namespace {
 
 const char* const ABOUT =
     "Measures maps with a given depth on rendered streets with staggered houses, cars, posts and trees. Speed, yaw rate\n"
-    "and walls are given, or estimated with a relative depth (--relative). Prints means over all streets: displacement\n"
+    "and walls are given, or estimated with a depth (--relative, --metric). Prints means over all streets: displacement\n"
     "of the raw image and after the correction, in pixels that are seen, and the share of the pixels whose mask is\n"
     "right.\n";
 
@@ -38,14 +38,15 @@ const char* const KEYS =
     "{holes      | 0       | share of the pixels without a depth}"
     "{relative   |         | whose relative depth is given, scale and shift unknown: own, mirrored, "
     "other (another street), later (5 m ahead) or constant}"
-    "{given      | both    | with --relative: both, the yaw rate to 1 deg/s and the speed to 2 km/h, "
-    "yaw_rate alone, or nothing}"
-    "{gravity    | 0.3     | degrees, standard deviation of roll and pitch with --relative}"
-    "{frames     | 1       | with --relative: of a drive, of which the last one has the depth; more than one are a sequence}"
-    "{verbose    |         | with --relative: a line for each street}"
+    "{metric     |         | the same for a depth in metres}"
+    "{given      | both    | of an estimate: both, the yaw rate to 1 deg/s and the speed to 2 km/h, "
+    "yaw_rate or speed alone, or nothing}"
+    "{gravity    | 0.3     | degrees, standard deviation of roll and pitch of an estimate}"
+    "{frames     | 1       | of a drive, of which the last one has the depth; more than one are a sequence}"
+    "{verbose    |         | a line for each street of estimates}"
     "{threads    |         | number of threads}";
 
-//! Whose relative depth is given.
+//! Whose depth is given.
 enum { OWN, MIRRORED, OTHER, LATER, CONSTANT };
 
 struct Measured
@@ -146,9 +147,9 @@ Measured measure(const street::StreetRenderer& renderer, const cv::Mat& columns,
     return sum;
 }
 
-// The depth of a frame as a network might give it.
-cv::Mat relativeDepth(const street::StreetCamera& camera, street::StreetScene scene, int whose, const Options& options,
-                      cv::RNG& rng)
+// The depth of a frame, in metres or as a network might give it.
+DepthMap depthOf(const street::StreetCamera& camera, street::StreetScene scene, int whose, const Options& options,
+                 cv::RNG& rng)
 {
     if (whose == OTHER)
         scene.seed += 1000;
@@ -156,18 +157,16 @@ cv::Mat relativeDepth(const street::StreetCamera& camera, street::StreetScene sc
         scene.travelled += 5;
     const cv::Mat metres = disturbed(street::StreetRenderer(camera, scene).rollingDepth(), options, rng);
     const double scale = std::exp(rng.gaussian(1)), shift = rng.gaussian(1);
-    cv::Mat1f values(metres.size(), 0.f);
-    for (int y = 0; y < values.rows; y++)
+    const bool inMetres = options.given("metric");
+    cv::Mat1f values = metres.clone();
+    for (int y = 0; y < values.rows && !inMetres; y++)
         for (int x = 0; x < values.cols; x++)
-        {
-            const float depth = metres.at<float>(y, x);
-            values(y, x) = float(scale * (depth > 0 ? 1 / depth : 0) + shift);
-        }
+            values(y, x) = float(scale * (values(y, x) > 0 ? 1 / values(y, x) : 0) + shift);
     if (whose == MIRRORED)
         cv::flip(values, values, 1);
     else if (whose == CONSTANT)
-        values.setTo(shift);
-    return values;
+        values.setTo(inMetres ? 10 : shift);
+    return DepthMap(values, DEPTH_RAW, 1, inMetres ? DEPTH_METRIC : DEPTH_RELATIVE);
 }
 
 struct Estimated
@@ -184,7 +183,7 @@ Estimated estimate(const street::StreetCamera& streetCamera, const street::Stree
     RollingShutterCamera camera = libraryCamera(streetCamera);
     const double roll = rng.gaussian(gravity), pitch = rng.gaussian(gravity);
     camera.setRollPitch(streetCamera.roll + roll, streetCamera.pitch + pitch);
-    const int given = options.choice("given", {"both", "yaw_rate", "nothing"});
+    const int given = options.choice("given", {"both", "yaw_rate", "speed", "nothing"});
     const double yawRateError = rng.gaussian(DEGREE), speedError = rng.gaussian(2 * KMH);
     const int frames = options.integer("frames", 1, 100);
     RollingShutterCorrector::Params params;
@@ -203,13 +202,12 @@ Estimated estimate(const street::StreetCamera& streetCamera, const street::Stree
         const bool isLast = i + 1 == frames;
         DepthMap depth;
         if (isLast)
-            depth = DepthMap(relativeDepth(streetCamera, drive.street(), whose, options, rng), DEPTH_RAW, 1,
-                             DEPTH_RELATIVE);
+            depth = depthOf(streetCamera, drive.street(), whose, options, rng);
         MotionPrior prior;
         prior.yawRate = drive.yawRate() + yawRateError;
-        prior.yawRateSigma = given < 2 ? DEGREE : 0;
+        prior.yawRateSigma = given == 0 || given == 1 ? DEGREE : 0;
         prior.speed = drive.speed() + speedError;
-        prior.speedSigma = given < 1 ? 2 * KMH : 0;
+        prior.speedSigma = given == 0 || given == 2 ? 2 * KMH : 0;
         for (const bool isGiven : {false, true})
         {
             RollingShutterCorrector& corrector = *correctors[isGiven];
@@ -229,7 +227,8 @@ Estimated estimate(const street::StreetCamera& streetCamera, const street::Stree
 int runEstimates(const Options& options, const cv::Size& size)
 {
     const std::vector<std::string> names = {"own", "mirrored", "other", "later", "constant"};
-    const int whose = options.choice("relative", names), streets = options.integer("streets", 1, 10000);
+    const int whose = options.choice(options.given("metric") ? "metric" : "relative", names),
+              streets = options.integer("streets", 1, 10000);
     double raw = 0, with = 0, without = 0, harm = 0;
     int used = 0;
     for (int i = 0; i < streets; i++)
@@ -259,7 +258,7 @@ int run(const Options& options)
     if (options.given("threads"))
         cv::setNumThreads(options.integer("threads", 1, 1024));
     const cv::Size size = parseSize(options.text("size"), "option --size", 16, 10000);
-    if (options.given("relative"))
+    if (options.given("relative") || options.given("metric"))
         return runEstimates(options, size);
     const std::vector<std::string> cameras = {"raw", "corrected", "none"};
     const int camera = options.choice("depth", cameras), streets = options.integer("streets", 1, 10000);
