@@ -118,6 +118,8 @@ CameraSettings settingsOf(const MountCalibration& c, CameraSettings s)
     };
     set(c.rollObserved, c.roll, c.rollSigma, s.roll, s.rollSigma);
     set(c.pitchObserved, c.pitch, c.pitchSigma, s.pitch, s.pitchSigma);
+    s.rollIsGiven |= c.rollObserved;
+    s.pitchIsGiven |= c.pitchObserved;
     set(c.headingObserved, c.heading, c.headingSigma, s.heading, s.headingSigma);
     if (c.lineDelayObserved)
     {

@@ -385,7 +385,11 @@ std::string cameraText(const CameraSettings& s, const std::string& format)
     fs << "fisheye_model" << int(s.lensModel == LENS_FISHEYE);
     fs << (s.readOut > 0 ? "readout" : "line_delay") << (s.readOut > 0 ? s.readOut : s.lineDelay);
     fs << "scan" << SCAN_WORDS[s.scan] << "reference" << s.reference;
-    fs << "roll" << s.roll << "pitch" << s.pitch << "heading" << s.heading << "camera_height" << s.height;
+    if (s.rollIsGiven)
+        fs << "roll" << s.roll;
+    if (s.pitchIsGiven)
+        fs << "pitch" << s.pitch;
+    fs << "heading" << s.heading << "camera_height" << s.height;
     const std::pair<const char*, double> sigmas[] = {{"roll_sigma", s.rollSigma},
                                                      {"pitch_sigma", s.pitchSigma},
                                                      {"heading_sigma", s.headingSigma},

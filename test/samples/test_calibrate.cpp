@@ -39,7 +39,7 @@ protected:
     }
 
     //! What is known before. @param lineDelay 0: unknown.
-    void writeCamera(const std::string& name, double lineDelay) const
+    void writeCamera(const std::string& name, double lineDelay, bool isMountGiven = true) const
     {
         CameraSettings camera;
         camera.size = SIZE;
@@ -47,6 +47,7 @@ protected:
         camera.K = cv::Matx33d(FOCAL, 0, (SIZE.width - 1) / 2., 0, FOCAL, (SIZE.height - 1) / 2., 0, 0, 1);
         camera.lineDelay = lineDelay;
         camera.height = 1.4;
+        camera.rollIsGiven = camera.pitchIsGiven = isMountGiven;
         rsackermann_samples::writeCameraFile(folder_ / name, camera);
     }
 
@@ -334,6 +335,19 @@ TEST_F(Calibrate, writes_nothing_that_it_has_not_found)
     EXPECT_NE(std::string::npos, outcome.output.find("pitch       not observable")) << outcome.output;
     EXPECT_NE(std::string::npos, outcome.messages.find("no file is written")) << outcome.messages;
     EXPECT_FALSE(std::ifstream(output_).good());
+}
+
+// An angle of the mount that is neither given nor found is as unknown to those who read the file.
+TEST_F(Calibrate, unknown_angles_are_not_level)
+{
+    writeCamera("camera.yml", 0.8 * LINE_DELAY, false);
+    addBend(20, 0, 6);
+    const Outcome outcome = run();
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    ASSERT_NE(std::string::npos, outcome.output.find("pitch       not observable")) << outcome.output;
+    const CameraSettings c = readCamera(output_);
+    EXPECT_TRUE(c.rollIsGiven);
+    EXPECT_FALSE(c.pitchIsGiven);
 }
 
 TEST_F(Calibrate, repeated_images_are_told)

@@ -491,6 +491,7 @@ TEST(CameraFiles, written_and_read)
     s.reference = "first";
     s.roll = 1;
     s.pitch = 2;
+    s.rollIsGiven = s.pitchIsGiven = true;
     s.heading = 3;
     s.height = 4;
     const std::pair<const char*, const char*> formats[] = {
@@ -514,6 +515,22 @@ TEST(CameraFiles, written_and_read)
         EXPECT_EQ(s.pitch, r.pitch);
         EXPECT_EQ(s.heading, r.heading);
         EXPECT_EQ(s.height, r.height);
+    }
+}
+
+// A mount that nobody knows isn't level when it is read again.
+TEST(CameraFiles, unknown_mount_stays_unknown)
+{
+    const TemporaryFolder folder;
+    for (const bool isRoll : {true, false})
+    {
+        rsackermann_samples::CameraSettings s = read(OPENCV_YAML), r;
+        s.rollIsGiven = isRoll;
+        s.pitchIsGiven = !isRoll;
+        rsackermann_samples::writeCameraFile(folder / "camera.yml", s);
+        rsackermann_samples::readCameraFile(folder / "camera.yml", r);
+        EXPECT_EQ(isRoll, r.rollIsGiven);
+        EXPECT_EQ(!isRoll, r.pitchIsGiven);
     }
 }
 
