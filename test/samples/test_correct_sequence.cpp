@@ -278,4 +278,25 @@ TEST_F(CorrectSequence, number_of_an_input_doesnt_depend_on_others)
         }
 }
 
+// A camera that looks to the right sees the right wall, and --wall is the distance of that.
+TEST(Correct, distance_of_the_right_wall_of_a_sequence)
+{
+    const TemporaryFolder folder;
+    const std::string drive = folder / "drive";
+    ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=3", "--speed=30", "--left=5", "--right=6", "--heading=-90",
+                           "--yaw_rate=0", "--readout=0.03", "--stains=0.5"})
+                     .exitCode);
+    const Outcome outcome = correct({drive + "/frames", "--carry", "--wall=6", "--camera=" + drive + "/camera.yml",
+                                     "--log=" + drive + "/log.csv", "--report=-"});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);)
+    {
+        const Json frame = Json::parse(line);
+        EXPECT_EQ(6, frame["wall_distance_m"]);
+        EXPECT_LT(frame["speed_sigma"], 2);
+        EXPECT_NEAR(30, frame["speed_km_h"].get<double>(), 3 * frame["speed_sigma"].get<double>());
+    }
+}
+
 }} // namespace opencv_test::

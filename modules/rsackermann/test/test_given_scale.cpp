@@ -40,4 +40,34 @@ TEST(RSAckermann_Estimator, scale_by_a_given_speed)
     }
 }
 
+// A street between walls, whose motion knows both: cameras that look along it see both, others one.
+TEST(RSAckermann_Estimator, only_wall_that_is_seen)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.lineDelay = 30e-6;
+    MetricMotion metric;
+    metric.leftDistance = 4;
+    metric.rightDistance = 10;
+    for (const double speed : {8., -8.})
+        for (const double heading : {0., 0.8, 1.6, 3.0, -0.8, -1.6, -3.0})
+        {
+            SCOPED_TRACE(format("%g m/s, heading %g", speed, heading));
+            metric.speed = speed;
+            metric.wallDirection = heading;
+            const AckermannMotion both = AckermannMotion::fromMetric(camera, metric);
+            AckermannMotion motion = both;
+            motion.covariance = Matx44d::diag(Vec4d(1e-6, 1e-8, 1e-8, 0));
+            const double sigma = std::sqrt(motion.metricCovariance(camera)(1, 1));
+            keepSeenWalls(camera, motion);
+            const bool seesBoth = std::abs(heading) < 0.5 || std::abs(heading) > 2.5;
+            ASSERT_EQ(seesBoth ? both.wallRatio : 0, motion.wallRatio);
+            motion.wallDistance = seesBoth || heading > 0 ? 4 : 10;
+            double got;
+            ASSERT_TRUE(motion.speed(camera, got));
+            EXPECT_NEAR(speed, got, 1e-9);
+            EXPECT_NEAR(sigma, std::sqrt(motion.metricCovariance(camera)(1, 1)), 1e-9);
+            EXPECT_NEAR(both.delta(), motion.delta(), 1e-9 * std::abs(both.delta()));
+        }
+}
+
 }} // namespace

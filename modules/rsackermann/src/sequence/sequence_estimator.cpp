@@ -454,6 +454,7 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     motion.model = DisplacementField(camera).mainMotion(model, motion.roadSlope);
     const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, PRIOR_LEAN};
     labelInliers(verticals, model, camera.heading, agreement, motion, labels);
+    keepSeenWalls(camera, motion);
     if (!setGivenScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
         motion.scale = SCALE_ROAD;
     if (motion.scale == SCALE_ROAD || motion.scale == SCALE_SPEED) // by what is given and what the frames show

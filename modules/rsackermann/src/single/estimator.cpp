@@ -186,6 +186,7 @@ private:
         const Model& m = found.model;
         motion.model = found.hypothesis.motion;
         setModel(m, found.G, found.covariance, motion);
+        keepSeenWalls(camera, motion);
 
         // Measurements give a length; a prior doesn't, and a speed of 0 +- 30 km/h doesn't, either.
         const double speed = std::hypot(motion.wallSlope, motion.wallOffset);

@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "../scene/planes.hpp"
 #include "inliers_and_scale.hpp"
+#include "../camera/lens.hpp"
 #include "../factors/robust_losses.hpp"
 #include "../factors/segment_residuals.hpp"
 
@@ -53,6 +54,40 @@ void setModel(const Model& m, double G, const Matx<double, PARAMETERS, PARAMETER
     motion.pitchCorrection = m[P_PITCH];
     motion.covariance = covariance.get_minor<4, 4>(P_ALPHA, P_ALPHA);
     motion.rollYawAmbiguous = isRollYawAmbiguous(covariance);
+}
+
+void keepSeenWalls(const RollingShutterCamera& camera, AckermannMotion& motion)
+{
+    const double ratio = motion.wallRatio, B = motion.wallSlope, D = motion.wallOffset;
+    if (!(ratio > 0))
+        return;
+    const Point2d last(camera.imageSize.width - 1, camera.imageSize.height - 1), middle = last * 0.5;
+    const std::vector<Point2d> border = {Point2d(),
+                                         Point2d(middle.x, 0),
+                                         Point2d(last.x, 0),
+                                         Point2d(0, middle.y),
+                                         Point2d(last.x, middle.y),
+                                         Point2d(0, last.y),
+                                         Point2d(middle.x, last.y),
+                                         last};
+    bool seesLeft = false, seesRight = false;
+    for (const Vec3d& ray : bearingsOf(camera, motion.uprightRotation(camera), border))
+    {
+        const double left = motion.direction * (D * ray[2] - B * ray[0]);
+        seesLeft |= left > 0;
+        seesRight |= left < 0;
+    }
+    if (seesLeft == seesRight)
+        return;
+    Matx44d J = Matx44d::diag(Vec4d(1, 1, 1, 0));
+    if (seesRight)
+    {
+        motion.wallSlope = -ratio * B;
+        motion.wallOffset = -ratio * D;
+        J = Matx44d(1, 0, 0, 0, 0, -ratio, 0, -B, 0, 0, -ratio, -D, 0, 0, 0, 0);
+    }
+    motion.wallRatio = 0;
+    motion.covariance = J * motion.covariance * J.t();
 }
 
 bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,

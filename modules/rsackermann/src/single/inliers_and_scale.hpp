@@ -28,6 +28,10 @@ void labelInliers(const std::vector<UprightSegment>& verticals, const Model& mod
 void setModel(const Model& model, double G, const Matx<double, PARAMETERS, PARAMETERS>& covariance,
               AckermannMotion& motion);
 
+//! Leaves of two walls the one that the image shows, if it shows one alone: what is given of "the left or only wall" is
+//! of that one, not of one that nobody sees.
+void keepSeenWalls(const RollingShutterCamera& camera, AckermannMotion& motion);
+
 /** Gives a motion the length that a given wall or speed determines.
 @return false if neither is given. */
 bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
