@@ -4,6 +4,7 @@
 
 #include "drive_reader.hpp"
 #include "files.hpp"
+#include "image_times.hpp"
 #include "options.hpp"
 #include "output/interrupt.hpp"
 #ifdef RSACKERMANN_WITH_VIDEOIO
@@ -12,23 +13,21 @@
 #endif
 
 #include <cmath>
-#include <limits>
 
 namespace rsackermann_samples {
 
 namespace {
 
-const double INTERVAL = 1. / 30; // seconds from image to image unless the log has times
+const double INTERVAL = 1. / 30; // seconds from image to image if the log doesn't tell how many
 // Seconds, so that nobody takes one video for the continuation of another
 const double BETWEEN_DRIVES = 3600;
-const double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
 
 class DriveReader
 {
 public:
     DriveReader(const std::vector<Input>& inputs, const DriveLog& log,
                 const std::function<void(const DriveFrame&, double)>& use)
-        : inputs_(inputs), log_(log), use_(use), next_(0), offset_(0)
+        : inputs_(inputs), log_(log), use_(use), missing_(missingTimes(inputs, log)), next_(0), offset_(0)
     {
     }
 
@@ -36,7 +35,7 @@ public:
     {
         const Input& input = inputs_[index];
         DriveFrame frame;
-        frame.facts = log_.of(input.name, input.number, UNKNOWN);
+        frame.facts = log_.of(input.name, input.number, missing_[index]);
         frame.isTimeGiven = !std::isnan(frame.facts.time);
         if (!frame.isTimeGiven)
             frame.facts.time = next_ + (input.intervals - 1) * INTERVAL;
@@ -83,7 +82,8 @@ private:
     const std::vector<Input>& inputs_;
     const DriveLog& log_;
     const std::function<void(const DriveFrame&, double)>& use_;
-    double next_, offset_; // of time: of an image that comes next, and of the present video
+    const std::vector<double> missing_; // times of images
+    double next_, offset_;              // of time: of an image that comes next, and of the present video
 };
 
 } // namespace

@@ -20,8 +20,8 @@ struct DriveFrame
     bool isTimeGiven = true; //!< and not only 1/30 s after the image before
 };
 
-/** Reads all frames of a drive in their order; each video is a drive of its own. An image without a time follows after
-1/30 s.
+/** Reads all frames of a drive in their order; each video is a drive of its own. An image without a time has that of
+missingTimes(), else it follows after 1/30 s.
 @param use is called with each frame and the share of the work that is done.
 @param fail is called with an input that can't be read, and why.
 Throws Interrupted if a signal asks the program to end, and UsageError if use() does. */

@@ -66,13 +66,25 @@ TEST_F(ReadDrive, image_that_cannot_be_read_takes_its_time)
         const std::vector<double> given = times(DriveLog(folder_ / "log.csv"));
         ASSERT_EQ(2u, given.size());
         EXPECT_EQ(5, given[0]);
-        EXPECT_NEAR(5.5 + 1 / 30., given[1], 1e-9);
+        EXPECT_NEAR(6, given[1], 1e-9); // as far apart as the others
 
         writeContent(folder_ / "log.csv", "frame,time_s\n0,5\n1,5.5\n2,7\n");
         const std::vector<double> byNumber = times(DriveLog(folder_ / "log.csv"));
         ASSERT_EQ(2u, byNumber.size());
         EXPECT_EQ(7, byNumber[1]);
     }
+}
+
+// As of a sequence: a drive of 10 images a second isn't one of images that are now 1/30 s apart, now more.
+TEST_F(ReadDrive, images_without_a_row_have_times_between_others)
+{
+    for (int i = 0; i < 5; i++)
+        addImage();
+    writeContent(folder_ / "log.csv", "file,time_s\n001.png,7.1\n003.png,7.3\n");
+    const std::vector<double> t = times(DriveLog(folder_ / "log.csv"));
+    ASSERT_EQ(names_.size(), t.size());
+    for (int i = 0; i < 5; i++)
+        EXPECT_NEAR(7 + 0.1 * i, t[size_t(i)], 1e-9);
 }
 
 // Of a numbered pattern or a folder, whose frames may be every second one, or all.
