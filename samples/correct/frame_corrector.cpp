@@ -87,6 +87,7 @@ void FrameCorrector::useFacts()
 void FrameCorrector::reset()
 {
     isFirst_ = true;
+    time_ = -job_.params.frameInterval; // without times the first one is at 0, as in a video
     if (corrector_)
         corrector_->reset();
 }

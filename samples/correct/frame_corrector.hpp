@@ -34,7 +34,7 @@ struct NextFrame
 class FrameCorrector
 {
 public:
-    explicit FrameCorrector(const Job& job) : job_(job), isFirst_(true), gyroDelay_(0), time_(0), roll_(0), pitch_(0) {}
+    explicit FrameCorrector(const Job& job) : job_(job), gyroDelay_(0), roll_(0), pitch_(0) { reset(); }
 
     /** Goes on to the next image of a sequence, whether it can be corrected or not: its time passes.
     @param facts from the log, or only its time. */

@@ -129,6 +129,19 @@ TEST_F(CorrectGyro, image_without_time)
 }
 
 // Gaps and saturated samples are reported with their line and column; a frame in a gap does without the gyro.
+// As the frames of a video, and as rsackermann_calibrate takes them.
+TEST_F(CorrectGyro, images_without_times_begin_at_0)
+{
+    std::string gyro = HEADER;
+    for (int i = -10; i < 10; i++)
+        gyro += cv::format("%g,%d,0,0\n", 0.01 * i, i < 2 ? 30 : -30);
+    writeContent(folder_ / "gyro.csv", gyro);
+    const Outcome outcome = correct({folder_ / "dark.png", "--carry", "--focal=500", "--readout=0.02",
+                                     "--gyro=" + (folder_ / "gyro.csv"), "--gyro_delay=0", "--report=-"});
+    ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+    EXPECT_NEAR(30, double(Json::parse(outcome.output)["yaw_rate_deg_s"]), 3);
+}
+
 TEST_F(CorrectGyro, warnings)
 {
     Outcome outcome = run("a.csv", std::string(HEADER) + "0,1,2,3\n0.9,1,2,3\n0.91,1,2,3\n1.2,1,2,3\n");
