@@ -84,6 +84,7 @@ Task readTask(const Options& options)
         checkLog(task.log, task.inputs, "rsackermann_calibrate");
     }
     task.gyro = readGyroOptions(options, "rsackermann_calibrate");
+    checkGyro(task.gyro, task.log, task.inputs);
 #ifndef RSACKERMANN_WITH_VIDEOIO
     for (const Input& input : task.inputs.inputs)
         if (isVideo(input.name))

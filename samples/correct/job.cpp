@@ -220,6 +220,7 @@ Job readJob(const Options& options)
     job.mapsIsFolder = isResultFolder(job.maps, job.inputs.single && !hasVideo(job.inputs), "maps");
     if (options.given("log"))
         checkLog(job.log, job.inputs, "rsackermann_correct");
+    checkGyro(job.gyro, job.log, job.inputs);
     checkTargets(options, job);
     checkPictureName("output", job.output, job.outputIsFolder, job.inputs);
     checkPictureName("overlay", job.overlay, job.overlayIsFolder, job.inputs);

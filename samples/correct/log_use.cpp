@@ -64,4 +64,15 @@ void checkLog(const DriveLog& log, const InputList& inputs, const std::string& p
         std::cerr << program << ": the log doesn't name " << unknown << " of the " << images << " images" << std::endl;
 }
 
+void checkGyro(const GyroRecording& gyro, const DriveLog& log, const InputList& inputs)
+{
+    int videos = 0;
+    for (const Input& input : inputs.inputs)
+        videos += isVideo(input.name) && std::isnan(log.of(input.name, 0, NAN).time);
+    if (!gyro.times.empty() && videos > 1)
+        throw UsageError(cv::format("--gyro is of one video, but each of %d begins at its 0 s: give them one by one, "
+                                    "each with its gyro, or the times of their frames (--log)",
+                                    videos));
+}
+
 } // namespace rsackermann_samples

@@ -6,6 +6,7 @@
 #define RSACKERMANN_SAMPLES_LOG_USE_HPP
 
 #include "drive_log.hpp"
+#include "gyro_file.hpp"
 #include "inputs.hpp"
 #include "opencv2/rsackermann/motion.hpp"
 
@@ -19,6 +20,9 @@ cv::rsackermann::MotionPrior priorOf(const FrameFacts& facts,
 Throws UsageError if it names none of them, or two inputs by the same name without its folders, or one twice, and warns
 if some are missing, and of samples whose times seem to be in another unit. */
 void checkLog(const DriveLog& log, const InputList& inputs, const std::string& program);
+
+//! Throws UsageError if a gyro is that of several videos each of which begins at 0: it can't be of more than one.
+void checkGyro(const GyroRecording& gyro, const DriveLog& log, const InputList& inputs);
 
 } // namespace rsackermann_samples
 

@@ -129,6 +129,33 @@ TEST_F(CorrectGyro, image_without_time)
 }
 
 // Gaps and saturated samples are reported with their line and column; a frame in a gap does without the gyro.
+#ifdef RSACKERMANN_WITH_VIDEOIO
+// Each begins at 0 s, so the gyro would turn all of them as it does one. A log knows when they were taken.
+TEST_F(CorrectGyro, of_several_videos)
+{
+    Arguments options;
+    for (const char* name : {"a.mp4", "b.mp4"})
+    {
+        options.push_back(folder_ / name);
+        writeContent(options.back(), "no video");
+    }
+    writeContent(folder_ / "gyro.csv", std::string(HEADER) + "0,1,2,3\n0.05,1,2,3\n");
+    options = options + Arguments{"--focal=500", "--readout=0.02", "--gyro=" + (folder_ / "gyro.csv")};
+    for (const Outcome& outcome :
+         {correct(options + Arguments{"--report=-"}),
+          runProgram(CALIBRATE_PROGRAM, options + Arguments{"--output=" + (folder_ / "c.yml")})})
+    {
+        EXPECT_EQ(2, outcome.exitCode);
+        EXPECT_NE(std::string::npos, outcome.messages.find("--gyro is of one video, but each of 2"))
+            << outcome.messages;
+    }
+    writeContent(folder_ / "log.csv", "file,frame,time_s\na.mp4,0,0\nb.mp4,0,10\n");
+    EXPECT_EQ(1, correct(options + Arguments{"--report=-", "--log=" + (folder_ / "log.csv")}).exitCode);
+    options.erase(options.begin());
+    EXPECT_EQ(1, correct(options + Arguments{"--report=-"}).exitCode); // as it is no video
+}
+#endif
+
 // As the frames of a video, and as rsackermann_calibrate takes them.
 TEST_F(CorrectGyro, images_without_times_begin_at_0)
 {
