@@ -7,6 +7,7 @@
 #include "test_drive_simulator.hpp"
 #include "test_shaking_camera.hpp"
 #include "../src/motion/row_tilt.hpp"
+#include "../src/sequence/expected_displacement.hpp"
 #include "../src/sequence/row_rates.hpp"
 #include "../src/sequence/gyro_rates.hpp"
 #include "opencv2/rsackermann/corrector.hpp"
@@ -648,6 +649,9 @@ TEST(RSAckermann_Gyro, rows_follow_what_shakes_fast)
         values.push_back(Mat(rate(i / 400.).t()));
     }
     GyroRates gyro;
+    GyroSigmas sigmas;
+    sigmas.delay = 1e-5; // at 35 Hz a millisecond is a fifth of a turn
+    gyro.setSigmas(sigmas);
     gyro.samples.add(times, values);
     for (int scan : {SCAN_TOP_TO_BOTTOM, SCAN_BOTTOM_TO_TOP})
     {
@@ -767,6 +771,73 @@ TEST(RSAckermann_Gyro, of_a_camera_that_shakes)
 }
 
 // A gyro that measures something else changes nothing, and neither does one that was removed.
+// What shakes while the clock isn't known is unknown, by as much as it shakes; what lasts isn't.
+TEST(RSAckermann_Gyro, clock_that_is_not_known_leaves_what_lasts)
+{
+    const double amplitude = 8 * DEGREE, steady = 3 * DEGREE, frequency = 7;
+    Mat times, values;
+    for (int i = 0; i < 2000; i++)
+    {
+        const double t = i / 400., rate = steady + amplitude * std::sin(2 * CV_PI * frequency * t);
+        times.push_back(t);
+        values.push_back(Mat(Matx13d(rate, rate, rate)));
+    }
+    const RowSpan rows(-0.005, 0.005);
+    for (const double delay : {0.0001, 0.01, 0.02, 0.1, 0.3})
+    {
+        GyroRates gyro;
+        GyroSigmas sigmas;
+        sigmas.delay = delay;
+        sigmas.bias = sigmas.axes = sigmas.scale = 1e-6;
+        gyro.setSigmas(sigmas);
+        gyro.samples.add(times, values);
+        const double left = std::exp(-std::pow(2 * CV_PI * frequency * delay, 2) / 2);
+        double squares[2] = {0, 0}; // of the error and of its standard deviation
+        RNG rng(1);
+        const int instants = 300;
+        for (int i = 0; i < instants; i++)
+        {
+            const double seconds = 2 + 0.003 * i, angle = 2 * CV_PI * frequency * seconds,
+                         truth = steady + amplitude * std::sin(angle + 2 * CV_PI * frequency * rng.gaussian(delay));
+            CameraRates rates;
+            ASSERT_TRUE(gyro.at(seconds, rows, rates));
+            for (int axis = 0; axis < 3; axis++)
+            {
+                EXPECT_NEAR(steady + left * amplitude * std::sin(angle), rates.value[axis], 0.03 * amplitude) << delay;
+                squares[0] += std::pow(rates.value[axis] - truth, 2) / (3 * instants);
+                squares[1] += std::pow(rates.sigma[axis], 2) / (3 * instants);
+            }
+        }
+        const double atLeast = 0.5 * DEGREE; // what any gyro leaves
+        EXPECT_NEAR(std::hypot(std::sqrt(squares[0]), atLeast), std::sqrt(squares[1]), 0.1 * std::sqrt(squares[1]))
+            << delay;
+    }
+}
+
+// Rates of pitch and roll displace, and what isn't known of them is left.
+TEST(RSAckermann_Gyro, single_image_expects_what_rows_turn)
+{
+    const RollingShutterCamera camera = simulation::paperCamera();
+    const DisplacementField field(camera);
+    const auto expected = [&](double rate, double sigma) {
+        AckermannMotion motion;
+        motion.expectedRaw = 0.4;
+        motion.expectedResidual = 0.3;
+        motion.pitchRate = rate;
+        motion.pitchRateSigma = sigma;
+        expectRowTurns(field, camera, motion);
+        return Vec2d(std::sqrt(std::pow(motion.expectedRaw, 2) - 0.16),
+                     std::sqrt(std::pow(motion.expectedResidual, 2) - 0.09));
+    };
+    EXPECT_LT(cv::norm(expected(0, 0)), 1e-6);
+    const Vec2d known = expected(0.01, 0), unknown = expected(0, 0.01), more = expected(0, 0.02);
+    EXPECT_GT(known[0], 0.9);
+    EXPECT_LT(known[1], 1e-6);
+    EXPECT_NEAR(known[0] * std::sqrt(2 / CV_PI), unknown[0], 0.01 * known[0]); // of a normal distribution
+    EXPECT_NEAR(unknown[0], unknown[1], 1e-9);
+    EXPECT_NEAR(2 * unknown[1], more[1], 1e-6 * more[1]);
+}
+
 TEST(RSAckermann_Gyro, that_is_wrong_changes_nothing)
 {
     const ShakingCamera shaking;
@@ -801,6 +872,7 @@ TEST(RSAckermann_Gyro, in_the_dark)
     {
         RollingShutterCorrector::Params params;
         params.sequence = sequence;
+        params.gyroDelaySigma = 0.001;
         const Ptr<RollingShutterCorrector> corrector = RollingShutterCorrector::create(shaking.camera, params);
         corrector->addGyro(times, rates);
         MotionPrior prior;

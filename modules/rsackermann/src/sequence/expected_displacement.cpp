@@ -40,4 +40,15 @@ Model expectDisplacement(const DisplacementField& field, const RollingShutterCam
     return model;
 }
 
+void expectRowTurns(const DisplacementField& field, const RollingShutterCamera& camera, AckermannMotion& motion)
+{
+    DisplacementField::Values displacement, none;
+    DisplacementField::Variances variances;
+    field.addTilt(RowTilt(camera, motion), displacement);
+    field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
+    motion.expectedRaw = std::hypot(motion.expectedRaw, DisplacementField::meanDistance(displacement, none, variances));
+    motion.expectedResidual =
+        std::hypot(motion.expectedResidual, DisplacementField::meanDistance(none, none, variances));
+}
+
 }} // namespace cv::rsackermann

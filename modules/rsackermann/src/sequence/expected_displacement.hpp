@@ -18,6 +18,9 @@ the probability that this is worse.
 Model expectDisplacement(const DisplacementField& field, const RollingShutterCamera& camera, const SequenceState& state,
                          bool isTurnAlone, double residual, AckermannMotion& motion);
 
+//! Adds to the displacements of a motion what its rates of pitch and roll do, as far as they aren't known.
+void expectRowTurns(const DisplacementField& field, const RollingShutterCamera& camera, AckermannMotion& motion);
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_EXPECTED_DISPLACEMENT_HPP

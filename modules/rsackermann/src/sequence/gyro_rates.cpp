@@ -308,23 +308,53 @@ bool GyroRates::isWrong() const
     return contradicts() && turns.size() > DELAY_FRAMES && sumOf(left) > 3 * TURN_RATE_NOISE * TURN_RATE_NOISE * count;
 }
 
+// The instants of the gyro's clock that may be that of an image, with their probabilities: of shaking, a clock that
+// isn't known leaves what lasts. Empty if samples are missing.
+std::vector<GyroRates::Instant> GyroRates::instantsOf(double seconds, const RowSpan& rows) const
+{
+    const double farthest = 3, step = 0.004; // sigmas; seconds, of shaking at 40 Hz a sixth
+    const double sigma = std::sqrt(covariance(0, 0));
+    const int side = std::min(std::max(cvCeil(farthest * sigma / step), 2), 50);
+    const double expected = seconds + found.delay;
+    std::vector<Instant> instants;
+    if (!samples.covers(expected + rows.from, expected + rows.to))
+        return instants;
+    double sum = 0;
+    for (int i = -side; i <= side; i++)
+    {
+        const double z = farthest * i / side, time = expected + z * sigma, probability = std::exp(-z * z / 2);
+        if (!samples.covers(time + rows.from, time + rows.to))
+            continue;
+        instants.push_back({time, probability});
+        sum += probability;
+    }
+    for (Instant& instant : instants)
+        instant.probability /= sum;
+    return instants;
+}
+
 bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) const
 {
-    Vec3d g;
-    const double instant = seconds + found.delay, h = 1e-3;
-    Vec3d before, after;
-    if (seconds >= contraryBegin && seconds <= contraryEnd)
+    const std::vector<Instant> instants = instantsOf(seconds, rows);
+    if (instants.empty() || (seconds >= contraryBegin && seconds <= contraryEnd))
         return false;
-    if (!samples.rowRate(instant, rows.from, rows.to, g) || !samples.rowRate(instant - h, rows.from, rows.to, before) ||
-        !samples.rowRate(instant + h, rows.from, rows.to, after))
-        return false;
-    rates.value = found.toCamera(g, 1);
+    Vec3d mean, squares;
+    for (const Instant& instant : instants)
+    {
+        Vec3d g;
+        if (!samples.rowRate(instant.time, rows.from, rows.to, g))
+            return false;
+        mean += instant.probability * g;
+        squares += instant.probability * g.mul(g);
+    }
+    rates.value = found.toCamera(mean, 1);
     // Least squares through a random walk.
-    const double ofSamples = 1.2 * samples.angleNoise() / std::max(rows.to - rows.from, h);
+    const double ofSamples = 1.2 * samples.angleNoise() / std::max(rows.to - rows.from, 1e-3);
     for (int i = 0; i < 3; i++)
     {
-        const GyroUnknowns J = derivatives(g, (after - before) * (1 / (2 * h)), i);
-        rates.sigma[i] = std::sqrt((J.t() * covariance * J)(0) + noise[i] * noise[i] / 4 + ofSamples);
+        const GyroUnknowns J = derivatives(mean, Vec3d(), i);
+        const double ofClock = std::max(squares[i] - mean[i] * mean[i], 0.);
+        rates.sigma[i] = std::sqrt(ofClock + (J.t() * covariance * J)(0) + noise[i] * noise[i] / 4 + ofSamples);
     }
     return true;
 }
@@ -332,17 +362,22 @@ bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) cons
 Mat GyroRates::curve(double seconds, const CameraRates& rates, double first, double last, const Matx33d& rotation) const
 {
     const int pieces = 16; // of 2 ms or so: what a gyro shows is slower
-    const double instant = seconds + found.delay;
+    const std::vector<Instant> instants = instantsOf(seconds, RowSpan(std::min(first, last), std::max(first, last)));
+    if (instants.empty())
+        return Mat();
     Mat vectors(pieces + 1, 3, CV_64F);
     for (int i = 0; i <= pieces; i++)
     {
         const double later = first + (last - first) * i / pieces;
-        Vec3d angle;
-        if (!(later < 0 ? samples.turn(instant + later, instant, angle)
-                        : samples.turn(instant, instant + later, angle)))
-            return Mat();
-        const Vec3d turned = found.toCamera(later < 0 ? -angle : angle, later) - rates.value * later,
-                    vector = rotation * turned;
+        Vec3d mean;
+        for (const Instant& instant : instants)
+        {
+            Vec3d angle;
+            if (!samples.turn(instant.time + std::min(later, 0.), instant.time + std::max(later, 0.), angle))
+                return Mat();
+            mean += (later < 0 ? -instant.probability : instant.probability) * angle;
+        }
+        const Vec3d turned = found.toCamera(mean, later) - rates.value * later, vector = rotation * turned;
         std::copy(vector.val, vector.val + 3, vectors.ptr<double>(i));
     }
     return vectors;

@@ -100,7 +100,7 @@ public:
     //! Adds what the points have shown between two frames.
     void add(const TurnOfPoints& turn);
 
-    /** The rates that turn the rows of a frame.
+    /** The rates that turn the rows of a frame: their mean over what the clock may be.
     @return false if there are no samples, or the points contradict what they say of the turn to this frame. */
     bool at(double seconds, const RowSpan& rows, CameraRates& rates) const;
 
@@ -121,6 +121,12 @@ public:
     Vec<double, UNKNOWNS> alignmentSigma() const;
 
 private:
+    struct Instant
+    {
+        double time, probability;
+    };
+
+    std::vector<Instant> instantsOf(double seconds, const RowSpan& rows) const;
     bool expected(const TurnOfPoints& turn, double delay, Vec3d& rate) const;
     bool expected(const TurnOfPoints& turn, double delay, Vec3d& rate, Vec3d& slope) const;
     void judge(const TurnOfPoints& turn);

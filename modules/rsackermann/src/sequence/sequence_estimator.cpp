@@ -169,6 +169,7 @@ AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& s
         RowRates turning;
         turning.set(turns);
         turning.toMotion(camera, motion);
+        expectRowTurns(DisplacementField(camera), camera, motion);
     }
     return motion;
 }

@@ -131,7 +131,8 @@ public:
 
     In a sequence with Params::trackPoints the points of the frames show the gyro's bias, the delay of its clock and by
     how much its axes are turned (a few degrees), and whether it says anything true at all. Without points, and of a
-    single image, the samples count as they are, with a bias of 0 up to Params::gyroBiasSigma.
+    single image, they count by their mean over the instants that Params::gyroDelaySigma leaves possible, with a bias
+    of 0 up to Params::gyroBiasSigma: what shakes while the clock isn't known is left as it is.
     A single image needs a time of setTimestamp().
     An image is corrected with samples that reach beyond both its ends; others are corrected without the gyro, and so is
     an image in a gap of more than 0.1 s.
