@@ -12,12 +12,17 @@ import sys
 
 import cv2 as cv
 
+try:
+    from cv2 import rsackermann
+except ImportError:  # the package beside an installed cv2
+    import rsackermann
+
 
 ## [correct]
 def correct_frame(image, line_delay, focal=0):
-    camera = cv.rsackermann.RollingShutterCamera.fromFocal(image.shape[1::-1], focal)
+    camera = rsackermann.RollingShutterCamera.fromFocal(image.shape[1::-1], focal)
     camera.lineDelay = line_delay
-    corrector = cv.rsackermann.RollingShutterCorrector.create(camera)
+    corrector = rsackermann.RollingShutterCorrector.create(camera)
     motion, corrected, mask = corrector.correct(image)
     known, yaw_rate = motion.yawRate(camera)  # radians per second
     return motion, corrected, mask

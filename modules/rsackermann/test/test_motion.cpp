@@ -143,6 +143,27 @@ TEST(RSAckermann_Motion, metric_round_trip)
     }
 }
 
+TEST(RSAckermann_Motion, speed_of_a_height_without_walls)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.height = 1.2;
+    MetricMotion metric;
+    for (const double speed : {11., -11.})
+    {
+        metric.speed = speed;
+        AckermannMotion m = AckermannMotion::fromMetric(camera, metric);
+        double got = 0;
+        ASSERT_TRUE(m.speed(camera, got));
+        EXPECT_NEAR(speed, got, 1e-12);
+        RollingShutterCamera other = camera;
+        other.height = 0;
+        EXPECT_FALSE(m.speed(other, got));
+        m.scale = SCALE_UNKNOWN;
+        EXPECT_FALSE(m.speed(camera, got));
+        EXPECT_EQ(0, got);
+    }
+}
+
 TEST(RSAckermann_Motion, rows_that_pitch_and_roll_from_metric_values)
 {
     const RollingShutterCamera camera = simulation::paperCamera();

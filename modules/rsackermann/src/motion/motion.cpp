@@ -85,8 +85,11 @@ bool AckermannMotion::yawRate(const RollingShutterCamera& camera, double& radian
 bool AckermannMotion::speed(const RollingShutterCamera& camera, double& metresPerSecond) const
 {
     const double unit = camera.secondsPerUnitTime();
-    const bool known = unit > 0 && wallDistance > 0;
-    metresPerSecond = known ? direction * std::hypot(wallSlope, wallOffset) * wallDistance / unit : 0;
+    const bool byWall = wallDistance > 0, byRoad = scale != SCALE_UNKNOWN && roadSlope != 0 && camera.height > 0,
+               known = unit > 0 && (byWall || byRoad);
+    const double way =
+        byWall ? direction * std::hypot(wallSlope, wallOffset) * wallDistance : roadSlope * camera.height;
+    metresPerSecond = known ? way / unit : 0;
     return known;
 }
 

@@ -24,7 +24,7 @@ enum SegmentDetector {
 enum SegmentLabel {
     SEGMENT_REJECTED = 0,  //!< not a candidate: too short or too slanted to be the image of a vertical line
     SEGMENT_OUTLIER = 1,   //!< candidate that disagrees with the motion
-    SEGMENT_LEFT_WALL = 2, //!< inlier on the left (or only) wall
+    SEGMENT_LEFT_WALL = 2, //!< inlier on the vehicle's left (or only) wall
     SEGMENT_RIGHT_WALL = 3 //!< inlier on the right wall
 };
 
@@ -90,8 +90,9 @@ public:
         //! Metres per second, default 200 km/h; used if lineDelay and the wall's distance are known. A given speed may
         //! exceed it
         CV_PROP_RW double maxSpeed;
-        CV_PROP_RW double
-            wallDistance; //!< metres to the left wall, or to the only one that is seen; 0: unknown (default)
+        //! Metres to the vehicle's left wall, which a camera that looks backward has on the right of its images, or to
+        //! the only one that is seen; 0: unknown (default)
+        CV_PROP_RW double wallDistance;
         //! Distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0
         //! (default): priorWallDistance over priorHeight. Without effect if scaleFromRoad finds it
         CV_PROP_RW double roadRatio;

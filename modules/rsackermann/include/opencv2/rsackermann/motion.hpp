@@ -44,13 +44,14 @@ enum MotionScale {
 class CV_EXPORTS_W_SIMPLE MetricMotion
 {
 public:
-    CV_WRAP MetricMotion();          //!< a camera at rest, without walls
-    CV_PROP_RW double yawRate;       //!< radians per second, positive if the car turns to the right
-    CV_PROP_RW double pitchRate;     //!< radians per second, positive if the camera looks further down
-    CV_PROP_RW double rollRate;      //!< radians per second, positive if it turns clockwise as seen from behind
-    CV_PROP_RW double speed;         //!< metres per second, negative in reverse
-    CV_PROP_RW double leftDistance;  //!< metres from the camera to the left wall; 0: no left wall
-    CV_PROP_RW double rightDistance; //!< metres from the camera to the right wall; 0: no right wall
+    CV_WRAP MetricMotion();      //!< a camera at rest, without walls
+    CV_PROP_RW double yawRate;   //!< radians per second, positive if the car turns to the right
+    CV_PROP_RW double pitchRate; //!< radians per second, positive if the camera looks further down
+    CV_PROP_RW double rollRate;  //!< radians per second, positive if it turns clockwise as seen from behind
+    CV_PROP_RW double speed;     //!< metres per second, negative in reverse
+    //! Metres from the camera to the wall on the left of wallDirection; 0: no left wall
+    CV_PROP_RW double leftDistance;
+    CV_PROP_RW double rightDistance; //!< the same on the right
     //! Radians from the horizontal optical axis to the direction along the walls, positive to the right; a street that
     //! the car follows has the heading
     CV_PROP_RW double wallDirection;
@@ -96,13 +97,14 @@ public:
      */
     CV_WRAP bool yawRate(const RollingShutterCamera& camera, CV_OUT double& radiansPerSecond) const;
 
-    /** @brief Speed, \f$\pm\sqrt{B^2+D^2} \cdot wallDistance\f$ / secondsPerUnitTime, in metres per second; negative in
-    reverse.
+    /** @brief Speed, \f$\pm\sqrt{B^2+D^2} \cdot wallDistance\f$ / secondsPerUnitTime, or, without a wall, by #roadSlope
+    and RollingShutterCamera::height, in metres per second; negative in reverse.
     @param camera the camera with which the motion was estimated.
     @param metresPerSecond receives the speed; 0 if it is unknown.
-    @return false if wallDistance or lineDelay is unknown. The estimator sets wallDistance with #MOTION_OK alone;
-    #scale is its source. With #SCALE_SPEED the result of a single image is the given speed, no measurement; that of a
-    sequence is what it and the frames say together, by their standard deviations.
+    @return false if lineDelay is unknown, or both wallDistance and, with #scale, the height. The estimator sets
+    wallDistance with #MOTION_OK alone; #scale is its source. With #SCALE_SPEED the result of a single image is the
+    given speed, no measurement; that of a sequence is what it and the frames say together, by their standard
+    deviations.
      */
     CV_WRAP bool speed(const RollingShutterCamera& camera, CV_OUT double& metresPerSecond) const;
 
@@ -115,7 +117,7 @@ public:
     @param R rotation from the camera frame at that time to the camera frame at the reference row.
     @param T position of the camera at that time in the camera frame at the reference row, in the unit of length in
     which the horizontal depth of a point with scaled inverse depth w is 1/|w|; 0 if the motion is a pure rotation. In
-    metres, on the same conditions as speed(), with the factor \f$wallDistance \sqrt{wallSlope^2 + wallOffset^2}\f$.
+    metres, on the same conditions as speed(), with the factor \f$|speed| \cdot secondsPerUnitTime\f$.
      */
     CV_WRAP void pose(const RollingShutterCamera& camera, double time, CV_OUT Matx33d& R, CV_OUT Vec3d& T) const;
 
@@ -189,8 +191,9 @@ public:
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
-    CV_PROP_RW double wallDistance;    //!< metres to the left wall, or to the only one that is seen; 0: unknown
-    CV_PROP_RW int scale;              //!< one of #MotionScale
+    //! Metres to the vehicle's left wall, or to the only one that is seen; 0: unknown
+    CV_PROP_RW double wallDistance;
+    CV_PROP_RW int scale; //!< one of #MotionScale
     //! Of a speed that gives the metres (#SCALE_SPEED), or that the road gives (#SCALE_ROAD), its standard deviation in
     //! metres per second; 0 (default): wallDistance is exact
     CV_PROP_RW double speedSigma;
