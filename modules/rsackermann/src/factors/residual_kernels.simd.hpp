@@ -206,7 +206,8 @@ void addVerticals(const SegmentArrays& segments, const PreparedModel& model, con
         const RotatedEnd<Doubles> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
         const VerticalTerms<Doubles> residual(u, v, model);
         Doubles by[PARAMETERS];
-        residual.derivatives(u, v, model, tilt, by);
+        if (unknowns.count > 0)
+            residual.derivatives(u, v, model, tilt, by);
         total.add(residual.value, by, load<double>(segments, SegmentArrays::SCALE, i));
     }
     total.addTo(sums);
@@ -225,7 +226,8 @@ void addDirections(const SegmentArrays& segments, const PreparedModel& model, co
         const CompensatedEnd<Floats> a(u, model), b(v, model);
         const DirectionTerms<Floats> residual(Chord<Floats>(a.x, a.y, b.x, b.y), streetX, streetZ);
         Floats by[PARAMETERS];
-        residual.derivatives(u, v, a, b, model, tilt, by);
+        if (unknowns.count > 0)
+            residual.derivatives(u, v, a, b, model, tilt, by);
         total.add(residual.value, by, load<float>(segments, SegmentArrays::SCALE, i));
     }
     total.addTo(sums);

@@ -11,6 +11,7 @@
 #include "consensus.hpp"
 #include "lo_ransac.hpp"
 #include "motion_mixture.hpp"
+#include "peak_moments.hpp"
 #include "yaw_sweep.hpp"
 
 namespace cv { namespace rsackermann {
@@ -443,7 +444,11 @@ private:
                     mixture.add(valley.fits[k], valley.logMasses[k] + logShared);
             }
             for (size_t k = 0; k < logWeights[i].size() && !all[i].hypothesis.turns(); k++)
-                mixture.add(all[i].minima[k], logWeights[i][k]);
+            {
+                Fit fit = all[i].minima[k];
+                integratePeak(problem, fit);
+                mixture.add(fit, logWeights[i][k]);
+            }
         }
     }
 

@@ -94,13 +94,38 @@ static void addPriors(const RefinementProblem& problem, const MotionHypothesis& 
     }
 }
 
-bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& m)
+// Whether no wall of a model is missing: one that would be in the image has verticals. Of a wall beside the image
+// nothing is known.
+static bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& m)
 {
     const auto hasBothSides = [&](double leftmost, double rightmost) {
         return (m[P_D] - m[P_B] * leftmost) * (m[P_D] - m[P_B] * rightmost) < 0;
     };
     return hypothesis.walls != 2 || !hasBothSides(problem.leftmost, problem.rightmost) ||
            hasBothSides(problem.verticals.front().u[0], problem.verticals.back().u[0]);
+}
+
+bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model)
+{
+    return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
+}
+
+static ResidualSums sumResiduals(const RefinementProblem& problem, const MotionHypothesis& hypothesis,
+                                 Evidence evidence, const FreeParameters& unknowns, const Model& model)
+{
+    const RobustLoss loss(problem.lossScale, problem.verticalWeight), otherLoss(problem.lossScale, problem.otherWeight);
+    const PreparedModel prepared(model, problem.heading, problem.roadRatio, hypothesis.translates());
+    ResidualSums sums;
+    addVerticals(problem.verticalArrays, prepared, loss, unknowns, sums);
+    if (evidence == ALL_SEGMENTS)
+        addDirections(problem.otherArrays, prepared, otherLoss, unknowns, sums);
+    addPriors(problem, hypothesis, unknowns, model, sums);
+    return sums;
+}
+
+double costOf(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model)
+{
+    return sumResiduals(problem, hypothesis, ALL_SEGMENTS, FreeParameters(), model).cost;
 }
 
 // Sums over segments and priors as normal equations of the free parameters.
@@ -131,14 +156,7 @@ public:
 
     void evaluate(const Model& model, Equations& equations) const
     {
-        const RobustLoss loss(data.lossScale, data.verticalWeight), otherLoss(data.lossScale, data.otherWeight);
-        const PreparedModel prepared(model, data.heading, data.roadRatio, hypothesis.translates());
-        ResidualSums sums;
-        addVerticals(data.verticalArrays, prepared, loss, unknowns, sums);
-        if (evidence == ALL_SEGMENTS)
-            addDirections(data.otherArrays, prepared, otherLoss, unknowns, sums);
-        addPriors(data, hypothesis, unknowns, model, sums);
-        toEquations(sums, unknowns.count, equations);
+        toEquations(sumResiduals(data, hypothesis, evidence, unknowns, model), unknowns.count, equations);
     }
 
     Model moved(Model model, const Step& step) const
@@ -148,7 +166,7 @@ public:
         return model;
     }
 
-    bool allows(const Model& model) const { return data.limits.allow(model) && wallsAreSeen(data, hypothesis, model); }
+    bool allows(const Model& model) const { return isAllowed(data, hypothesis, model); }
 
     // The covariance of all parameters; 0 for those that aren't free.
     Matx<double, PARAMETERS, PARAMETERS> covariance(const Equations& equations) const

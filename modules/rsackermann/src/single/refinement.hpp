@@ -57,9 +57,8 @@ struct RefinementProblem
     std::vector<Point2d> ends() const;
 };
 
-//! Whether no wall of a model is missing: one that would be in the image has verticals. Of a wall beside the image
-//! nothing is known.
-bool wallsAreSeen(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
+//! Whether a model is within the limits, and has verticals on each of two walls that would be seen.
+bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 
 //! Which residuals count.
 enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
@@ -74,6 +73,9 @@ enum Evidence { VERTICALS_ONLY, ALL_SEGMENTS };
 double refine(const RefinementProblem& problem, const MotionHypothesis& hypothesis, Evidence evidence,
               int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance = 0,
               double farthest = DBL_MAX);
+
+//! Cost of a model with all segments.
+double costOf(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 
 //! The best model of a hypothesis.
 struct Fit

@@ -3,14 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "peak_moments.hpp"
 #include "yaw_sweep.hpp"
 
 namespace cv { namespace rsackermann {
-
-bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model)
-{
-    return problem.limits.allow(model) && wallsAreSeen(problem, hypothesis, model);
-}
 
 double logEvidence(const RefinementProblem& problem, const Fit& fit)
 {
@@ -56,6 +52,7 @@ double YawSweep::add(const RefinementProblem& problem, double width, Fit& fit)
     fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
     const double density = logEvidence(problem, fit) + problem.prior->logYawDensity(fit.model[P_ALPHA]);
     fits.push_back(fit);
+    integratePeak(problem, fits.back());
     logMasses.push_back(density + std::log(width));
     return density;
 }

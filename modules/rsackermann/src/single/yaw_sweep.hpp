@@ -9,15 +9,12 @@
 
 namespace cv { namespace rsackermann {
 
-//! Whether a model is within the limits, and has verticals on each wall that would be seen.
-bool isAllowed(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
-
 //! Logarithm of Laplace's approximation of the contribution of a fit, all unknowns of the hypothesis but the yaw rate
 //! being those of the fit (doc/theory.md, "Posterior").
 double logEvidence(const RefinementProblem& problem, const Fit& fit);
 
 // doc/theory.md, "Posterior", has the reasons.
-const double FIRST_STEP = 0.7; //!< in sigmas
+const double FIRST_STEP = 1; //!< in sigmas
 const double STEP_GROWTH = 1.25;
 
 /** Goes from a motion to both sides, in steps of the yaw rate that grow, until densities are negligible
