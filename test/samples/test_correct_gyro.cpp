@@ -160,8 +160,8 @@ TEST_F(CorrectGyro, of_several_videos)
 TEST_F(CorrectGyro, images_without_times_begin_at_0)
 {
     std::string gyro = HEADER;
-    for (int i = -10; i < 10; i++)
-        gyro += cv::format("%g,%d,0,0\n", 0.01 * i, i < 2 ? 30 : -30);
+    for (int i = -20; i < 20; i++)
+        gyro += cv::format("%g,%g,0,0\n", 0.01 * i, 30 - 9. * i); // after 1/30 s it is 0
     writeContent(folder_ / "gyro.csv", gyro);
     const Outcome outcome = correct({folder_ / "dark.png", "--carry", "--focal=500", "--readout=0.02",
                                      "--gyro=" + (folder_ / "gyro.csv"), "--gyro_delay=0", "--report=-"});

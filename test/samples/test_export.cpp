@@ -713,7 +713,7 @@ TEST_F(Export, report_of_rows_that_shake)
     writeContent(folder / "log.csv", "file,time_s\ndark.png,1\n");
     std::string gyro = "time_s,yaw_rate_deg_s,pitch_rate_deg_s,roll_rate_deg_s\n";
     for (int i = 0; i < 400; i++)
-        gyro += cv::format("%g,60,%.9g,10\n", 0.5 + i / 400., 4 * std::sin(2 * CV_PI * 20 * i / 400.));
+        gyro += cv::format("%g,60,%.9g,10\n", 0.5 + i / 400., 8 * std::sin(2 * CV_PI * 5 * i / 400.));
     writeContent(folder / "gyro.csv", gyro);
     const Outcome corrected = correct({folder / "dark.png", "--focal=500", "--readout=0.03",
                                        "--gyro=" + (folder / "gyro.csv"), "--log=" + (folder / "log.csv"),
