@@ -194,23 +194,33 @@ double sumOf(const Doubles& values, int count)
     return std::accumulate(all, all + count, 0.);
 }
 
+template <class Number>
+void sumVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                  const FreeParameters& unknowns, ResidualSums& sums)
+{
+    const bool tilt = unknowns.hasTilt();
+    Sums<Number> total(loss, unknowns);
+    for (int i = 0; i < segments.size(); i += PackOf<Number>::COUNT)
+    {
+        const RotatedEnd<PackOf<Number>> u = endU<Number>(segments, i, model), v = endV<Number>(segments, i, model);
+        const VerticalTerms<PackOf<Number>> residual(u, v, model);
+        PackOf<Number> by[PARAMETERS];
+        if (unknowns.count > 0)
+            residual.derivatives(u, v, model, tilt, by);
+        total.add(residual.value, by, load<Number>(segments, SegmentArrays::SCALE, i));
+    }
+    total.addTo(sums);
+}
+
 } // namespace
 
 void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                   const FreeParameters& unknowns, ResidualSums& sums)
 {
-    const bool tilt = unknowns.hasTilt();
-    Sums<double> total(loss, unknowns);
-    for (int i = 0; i < segments.size(); i += Doubles::COUNT)
-    {
-        const RotatedEnd<Doubles> u = endU<double>(segments, i, model), v = endV<double>(segments, i, model);
-        const VerticalTerms<Doubles> residual(u, v, model);
-        Doubles by[PARAMETERS];
-        if (unknowns.count > 0)
-            residual.derivatives(u, v, model, tilt, by);
-        total.add(residual.value, by, load<double>(segments, SegmentArrays::SCALE, i));
-    }
-    total.addTo(sums);
+    if (unknowns.count > 0)
+        sumVerticals<double>(segments, model, loss, unknowns, sums);
+    else // single precision is 1e-4 pixels, which only derivatives would notice
+        sumVerticals<float>(segments, model, loss, unknowns, sums);
 }
 
 // In single precision, which is 1e-4 pixels: they lean by far more.

@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
-#include "peak_moments.hpp"
 #include "yaw_sweep.hpp"
 
 namespace cv { namespace rsackermann {
@@ -52,7 +51,6 @@ double YawSweep::add(const RefinementProblem& problem, double width, Fit& fit)
     fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
     const double density = logEvidence(problem, fit) + problem.prior->logYawDensity(fit.model[P_ALPHA]);
     fits.push_back(fit);
-    integratePeak(problem, fits.back());
     logMasses.push_back(density + std::log(width));
     return density;
 }
