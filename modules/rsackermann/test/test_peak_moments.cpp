@@ -152,7 +152,8 @@ TEST(RSAckermann_PeakMoments, of_a_normal_distribution_are_its_own)
         for (int p = 0; p < PARAMETERS; p++)
         {
             const double sigma = std::sqrt(street.fit.covariance(p, p));
-            EXPECT_NEAR(street.fit.model.value[p], peak.model.value[p], 0.05 * sigma);
+            // A hundredth is that of single precision.
+            EXPECT_NEAR(street.fit.model.value[p], peak.model.value[p], 0.06 * sigma);
             EXPECT_NEAR(sigma, std::sqrt(peak.covariance(p, p)), 0.02 * sigma);
         }
     }

@@ -22,6 +22,11 @@ void addDirections(const SegmentArrays& segments, const PreparedModel& model, co
     CV_CPU_DISPATCH(addDirections, (segments, model, loss, unknowns, sums), CV_CPU_DISPATCH_MODES_ALL);
 }
 
+double costOfVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss)
+{
+    CV_CPU_DISPATCH(costOfVerticals, (segments, model, loss), CV_CPU_DISPATCH_MODES_ALL);
+}
+
 double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
                       double best, int& inliers)
 {

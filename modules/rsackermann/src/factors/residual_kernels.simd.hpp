@@ -19,6 +19,7 @@ void addVerticals(const SegmentArrays& segments, const PreparedModel& model, con
                   const FreeParameters& unknowns, ResidualSums& sums);
 void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                    const FreeParameters& unknowns, ResidualSums& sums);
+double costOfVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss);
 double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
                       double best, int& inliers);
 void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, float* points);
@@ -217,10 +218,14 @@ void sumVerticals(const SegmentArrays& segments, const PreparedModel& model, con
 void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                   const FreeParameters& unknowns, ResidualSums& sums)
 {
-    if (unknowns.count > 0)
-        sumVerticals<double>(segments, model, loss, unknowns, sums);
-    else // single precision is 1e-4 pixels, which only derivatives would notice
-        sumVerticals<float>(segments, model, loss, unknowns, sums);
+    sumVerticals<double>(segments, model, loss, unknowns, sums);
+}
+
+double costOfVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss)
+{
+    ResidualSums sums;
+    sumVerticals<float>(segments, model, loss, FreeParameters(), sums);
+    return sums.cost;
 }
 
 // In single precision, which is 1e-4 pixels: they lean by far more.

@@ -125,7 +125,14 @@ static ResidualSums sumResiduals(const RefinementProblem& problem, const MotionH
 
 double costOf(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model)
 {
-    return sumResiduals(problem, hypothesis, ALL_SEGMENTS, FreeParameters(), model).cost;
+    const PreparedModel prepared(model, problem.heading, problem.roadRatio, hypothesis.translates());
+    ResidualSums sums;
+    sums.cost =
+        costOfVerticals(problem.verticalArrays, prepared, RobustLoss(problem.lossScale, problem.verticalWeight));
+    addDirections(problem.otherArrays, prepared, RobustLoss(problem.lossScale, problem.otherWeight), FreeParameters(),
+                  sums);
+    addPriors(problem, hypothesis, FreeParameters(), model, sums);
+    return sums.cost;
 }
 
 // Sums over segments and priors as normal equations of the free parameters.

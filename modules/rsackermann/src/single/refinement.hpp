@@ -74,7 +74,7 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
               int maxIterations, Model& model, Matx<double, PARAMETERS, PARAMETERS>* covariance = 0,
               double farthest = DBL_MAX);
 
-//! Cost of a model with all segments.
+//! Cost of a model with all segments, in single precision.
 double costOf(const RefinementProblem& problem, const MotionHypothesis& hypothesis, const Model& model);
 
 //! The best model of a hypothesis.
