@@ -15,15 +15,18 @@ static bool translates(const AckermannMotion& motion)
            !motion.inverseDepthOffset.empty();
 }
 
-static bool hasWallDistance(const AckermannMotion& motion)
+bool findWayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion, double& way)
 {
-    return std::hypot(motion.wallSlope, motion.wallOffset) > 0 && motion.wallDistance > 0;
+    const double ofWall = std::hypot(motion.wallSlope, motion.wallOffset) * motion.wallDistance,
+                 ofRoad = motion.scale != SCALE_UNKNOWN ? motion.roadSlope * camera.height : 0;
+    way = ofWall > 0 ? (motion.direction < 0 ? -ofWall : ofWall) : ofRoad;
+    return motion.wallDistance > 0 || ofRoad != 0;
 }
 
 bool isMetric(const RollingShutterCamera& camera, const AckermannMotion& motion)
 {
-    return !translates(motion) || hasWallDistance(motion) ||
-           (motion.scale != SCALE_UNKNOWN && motion.roadSlope != 0 && camera.height > 0);
+    double way;
+    return !translates(motion) || (findWayPerUnitTime(camera, motion, way) && way != 0);
 }
 
 double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion)
@@ -32,11 +35,9 @@ double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion&
               "depths are given, but motion.wallDistance is %g m, and motion.roadSlope is %g with motion.scale %d and "
               "camera.height %g m; one of the two must give the speed",
               motion.wallDistance, motion.roadSlope, motion.scale, camera.height);
-    if (!translates(motion))
-        return 0;
-    if (hasWallDistance(motion))
-        return (motion.direction < 0 ? -1 : 1) * std::hypot(motion.wallSlope, motion.wallOffset) * motion.wallDistance;
-    return motion.roadSlope * camera.height;
+    double way;
+    findWayPerUnitTime(camera, motion, way);
+    return translates(motion) ? way : 0;
 }
 
 double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMotion& motion)

@@ -10,6 +10,10 @@
 
 namespace cv { namespace rsackermann {
 
+/** Metres that the camera moves per unit of row time by the distance of a wall or the height above the road; negative
+in reverse. Returns false if neither is known. */
+bool findWayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion, double& way);
+
 //! Whether the motion has metres, so that depths in metres can be used with it.
 bool isMetric(const RollingShutterCamera& camera, const AckermannMotion& motion);
 

@@ -6,6 +6,7 @@
 #include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "compensation.hpp"
+#include "metric_way.hpp"
 #include "row_tilt.hpp"
 #include "../scene/inverse_depth_offset.hpp"
 #include "../storage.hpp"
@@ -85,10 +86,8 @@ bool AckermannMotion::yawRate(const RollingShutterCamera& camera, double& radian
 bool AckermannMotion::speed(const RollingShutterCamera& camera, double& metresPerSecond) const
 {
     const double unit = camera.secondsPerUnitTime();
-    const bool byWall = wallDistance > 0, byRoad = scale != SCALE_UNKNOWN && roadSlope != 0 && camera.height > 0,
-               known = unit > 0 && (byWall || byRoad);
-    const double way =
-        byWall ? direction * std::hypot(wallSlope, wallOffset) * wallDistance : roadSlope * camera.height;
+    double way;
+    const bool known = findWayPerUnitTime(camera, *this, way) && unit > 0;
     metresPerSecond = known ? way / unit : 0;
     return known;
 }
