@@ -89,14 +89,15 @@ inline void checkImage(InputArray image, const char* name, const Size& expected 
               typeToString(image.type()).c_str());
 }
 
-//! Throws unless an image can be remapped.
-inline void checkRemapped(InputArray image, const char* name, const Size& expected)
+//! Throws unless cv::remap takes an image with that interpolation.
+inline void checkRemapped(InputArray image, const char* name, const Size& expected, int interpolation)
 {
     checkImageSize(image, name, expected);
     const int depth = image.depth();
-    REJECT_IF(depth != CV_8U && depth != CV_16U && depth != CV_16S && depth != CV_32F && depth != CV_64F,
-              "%s is of type %s; CV_8U, CV_16U, CV_16S, CV_32F or CV_64F is expected", name,
-              typeToString(image.type()).c_str());
+    const bool isNearest = interpolation == INTER_NEAREST, isCopied = isNearest && (depth == CV_8S || depth == CV_32S);
+    REJECT_IF(depth != CV_8U && depth != CV_16U && depth != CV_16S && depth != CV_32F && depth != CV_64F && !isCopied,
+              "%s is of type %s; CV_8U, CV_16U, CV_16S, CV_32F%s is expected", name, typeToString(image.type()).c_str(),
+              isNearest ? ", CV_64F, CV_8S or CV_32S" : " or CV_64F");
 }
 
 /** Throws unless an output can become a matrix of that size and type: it is one whose size and type aren't fixed to

@@ -358,7 +358,7 @@ private:
     // Of an image in which nothing is looked for.
     void checkSource(InputArray src) const
     {
-        checkRemapped(src, "src", generator->getCamera().imageSize);
+        checkRemapped(src, "src", generator->getCamera().imageSize, params.interpolation);
         const bool isWide = params.interpolation == INTER_CUBIC || params.interpolation == INTER_LANCZOS4;
         // Refused by cv::remap, whether or not this image needs it.
         REJECT_IF(isWide && src.channels() > 4,

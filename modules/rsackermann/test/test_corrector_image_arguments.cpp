@@ -83,6 +83,36 @@ TEST(RSAckermann_CorrectorImageArguments, channels_of_each_interpolation)
         }
 }
 
+// The labels of a segmentation.
+TEST(RSAckermann_CorrectorImageArguments, labels_are_moved_to_the_nearest_pixel)
+{
+    const Size size(61, 47);
+    Mat labels(size, CV_16U), expected, found;
+    theRNG().fill(labels, RNG::UNIFORM, 0, 100);
+    for (const int interpolation : {INTER_NEAREST, INTER_LINEAR})
+        for (const int type : {CV_8SC1, CV_32SC1})
+        {
+            SCOPED_TRACE(testing::Message() << interpolation << ", " << typeToString(type));
+            RollingShutterCorrector::Params params;
+            params.interpolation = interpolation;
+            const Ptr<RollingShutterCorrector> corrector =
+                RollingShutterCorrector::create(RollingShutterCamera::fromFocal(size), params);
+            Mat src, dst;
+            labels.convertTo(src, type);
+            if (interpolation == INTER_LINEAR)
+            {
+                EXPECT_THROW(corrector->correctWithMotion(src, exampleMotion(), dst), cv::Exception);
+                continue;
+            }
+            corrector->correctWithMotion(labels, exampleMotion(), expected);
+            corrector->correctWithMotion(src, exampleMotion(), dst);
+            ASSERT_EQ(type, dst.type());
+            dst.convertTo(found, expected.type());
+            EXPECT_EQ(0, cvtest::norm(expected, found, NORM_INF));
+            EXPECT_GT(cvtest::norm(labels, found, NORM_INF), 0);
+        }
+}
+
 TEST(RSAckermann_CorrectorImageArguments, every_form_at_every_entry)
 {
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(Size(61, 47));
