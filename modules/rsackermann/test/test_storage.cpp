@@ -152,6 +152,35 @@ TEST(RSAckermann_Storage, size_of_matrices)
     checkSizeOfMatrix<AckermannMotion>("rotation_curve");
 }
 
+// As OpenCV's samples for calibration write them.
+TEST(RSAckermann_Storage, coefficients_in_a_matrix)
+{
+    const auto readCoefficients = [](const std::string& matrix) {
+        RollingShutterCamera camera;
+        camera.read(
+            FileStorage("%YAML:1.0\n---\ndistortion_coefficients: " + matrix, FileStorage::READ | FileStorage::MEMORY)
+                .root());
+        return camera.distCoeffs;
+    };
+    const std::vector<double> expected = {-0.25, 0.125, 0, 0.5};
+    EXPECT_EQ(expected, readCoefficients("[ -0.25, 0.125, 0., 0.5 ]\n"));
+    EXPECT_EQ(expected, readCoefficients("!!opencv-matrix\n   rows: 4\n   cols: 1\n   dt: d\n"
+                                         "   data: [ -0.25, 0.125, 0., 0.5 ]\n"));
+    EXPECT_EQ(expected, readCoefficients("!!opencv-matrix\n   rows: 1\n   cols: 4\n   dt: f\n"
+                                         "   data: [ -0.25, 0.125, 0., 0.5 ]\n"));
+    try
+    {
+        readCoefficients("!!opencv-matrix\n   rows: 2\n   cols: 2\n   dt: d\n   data: [ 0., 0., 0., 0. ]\n");
+        FAIL() << "no exception";
+    }
+    catch (const cv::Exception& e)
+    {
+        EXPECT_NE(std::string::npos, e.err.find("distortion_coefficients is 2 x 2")) << e.err;
+    }
+    EXPECT_THROW(readCoefficients("!!opencv-matrix\n   rows: 1\n   cols: 2000000000\n   dt: d\n   data: [ 0. ]\n"),
+                 cv::Exception);
+}
+
 TEST(RSAckermann_Storage, reading_is_all_or_nothing)
 {
     checkAllOrNothing<AckermannEstimator>(exampleEstimatorParams(), "threshold: -1\nseed: 9\ncamera:\n   height: 2\n");

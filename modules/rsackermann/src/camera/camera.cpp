@@ -174,12 +174,30 @@ void RollingShutterCamera::write(FileStorage& fs) const
        << distortionSigma << "line_delay_sigma" << lineDelaySigma;
 }
 
+// A list, or one row or column as files of other calibrations have it.
+static void readCoefficients(const FileNode& node, std::vector<double>& coefficients)
+{
+    if (!node.isMap())
+    {
+        node >> coefficients;
+        return;
+    }
+    const int most = 14;
+    const Size stored = storedSize(node);
+    REJECT_IF(std::min(stored.width, stored.height) != 1 || std::max(stored.width, stored.height) > most,
+              "%s is %d x %d; a row or column of up to %d is expected", node.name().c_str(), stored.height,
+              stored.width, most);
+    Mat matrix;
+    node >> matrix;
+    Mat_<double>(matrix.reshape(1, 1)).copyTo(coefficients);
+}
+
 void RollingShutterCamera::read(const FileNode& fn)
 {
     readFields(fn, "image_width", imageSize.width, "image_height", imageSize.height);
     readMatrix(fn, "camera_matrix", cameraMatrix);
     if (!fn["distortion_coefficients"].empty())
-        fn["distortion_coefficients"] >> distCoeffs;
+        readCoefficients(fn["distortion_coefficients"], distCoeffs);
     readFields(fn, "lens_model", lensModel, "scan_direction", scanDirection, "line_delay", lineDelay);
     readFields(fn, "reference_row", referenceRow);
     readMatrix(fn, "upright_rotation", uprightRotation);
