@@ -156,20 +156,22 @@ std::vector<double> matrixOf(const cv::FileNode& node)
 {
     if (node.empty())
         return std::vector<double>();
-    require(node.isMap() && node["data"].isSeq() && node["rows"].isInt() && node["cols"].isInt(),
-            node.name() + " is not a matrix");
+    require(node.isMap() && node["rows"].isInt() && node["cols"].isInt(), node.name() + " is not a matrix");
     // cv::FileNode makes a matrix of the size that is stated before it looks for the elements.
     const int mostElements = 14, rows = node["rows"], cols = node["cols"];
     require(rows >= 0 && cols >= 0 && double(rows) * cols <= mostElements,
             cv::format("%s is %d x %d; a matrix of up to %d elements is accepted", node.name().c_str(), rows, cols,
                        mostElements));
+    if (rows * cols == 0) // the elements are a list, or nothing in XML
+        return std::vector<double>();
+    require(node["data"].isSeq(), node.name() + " is not a matrix");
     for (const cv::FileNode& element : node["data"])
         require(element.isInt() || element.isReal(), node.name() + " has an element that is not a number");
     cv::Mat matrix;
     node >> matrix;
     require(matrix.channels() == 1, node.name() + " is not a matrix of numbers");
     matrix.convertTo(matrix, CV_64F);
-    return matrix.empty() ? std::vector<double>() : std::vector<double>(matrix.reshape(1, 1));
+    return std::vector<double>(matrix.reshape(1, 1));
 }
 
 // The words of ROS, which files with matrices of OpenCV may use as well.

@@ -486,6 +486,7 @@ TEST(CameraFiles, broken)
 TEST(CameraFiles, written_and_read)
 {
     rsackermann_samples::CameraSettings s = read(OPENCV_YAML);
+    const std::vector<double> lens = s.lens;
     s.readOut = 0.0123;
     s.scan = cv::rsackermann::SCAN_RIGHT_TO_LEFT;
     s.reference = "first";
@@ -497,25 +498,27 @@ TEST(CameraFiles, written_and_read)
     const std::pair<const char*, const char*> formats[] = {
         {"camera.yml", "%YAML"}, {"camera.yaml", "%YAML"}, {"camera.xml", "<?xml"}, {"camera.JSON", "{"}};
     for (const auto& format : formats)
-    {
-        SCOPED_TRACE(format.first);
-        const TemporaryFolder folder;
-        const std::string path = folder / format.first;
-        rsackermann_samples::writeCameraFile(path, s);
-        EXPECT_EQ(0u, contentOf(path).find(format.second));
-        rsackermann_samples::CameraSettings r;
-        rsackermann_samples::readCameraFile(path, r);
-        EXPECT_EQ(s.K, r.K);
-        EXPECT_EQ(s.lens, r.lens);
-        EXPECT_EQ(s.size, r.size);
-        EXPECT_EQ(s.readOut, r.readOut);
-        EXPECT_EQ(s.scan, r.scan);
-        EXPECT_EQ(s.reference, r.reference);
-        EXPECT_EQ(s.roll, r.roll);
-        EXPECT_EQ(s.pitch, r.pitch);
-        EXPECT_EQ(s.heading, r.heading);
-        EXPECT_EQ(s.height, r.height);
-    }
+        for (const bool hasLens : {true, false})
+        {
+            SCOPED_TRACE(testing::Message() << format.first << (hasLens ? "" : " without a lens"));
+            s.lens = hasLens ? lens : std::vector<double>();
+            const TemporaryFolder folder;
+            const std::string path = folder / format.first;
+            rsackermann_samples::writeCameraFile(path, s);
+            EXPECT_EQ(0u, contentOf(path).find(format.second));
+            rsackermann_samples::CameraSettings r;
+            rsackermann_samples::readCameraFile(path, r);
+            EXPECT_EQ(s.K, r.K);
+            EXPECT_EQ(s.lens, r.lens);
+            EXPECT_EQ(s.size, r.size);
+            EXPECT_EQ(s.readOut, r.readOut);
+            EXPECT_EQ(s.scan, r.scan);
+            EXPECT_EQ(s.reference, r.reference);
+            EXPECT_EQ(s.roll, r.roll);
+            EXPECT_EQ(s.pitch, r.pitch);
+            EXPECT_EQ(s.heading, r.heading);
+            EXPECT_EQ(s.height, r.height);
+        }
 }
 
 // A mount that nobody knows isn't level when it is read again.
