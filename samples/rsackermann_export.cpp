@@ -11,6 +11,7 @@
 #include "output/result_names.hpp"
 #include "opencv2/rsackermann/warp.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -42,11 +43,11 @@ const char* const KEYS =
     "{mesh_size     | 17x10 | nodes in a row and in a column}"
     "{overwrite     |       | replace existing files}";
 
+// That of the report, with what the options say.
 cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const std::vector<MotionFrame>& frames)
 {
-    const bool isOfReport = !frames.empty() && frames[0].hasCamera && !isCameraGiven(options) && !options.given("size");
-    if (isOfReport)
-        return frames[0].camera;
+    const bool isOfReport =
+        !frames.empty() && frames[0].hasCamera && !options.given("camera") && !options.given("focal");
     CameraSettings settings = readCameraOptions(options);
     settings.needsReadOut = false; // the report has it
     cv::Size size = options.given("size") ? parseSize(options.text("size"), "option --size", 1, 65535) : cv::Size();
@@ -56,13 +57,43 @@ cv::rsackermann::RollingShutterCamera readCamera(const Options& options, const s
         size = settings.size;
     if (size.area() == 0)
         throw UsageError("--size is missing: the size of the images isn't known");
-    return settings.makeCamera(size);
+    const cv::rsackermann::RollingShutterCamera given = settings.makeCamera(size);
+    if (!isOfReport)
+        return given;
+    cv::rsackermann::RollingShutterCamera camera = frames[0].camera;
+    camera.imageSize = size;
+    camera.uprightRotation = given.uprightRotation;
+    if (options.given("line_delay") || options.given("readout"))
+        camera.lineDelay = given.lineDelay;
+    if (options.given("scan"))
+        camera.scanDirection = given.scanDirection;
+    if (options.given("reference"))
+        camera.referenceRow = given.referenceRow;
+    if (options.given("heading"))
+        camera.heading = given.heading;
+    if (options.given("height"))
+        camera.height = given.height;
+    return camera;
+}
+
+// The report has what was used, which may be of a log instead of an option.
+void warnOfOtherTilt(const Options& options, const std::string& name, double MotionFrame::*used,
+                     const std::vector<MotionFrame>& frames)
+{
+    const double rounding = 1e-6, given = options.given(name) ? options.number(name, -MOST_TILT, MOST_TILT) : 0;
+    const auto isOther = [&](const MotionFrame& frame) { return std::abs(given - frame.*used) > rounding; };
+    const auto other = std::find_if(frames.begin(), frames.end(), isOther);
+    if (options.given(name) && other != frames.end())
+        options.warn(cv::format("%s was corrected with a %s of %g degrees, which counts, not --%s",
+                                other->name().c_str(), name.c_str(), (*other).*used, name.c_str()));
 }
 
 // Before anything is written. A point is as good as a map to show whether the motion can be followed.
 void checkFrames(const Options& options, const cv::rsackermann::RollingShutterCamera& camera,
                  const std::vector<MotionFrame>& frames)
 {
+    warnOfOtherTilt(options, "roll", &MotionFrame::roll, frames);
+    warnOfOtherTilt(options, "pitch", &MotionFrame::pitch, frames);
     const auto generator = cv::rsackermann::WarpMapGenerator::create(camera);
     for (const MotionFrame& frame : frames)
     {

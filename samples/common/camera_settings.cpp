@@ -199,15 +199,6 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     return camera;
 }
 
-bool isCameraGiven(const Options& options)
-{
-    for (const char* name : {"camera", "focal", "focal_sigma", "line_delay", "readout", "scan", "reference", "roll",
-                             "pitch", "heading", "height"})
-        if (options.given(name))
-            return true;
-    return false;
-}
-
 std::string parseReference(const std::string& text, const std::string& source)
 {
     if (text != "first" && text != "middle" && text != "last")

@@ -76,9 +76,6 @@ extern const std::vector<std::string> SCAN_WORDS;
 //! Keys of the options that readCameraOptions() takes.
 extern const char* const CAMERA_KEYS;
 
-//! Whether an option for the camera is given.
-bool isCameraGiven(const Options& options);
-
 //! Largest values of options and of camera files: degrees, metres and pixels.
 const double MOST_TILT = 89, MOST_HEADING = 180, MOST_HEIGHT = 1000, MOST_FOCAL = 1e7;
 

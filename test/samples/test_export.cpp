@@ -893,18 +893,54 @@ TEST_F(Export, options_that_contradict_the_report)
     const Arguments report = {"--report=" + (folder / "report.jsonl"), "--row_poses=" + (folder / "poses.json")},
                     same = {"--focal=816", "--readout=0.0133"};
     EXPECT_EQ(0, exportMotion(report).exitCode);
-    EXPECT_EQ(0, exportMotion(report + same).exitCode);
+    std::string poses = contentOf(folder / "poses.json");
+    for (const Arguments& agreeing :
+         {same, Arguments{"--readout=0.0133"}, Arguments{"--size=640x380"}, Arguments{"--roll=0", "--pitch=0"},
+          Arguments{"--scan=top_to_bottom", "--reference=middle", "--heading=0"}})
+    {
+        std::remove((folder / "poses.json").c_str());
+        EXPECT_EQ(0, exportMotion(report + agreeing).exitCode) << agreeing[0];
+        EXPECT_EQ(poses, contentOf(folder / "poses.json")) << agreeing[0];
+    }
     std::remove((folder / "poses.json").c_str());
-    const std::pair<Arguments, const char*> others[] = {
-        {{"--focal=700", "--readout=0.0133"}, "matrix"},    {{"--focal=816", "--readout=0.02"}, "line_delay_s"},
-        {same + Arguments{"--scan=bottom_to_top"}, "scan"}, {same + Arguments{"--reference=first"}, "reference_line"},
-        {same + Arguments{"--heading=1"}, "heading_deg"},   {same + Arguments{"--height=1"}, "height_m"}};
+    const std::pair<Arguments, const char*> others[] = {{{"--focal=700", "--readout=0.0133"}, "matrix"},
+                                                        {{"--focal=816", "--readout=0.02"}, "line_delay_s"},
+                                                        {same + Arguments{"--scan=bottom_to_top"}, "scan"},
+                                                        {same + Arguments{"--reference=first"}, "reference_line"},
+                                                        {same + Arguments{"--heading=1"}, "heading_deg"},
+                                                        {same + Arguments{"--height=1"}, "height_m"},
+                                                        {{"--readout=0.02"}, "line_delay_s"},
+                                                        {{"--line_delay=3e-5"}, "line_delay_s"},
+                                                        {{"--scan=bottom_to_top"}, "scan"},
+                                                        {{"--reference=first"}, "reference_line"},
+                                                        {{"--heading=1"}, "heading_deg"},
+                                                        {{"--height=1"}, "height_m"}};
     for (const std::pair<Arguments, const char*>& other : others)
     {
         const Outcome outcome = exportMotion(report + other.first);
         EXPECT_EQ(1, outcome.exitCode) << other.second;
         EXPECT_NE(std::string::npos, outcome.messages.find(std::string("another ") + other.second)) << outcome.messages;
         EXPECT_FALSE(cv::utils::fs::exists(folder / "poses.json"));
+    }
+}
+
+// They may be those beside a log whose mount counted.
+TEST_F(Export, tilts_are_those_of_the_report)
+{
+    ASSERT_EQ(0, correct({streetFolder() + "/rolling.png", "--focal=816", "--readout=0.0133", "--wall=2.5", "--roll=1",
+                          "--report=" + (folder / "report.jsonl")})
+                     .exitCode);
+    const Arguments arguments = {"--report=" + (folder / "report.jsonl"), "--row_poses=" + (folder / "poses.json")};
+    ASSERT_EQ(0, exportMotion(arguments).exitCode);
+    const std::string poses = contentOf(folder / "poses.json");
+    for (const char* tilt : {"--roll=1", "--pitch=0", "--roll=2", "--pitch=-3"})
+    {
+        std::remove((folder / "poses.json").c_str());
+        const Outcome outcome = exportMotion(arguments + Arguments{tilt});
+        EXPECT_EQ(0, outcome.exitCode) << tilt;
+        EXPECT_EQ(poses, contentOf(folder / "poses.json")) << tilt;
+        const bool isOther = std::string(tilt) == "--roll=2" || std::string(tilt) == "--pitch=-3";
+        EXPECT_EQ(isOther, outcome.messages.find("which counts") != std::string::npos) << outcome.messages;
     }
 }
 
