@@ -25,6 +25,7 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
         addGyro(frame);
         addDepth(frame);
         addPixels(frame);
+        addSpeed(frame);
         if (frame.motion.readoutRatioSigma > 0)
             lastMotion_ = frame.motion;
     }
@@ -103,6 +104,19 @@ void Warnings::addContradiction(const std::string& input, const std::vector<Fram
     const std::string more = others > 0 ? cv::format(" and %d more", others) : "",
                       which = first->frame >= 0 ? cv::format("frame %d", first->frame) + more + ": " : "";
     warn(input + ": " + which + contradiction(*first));
+}
+
+// Metres that are wrong make all speeds wrong; those of a single image end near the limit, whatever it shows.
+void Warnings::addSpeed(const FrameReport& frame)
+{
+    const cv::rsackermann::AckermannMotion& m = frame.motion;
+    const double limit = job_.params.estimator.maxSpeed;
+    double speed;
+    if ((m.scale == cv::rsackermann::SCALE_WALL || m.scale == cv::rsackermann::SCALE_ROAD) &&
+        m.speed(frame.camera, speed) && std::abs(speed) > 0.99 * limit)
+        warnOnce(cv::format("an image shows a speed of %.0f km/h or more: the distance of --%s is too large, or the "
+                            "read-out too short",
+                            limit / KMH, m.scale == cv::rsackermann::SCALE_WALL ? "wall" : "height"));
 }
 
 // Once: times in another unit, or those of another column, leave nothing of a sequence.

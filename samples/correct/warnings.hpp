@@ -40,6 +40,7 @@ private:
     void addGyro(const FrameReport& frame);
     void addDepth(const FrameReport& frame);
     void addPixels(const FrameReport& frame);
+    void addSpeed(const FrameReport& frame);
     void warn(const std::string& message);
     void warnOnce(const std::string& message);
 

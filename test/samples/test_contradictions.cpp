@@ -49,6 +49,21 @@ TEST(Contradictions, speed_beside_a_wall)
     EXPECT_NE(std::string::npos, words.find("with a wall at 8.2 m the image shows")) << words;
 }
 
+// Alone it makes the speed one that no car has, in a sequence as well.
+TEST(Contradictions, wall_that_is_too_far_away)
+{
+    const std::string image = streetFolder() + "/rolling.png";
+    for (const char* mode : {"--overwrite", "--carry"})
+        for (const double wall : {2.5, 10.})
+        {
+            const std::string words = correct({image, "--camera=" + streetFolder() + "/camera.yml", mode,
+                                               cv::format("--wall=%g", wall), "--report=-"})
+                                          .messages;
+            EXPECT_EQ(wall > 2.5, words.find("the distance of --wall is too large") != std::string::npos)
+                << mode << " " << wall << " " << words;
+        }
+}
+
 // The yaw rate is that of the frames where no motion is near the given one, and not dropped.
 TEST(Contradictions, yaw_rate_of_a_sequence)
 {
