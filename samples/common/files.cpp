@@ -79,14 +79,15 @@ std::vector<uchar> encodeImage(const std::string& path, const cv::Mat& image, co
     const std::string format = extension(path);
     if (!cv::haveImageWriter(path))
         throw InputError(path + " has the extension of no image format that can be written");
-    // Not every format has colours, 16 bits or an alpha channel, and encoders drop them in silence.
-    const bool isPortableMap = format == ".pbm" || format == ".pgm" || format == ".ppm" || format == ".pnm";
+    // Not every format has integers, colours, 16 bits or an alpha channel, and encoders drop them in silence.
+    const bool isPortableMap = format == ".pbm" || format == ".pgm" || format == ".ppm" || format == ".pnm",
+               isRadiance = format == ".hdr" || format == ".pic";
     std::vector<uchar> bytes;
     bool encoded = false;
     try
     {
         encoded = cv::imencode(format, image, bytes);
-        if (encoded && (isPortableMap || image.depth() != CV_8U || image.channels() == 4))
+        if (encoded && (isPortableMap || isRadiance || image.depth() != CV_8U || image.channels() == 4))
         {
             const cv::Mat again = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
             encoded = again.type() == image.type() && (!isPortableMap || cv::norm(again, image, cv::NORM_INF) == 0);

@@ -174,6 +174,12 @@ TEST(ImageKinds, float_is_refused)
         EXPECT_EQ("failed", nlohmann::json::parse(outcome.output)["status"]);
         EXPECT_FALSE(cv::utils::fs::exists(folder / "out.tiff"));
     }
+    cv::imwrite(folder / "in.png", streetImage());
+    for (const char* name : {"out.hdr", "out.pic"})
+    {
+        EXPECT_EQ(1, correct({folder / "in.png", "--output=" + (folder / name)}).exitCode) << name;
+        EXPECT_FALSE(cv::utils::fs::exists(folder / name)) << name;
+    }
     // OpenCV itself doesn't read all of these.
     image.convertTo(image, CV_64F);
     cv::imwrite(folder / "in.tiff", image);
