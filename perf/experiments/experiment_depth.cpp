@@ -102,7 +102,7 @@ cv::Mat disturbed(const cv::Mat& truth, const Options& options, cv::RNG& rng)
     cv::Mat depth = truth.mul(noise);
     const double share = options.number("holes", 0, 1);
     if (share > 0)
-        depth.setTo(0, holesOf(truth.size(), share, options.number("hole", 0, 1000), rng));
+        depth.setTo(NAN, holesOf(truth.size(), share, options.number("hole", 0, 1000), rng));
     return depth;
 }
 
@@ -161,7 +161,7 @@ DepthMap depthOf(const street::StreetCamera& camera, street::StreetScene scene, 
     cv::Mat1f values = metres.clone();
     for (int y = 0; y < values.rows && !inMetres; y++)
         for (int x = 0; x < values.cols; x++)
-            values(y, x) = float(scale * (values(y, x) > 0 ? 1 / values(y, x) : 0) + shift);
+            values(y, x) = float(scale * (values(y, x) == 0 ? 0 : 1 / values(y, x)) + shift); // 0: the sky
     if (whose == MIRRORED)
         cv::flip(values, values, 1);
     else if (whose == CONSTANT)
