@@ -19,7 +19,6 @@ namespace cv { namespace rsackermann {
 // doc/theory.md, "Evidence" and "Posterior", have the reasons.
 static const double DEPENDENCE_OF_OTHERS = 3;       // over that of the verticals
 static const double OTHER_LENSES[] = {-1, 1, 2, 3}; // sigmas of a distortion that isn't known
-static const double SMALL_SHARE = 0.01;             // of the posterior, whose shape doesn't matter
 
 namespace {
 
@@ -436,36 +435,21 @@ private:
                 if (logWeights[i][k] > least && !contain(valleys[i], all[i].minima[k]))
                     valleys[i].push_back(YawSweep(problem, all[i].minima[k], valleys[i]));
         });
-        std::vector<Fit> fits;
-        std::vector<double> logMasses;
         for (int i = 0; i < count; i++)
         {
             for (const YawSweep& valley : valleys[i])
             {
                 const double logShared = all[i].logPrior + logNoise(cheapest(valley.fits));
-                fits.insert(fits.end(), valley.fits.begin(), valley.fits.end());
-                for (const double logMass : valley.logMasses)
-                    logMasses.push_back(logMass + logShared);
+                for (size_t k = 0; k < valley.fits.size(); k++)
+                    mixture.add(valley.fits[k], valley.logMasses[k] + logShared);
             }
             for (size_t k = 0; k < logWeights[i].size() && !all[i].hypothesis.turns(); k++)
             {
-                fits.push_back(all[i].minima[k]);
-                logMasses.push_back(logWeights[i][k]);
+                Fit fit = all[i].minima[k];
+                integratePeak(problem, fit);
+                mixture.add(fit, logWeights[i][k]);
             }
         }
-        addPeaks(fits, logMasses);
-    }
-
-    void addPeaks(std::vector<Fit>& fits, const std::vector<double>& logMasses)
-    {
-        const double least =
-            std::max(mixture.logSum(), *std::max_element(logMasses.begin(), logMasses.end())) + std::log(SMALL_SHARE);
-        forEachInParallel(int(fits.size()), [&](int i) {
-            if (logMasses[i] > least)
-                integratePeak(problem, fits[i]);
-        });
-        for (size_t i = 0; i < fits.size(); i++)
-            mixture.add(fits[i], logMasses[i]);
     }
 
     RefinementProblem& problem;

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "../precomp.hpp"
+#include "peak_moments.hpp"
 #include "yaw_sweep.hpp"
 
 namespace cv { namespace rsackermann {
@@ -51,6 +52,9 @@ double YawSweep::add(const RefinementProblem& problem, double width, Fit& fit)
     fit.cost = refine(problem, fit.hypothesis, ALL_SEGMENTS, iterations, fit.model, &fit.covariance);
     const double density = logEvidence(problem, fit) + problem.prior->logYawDensity(fit.model[P_ALPHA]);
     fits.push_back(fit);
+    highest = std::max(highest, density);
+    if (density > highest + std::log(SMALL_SHARE))
+        integratePeak(problem, fits.back());
     logMasses.push_back(density + std::log(width));
     return density;
 }

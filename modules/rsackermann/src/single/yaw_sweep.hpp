@@ -16,6 +16,7 @@ double logEvidence(const RefinementProblem& problem, const Fit& fit);
 // doc/theory.md, "Posterior", has the reasons.
 const double FIRST_STEP = 1; //!< in sigmas
 const double STEP_GROWTH = 1.25;
+const double SMALL_SHARE = 0.01; //!< of the highest density: the shape of a peak with less doesn't matter
 
 /** Goes from a motion to both sides, in steps of the yaw rate that grow, until densities are negligible
 (doc/theory.md, "Posterior").
@@ -60,6 +61,8 @@ public:
 
 private:
     double add(const RefinementProblem& problem, double width, Fit& fit);
+
+    double highest = -DBL_MAX; // logarithm of a density
 };
 
 //! Whether a motion is in one of some valleys.
