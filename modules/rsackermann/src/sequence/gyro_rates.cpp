@@ -314,7 +314,7 @@ std::vector<GyroRates::Instant> GyroRates::instantsOf(double seconds, const RowS
 {
     const double farthest = 3, step = 0.004; // sigmas; seconds, of shaking at 40 Hz a sixth
     const double sigma = std::sqrt(covariance(0, 0));
-    const int side = std::min(std::max(cvCeil(farthest * sigma / step), 2), 50);
+    const int side = cvCeil(std::min(std::max(farthest * sigma / step, 2.), 50.)); // of any sigma
     const double expected = seconds + found.delay;
     std::vector<Instant> instants;
     if (!samples.covers(expected + rows.from, expected + rows.to))
