@@ -59,7 +59,10 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
     params.model = readModel(options);
     params.detector = readDetector(options);
     if (!cases.empty())
+    {
         params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
+        params.wallDistanceLogSigma = 0; // they are plane
+    }
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);
     else if (knowledge.rollNoise > 0)

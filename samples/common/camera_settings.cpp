@@ -187,7 +187,10 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
         camera.referenceRow = upwards ? 0 : lines - 1;
     else
         camera.referenceRow = parseNumber(reference, "reference");
+    const RollingShutterCamera ofUnknownMount = camera;
     camera.setRollPitch(roll * DEGREE, pitch * DEGREE);
+    camera.rollSigma = rollIsGiven ? rollSigma * DEGREE : ofUnknownMount.rollSigma;
+    camera.pitchSigma = pitchIsGiven ? pitchSigma * DEGREE : ofUnknownMount.pitchSigma;
     camera.heading = heading * DEGREE;
     camera.height = height;
     camera.lineDelaySigma = lineDelaySigma;

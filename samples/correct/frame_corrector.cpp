@@ -74,11 +74,10 @@ void FrameCorrector::useFacts()
     roll_ = settings.roll;
     pitch_ = settings.pitch;
     camera_ = settings.makeCamera(camera_.imageSize);
+    RollingShutterCorrector::Params params = paramsFor(camera_, job_.params);
+    setGravitySigma(orElse(facts_.gravitySigma, job_.gravitySigma), camera_, params.estimator);
     corrector_->setCamera(camera_);
     warp_->setCamera(camera_);
-
-    RollingShutterCorrector::Params params = paramsFor(camera_, job_.params);
-    setGravitySigma(orElse(facts_.gravitySigma, job_.gravitySigma), settings, params.estimator);
     corrector_->setParams(params);
 
     corrector_->setPrior(priorOf(facts_, job_.prior));

@@ -228,19 +228,11 @@ Job readJob(const Options& options)
     return job;
 }
 
-// Degrees, standard deviations: a mount that isn't given isn't level.
-static const double UNKNOWN_ROLL = 2, UNKNOWN_PITCH = 5;
-
-void setGravitySigma(double degrees, const CameraSettings& camera, AckermannEstimator::Params& params)
+void setGravitySigma(double degrees, RollingShutterCamera& camera, AckermannEstimator::Params& params)
 {
     if (std::isnan(degrees))
-    {
-        const double roll = camera.rollIsGiven ? camera.rollSigma : UNKNOWN_ROLL,
-                     pitch = camera.pitchIsGiven ? camera.pitchSigma : UNKNOWN_PITCH;
-        params.gravitySigma = std::hypot(params.gravitySigma, roll * DEGREE);
-        params.vehiclePitchSigma = std::hypot(params.vehiclePitchSigma, pitch * DEGREE);
         return;
-    }
+    camera.rollSigma = camera.pitchSigma = 0;
     params.gravitySigma = degrees * DEGREE;
     if (params.gravitySigma > 0)
         params.vehiclePitchSigma = params.gravitySigma;

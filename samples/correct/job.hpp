@@ -36,9 +36,10 @@ struct Job
 
 extern const char* const JOB_KEYS;
 
-/** Sets the standard deviation of gravity.
-@param degrees of roll and pitch, 0: exact; NaN: not given, so that the mount's adds to the vehicle's. */
-void setGravitySigma(double degrees, const CameraSettings& camera, cv::rsackermann::AckermannEstimator::Params& params);
+/** Sets the standard deviation of gravity, the mount's included.
+@param degrees of roll and pitch, 0: exact; NaN: not given, so that nothing changes. */
+void setGravitySigma(double degrees, cv::rsackermann::RollingShutterCamera& camera,
+                     cv::rsackermann::AckermannEstimator::Params& params);
 
 //! Reads the command line; throws UsageError.
 Job readJob(const Options& options);

@@ -188,15 +188,13 @@ static std::string comparison(const char* name, const char* unit, double given, 
                       source.c_str(), seen, seenSigma);
 }
 
-std::string contradiction(const FrameReport& frame)
+std::string contradiction(const FrameReport& frame, double wall)
 {
     const AckermannMotion& m = frame.motion;
     const MotionPrior& p = frame.prior;
     const double sigmas = 3;
     const std::string source = frame.isGyroUsed ? "image and gyro show" : "the image shows",
-                      ofSpeed = m.scale == SCALE_WALL
-                                    ? cv::format("with a wall at %.1f m %s", m.wallDistance, source.c_str())
-                                    : source;
+                      ofSpeed = wall > 0 ? cv::format("with a wall at %.1f m %s", wall, source.c_str()) : source;
     std::string words;
     if (m.seenYawRateSigma > 0 && p.yawRateSigma > 0 &&
         std::abs(m.seenYawRate - p.yawRate) > sigmas * std::hypot(m.seenYawRateSigma, p.yawRateSigma))
@@ -205,7 +203,12 @@ std::string contradiction(const FrameReport& frame)
     if (m.seenSpeedSigma > 0 && std::abs(m.seenSpeed - p.speed) > sigmas * std::hypot(m.seenSpeedSigma, p.speedSigma))
         words += (words.empty() ? "" : "; ") + comparison("speed", "km/h", p.speed / KMH, p.speedSigma / KMH, ofSpeed,
                                                           m.seenSpeed / KMH, m.seenSpeedSigma / KMH);
-    if (words.empty() && m.contradictsPrior)
+    if (words.empty() && m.contradictsPrior && !(p.speedSigma > 0))
+        words = cv::format(
+            "given is a wall at %.1f m, but segments end elsewhere than on the road or above it if the camera "
+            "is at its height: check --wall and --height",
+            wall);
+    else if (words.empty() && m.contradictsPrior)
         words = cv::format("given is a speed of %.1f km/h (sigma %.1f), but the image shows the other direction",
                            p.speed / KMH, p.speedSigma / KMH);
     return words;

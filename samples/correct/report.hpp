@@ -36,8 +36,8 @@ struct FrameReport
 //! A line of JSON; unknown values are null.
 std::string reportLine(const FrameReport& frame);
 
-//! Words on the given values that the image contradicts; none if there are none.
-std::string contradiction(const FrameReport& frame);
+//! Words on the given values that the image contradicts; none if there are none. @param wall given distance, or 0.
+std::string contradiction(const FrameReport& frame, double wall);
 
 //! The same for an input that isn't corrected, or not to its end.
 std::string failureLine(const std::string& input, const std::string& error);

@@ -103,7 +103,7 @@ void Warnings::addContradiction(const std::string& input, const std::vector<Fram
     const int others = int(std::count_if(first + 1, frames.end(), contradicts));
     const std::string more = others > 0 ? cv::format(" and %d more", others) : "",
                       which = first->frame >= 0 ? cv::format("frame %d", first->frame) + more + ": " : "";
-    warn(input + ": " + which + contradiction(*first));
+    warn(input + ": " + which + contradiction(*first, job_.params.estimator.wallDistance));
 }
 
 // Metres that are wrong make all speeds wrong; those of a single image end near the limit, whatever it shows.

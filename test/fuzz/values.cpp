@@ -114,6 +114,8 @@ RollingShutterCamera Values::camera(int largest)
     camera.setRollPitch(around(0, -1, 1), around(0, -1, 1));
     camera.heading = around(0, -3.2, 3.2);
     camera.height = around(0, 0, 3);
+    camera.rollSigma = around(camera.rollSigma, 0, 0.2);
+    camera.pitchSigma = around(camera.pitchSigma, 0, 0.2);
     camera.focalSigma = around(camera.focalSigma, 0, side);
     camera.lineDelaySigma = around(0, 0, 1e-5);
     return camera;
@@ -196,6 +198,7 @@ AckermannEstimator::Params Values::estimatorParams()
     p.maxYawRate = around(p.maxYawRate, 0, 4);
     p.maxSpeed = around(p.maxSpeed, 0, 100);
     p.wallDistance = around(p.wallDistance, 0, 10);
+    p.wallDistanceLogSigma = around(p.wallDistanceLogSigma, 0, 1);
     p.roadRatio = around(p.roadRatio, 0, 5);
     p.scaleFromRoad = flag();
     p.gravitySigma = around(p.gravitySigma, 0, 0.2);

@@ -266,7 +266,7 @@ TEST(Correct, nearly_same_result_whatever_the_vectors)
         for (const auto& expected : widest.items())
             if (expected.value().is_number_float())
                 EXPECT_NEAR(expected.value().get<double>(), values[expected.key()].get<double>(),
-                            1e-4 * (1e-4 + std::abs(expected.value().get<double>())))
+                            1e-4 * (1e-2 + std::abs(expected.value().get<double>())))
                     << expected.key() << " without " << disabled;
             else
                 EXPECT_EQ(expected.value(), values[expected.key()]) << expected.key() << " without " << disabled;

@@ -294,7 +294,7 @@ TEST(Correct, distance_of_the_right_wall_of_a_sequence)
     {
         const Json frame = Json::parse(line);
         EXPECT_EQ(6, frame["wall_distance_m"]);
-        EXPECT_LT(frame["speed_sigma"], 2);
+        EXPECT_NEAR(0.1 * frame["speed_km_h"].get<double>(), frame["speed_sigma"].get<double>(), 0.1); // of the wall
         EXPECT_NEAR(30, frame["speed_km_h"].get<double>(), 3 * frame["speed_sigma"].get<double>());
     }
 }

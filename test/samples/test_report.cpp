@@ -216,10 +216,24 @@ TEST(Report, names_what_contradicts)
             report.prior.speedSigma = sigma[0];
             m.seenSpeedSigma = sigma[1];
             m.seenSpeed = report.prior.speed + both * (isSpeed ? 3.1 : 2.9);
-            const std::string words = contradiction(report);
+            const std::string words = contradiction(report, 0);
             EXPECT_EQ(isYawRate, words.find("yaw rate") != std::string::npos) << words;
             EXPECT_EQ(isSpeed, words.find("speed") != std::string::npos) << words;
         }
+}
+
+// Of a speed that contradicts a wall both are named, and a wall that the road contradicts alone.
+TEST(Report, names_the_wall_that_contradicts)
+{
+    FrameReport report = exampleReport();
+    report.motion.contradictsPrior = true;
+    report.motion.seenYawRateSigma = 0;
+    report.prior.speedSigma = report.motion.seenSpeedSigma = 1;
+    report.motion.seenSpeed = report.prior.speed + 10;
+    EXPECT_NE(std::string::npos, contradiction(report, 8.2).find("with a wall at 8.2 m the image shows"));
+    EXPECT_EQ(std::string::npos, contradiction(report, 0).find("wall"));
+    report.prior.speedSigma = report.motion.seenSpeedSigma = 0;
+    EXPECT_NE(std::string::npos, contradiction(report, 8.2).find("given is a wall at 8.2 m, but"));
 }
 
 }} // namespace opencv_test::

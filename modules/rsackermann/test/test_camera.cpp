@@ -32,12 +32,43 @@ TEST(RSAckermann_Camera, fromFocal)
     EXPECT_EQ(Matx33d::eye(), wide.uprightRotation);
     EXPECT_EQ("", complaint(wide));
     EXPECT_DOUBLE_EQ(0.2 * 576, wide.focalSigma);
-
     EXPECT_EQ(0.15, wide.distortionSigma);
     EXPECT_EQ(0, RollingShutterCamera::fromFocal(Size(640, 380), 816).focalSigma);
     EXPECT_EQ(0, RollingShutterCamera::fromFocal(Size(640, 380), 816).distortionSigma);
     EXPECT_EQ(900, RollingShutterCamera::fromFocal(Size(600, 1000)).cameraMatrix(0, 0));
     EXPECT_EQ(816, RollingShutterCamera::fromFocal(Size(640, 380), 816).cameraMatrix(1, 1));
+}
+
+// Of the mount nobody knows until it is given.
+TEST(RSAckermann_Camera, mount_that_is_not_given)
+{
+    const double degree = CV_PI / 180;
+    for (const RollingShutterCamera& camera :
+         {RollingShutterCamera::fromFocal(Size(640, 380), 816),
+          RollingShutterCamera(Size(640, 380), Matx33d(816, 0, 319, 0, 816, 189, 0, 0, 1))})
+    {
+        EXPECT_DOUBLE_EQ(2 * degree, camera.rollSigma);
+        EXPECT_DOUBLE_EQ(5 * degree, camera.pitchSigma);
+        RollingShutterCamera byAngles = camera, byGravity = camera;
+        byAngles.setRollPitch(0, 0.1);
+        byGravity.setGravity(Vec3d(0, 1, 0));
+        for (const RollingShutterCamera& given : {byAngles, byGravity})
+        {
+            EXPECT_EQ(0, given.rollSigma);
+            EXPECT_EQ(0, given.pitchSigma);
+        }
+    }
+    // A file that was written by hand has a rotation, or none.
+    RollingShutterCamera read(Size(640, 380), Matx33d::eye());
+    FileStorage bare("%YAML:1.0\nheight: 1\n", FileStorage::READ | FileStorage::MEMORY | FileStorage::FORMAT_YAML);
+    read.read(bare.root());
+    EXPECT_DOUBLE_EQ(2 * degree, read.rollSigma);
+    FileStorage given("%YAML:1.0\nupright_rotation: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                      "   data: [ 1., 0., 0., 0., 1., 0., 0., 0., 1. ]\npitch_sigma: 0.1\n",
+                      FileStorage::READ | FileStorage::MEMORY | FileStorage::FORMAT_YAML);
+    read.read(given.root());
+    EXPECT_EQ(0, read.rollSigma);
+    EXPECT_EQ(0.1, read.pitchSigma);
 }
 
 TEST(RSAckermann_Camera, fromFocal_bad_arguments)
@@ -267,6 +298,10 @@ const BadField badFields[] = {
     BadField("height", [](RollingShutterCamera& c) { c.height = -1; }),
     BadField("height", [](RollingShutterCamera& c) { c.height = NaN; }),
     BadField("height", [](RollingShutterCamera& c) { c.height = infinity; }),
+    BadField("rollSigma", [](RollingShutterCamera& c) { c.rollSigma = -1; }),
+    BadField("rollSigma", [](RollingShutterCamera& c) { c.rollSigma = NaN; }),
+    BadField("pitchSigma", [](RollingShutterCamera& c) { c.pitchSigma = -1; }),
+    BadField("pitchSigma", [](RollingShutterCamera& c) { c.pitchSigma = NaN; }),
     BadField("focalSigma", [](RollingShutterCamera& c) { c.focalSigma = -1; }),
     BadField("focalSigma", [](RollingShutterCamera& c) { c.focalSigma = NaN; }),
     BadField("distortionSigma", [](RollingShutterCamera& c) { c.distortionSigma = -0.1; }),

@@ -36,6 +36,8 @@ inline RollingShutterCamera exampleCamera()
     camera.lineDelay = 3e-5;
     camera.referenceRow = 12.5;
     camera.setRollPitch(0.1, -0.2);
+    camera.rollSigma = 0.03;
+    camera.pitchSigma = 0.04;
     camera.heading = 0.3;
     camera.height = 1.25;
     camera.focalSigma = 30;
@@ -48,8 +50,8 @@ inline void expectSame(const RollingShutterCamera& a, const RollingShutterCamera
 {
     typedef RollingShutterCamera T;
     expectSameFields(a, b,
-                     {&T::lineDelay, &T::referenceRow, &T::heading, &T::height, &T::focalSigma, &T::distortionSigma,
-                      &T::lineDelaySigma});
+                     {&T::lineDelay, &T::referenceRow, &T::rollSigma, &T::pitchSigma, &T::heading, &T::height,
+                      &T::focalSigma, &T::distortionSigma, &T::lineDelaySigma});
     expectSameFields(a, b, {&T::lensModel, &T::scanDirection});
     EXPECT_EQ(a.imageSize, b.imageSize);
     EXPECT_EQ(a.cameraMatrix, b.cameraMatrix);
@@ -161,6 +163,7 @@ inline AckermannEstimator::Params exampleEstimatorParams()
     p.maxYawRate = 1.25;
     p.maxSpeed = 33;
     p.wallDistance = 4.5;
+    p.wallDistanceLogSigma = 0.15;
     p.roadRatio = 1.5;
     p.scaleFromRoad = true;
     p.gravitySigma = 0.01;
@@ -195,6 +198,7 @@ inline void expectSame(const AckermannEstimator::Params& a, const AckermannEstim
                       &T::maxYawRate,
                       &T::maxSpeed,
                       &T::wallDistance,
+                      &T::wallDistanceLogSigma,
                       &T::roadRatio,
                       &T::gravitySigma,
                       &T::vehiclePitchSigma,

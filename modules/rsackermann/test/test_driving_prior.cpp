@@ -262,11 +262,34 @@ TEST(RSAckermann_DrivingPrior, speed)
     m[P_LAMBDA] = 1. / 16;
     ASSERT_EQ(5, drive.evaluate(m, MotionHypothesis(MODEL_4LA, 2), r));
     EXPECT_NEAR(0, r[1].value, 1e-6);
-    // With a wall that is given the speed's alone is left.
+    // With a wall that is given its own is left.
     m = movingModel(13 * unit / 5, 0);
     ASSERT_EQ(3, makeDrive(camera, givenSpeed(15, 1), params).evaluate(m, MotionHypothesis(MODEL_4LA, 1), r));
     const Vec2d logarithm = measuredLogarithm(15, 1);
+    EXPECT_NEAR((std::log(13.) - logarithm[0]) / std::hypot(logarithm[1], params.wallDistanceLogSigma), r[1].value,
+                1e-3);
+    params.wallDistanceLogSigma = 0;
+    makeDrive(camera, givenSpeed(15, 1), params).evaluate(m, MotionHypothesis(MODEL_4LA, 1), r);
     EXPECT_NEAR((std::log(13.) - logarithm[0]) / logarithm[1], r[1].value, 1e-3);
+}
+
+// The mount's add to the vehicle's, about whose axes they are: the roll of a camera that looks aside is its pitch.
+TEST(RSAckermann_DrivingPrior, tilts_of_vehicle_and_mount)
+{
+    RollingShutterCamera camera = simulation::paperCamera();
+    camera.rollSigma = 0.03;
+    camera.pitchSigma = 0.12;
+    Params params;
+    params.gravitySigma = 0.04;
+    params.vehiclePitchSigma = 0.05;
+    EXPECT_NEAR(0.05, TiltSigmas(camera, params).roll, 1e-12);  // 3-4-5
+    EXPECT_NEAR(0.13, TiltSigmas(camera, params).pitch, 1e-12); // 5-12-13
+    camera.heading = CV_PI / 2;
+    EXPECT_NEAR(std::hypot(0.04, 0.12), TiltSigmas(camera, params).roll, 1e-12);
+    EXPECT_NEAR(std::hypot(0.05, 0.03), TiltSigmas(camera, params).pitch, 1e-12);
+    params.gravitySigma = 0; // exact, whatever the mount
+    EXPECT_EQ(EXACT_GRAVITY, TiltSigmas(camera, params).roll);
+    EXPECT_EQ(EXACT_GRAVITY, TiltSigmas(camera, params).pitch);
 }
 
 TEST(RSAckermann_DrivingPrior, rest)
@@ -411,9 +434,17 @@ TEST(RSAckermann_DrivingPrior, road)
     makeDrive(camera, givenSpeed(0, 0.5)).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
     EXPECT_EQ(0, G);
     EXPECT_NEAR(0.5 * unit / height, std::sqrt(variance), 1e-12);
-    // With wall and height nothing is left open.
+    // With a wall and the height what isn't known of the wall is left open, if anything is.
     Params params;
     params.wallDistance = 2.5;
+    params.wallDistanceLogSigma = 0.1;
+    makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
+    const double speedSigma = params.priorSpeedLogSigma, wallSigma = params.wallDistanceLogSigma,
+                 wallShare = std::pow(wallSigma / std::hypot(speedSigma, wallSigma), 2),
+                 faster = 0.05 / (PRIOR_SPEED * unit / 2.5);
+    EXPECT_NEAR(0.05 * 2.5 / height * std::pow(faster, -wallShare), G, 1e-12);
+    EXPECT_NEAR(wallShare * speedSigma * speedSigma, variance / (G * G), 1e-12);
+    params.wallDistanceLogSigma = 0;
     makeDrive(camera, MotionPrior(), params).road(movingModel(0.05, 0.2), RoadLimit(), G, variance);
     EXPECT_NEAR(0.05 * 2.5 / height, G, 1e-12);
     EXPECT_EQ(0, variance);

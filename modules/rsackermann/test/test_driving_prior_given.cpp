@@ -167,7 +167,7 @@ TEST(RSAckermann_DrivingPrior, expected_motion_of_other_scenes)
     params.wallDistance = 3;
     const DrivingPrior beside = makeTerms(prior, params);
     const Model m = beside.expectedMotion(both, covariance);
-    EXPECT_NEAR(0.8 / 20, std::sqrt(covariance(P_B, P_B)) / m[P_B], 2e-3);
+    EXPECT_NEAR(std::hypot(0.8 / 20, params.wallDistanceLogSigma), std::sqrt(covariance(P_B, P_B)) / m[P_B], 2e-3);
     EXPECT_NEAR(params.priorWallRatioLogSigma, std::sqrt(std::log1p(covariance(P_LAMBDA, P_LAMBDA))), 0.1);
     for (const double heading : {CV_PI / 2, -CV_PI / 2})
         for (const double speed : {20., -20.})

@@ -32,10 +32,15 @@ TEST(RSAckermann_Estimator, scale_by_a_given_speed)
         EXPECT_FALSE(setGivenScale(camera, params, prior, other));
         EXPECT_EQ(0, other.wallDistance);
 
-        params.wallDistance = 3; // counts for more than a speed
+        params.wallDistance = 3; // counts for more than a speed that is known less
         EXPECT_TRUE(setGivenScale(camera, params, prior, motion));
         EXPECT_EQ(SCALE_WALL, motion.scale);
         EXPECT_EQ(3, motion.wallDistance);
+        EXPECT_NEAR(0.1 * 3 * 0.05 / camera.secondsPerUnitTime(), motion.speedSigma, 1e-9);
+        prior.speedSigma = 0.4;
+        EXPECT_TRUE(setGivenScale(camera, params, prior, motion));
+        EXPECT_EQ(SCALE_SPEED, motion.scale);
+        EXPECT_EQ(0.4, motion.speedSigma);
         params.wallDistance = 0;
     }
 }

@@ -98,7 +98,9 @@ TEST(RSAckermann_OtherLens, rays_that_would_cross)
 TEST(RSAckermann_OtherLens, standing_camera_with_a_wide_lens_is_not_corrected)
 {
     const Size size(1280, 720);
-    RollingShutterCamera assumed = RollingShutterCamera::fromFocal(size), calibrated = assumed;
+    RollingShutterCamera assumed = RollingShutterCamera::fromFocal(size);
+    assumed.setRollPitch(0, 0);
+    RollingShutterCamera calibrated = assumed;
     ASSERT_GT(assumed.distortionSigma, 0);
     assumed.lineDelay = calibrated.lineDelay = 0.03 / size.height;
     calibrated.distortionSigma = 0;

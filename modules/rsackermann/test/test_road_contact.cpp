@@ -90,6 +90,52 @@ TEST(RSAckermann_Estimator, scale_from_segments_that_stand_on_the_road)
     EXPECT_LT(speedErrors[10], 0.15);
 }
 
+// Where segments end counts for more than a distance that they contradict.
+TEST(RSAckermann_RoadContact, contradict_a_given_wall)
+{
+    RNG rng(14);
+    const RollingShutterCamera camera = simulation::paperCamera();
+    for (int i = 0; i < 10; i++)
+    {
+        const double left = rng.uniform(2., 4.), speed = rng.uniform(8., 15.),
+                     road = speed * camera.secondsPerUnitTime() / camera.height;
+        const Simulator simulator = Simulator::fromMetric(camera, 0, speed, left, rng.uniform(2., 4.), 0);
+        Mat segments;
+        addContacts(simulator, camera.height, 40, rng, segments);
+        AckermannEstimator::Params params;
+        params.gravitySigma = 0;
+        MotionPrior prior; // verticals alone say little of the vanishing point, and with it of the distance
+        prior.wallDirectionSigma = 0.005;
+        for (const double factor : {1., 3., 0.4})
+        {
+            params.wallDistance = factor * left;
+            params.wallDistanceLogSigma = 0.1;
+            const AckermannMotion motion =
+                AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
+            ASSERT_EQ(MOTION_OK, motion.status);
+            // One that is nearer contradicts none of them: ends are above the road, or agree on something else.
+            const bool isNearer = factor < 1;
+            EXPECT_TRUE(isNearer || motion.contradictsPrior == (factor != 1)) << factor;
+            EXPECT_NEAR(0, std::log(motion.roadSlope / road), isNearer ? 0.8 * std::abs(std::log(factor)) : 0.25)
+                << factor;
+            double found;
+            ASSERT_TRUE(motion.speed(camera, found));
+            EXPECT_EQ(motion.contradictsPrior ? SCALE_ROAD : SCALE_WALL, motion.scale);
+            EXPECT_TRUE(isNearer || std::abs(found - speed) < 3 * motion.speedSigma) << factor;
+            EXPECT_GE(motion.speedSigma, 0.05 * found);
+            EXPECT_NEAR(motion.speedSigma, std::sqrt(motion.metricCovariance(camera)(1, 1)), 1e-6 * found);
+
+            params.wallDistanceLogSigma = 0;
+            const AckermannMotion exact =
+                AckermannEstimator::create(camera, params)->estimate(segments, noArray(), prior);
+            ASSERT_EQ(MOTION_OK, exact.status);
+            EXPECT_FALSE(exact.contradictsPrior);
+            EXPECT_NEAR(std::log(factor), std::log(exact.roadSlope / road), 0.3);
+            EXPECT_EQ(0, exact.speedSigma);
+        }
+    }
+}
+
 // Each wall tells its own distance, and what stands above the road is none.
 TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
 {

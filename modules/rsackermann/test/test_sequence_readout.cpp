@@ -20,6 +20,7 @@ RollingShutterCamera cameraOf(int scan, double readout)
     camera.scanDirection = scan;
     camera.lineDelay = readout / (camera.isRowShutter() ? 540 : 960);
     camera.height = 1.4;
+    camera.setRollPitch(0, 0);
     return camera;
 }
 

@@ -458,6 +458,7 @@ inline cv::rsackermann::RollingShutterCamera paperCamera()
 {
     cv::rsackermann::RollingShutterCamera camera =
         cv::rsackermann::RollingShutterCamera::fromFocal(Size(640, 380), 816);
+    camera.setRollPitch(0, 0);
     camera.lineDelay = 0.4 / 30 / 380;
     camera.height = 1.2;
     return camera;

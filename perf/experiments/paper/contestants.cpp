@@ -29,6 +29,7 @@ Contestant libraryContestant(const std::string& name, int model, bool exactGravi
                 AckermannEstimator::Params params;
                 params.model = model;
                 params.wallDistance = problem.wallDistance;
+                params.wallDistanceLogSigma = 0;
                 params.seed = problem.seed;
                 if (exactGravity)
                     params.gravitySigma = 0;

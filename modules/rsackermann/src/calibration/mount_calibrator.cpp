@@ -218,6 +218,7 @@ private:
     void removeFrames()
     {
         start = given;
+        start.rollSigma = start.pitchSigma = 0; // params.tiltSigma is what isn't known of its tilt
         frames.clear();
         numbers.clear();
         features.reset();
@@ -507,6 +508,8 @@ private:
         rollAndPitchOf(c.camera.gravity(), c.roll, c.pitch);
         c.rollSigma = sigma[MOUNT_ROLL];
         c.pitchSigma = sigma[MOUNT_PITCH];
+        c.camera.rollSigma = c.rollSigma;
+        c.camera.pitchSigma = c.pitchSigma;
         c.headingSigma = sigma[MOUNT_HEADING];
         c.lineDelaySigma = (c.lineDelayObserved ? sigma : before)[MOUNT_DELAY] * c.lineDelay;
         if (c.lineDelayObserved)

@@ -17,8 +17,8 @@ RollingShutterCamera::RollingShutterCamera()
 RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, const std::vector<double>& dist,
                                            int lens)
     : imageSize(size), cameraMatrix(K), distCoeffs(dist), lensModel(lens), scanDirection(SCAN_TOP_TO_BOTTOM),
-      lineDelay(0), referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), heading(0), height(0),
-      focalSigma(0), distortionSigma(0), lineDelaySigma(0)
+      lineDelay(0), referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), rollSigma(2 * CV_PI / 180),
+      pitchSigma(5 * CV_PI / 180), heading(0), height(0), focalSigma(0), distortionSigma(0), lineDelaySigma(0)
 {
 }
 
@@ -73,6 +73,7 @@ void RollingShutterCamera::setGravity(const Vec3d& gravity)
     const Vec3d right = down.cross(forward);
     uprightRotation =
         Matx33d(right[0], right[1], right[2], down[0], down[1], down[2], forward[0], forward[1], forward[2]);
+    rollSigma = pitchSigma = 0;
 }
 
 Vec3d RollingShutterCamera::gravity() const
@@ -155,6 +156,8 @@ void RollingShutterCamera::check() const
               lineDelay * lines, lines, LONGEST_READ_OUT);
     checkFinite(referenceRow, "camera.referenceRow");
     checkRotation(uprightRotation);
+    checkNotNegative(rollSigma, "camera.rollSigma", "exact");
+    checkNotNegative(pitchSigma, "camera.pitchSigma", "exact");
     checkFinite(heading, "camera.heading");
     checkNotNegative(height, "camera.height", "unknown");
     checkNotNegative(focalSigma, "camera.focalSigma", "exact");
@@ -169,7 +172,7 @@ void RollingShutterCamera::write(FileStorage& fs) const
     fs << "distortion_coefficients" << distCoeffs;
     fs << "lens_model" << lensModel << "scan_direction" << scanDirection;
     fs << "line_delay" << lineDelay << "reference_row" << referenceRow;
-    fs << "upright_rotation" << uprightRotation;
+    fs << "upright_rotation" << uprightRotation << "roll_sigma" << rollSigma << "pitch_sigma" << pitchSigma;
     fs << "heading" << heading << "height" << height << "focal_sigma" << focalSigma << "distortion_sigma"
        << distortionSigma << "line_delay_sigma" << lineDelaySigma;
 }
@@ -201,6 +204,9 @@ void RollingShutterCamera::read(const FileNode& fn)
     readFields(fn, "lens_model", lensModel, "scan_direction", scanDirection, "line_delay", lineDelay);
     readFields(fn, "reference_row", referenceRow);
     readMatrix(fn, "upright_rotation", uprightRotation);
+    if (!fn["upright_rotation"].empty())
+        rollSigma = pitchSigma = 0;
+    readFields(fn, "roll_sigma", rollSigma, "pitch_sigma", pitchSigma);
     readFields(fn, "heading", heading, "height", height, "focal_sigma", focalSigma);
     readFields(fn, "distortion_sigma", distortionSigma, "line_delay_sigma", lineDelaySigma);
 }

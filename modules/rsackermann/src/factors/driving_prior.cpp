@@ -15,6 +15,17 @@ static const double YAW_FREEDOM = 2; // of Student's t, the distribution of yaw 
 // Times the probability of standing, if a motion is given exactly: who has one is seldom at rest.
 static const double STANDING_IF_GIVEN = 0.3;
 
+TiltSigmas::TiltSigmas(const RollingShutterCamera& camera, const AckermannEstimator::Params& params)
+    : roll(EXACT_GRAVITY), pitch(EXACT_GRAVITY)
+{
+    if (!(params.gravitySigma > 0))
+        return;
+    // The roll of a camera that looks aside is the vehicle's pitch.
+    const double c = std::cos(camera.heading), s = std::sin(camera.heading);
+    roll = std::hypot(params.gravitySigma, std::hypot(c * camera.rollSigma, s * camera.pitchSigma));
+    pitch = std::hypot(params.vehiclePitchSigma, std::hypot(s * camera.rollSigma, c * camera.pitchSigma));
+}
+
 GivenValues::GivenValues(const MotionPrior& prior, const RollingShutterCamera& camera)
 {
     street = prior.wallDirection;
@@ -49,10 +60,10 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
                            const AckermannEstimator::Params& params)
     : given_(prior, camera), logRatioSigma(params.priorWallRatioLogSigma), heading_(camera.heading),
       headingSigma(params.wallDeviationSigma), height(camera.height),
-      speedWallCorrelation(speedIsGiven() ? 0 : params.priorSpeedWallCorrelation), standing(params.standingProbability),
-      reverse(params.reverseProbability)
+      speedWallCorrelation(speedIsGiven() || params.wallDistance > 0 ? 0 : params.priorSpeedWallCorrelation),
+      usualWallSigma(params.priorWallDistanceLogSigma), standing(params.standingProbability),
+      reverse(params.reverseProbability), wallIsGiven_(params.wallDistance > 0)
 {
-    const bool knowsWall = params.wallDistance > 0;
     RollingShutterCamera timed = camera;
     double unitLogSigma = 0;
     if (!(camera.secondsPerUnitTime() > 0))
@@ -68,11 +79,11 @@ DrivingPrior::DrivingPrior(const MotionPrior& prior, const RollingShutterCamera&
     double logMetres = std::log(params.priorSpeed), speedSigma = params.priorSpeedLogSigma; // per second
     if (speedIsGiven())
         measureLogarithm(std::abs(prior.speed), prior.speedSigma, logMetres, speedSigma);
-    roadIsSought_ = params.scaleFromRoad && height > 0 && !knowsWall;
-    const double wallDistance = knowsWall ? params.wallDistance : params.priorWallDistance;
+    roadIsSought_ = params.scaleFromRoad && height > 0 && !wallIsGiven_;
+    const double wallDistance = wallIsGiven_ ? params.wallDistance : params.priorWallDistance;
     logSpeed = logMetres + std::log(unit / wallDistance);
     logSpeedSigma = std::hypot(speedSigma, unitLogSigma);
-    logWallSigma = knowsWall ? 0 : params.priorWallDistanceLogSigma;
+    logWallSigma = wallIsGiven_ ? params.wallDistanceLogSigma : usualWallSigma;
     roadRatioIsGiven = params.roadRatio > 0 && !roadIsSought_;
     ratio = roadRatioIsGiven ? params.roadRatio : wallDistance / (height > 0 ? height : params.priorHeight);
     logHeightSigma = height > 0 || roadRatioIsGiven ? 0 : params.priorHeightLogSigma;
@@ -122,7 +133,7 @@ double DrivingPrior::logSumOfYaw() const
 
 DrivingPrior::ScaledSpeedLog DrivingPrior::scaledSpeedLog(int walls) const
 {
-    const double wallSigma = logWallSigma / std::sqrt(double(std::max(walls, 1))),
+    const double wallSigma = logWallSigma / std::sqrt(wallIsGiven_ ? 1. : std::max(walls, 1)),
                  speedVariance = logSpeedSigma * logSpeedSigma,
                  common = speedWallCorrelation * logSpeedSigma * wallSigma;
     ScaledSpeedLog log;
@@ -137,7 +148,7 @@ Jet DrivingPrior::speedResidual(const Model& model, const MotionHypothesis& hypo
     const Jet speed = length(Jet::variable(model[P_B], P_B), Jet::variable(model[P_D], P_D));
     const double least = 1e-12;
     Jet logarithm = speed.apply(std::log(speed.value + least), 1 / (speed.value + least));
-    if (hypothesis.walls == 2 && logWallSigma > 0)
+    if (hypothesis.walls == 2 && !wallIsGiven_)
     {
         // Both walls are as far away as walls are: this is the mean of the logarithms, and their difference is that of
         // the ratio.
@@ -224,9 +235,8 @@ Model DrivingPrior::expectedMotion(const MotionHypothesis& hypothesis,
     const Matx33d byLogs(-m[P_D], m[P_B], 0, m[P_B], m[P_D], 0, 0, -m[P_LAMBDA], m[P_LAMBDA]);
     const double shared = scaledSpeedLog(hypothesis.walls).variance,
                  ofRatio = hypothesis.walls == 2 ? logRatioSigma * logRatioSigma : 0,
-                 left = logWallSigma > 0 ? shared + ofRatio / 4 : shared,
-                 right = logWallSigma > 0 ? left : shared + ofRatio,
-                 common = logWallSigma > 0 ? shared - ofRatio / 4 : shared, left2 = std::expm1(left),
+                 left = wallIsGiven_ ? shared : shared + ofRatio / 4, right = wallIsGiven_ ? shared + ofRatio : left,
+                 common = wallIsGiven_ ? shared : shared - ofRatio / 4, left2 = std::expm1(left),
                  right2 = std::expm1(right), common2 = common * std::sqrt(left2 * right2 / (left * right));
     const Matx33d ofLogs(1 / information, 0, 0, 0, left2, common2, 0, common2, right2),
         walls = byLogs * ofLogs * byLogs.t();
@@ -266,7 +276,7 @@ void DrivingPrior::road(const Model& model, const RoadLimit& limit, double& G, d
     if (speed == 0 || !roadIsSeen)
         return;
     // Walls that pass faster than expected are near, and the car is fast: each as far as its prior allows.
-    const bool hasBoth = model[P_LAMBDA] > 0 && logWallSigma > 0 && !roadRatioIsGiven;
+    const bool hasBoth = model[P_LAMBDA] > 0 && !wallIsGiven_ && !roadRatioIsGiven;
     const double mean = hasBoth ? speed * std::sqrt(model[P_LAMBDA]) : speed;
     const ScaledSpeedLog log = scaledSpeedLog(hasBoth ? 2 : 1);
     double logG = std::log(mean * ratio);
@@ -292,14 +302,18 @@ void DrivingPrior::limitRoad(const RoadLimit& limit, const Model& model, double&
 {
     if (limit.empty() || !(variance > 0))
         return;
-    const double farthest = 4, sigma = std::sqrt(variance), logWall = std::log(std::hypot(model[P_B], model[P_D]));
+    // A given distance is wrong as seldom as contradictions are by chance, and the wall then as far away as walls are.
+    const double wrong = wallIsGiven_ ? std::erfc(CONTRADICTION / std::sqrt(2.)) : 0;
+    const double sigma = std::sqrt(variance), wide = wallIsGiven_ ? std::hypot(1., usualWallSigma / sigma) : 1,
+                 farthest = 4 * wide, logWall = std::log(std::hypot(model[P_B], model[P_D]));
     // No coarser than the limit's table; beyond that it's constant.
-    const int steps = int(std::max(48., std::min(2 * farthest * sigma / HEIGHT_SIGMA, 1000.)));
+    const int steps = int(std::max(48 * wide, std::min(2 * farthest * sigma / HEIGHT_SIGMA, 1000.)));
     double sum = 0, first = 0, second = 0;
     for (int i = 0; i <= steps; i++)
     {
-        const double z = farthest * (2. * i / steps - 1);
-        const double weight = std::exp(-z * z / 2) * limit.likelihood(model, heading_, logG + z * sigma - logWall);
+        const double z = farthest * (2. * i / steps - 1), y = z / wide,
+                     density = std::exp(-z * z / 2) + wrong / wide * std::exp(-y * y / 2),
+                     weight = density * limit.likelihood(model, heading_, logG + z * sigma - logWall);
         sum += weight;
         first += weight * z;
         second += weight * z * z;
@@ -334,13 +348,11 @@ void stationaryState(const RollingShutterCamera& camera, const AckermannEstimato
     const double height = camera.height > 0 ? camera.height : params.priorHeight,
                  heightSigma = camera.height > 0 ? HEIGHT_SIGMA : params.priorHeightLogSigma;
     const double directionSigma = params.wallDeviationSigma > 0 ? params.wallDeviationSigma : 1;
-    const bool isExact = !(params.gravitySigma > 0);
-    const double rollSigma = isExact ? EXACT_GRAVITY : params.gravitySigma,
-                 pitchSigma = isExact || !(params.vehiclePitchSigma > 0) ? EXACT_GRAVITY : params.vehiclePitchSigma;
+    const TiltSigmas tilts(camera, params);
     mean = SequenceVector(0, speed, camera.heading, wall[0], wall[0], 1 / height, 0, 0);
     // Over seconds yaw rates stay what they are, and bends of three times the expected ones are no exception.
     sigma = SequenceVector(3 * params.priorYawRate, speedSigma, directionSigma, wall[1], wall[1], heightSigma / height,
-                           rollSigma, pitchSigma);
+                           tilts.roll, tilts.pitch);
 }
 
 }} // namespace cv::rsackermann

@@ -16,6 +16,15 @@ namespace cv { namespace rsackermann {
 
 const double EXACT_GRAVITY = 1e-4; //!< radians: a gravity that is given as exact is as good as that
 
+//! Standard deviations in radians of the vehicle's roll and pitch against the camera's upright rotation.
+struct TiltSigmas
+{
+    double roll, pitch;
+
+    //! Those of the vehicle and those of the camera's mount together, unless gravity is exact.
+    TiltSigmas(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+};
+
 //! The values of a MotionPrior in the units of the estimation; a sigma of 0: not given.
 struct GivenValues
 {
@@ -87,6 +96,8 @@ public:
     }
     //! Whether walls that stand on the road are to say how far away they are.
     bool roadIsSought() const { return roadIsSought_; }
+    //! Whether the distance of the left (or only) wall is given.
+    bool wallIsGiven() const { return wallIsGiven_; }
     //! Distance of the left (or only) wall over the height of the camera.
     double roadRatio() const { return ratio; }
 
@@ -111,15 +122,16 @@ private:
     double yawShare;                // of givenShare()
     double logYawSum;               // of the density of usual yaw rates times that of the given one, unless 0
     double logSpeed, logSpeedSigma; // of the scaled speed, without the uncertainty of the wall
-    double logWallSigma;            // of the logarithm of a wall's distance; 0: given
+    double logWallSigma;            // of the logarithm of a wall's distance; 0: exact
     double logRatioSigma;           // of both walls' distances
     Heading heading_;
     double headingSigma; // the walls are along the vehicle's forward direction, more or less
     double height, ratio, logHeightSigma;
     double speedWallCorrelation; // of the logarithms: drivers slow down where walls are near
+    double usualWallSigma;       // of the logarithm of a wall's distance if none is given
     double standing;             // probability
     double reverse;              // probability of driving backward
-    bool roadIsSought_, roadRatioIsGiven;
+    bool wallIsGiven_, roadIsSought_, roadRatioIsGiven;
     bool roadIsSeen;
 };
 

@@ -30,6 +30,7 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
 {
     // Its uncertainty is that of gravity.
     const bool isSameGravity = camera_.uprightRotation == camera.uprightRotation &&
+                               camera_.rollSigma == camera.rollSigma && camera_.pitchSigma == camera.pitchSigma &&
                                params_.gravitySigma == params.gravitySigma &&
                                params_.vehiclePitchSigma == params.vehiclePitchSigma;
     const int sameValues = isSameGravity ? SEQUENCE_VALUES : SEQUENCE_ROLL;

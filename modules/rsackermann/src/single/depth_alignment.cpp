@@ -51,10 +51,8 @@ public:
     AlignmentProblem(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                      const DrivingPrior& prior_, int direction_)
         : maxAlpha(MotionLimits(camera, params).maxAlpha), prior(prior_), heading(camera.heading),
-          direction(direction_), focal(camera.cameraMatrix(0, 0)),
-          rollSigma(params.gravitySigma > 0 ? params.gravitySigma : EXACT_GRAVITY),
-          pitchSigma(params.gravitySigma > 0 ? params.vehiclePitchSigma : EXACT_GRAVITY),
-          loss(SLANT_SCALE, 1 / dependenceOf(std::hypot(heading.c * rollSigma, heading.s * pitchSigma)))
+          direction(direction_), focal(camera.cameraMatrix(0, 0)), tilts(camera, params),
+          loss(SLANT_SCALE, 1 / dependenceOf(std::hypot(heading.c * tilts.roll, heading.s * tilts.pitch)))
     {
         prior.anyRoad(logRoad, logRoadSigma);
     }
@@ -167,12 +165,13 @@ private:
             J(A_ALPHA, i) = firstFree > A_ALPHA ? 0 : yaw[i].derivative[P_ALPHA];
         }
         r.tail<3>() << (firstFree > A_LOG_ROAD ? 0 : (state[A_LOG_ROAD] - logRoad) / logRoadSigma),
-            (c * state[A_ROLL] - s * state[A_PITCH]) / rollSigma, (s * state[A_ROLL] + c * state[A_PITCH]) / pitchSigma;
+            (c * state[A_ROLL] - s * state[A_PITCH]) / tilts.roll,
+            (s * state[A_ROLL] + c * state[A_PITCH]) / tilts.pitch;
         J(A_LOG_ROAD, ofYaw) = firstFree > A_LOG_ROAD ? 0 : 1 / logRoadSigma;
-        J(A_ROLL, ofYaw + 1) = c / rollSigma;
-        J(A_PITCH, ofYaw + 1) = -s / rollSigma;
-        J(A_ROLL, ofYaw + 2) = s / pitchSigma;
-        J(A_PITCH, ofYaw + 2) = c / pitchSigma;
+        J(A_ROLL, ofYaw + 1) = c / tilts.roll;
+        J(A_PITCH, ofYaw + 1) = -s / tilts.roll;
+        J(A_ROLL, ofYaw + 2) = s / tilts.pitch;
+        J(A_PITCH, ofYaw + 2) = c / tilts.pitch;
         equations.cost += r.squaredNorm();
         equations.gradient += J * r;
         equations.information += J * J.transpose();
@@ -181,7 +180,9 @@ private:
     const DrivingPrior& prior;
     Heading heading;
     int direction;
-    double focal, rollSigma, pitchSigma, logRoad, logRoadSigma;
+    double focal;
+    TiltSigmas tilts;
+    double logRoad, logRoadSigma;
     RobustLoss loss;
     int firstFree = A_ALPHA;
     std::vector<DeepVertical> verticals;

@@ -4,7 +4,6 @@
 
 #include "../precomp.hpp"
 #include "../camera/lens.hpp"
-#include "../camera/line_delay_sigma.hpp"
 #include "../checks.hpp"
 #include "../storage.hpp"
 #include "../motion/contradiction.hpp"
@@ -57,9 +56,9 @@ private:
         problem.focal = camera.cameraMatrix(0, 0);
         problem.sigma = END_SIGMA;
         problem.directionSigma = FIRST_OTHERS_SIGMA;
-        const bool isExact = !(params.gravitySigma > 0);
-        problem.gravitySigma = isExact ? EXACT_GRAVITY : params.gravitySigma;
-        problem.vehiclePitchSigma = isExact ? EXACT_GRAVITY : params.vehiclePitchSigma;
+        const TiltSigmas tilts(camera, params);
+        problem.gravitySigma = tilts.roll;
+        problem.vehiclePitchSigma = tilts.pitch;
         problem.streetDeviation = params.wallDeviationSigma;
         const double middle = (camera.imageSize.height - 1) / 2.;
         const std::vector<Vec3d> borders = bearingsOf(
@@ -97,7 +96,9 @@ private:
             motion.seenYawRateSigma = std::sqrt(covariance(0, 0));
         if (prior.speedSigma > 0 && covariance(1, 1) > 0 && seen.speed(camera, motion.seenSpeed))
             motion.seenSpeedSigma = std::sqrt(covariance(1, 1));
+        const bool contradictsWall = motion.contradictsPrior;
         compareWithGiven(prior, showsOtherDirection(seen, prior), motion);
+        motion.contradictsPrior |= contradictsWall;
     }
 
     AckermannMotion estimateRows(const Mat& segments, OutputArray labels, const MotionPrior& prior) const
@@ -166,19 +167,8 @@ private:
             return;
         motion.expectedResidual = found.expectedResidual;
         motion.probabilityWorse = found.probabilityWorse;
+        motion.contradictsPrior = found.contradictsWall;
         report(prior, found, motion);
-    }
-
-    // Of the speed by the road: what the ends, the walls' motion, the height and the line delay leave open.
-    void setSpeedSigma(double roadSigma, AckermannMotion& motion) const
-    {
-        double speed;
-        if (!motion.speed(camera, speed))
-            return;
-        const Vec4d wall(0, motion.wallSlope, motion.wallOffset, 0);
-        const double size = wall.dot(wall), ofWall = std::sqrt(std::max(wall.dot(motion.covariance * wall), 0.)) / size;
-        motion.speedSigma = std::abs(speed) * std::hypot(std::hypot(roadSigma, ofWall),
-                                                         std::hypot(HEIGHT_SIGMA, relativeLineDelaySigma(camera)));
     }
 
     void report(const MotionPrior& prior, const Posterior& found, AckermannMotion& motion) const
@@ -190,14 +180,17 @@ private:
 
         // Measurements give a length; a prior doesn't, and a speed of 0 +- 30 km/h doesn't, either.
         const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
-        const bool isGiven = params.wallDistance > 0 || prior.speed != 0;
-        if (!(speed > 0) || (isGiven && setGivenScale(camera, params, prior, motion)))
+        Params given = params;
+        if (found.contradictsWall)
+            given.wallDistance = 0;
+        const bool isGiven = given.wallDistance > 0 || prior.speed != 0;
+        if (!(speed > 0) || (isGiven && setGivenScale(camera, given, prior, motion)))
             return;
-        if (found.roadSigma > 0)
+        if (found.roadSigma > 0 && camera.height > 0)
         {
             motion.scale = SCALE_ROAD;
             motion.wallDistance = std::abs(motion.roadSlope) / speed * camera.height;
-            setSpeedSigma(found.roadSigma, motion);
+            setSpeedSigma(camera, std::hypot(found.roadSigma, HEIGHT_SIGMA), motion);
         }
     }
 };

@@ -6,6 +6,7 @@
 #include "../scene/planes.hpp"
 #include "inliers_and_scale.hpp"
 #include "../camera/lens.hpp"
+#include "../camera/line_delay_sigma.hpp"
 #include "../factors/robust_losses.hpp"
 #include "../factors/segment_residuals.hpp"
 
@@ -90,17 +91,31 @@ void keepSeenWalls(const RollingShutterCamera& camera, AckermannMotion& motion)
     motion.covariance = J * motion.covariance * J.t();
 }
 
+void setSpeedSigma(const RollingShutterCamera& camera, double wallLogSigma, AckermannMotion& motion)
+{
+    double speed;
+    if (!motion.speed(camera, speed))
+        return;
+    const Vec4d wall(0, motion.wallSlope, motion.wallOffset, 0);
+    const double size = wall.dot(wall), ofWall = std::sqrt(std::max(wall.dot(motion.covariance * wall), 0.)) / size;
+    motion.speedSigma = std::abs(speed) * std::hypot(std::hypot(wallLogSigma, ofWall), relativeLineDelaySigma(camera));
+}
+
 bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                    const MotionPrior& prior, AckermannMotion& motion)
 {
     const double speed = std::hypot(motion.wallSlope, motion.wallOffset), unit = camera.secondsPerUnitTime();
-    if (params.wallDistance > 0)
+    const bool hasSpeed =
+        unit > 0 && prior.speedSigma > 0 && speed > 0 && prior.speed * motion.direction >= 0; // not with another sign
+    if (params.wallDistance > 0 &&
+        !(hasSpeed && prior.speedSigma < params.wallDistanceLogSigma * std::abs(prior.speed)))
     {
         motion.scale = SCALE_WALL;
         motion.wallDistance = params.wallDistance;
+        if (params.wallDistanceLogSigma > 0)
+            setSpeedSigma(camera, params.wallDistanceLogSigma, motion);
     }
-    else if (unit > 0 && prior.speedSigma > 0 && speed > 0 &&
-             prior.speed * motion.direction >= 0) // not with another sign
+    else if (hasSpeed)
     {
         motion.scale = SCALE_SPEED;
         motion.wallDistance = std::abs(prior.speed) * unit / speed;

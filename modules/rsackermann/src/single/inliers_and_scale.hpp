@@ -32,7 +32,12 @@ void setModel(const Model& model, double G, const Matx<double, PARAMETERS, PARAM
 //! of that one, not of one that nobody sees.
 void keepSeenWalls(const RollingShutterCamera& camera, AckermannMotion& motion);
 
-/** Gives a motion the length that a given wall or speed determines.
+/** Sets the standard deviation of the speed of a motion with a length: what the motion of its walls, the line delay and
+the distance of a wall leave open.
+@param wallLogSigma of the logarithm of the distance. */
+void setSpeedSigma(const RollingShutterCamera& camera, double wallLogSigma, AckermannMotion& motion);
+
+/** Gives a motion the length that a given wall or speed determines, whichever is known better.
 @return false if neither is given. */
 bool setGivenScale(const RollingShutterCamera& camera, const AckermannEstimator::Params& params,
                    const MotionPrior& prior, AckermannMotion& motion);

@@ -323,15 +323,14 @@ Posterior MotionMixture::best() const
     Posterior result;
     result.model = correction.model;
     result.G = correction.G;
-    if (prior.roadIsSought())
-    {
-        double expectedG, expectedVariance, G, variance;
-        prior.road(result.model, RoadLimit(), expectedG, expectedVariance);
-        prior.road(result.model, limit, G, variance);
-        const double information = G * G / variance, expectedInformation = expectedG * expectedG / expectedVariance;
-        if (information > 2 * expectedInformation)
-            result.roadSigma = 1 / std::sqrt(information);
-    }
+    double expectedG, expectedVariance, G, variance;
+    prior.road(result.model, RoadLimit(), expectedG, expectedVariance);
+    prior.road(result.model, limit, G, variance);
+    const double information = G * G / variance, expectedInformation = expectedG * expectedG / expectedVariance;
+    result.contradictsWall = prior.wallIsGiven() && expectedVariance > 0 &&
+                             std::abs(std::log(G / expectedG)) * std::sqrt(expectedInformation) > CONTRADICTION;
+    if (result.contradictsWall || (prior.roadIsSought() && information > 2 * expectedInformation))
+        result.roadSigma = 1 / std::sqrt(information);
     result.expectedRaw = expected.raw;
     result.expectedResidual = expected.residual;
     result.probabilityWorse = expected.probabilityWorse;

@@ -17,11 +17,12 @@ static void checkProbability(double value, const char* name)
 AckermannEstimator::Params::Params()
     : model(MODEL_AUTO), detector(DETECTOR_VERTICALS), minLength(35), maxSlant(0.35), slantTolerance(0.06),
       minCandidates(6), threshold(0.5), confidence(0.99), maxIterations(500), seed(0), maxYawRate(CV_PI / 2),
-      maxSpeed(200 / 3.6), wallDistance(0), roadRatio(0), scaleFromRoad(false), gravitySigma(CV_PI / 180),
-      vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4), priorYawRate(5 * CV_PI / 180), priorSpeed(12),
-      priorSpeedLogSigma(0.8), priorWallDistance(15), priorWallDistanceLogSigma(0.9), priorWallRatioLogSigma(0.8),
-      priorSpeedWallCorrelation(0.6), priorHeight(1.3), priorHeightLogSigma(0.35), priorReadoutTime(0.05),
-      priorReadoutTimeLogSigma(0.7), standingProbability(.5), reverseProbability(0.02), harmAversion(1)
+      maxSpeed(200 / 3.6), wallDistance(0), wallDistanceLogSigma(0.1), roadRatio(0), scaleFromRoad(false),
+      gravitySigma(CV_PI / 180), vehiclePitchSigma(0.3 * CV_PI / 180), wallDeviationSigma(0.4),
+      priorYawRate(5 * CV_PI / 180), priorSpeed(12), priorSpeedLogSigma(0.8), priorWallDistance(15),
+      priorWallDistanceLogSigma(0.9), priorWallRatioLogSigma(0.8), priorSpeedWallCorrelation(0.6), priorHeight(1.3),
+      priorHeightLogSigma(0.35), priorReadoutTime(0.05), priorReadoutTimeLogSigma(0.7), standingProbability(.5),
+      reverseProbability(0.02), harmAversion(1)
 {
 }
 
@@ -31,6 +32,7 @@ void AckermannEstimator::Params::write(FileStorage& fs) const
     fs << "max_slant" << maxSlant << "slant_tolerance" << slantTolerance << "min_candidates" << minCandidates;
     fs << "threshold" << threshold << "confidence" << confidence << "max_iterations" << maxIterations << "seed" << seed;
     fs << "max_yaw_rate" << maxYawRate << "max_speed" << maxSpeed << "wall_distance" << wallDistance;
+    fs << "wall_distance_log_sigma" << wallDistanceLogSigma;
     fs << "road_ratio" << roadRatio << "scale_from_road" << scaleFromRoad << "gravity_sigma" << gravitySigma;
     fs << "vehicle_pitch_sigma" << vehiclePitchSigma;
     fs << "wall_deviation_sigma" << wallDeviationSigma << "prior_yaw_rate" << priorYawRate;
@@ -50,6 +52,7 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     readFields(fn, "slant_tolerance", slantTolerance, "min_candidates", minCandidates, "threshold", threshold);
     readFields(fn, "confidence", confidence, "max_iterations", maxIterations, "seed", seed, "max_yaw_rate", maxYawRate);
     readFields(fn, "max_speed", maxSpeed, "wall_distance", wallDistance, "road_ratio", roadRatio);
+    readFields(fn, "wall_distance_log_sigma", wallDistanceLogSigma);
     readFields(fn, "scale_from_road", scaleFromRoad, "gravity_sigma", gravitySigma);
     readFields(fn, "vehicle_pitch_sigma", vehiclePitchSigma, "wall_deviation_sigma", wallDeviationSigma);
     readFields(fn, "prior_yaw_rate", priorYawRate, "prior_speed", priorSpeed);
@@ -78,6 +81,7 @@ void AckermannEstimator::Params::check() const
     checkPositive(maxYawRate, "params.maxYawRate");
     checkPositive(maxSpeed, "params.maxSpeed");
     checkNotNegative(wallDistance, "params.wallDistance", "unknown");
+    checkNotNegative(wallDistanceLogSigma, "params.wallDistanceLogSigma", "exact");
     checkNotNegative(roadRatio, "params.roadRatio", "what is usual");
     checkNotNegative(gravitySigma, "params.gravitySigma", "exact");
     checkPositive(vehiclePitchSigma, "params.vehiclePitchSigma");

@@ -329,7 +329,7 @@ private:
         if (!(best.cost < DBL_MAX))
             return RoadLimit();
         RoadLimit limit = findRoadLimit(problem, best.model, params.threshold);
-        if (prior.roadIsSought())
+        if (prior.roadIsSought() || prior.wallIsGiven())
             limit.addContacts();
         return limit;
     }

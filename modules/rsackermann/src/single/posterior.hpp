@@ -13,9 +13,10 @@ namespace cv { namespace rsackermann {
 //! The motion as the segments and all other knowledge show it.
 struct Posterior
 {
-    Model model;          //!< the correction with the smallest expected displacement
-    double G = 0;         //!< slope of the road's scaled inverse depth
-    double roadSigma = 0; //!< of its logarithm if segments say more of it than the prior, else 0
+    Model model;                  //!< the correction with the smallest expected displacement
+    double G = 0;                 //!< slope of the road's scaled inverse depth
+    double roadSigma = 0;         //!< of its logarithm if segments say more of it than the prior, else 0
+    bool contradictsWall = false; //!< whether ends of segments are on another road than a given wall's distance says
     MotionHypothesis hypothesis = {MODEL_NONE, 0};   //!< of the model
     Matx<double, PARAMETERS, PARAMETERS> covariance; //!< mean square deviation from the model
     //! Mean displacement in pixels to be expected of the image as it is, and after the correction

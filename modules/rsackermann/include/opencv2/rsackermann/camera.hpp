@@ -45,7 +45,8 @@ public:
     //! An empty camera (image size 0 x 0), to be filled field by field.
     CV_WRAP RollingShutterCamera();
 
-    /** @brief A camera with known intrinsics, mounted upright and looking forward. Doesn't call check(), as exceptions
+    /** @brief A camera with known intrinsics that looks forward, upright as far as is known: #rollSigma and #pitchSigma
+    are those of an unknown mount, until setRollPitch() or setGravity() is called. Doesn't call check(), as exceptions
     of constructors aren't caught in wrapped languages.
     @param size size of the image in pixels; referenceRow becomes its middle row.
     @param K 3x3 camera matrix.
@@ -68,11 +69,11 @@ public:
     @param size size of the image in pixels.
     @param focal focal length in pixels; 0 stands for 0.9 times the longer side, as in @cite purkait2018minimal , ± 20 %
     (focalSigma), and for a lens that isn't known, either (distortionSigma 0.15).
-    @return the camera, upright and looking forward.
+    @return the camera, looking forward and, as far as is known, upright (#rollSigma, #pitchSigma).
      */
     CV_WRAP static RollingShutterCamera fromFocal(const Size& size, double focal = 0);
 
-    /** @brief Sets uprightRotation from roll and pitch.
+    /** @brief Sets uprightRotation from roll and pitch, which are exact then: #rollSigma and #pitchSigma become 0.
     @param roll radians, positive if the camera is turned clockwise seen from behind it.
     @param pitch radians, positive if the camera looks down.
 
@@ -80,7 +81,8 @@ public:
      */
     CV_WRAP void setRollPitch(double roll, double pitch);
 
-    /** @brief Sets uprightRotation from the direction of gravity.
+    /** @brief Sets uprightRotation from the direction of gravity, which is exact then: #rollSigma and #pitchSigma
+    become 0.
     @param gravity direction of gravity (pointing down) in the camera frame, of any length; not parallel to the optical
     axis. That of a level camera is (0, 1, 0); an accelerometer at rest measures the opposite.
      */
@@ -128,6 +130,10 @@ public:
     //! Turns the camera frame into the upright frame, which has the optical axis, projected to the horizontal, along
     //! +z; check() allows for 0.05 of the axis to the side
     CV_PROP_RW Matx33d uprightRotation;
+    //! Standard deviation in radians of the roll with which the camera is mounted, which adds to that of the vehicle
+    //! (AckermannEstimator::Params::gravitySigma); 0: exact. Of a mount that isn't given 2 degrees
+    CV_PROP_RW double rollSigma;
+    CV_PROP_RW double pitchSigma; //!< the same for the pitch; of a mount that isn't given 5 degrees
     //! Radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a
     //! camera that looks to the right
     CV_PROP_RW double heading;

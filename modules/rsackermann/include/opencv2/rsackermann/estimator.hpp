@@ -93,6 +93,9 @@ public:
         //! Metres to the vehicle's left wall, which a camera that looks backward has on the right of its images, or to
         //! the only one that is seen; 0: unknown (default)
         CV_PROP_RW double wallDistance;
+        //! Standard deviation of the logarithm of wallDistance: facades aren't plane, and cars don't keep their
+        //! distance. Where road and walls contradict the distance, they count. 0: exact; default 0.1
+        CV_PROP_RW double wallDistanceLogSigma;
         //! Distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0
         //! (default): priorWallDistance over priorHeight. Without effect if scaleFromRoad finds it
         CV_PROP_RW double roadRatio;

@@ -205,9 +205,10 @@ public:
     CV_PROP_RW bool rollYawAmbiguous;
 
     /** Whether the image contradicts a given value: without it the estimate is more than three standard deviations of
-    both away from it, or shows the other direction. With a given yaw rate or speed (MotionPrior) the estimate of a
-    single image goes where the value is all the same; a sequence goes on without what its frames so far contradict,
-    until a frame excludes that the value errs as it did then. */
+    both away from it, or shows the other direction; or ends of segments are elsewhere than the road that a given
+    distance of a wall (AckermannEstimator::Params::wallDistance) and the camera's height say. With a given yaw rate or
+    speed (MotionPrior) the estimate of a single image goes where the value is all the same; a sequence goes on without
+    what its frames so far contradict, until a frame excludes that the value errs as it did then. */
     CV_PROP_RW bool contradictsPrior;
     //! Yaw rate in radians per second that the image shows without the given one
     CV_PROP_RW double seenYawRate;
