@@ -172,6 +172,7 @@ public:
         estimator->setCamera(camera);
         generator->setCamera(camera);
         sequence.set(camera, params.estimator);
+        setGyroSigmas();
         if (!isSame)
             reset();
     }
@@ -351,7 +352,8 @@ private:
         sigmas.delay = params.gyroDelaySigma;
         sigmas.axes = params.gyroAxesSigma;
         sigmas.bias = params.gyroBiasSigma;
-        sigmas.scale = params.gyroScaleSigma;
+        const RollingShutterCamera camera = generator->getCamera();
+        sigmas.scale = std::hypot(params.gyroScaleSigma, camera.focalSigma / camera.cameraMatrix(0, 0));
         sequence.gyro.setSigmas(sigmas);
     }
 

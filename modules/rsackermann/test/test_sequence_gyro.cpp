@@ -256,6 +256,19 @@ TEST(RSAckermann_Gyro, contradictions_are_noticed)
         }
 }
 
+// Of another full scale it explains most of the squares all the same.
+TEST(RSAckermann_Gyro, half_of_the_rates)
+{
+    for (int seed = 0; seed < 5; seed++)
+        for (const double share : {0.5, 0.95, 1.05, 1.5})
+        {
+            TurningCamera camera(300 + seed);
+            camera.values *= share;
+            camera.used(1);
+            EXPECT_EQ(std::abs(share - 1) > 0.1, camera.gyro.contradicts()) << share << " " << seed;
+        }
+}
+
 // About an axis that turns less than the others, too.
 TEST(RSAckermann_Gyro, one_axis_with_the_wrong_sign)
 {

@@ -62,7 +62,7 @@ ReadoutRatio ratioOf(const RollingShutterCamera& truth, const RollingShutterCame
         SequenceFit fit(filter.state);
         nuisances.readoutRatio = ratio.value();
         if (filter.update(features, given, params, fit, nuisances))
-            ratio.add(fit.readout);
+            ratio.add(fit.readout, 1 / (30 * given.lineDelay * (given.isRowShutter() ? 540 : 960)));
     }
     return ratio;
 }
@@ -135,12 +135,33 @@ TEST(RSAckermann_Readout, sigma_is_that_of_parts)
             ReadoutEvidence frame;
             frame.information = rng.uniform(0.5, 1.5);
             frame.weighed = frame.information * (0.7 + rng.gaussian(3));
-            ratio.add(frame);
+            ratio.add(frame, 2);
         }
         const double byScene = 0.1, byParts = std::sqrt(ratio.sigma() * ratio.sigma() - byScene * byScene);
         squares.push_back(std::pow((ratio.value() - 0.7) / byParts, 2));
     }
     EXPECT_NEAR(1, std::accumulate(squares.begin(), squares.end(), 0.) / double(squares.size()), 0.25);
+}
+
+// Of lines that lean as if the read-out took longer than there is time nothing is said, whichever way they lean.
+TEST(RSAckermann_Readout, longer_than_the_interval_is_none)
+{
+    const double longest = 1.2;
+    for (const double shown : {60., 1.7, 1.1, -1.1, -1.7, -60.})
+    {
+        ReadoutRatio ratio;
+        for (int k = 0; k < 40; k++)
+        {
+            ReadoutEvidence frame;
+            frame.information = 100;
+            frame.weighed = shown * frame.information;
+            ratio.add(frame, k == 5 ? longest : 3 * longest);
+        }
+        const bool isPossible = std::abs(shown) < longest;
+        EXPECT_NEAR(isPossible ? shown : 1, ratio.value(), 1e-9);
+        EXPECT_EQ(isPossible, ratio.sigma() > 0);
+        EXPECT_NEAR(shown == -1.1 ? 2.1 : 0, ratio.error(), 1e-9);
+    }
 }
 
 }} // namespace opencv_test

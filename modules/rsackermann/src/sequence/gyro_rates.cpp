@@ -292,8 +292,21 @@ static double sumOf(const Vec3d& v)
     return v[0] + v[1] + v[2];
 }
 
+// Whether the turns alone, without what is known of the scale beforehand, show one that this excludes: half of a turn
+// explains most of its square.
+bool GyroRates::contradictsScale() const
+{
+    const double ofPrior = 1 / (prior[7] * prior[7]), information = 1 / covariance(7, 7), shown = information - ofPrior;
+    if (!(shown > 1e-6 * ofPrior)) // next to what is exact nothing shows
+        return false;
+    const double seen = (found.scale - 1) * information / shown;
+    return std::abs(seen) > CONTRADICTION * std::hypot(prior[7], 1 / std::sqrt(shown));
+}
+
 bool GyroRates::contradicts() const
 {
+    if (contradictsScale())
+        return true;
     // About each axis, that it may leave in any case
     const double small = std::pow(TURN_RATE_NOISE / CONTRADICTION, 2) * count;
     // An axis with the wrong sign is lost in the sum of the others.

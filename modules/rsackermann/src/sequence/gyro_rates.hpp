@@ -121,6 +121,8 @@ public:
     Vec<double, UNKNOWNS> alignmentSigma() const;
 
 private:
+    bool contradictsScale() const;
+
     struct Instant
     {
         double time, probability;

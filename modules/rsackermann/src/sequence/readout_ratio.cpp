@@ -60,8 +60,9 @@ ReadoutEvidence measureReadout(const RollingShutterCamera& camera, const std::ve
     return evidence;
 }
 
-void ReadoutRatio::add(const ReadoutEvidence& frame)
+void ReadoutRatio::add(const ReadoutEvidence& frame, double longestNow)
 {
+    longest = std::min(longest, longestNow);
     if (count == 0 || framesOfLast == framesOfPart)
     {
         if (count == MOST_PARTS)
@@ -83,22 +84,32 @@ void ReadoutRatio::add(const ReadoutEvidence& frame)
     sum.add(frame);
 }
 
-double ReadoutRatio::value() const
-{
-    return sum.information > 0 ? sum.weighed / sum.information : 1;
-}
-
-double ReadoutRatio::sigma() const
+double ReadoutRatio::scatter() const
 {
     if (count < MOST_PARTS / 2 || !(sum.information > 0))
         return 0;
     double squares = 0;
     for (int i = 0; i < count; i++)
-        squares += std::pow(parts[i].weighed - value() * parts[i].information, 2);
+        squares += std::pow(parts[i].weighed - shown() * parts[i].information, 2);
     // By the variance of Student's distribution, (n - 1) / (n - 3).
     const double byParts = std::sqrt(squares * count / (count - 3)) / sum.information,
                  byLeans = LEAN_SIGMA * std::sqrt(sum.weight / sum.information);
     return std::sqrt(byParts * byParts + byLeans * byLeans + DISTANCE_SIGMA * DISTANCE_SIGMA);
+}
+
+bool ReadoutRatio::isPossible() const
+{
+    return std::abs(shown()) < longest + CONTRADICTION * scatter();
+}
+
+double ReadoutRatio::value() const
+{
+    return isPossible() ? shown() : 1;
+}
+
+double ReadoutRatio::sigma() const
+{
+    return isPossible() ? scatter() : 0;
 }
 
 double ReadoutRatio::error() const

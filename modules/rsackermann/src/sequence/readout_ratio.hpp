@@ -38,12 +38,14 @@ ReadoutEvidence measureReadout(const RollingShutterCamera& camera, const std::ve
 class ReadoutRatio
 {
 public:
-    void add(const ReadoutEvidence& frame);
+    //! @param longest ratio that is possible: a sensor reads one frame after the other.
+    void add(const ReadoutEvidence& frame, double longest);
 
     //! 1 where nothing is known; -1 if rows are read in the other direction, 0 of a global shutter.
     double value() const;
 
-    //! Its standard deviation, by how parts of the sequence scatter; 0: not known.
+    //! Its standard deviation, by how parts of the sequence scatter; 0: not known, or not possible, as where lane
+    //! markings are all that looks like a vertical.
     double sigma() const;
 
     //! The share of the displacement that a correction leaves if the read-out is wrong; 0 if the images don't
@@ -52,6 +54,12 @@ public:
 
 private:
     enum { MOST_PARTS = 16 };
+
+    double shown() const { return sum.information > 0 ? sum.weighed / sum.information : 1; }
+    double scatter() const; // 0: not known
+    bool isPossible() const;
+
+    double longest = std::numeric_limits<double>::infinity();
 
     ReadoutEvidence sum, parts[MOST_PARTS]; // equally long, the last one of framesOfLast
     int count = 0, framesOfPart = 2, framesOfLast = 0;

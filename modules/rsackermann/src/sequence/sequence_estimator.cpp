@@ -298,7 +298,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         return false;
     }
     seen = filter.time;
-    readout.add(alone.readout);
+    readout.add(alone.readout, std::abs(before != 0 ? before : after) / readOut(camera));
     if (!isStillSince(features.bearings, passed))
         stillSince = std::numeric_limits<double>::quiet_NaN();
     else if (!std::isfinite(stillSince))

@@ -65,7 +65,8 @@ public:
         CV_PROP_RW double gyroDelaySigma;
         CV_PROP_RW double gyroAxesSigma; //!< radians; of the directions of its axes, default 2 degrees
         CV_PROP_RW double gyroBiasSigma; //!< rad/s; of its bias about each axis, default 1 deg/s
-        //! Relative; of the focal length over what it says of pitch and yaw, default 0.03
+        //! Relative; of the focal length over what it says of pitch and yaw, beside that of
+        //! RollingShutterCamera::focalSigma, default 0.03
         CV_PROP_RW double gyroScaleSigma;
         //! @}
 
