@@ -65,8 +65,7 @@ void makeAnyCamera(cv::RNG& rng, Frame& frame)
     camera.roll = rng.gaussian(rollSigma);
     camera.pitch = rng.gaussian(pitchSigma);
     frame.experiment.knowledge.camera = false;
-    params.gravitySigma = rollSigma;
-    params.vehiclePitchSigma = pitchSigma;
+    params.gravitySigma = params.vehiclePitchSigma = 1e-4; // beside the mount's
 }
 
 Frame randomFrame(int seed, int given, bool isCameraKnown)

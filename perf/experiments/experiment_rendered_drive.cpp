@@ -175,6 +175,7 @@ int run(const Options& options)
     const bool quiet = options.flag("quiet");
 
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(eye.size, eye.fx);
+    camera.setRollPitch(eye.roll, eye.pitch);
     camera.lineDelay = eye.lineDelay;
     camera.height = eye.height;
     RollingShutterCorrector::Params params;

@@ -48,6 +48,7 @@ PERF_TEST_P(Corrector, correct,
                                              )))
 {
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(get<0>(GetParam()));
+    camera.setRollPitch(0, 0);
     camera.lineDelay = 0.4 / 30 / camera.imageSize.height;
     camera.height = 1.2;
     const Mat src = streetImage(camera, motionFromMetric(camera, 0.6, 15, 2.75, 2.75, 0));
@@ -67,6 +68,7 @@ PERF_TEST_P(Drive, carried, testing::Values(szVGA, sz720p, sz1080p))
 {
     const double seconds = 1 / 30., speed = 15;
     RollingShutterCamera camera = RollingShutterCamera::fromFocal(GetParam());
+    camera.setRollPitch(0, 0);
     camera.lineDelay = 0.4 * seconds / camera.imageSize.height;
     camera.height = 1.2;
     const AckermannMotion motion = motionFromMetric(camera, 0, speed, 2.75, 2.75, 0);

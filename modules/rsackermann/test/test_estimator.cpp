@@ -85,6 +85,7 @@ Params params(const Simulator& simulator)
     const Vec3d& normal = simulator.street.normal[simulation::LEFT];
     const double left = cv::norm(normal);
     p.wallDistance = 1 / (left > 0 ? left : cv::norm(simulator.street.normal[simulation::RIGHT]));
+    p.wallDistanceLogSigma = 0;
     p.gravitySigma = 0; // the simulator's camera knows it exactly
     return p;
 }
