@@ -180,6 +180,7 @@ class rsackermann_test(NewOpenCVTests):
         camera = make_camera()
         params = cv.rsackermann.AckermannEstimator.Params()
         params.wallDistance = LEFT_WALL
+        params.wallDistanceLogSigma = 0  # segments end below the road
         params.gravitySigma = 0  # the camera is exactly upright
         estimator = cv.rsackermann.AckermannEstimator.create(camera, params)
         self.assertEqual(estimator.getParams().wallDistance, LEFT_WALL)
