@@ -203,7 +203,8 @@ std::string contradiction(const FrameReport& frame, double wall)
     if (m.seenSpeedSigma > 0 && std::abs(m.seenSpeed - p.speed) > sigmas * std::hypot(m.seenSpeedSigma, p.speedSigma))
         words += (words.empty() ? "" : "; ") + comparison("speed", "km/h", p.speed / KMH, p.speedSigma / KMH, ofSpeed,
                                                           m.seenSpeed / KMH, m.seenSpeedSigma / KMH);
-    if (words.empty() && m.contradictsPrior && !(p.speedSigma > 0))
+    const bool isOfWall = wall > 0 && (!(p.speedSigma > 0) || m.seenSpeed * p.speed > 0);
+    if (words.empty() && m.contradictsPrior && isOfWall)
         words = cv::format(
             "given is a wall at %.1f m, but segments end elsewhere than on the road or above it if the camera "
             "is at its height: check --wall and --height",

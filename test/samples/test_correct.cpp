@@ -265,6 +265,7 @@ TEST(Correct, nearly_same_result_whatever_the_vectors)
         const Json values = report.flatten();
         for (const auto& expected : widest.items())
             if (expected.value().is_number_float())
+                // Of an angle next to 0 a millionth of a degree.
                 EXPECT_NEAR(expected.value().get<double>(), values[expected.key()].get<double>(),
                             1e-4 * (1e-2 + std::abs(expected.value().get<double>())))
                     << expected.key() << " without " << disabled;

@@ -358,6 +358,11 @@ TEST(RSAckermann_DrivingPrior, azimuths_are_counted_from_the_heading)
         mean[SEQUENCE_DIRECTION] -= heading;
         EXPECT_LT(cv::norm(mean, meanAhead), 1e-9) << heading;
         EXPECT_EQ(sigmaAhead, sigma) << heading;
+        // The mount's deviations are about the camera's axes, as those of the state are.
+        aside.rollSigma = 0.3;
+        stationaryState(aside, Params(), mean, sigma);
+        EXPECT_NEAR(std::hypot(0.3, sigmaAhead[SEQUENCE_ROLL]), sigma[SEQUENCE_ROLL], 1e-12) << heading;
+        EXPECT_EQ(sigmaAhead[SEQUENCE_PITCH], sigma[SEQUENCE_PITCH]) << heading;
     }
 }
 

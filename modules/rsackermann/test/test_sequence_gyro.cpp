@@ -266,6 +266,7 @@ TEST(RSAckermann_Gyro, half_of_the_rates)
             camera.values *= share;
             camera.used(1);
             EXPECT_EQ(std::abs(share - 1) > 0.1, camera.gyro.contradicts()) << share << " " << seed;
+            EXPECT_EQ(camera.gyro.contradicts(), camera.gyro.isWrong()) << share << " " << seed;
         }
 }
 

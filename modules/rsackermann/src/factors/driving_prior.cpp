@@ -303,26 +303,31 @@ void DrivingPrior::limitRoad(const RoadLimit& limit, const Model& model, double&
     if (limit.empty() || !(variance > 0))
         return;
     // A given distance is wrong as seldom as contradictions are by chance, and the wall then as far away as walls are.
-    const double wrong = wallIsGiven_ ? std::erfc(CONTRADICTION / std::sqrt(2.)) : 0;
-    const double sigma = std::sqrt(variance), wide = wallIsGiven_ ? std::hypot(1., usualWallSigma / sigma) : 1,
-                 farthest = 4 * wide, logWall = std::log(std::hypot(model[P_B], model[P_D]));
-    // No coarser than the limit's table; beyond that it's constant.
-    const int steps = int(std::max(48 * wide, std::min(2 * farthest * sigma / HEIGHT_SIGMA, 1000.)));
+    const double wrong = wallIsGiven_ ? std::erfc(CONTRADICTION / std::sqrt(2.)) : 0, farthest = 4,
+                 logWall = std::log(std::hypot(model[P_B], model[P_D]));
     double sum = 0, first = 0, second = 0;
-    for (int i = 0; i <= steps; i++)
+    for (const bool isWrong : {false, true})
     {
-        const double z = farthest * (2. * i / steps - 1), y = z / wide,
-                     density = std::exp(-z * z / 2) + wrong / wide * std::exp(-y * y / 2),
-                     weight = density * limit.likelihood(model, heading_, logG + z * sigma - logWall);
-        sum += weight;
-        first += weight * z;
-        second += weight * z * z;
+        if (isWrong && !(wrong > 0))
+            continue;
+        const double sigma = isWrong ? std::sqrt(variance + usualWallSigma * usualWallSigma) : std::sqrt(variance);
+        // No coarser than the limit's table; beyond that it's constant.
+        const int steps = int(std::max(48., std::min(2 * farthest * sigma / HEIGHT_SIGMA, 1000.)));
+        for (int i = 0; i <= steps; i++)
+        {
+            const double z = farthest * (2. * i / steps - 1), x = z * sigma,
+                         weight = (isWrong ? wrong : 1) / steps * std::exp(-z * z / 2) *
+                                  limit.likelihood(model, heading_, logG + x - logWall);
+            sum += weight;
+            first += weight * x;
+            second += weight * x * x;
+        }
     }
     if (!(sum > 0))
         return;
     const double mean = first / sum;
-    logG += mean * sigma;
-    variance *= std::max(second / sum - mean * mean, 0.);
+    logG += mean;
+    variance = std::max(second / sum - mean * mean, 0.);
 }
 
 void DrivingPrior::anyRoad(double& logG, double& sigma) const
@@ -348,11 +353,13 @@ void stationaryState(const RollingShutterCamera& camera, const AckermannEstimato
     const double height = camera.height > 0 ? camera.height : params.priorHeight,
                  heightSigma = camera.height > 0 ? HEIGHT_SIGMA : params.priorHeightLogSigma;
     const double directionSigma = params.wallDeviationSigma > 0 ? params.wallDeviationSigma : 1;
-    const TiltSigmas tilts(camera, params);
+    const bool isExact = !(params.gravitySigma > 0);
+    const double rollSigma = isExact ? EXACT_GRAVITY : std::hypot(params.gravitySigma, camera.rollSigma),
+                 pitchSigma = isExact ? EXACT_GRAVITY : std::hypot(params.vehiclePitchSigma, camera.pitchSigma);
     mean = SequenceVector(0, speed, camera.heading, wall[0], wall[0], 1 / height, 0, 0);
     // Over seconds yaw rates stay what they are, and bends of three times the expected ones are no exception.
     sigma = SequenceVector(3 * params.priorYawRate, speedSigma, directionSigma, wall[1], wall[1], heightSigma / height,
-                           tilts.roll, tilts.pitch);
+                           rollSigma, pitchSigma);
 }
 
 }} // namespace cv::rsackermann

@@ -318,7 +318,8 @@ bool GyroRates::contradicts() const
 
 bool GyroRates::isWrong() const
 {
-    return contradicts() && turns.size() > DELAY_FRAMES && sumOf(left) > 3 * TURN_RATE_NOISE * TURN_RATE_NOISE * count;
+    return contradicts() && turns.size() > DELAY_FRAMES &&
+           (contradictsScale() || sumOf(left) > 3 * TURN_RATE_NOISE * TURN_RATE_NOISE * count);
 }
 
 // The instants of the gyro's clock that may be that of an image, with their probabilities: of shaking, a clock that

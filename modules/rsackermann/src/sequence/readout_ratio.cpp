@@ -62,7 +62,8 @@ ReadoutEvidence measureReadout(const RollingShutterCamera& camera, const std::ve
 
 void ReadoutRatio::add(const ReadoutEvidence& frame, double longestNow)
 {
-    longest = std::min(longest, longestNow);
+    longest += longestNow;
+    frames++;
     if (count == 0 || framesOfLast == framesOfPart)
     {
         if (count == MOST_PARTS)
@@ -99,7 +100,7 @@ double ReadoutRatio::scatter() const
 
 bool ReadoutRatio::isPossible() const
 {
-    return std::abs(shown()) < longest + CONTRADICTION * scatter();
+    return frames == 0 || std::abs(shown()) < longest / frames + CONTRADICTION * scatter();
 }
 
 double ReadoutRatio::value() const

@@ -38,8 +38,8 @@ ReadoutEvidence measureReadout(const RollingShutterCamera& camera, const std::ve
 class ReadoutRatio
 {
 public:
-    //! @param longest ratio that is possible: a sensor reads one frame after the other.
-    void add(const ReadoutEvidence& frame, double longest);
+    //! @param longestNow ratio that is possible: a sensor reads one frame after the other.
+    void add(const ReadoutEvidence& frame, double longestNow);
 
     //! 1 where nothing is known; -1 if rows are read in the other direction, 0 of a global shutter.
     double value() const;
@@ -59,7 +59,8 @@ private:
     double scatter() const; // 0: not known
     bool isPossible() const;
 
-    double longest = std::numeric_limits<double>::infinity();
+    double longest = 0; // sum over frames: times jitter
+    int frames = 0;
 
     ReadoutEvidence sum, parts[MOST_PARTS]; // equally long, the last one of framesOfLast
     int count = 0, framesOfPart = 2, framesOfLast = 0;

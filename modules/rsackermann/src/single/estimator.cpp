@@ -98,7 +98,7 @@ private:
             motion.seenSpeedSigma = std::sqrt(covariance(1, 1));
         const bool contradictsWall = motion.contradictsPrior;
         compareWithGiven(prior, showsOtherDirection(seen, prior), motion);
-        motion.contradictsPrior |= contradictsWall;
+        motion.contradictsPrior |= contradictsWall || seen.contradictsPrior;
     }
 
     AckermannMotion estimateRows(const Mat& segments, OutputArray labels, const MotionPrior& prior) const
@@ -181,7 +181,7 @@ private:
         // Measurements give a length; a prior doesn't, and a speed of 0 +- 30 km/h doesn't, either.
         const double speed = std::hypot(motion.wallSlope, motion.wallOffset);
         Params given = params;
-        if (found.contradictsWall)
+        if (found.contradictsWall && camera.height > 0)
             given.wallDistance = 0;
         const bool isGiven = given.wallDistance > 0 || prior.speed != 0;
         if (!(speed > 0) || (isGiven && setGivenScale(camera, given, prior, motion)))

@@ -93,11 +93,12 @@ void keepSeenWalls(const RollingShutterCamera& camera, AckermannMotion& motion)
 
 void setSpeedSigma(const RollingShutterCamera& camera, double wallLogSigma, AckermannMotion& motion)
 {
-    double speed;
-    if (!motion.speed(camera, speed))
-        return;
     const Vec4d wall(0, motion.wallSlope, motion.wallOffset, 0);
-    const double size = wall.dot(wall), ofWall = std::sqrt(std::max(wall.dot(motion.covariance * wall), 0.)) / size;
+    const double size = wall.dot(wall);
+    double speed;
+    if (!(size > 0) || !motion.speed(camera, speed))
+        return;
+    const double ofWall = std::sqrt(std::max(wall.dot(motion.covariance * wall), 0.)) / size;
     motion.speedSigma = std::abs(speed) * std::hypot(std::hypot(wallLogSigma, ofWall), relativeLineDelaySigma(camera));
 }
 

@@ -327,7 +327,7 @@ Posterior MotionMixture::best() const
     prior.road(result.model, RoadLimit(), expectedG, expectedVariance);
     prior.road(result.model, limit, G, variance);
     const double information = G * G / variance, expectedInformation = expectedG * expectedG / expectedVariance;
-    result.contradictsWall = prior.wallIsGiven() && expectedVariance > 0 &&
+    result.contradictsWall = prior.wallIsGiven() && !prior.speedIsGiven() && expectedVariance > 0 &&
                              std::abs(std::log(G / expectedG)) * std::sqrt(expectedInformation) > CONTRADICTION;
     if (result.contradictsWall || (prior.roadIsSought() && information > 2 * expectedInformation))
         result.roadSigma = 1 / std::sqrt(information);
