@@ -39,17 +39,18 @@ void expectVerdict(const Json& before, const Json& line, const char* seenKey, co
     }
 }
 
-// A wrong distance of the wall, in feet for instance, isn't blamed on the speed alone.
+// A wrong distance of the wall, in feet for instance, isn't blamed on the speed.
 TEST(Contradictions, speed_beside_a_wall)
 {
     const Arguments image = {streetFolder() + "/rolling.png", "--camera=" + streetFolder() + "/camera.yml",
                              "--speed=60", "--report=-"};
     EXPECT_EQ(std::string::npos, correct(image + Arguments{"--wall=2.5"}).messages.find("given is"));
     const std::string words = correct(image + Arguments{"--wall=8.2"}).messages;
-    EXPECT_NE(std::string::npos, words.find("with a wall at 8.2 m the image shows")) << words;
+    EXPECT_NE(std::string::npos, words.find("given is a wall at 8.2 m, but")) << words;
+    EXPECT_EQ(std::string::npos, words.find("speed")) << words;
 }
 
-// Alone it makes the speed one that no car has, in a sequence as well.
+// Alone as well, in a sequence, too.
 TEST(Contradictions, wall_that_is_too_far_away)
 {
     const std::string image = streetFolder() + "/rolling.png";
@@ -59,9 +60,14 @@ TEST(Contradictions, wall_that_is_too_far_away)
             const std::string words = correct({image, "--camera=" + streetFolder() + "/camera.yml", mode,
                                                cv::format("--wall=%g", wall), "--report=-"})
                                           .messages;
-            EXPECT_EQ(wall > 2.5, words.find("the distance of --wall is too large") != std::string::npos)
+            EXPECT_EQ(wall > 2.5, words.find("check --wall and --height") != std::string::npos)
                 << mode << " " << wall << " " << words;
         }
+    // Where the height isn't known it is the speed that no car has.
+    const std::string words =
+        correct({image, "--focal=816", "--readout=0.013333", "--roll=0", "--pitch=0", "--wall=10", "--report=-"})
+            .messages;
+    EXPECT_NE(std::string::npos, words.find("the distance of --wall is too large")) << words;
 }
 
 // The yaw rate is that of the frames where no motion is near the given one, and not dropped.
