@@ -32,6 +32,7 @@ const char* const KEYS =
     "{exact_priors |      | these values are given without errors, but with their standard deviations}"
     "{focal_error | 0     | of the focal length that the estimator is given, percent}"
     "{focal_noise | 0    | standard deviation of further errors of it, of a size that the estimator is given, percent}"
+    "{wall_factor |       | given over true distance of the wall, which is then known to 10 percent (default: exact)}"
     "{model      | auto   | auto, 4la, 3la, 1la or none}"
     "{only_verticals |    | the estimator gets no segments but those that may be vertical}"
     "{exact_segments |    | segments of the global-shutter image, moved by the true motion, in the place of detected "
@@ -61,7 +62,10 @@ Experiment makeExperiment(const Options& options, const std::vector<Case>& cases
     if (!cases.empty())
     {
         params.wallDistance = cases[0].scene.left > 0 ? cases[0].scene.left : cases[0].scene.right;
-        params.wallDistanceLogSigma = 0; // they are plane
+        if (options.given("wall_factor"))
+            params.wallDistance *= options.positive("wall_factor", 100);
+        else
+            params.wallDistanceLogSigma = 0; // they are plane
     }
     if (options.given("gravity_sigma"))
         setGravitySigma(options.number("gravity_sigma", 0, 45) * DEGREE, params);

@@ -104,7 +104,8 @@ public:
         //! A copy of estimator.
         CV_WRAP AckermannEstimator::Params getEstimatorParams() const;
 
-        //! Detector and gates of segments; gravitySigma and vehiclePitchSigma aren't used
+        //! Detector and gates of segments; gravitySigma and vehiclePitchSigma, and those of the camera's mount, aren't
+        //! used
         AckermannEstimator::Params estimator;
         CV_PROP_RW int maxFrames; //!< largest number of frames that are kept, default 1000: some 20 MB
         //! Radians; standard deviation of the roll and the pitch of the camera that is given, default 3 degrees

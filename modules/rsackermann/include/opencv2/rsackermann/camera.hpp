@@ -131,7 +131,7 @@ public:
     //! +z; check() allows for 0.05 of the axis to the side
     CV_PROP_RW Matx33d uprightRotation;
     //! Standard deviation in radians of the roll with which the camera is mounted, which adds to that of the vehicle
-    //! (AckermannEstimator::Params::gravitySigma); 0: exact. Of a mount that isn't given 2 degrees
+    //! (AckermannEstimator::Params::gravitySigma) unless that is 0; 0: exact. Of a mount that isn't given 2 degrees
     CV_PROP_RW double rollSigma;
     CV_PROP_RW double pitchSigma; //!< the same for the pitch; of a mount that isn't given 5 degrees
     //! Radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a

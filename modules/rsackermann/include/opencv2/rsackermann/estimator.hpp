@@ -102,8 +102,9 @@ public:
         //! If wallDistance is unknown and the camera's height known: find the distance from wall segments that stand on
         //! the road, if they say more of it than what is expected; default false
         CV_PROP_RW bool scaleFromRoad;
-        /** radians; standard deviation of the vehicle's roll: the error of the camera's upright rotation against the
-        verticals of the scene, which is then corrected. 0: the upright rotation is exact; default 1 degree, for the
+        /** radians; standard deviation of the vehicle's roll: with that of the mount (RollingShutterCamera::rollSigma)
+        the error of the camera's upright rotation against the verticals of the scene, which is then corrected. 0: the
+        upright rotation is exact, whatever the mount; default 1 degree, for the
         crown of a road and the suspension */
         CV_PROP_RW double gravitySigma;
         //! Radians; the same for the vehicle's pitch, used unless gravitySigma is 0, default 0.3 degrees

@@ -194,8 +194,8 @@ public:
     //! Metres to the vehicle's left wall, or to the only one that is seen; 0: unknown
     CV_PROP_RW double wallDistance;
     CV_PROP_RW int scale; //!< one of #MotionScale
-    //! Of a speed that gives the metres (#SCALE_SPEED), or that the road gives (#SCALE_ROAD), its standard deviation in
-    //! metres per second; 0 (default): wallDistance is exact
+    //! Standard deviation in metres per second of the speed that gives the metres (#SCALE_SPEED), or that a wall
+    //! (#SCALE_WALL) or the road (#SCALE_ROAD) gives; 0 (default): wallDistance is exact
     CV_PROP_RW double speedSigma;
 
     //! Of (alpha, wallSlope, wallOffset, wallRatio), including the uncertainty of gravity; 0 for values that aren't
@@ -265,8 +265,9 @@ public:
     CV_WRAP void read(const FileNode& fn);
 
     //! Metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; helps most with
-    //! AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road. In a sequence
-    //! wallDistance alone gives the metres. What is given counts in its own image alone: its error may be that of all
+    //! AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road. Of speed
+    //! and wallDistance the one that is known better gives the metres. What is given counts in its own image alone: its
+    //! error may be that of all
     CV_PROP_RW double speed;
     CV_PROP_RW double speedSigma; //!< standard deviation of speed; 0 (default): not given
     //! Radians per second, positive to the right, at the instant of RollingShutterCamera::referenceRow; needs
