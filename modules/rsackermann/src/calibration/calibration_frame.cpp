@@ -129,16 +129,17 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
     const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
     const PointNoise noise = {sigmas.points, sigmas.depths};
     frame.pointWeights.clear();
+    const FlowResidual::Values at(values.val);
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
         const TrackedBearing now = seen(frame.bearings[i], frame);
-        const FlowResidual::View view = residual.predict(now, values.val);
+        const FlowResidual::View view = residual.predict(now, at);
         if (isAtFoot(view, values.val))
         {
             frame.pointWeights.push_back(Matx22d::zeros());
             continue;
         }
-        frame.pointWeights.push_back(noise.weight(now.weak, pixelsOfDeviation(residual, now, values.val, unit, view)));
+        frame.pointWeights.push_back(noise.weight(now.weak, pixelsOfDeviation(residual, now, at, unit, view)));
     }
     Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const PreparedModel model = modelOf(frame, &byValues);
@@ -154,14 +155,14 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
 void FrameProblem::addPointResiduals(const CalibrationFrame& frame, PointResiduals& residuals) const
 {
     const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
+    const FlowResidual::Values at(values.val);
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
         if (frame.pointWeights[i] == Matx22d::zeros())
             continue;
         const TrackedBearing now = seen(frame.bearings[i], frame);
-        const FlowResidual::View view = residual.predict(now, values.val);
-        residuals.add(residual.residualOf(now, values.val, view), now.weak,
-                      pixelsOfDeviation(residual, now, values.val, unit, view));
+        const FlowResidual::View view = residual.predict(now, at);
+        residuals.add(residual.residualOf(now, at, view), now.weak, pixelsOfDeviation(residual, now, at, unit, view));
     }
 }
 
@@ -183,7 +184,8 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
     Vec<double, FLOW_VALUES> rolled = values, pitched = values;
     rolled[SEQUENCE_ROLL] += STEP;
     pitched[SEQUENCE_PITCH] += STEP;
-    const double *u = values.val, shift = timeShift(frame.interval, givenUnit, unit),
+    const FlowResidual::Values u(values.val), rolledBy(rolled.val), pitchedBy(pitched.val);
+    const double shift = timeShift(frame.interval, givenUnit, unit),
                  perturbedShift = timeShift(frame.interval, givenUnit, unit * (1 + STEP));
     const auto evaluatePoint = [&](const TrackedBearing& s, Eigen::Matrix<double, COLUMNS, 2>& J) {
         const TrackedBearing back = frame.rowTurns.removedFrom(s, turningUnit), now = shifted(back, shift);
@@ -200,8 +202,8 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
                       INSTANT_STEP);
         J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)), byTurning,
             slope(perturbedDelay.evaluate(shifted(back, perturbedShift), u, 0));
-        J.row(SEQUENCE_ROLL) = slope(residual.evaluate(now, rolled.val, 0));
-        J.row(SEQUENCE_PITCH) = slope(residual.evaluate(now, pitched.val, 0));
+        J.row(SEQUENCE_ROLL) = slope(residual.evaluate(now, rolledBy, 0));
+        J.row(SEQUENCE_PITCH) = slope(residual.evaluate(now, pitchedBy, 0));
         return r;
     };
     rsackermann::addPoints<COLUMNS>(frame.bearings, frame.pointWeights, pointLoss, evaluatePoint, equations);

@@ -11,32 +11,31 @@ RowTurns::RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_,
                    const RollingShutterCamera& camera, double unit, const std::vector<TrackedBearing>& bearings,
                    double seconds, double interval_)
     : samples(0), alignment(alignment_), toUpright(camera.uprightRotation), givenUnit(camera.secondsPerUnitTime()),
-      startUnit(unit), interval(interval_), middle(0), middleOfNow(0), isGyro(isGyro_)
+      startUnit(unit), interval(interval_), middle(0), isGyro(isGyro_)
 {
     for (const TrackedBearing& point : bearings)
         middle += point.timeNow / double(bearings.size());
-    middleOfNow = seconds + alignment.delay + unit * middle;
-    // Line delays that are tried may be longer.
+    now.seconds = seconds + alignment.delay + unit * middle;
     const RowSpan rows(camera);
     const double readOut = rows.to - rows.from;
-    if (!samples_.covers(middleOfNow - interval - readOut, middleOfNow + readOut))
+    covered = Vec2d(now.seconds - interval - readOut, now.seconds + readOut);
+    if (!samples_.covers(covered[0], covered[1]))
         return;
     samples = &samples_;
-    ofFrame = turned(middleOfNow - interval, middleOfNow);
+    delayBy(0);
 }
 
-Vec3d RowTurns::turned(double begin, double end) const
+Vec3d RowTurns::turned(const Instant& begin, const Instant& end) const
 {
-    Vec3d angle;
-    samples->turn(begin, end, angle);
-    return toUpright * alignment.toCamera(angle, end - begin);
+    return toUpright * alignment.toCamera(end.angle - begin.angle, end.seconds - begin.seconds);
 }
 
 void RowTurns::delayBy(double seconds)
 {
     alignment.delay += seconds;
-    middleOfNow += seconds;
-    ofFrame = turned(middleOfNow - interval, middleOfNow);
+    now = at(now.seconds + seconds);
+    before = at(now.seconds - interval);
+    ofFrame = turned(before, now);
 }
 
 // That of the yaw rate, which turns rows in the fit.
@@ -47,13 +46,13 @@ Vec3d RowTurns::steadyTurn(double after) const
 
 Vec3d RowTurns::unsteadyTurn(double after) const
 {
-    return turned(middleOfNow, middleOfNow + after) - steadyTurn(after);
+    return turned(now, at(now.seconds + after)) - steadyTurn(after);
 }
 
 // A bearing as the middle row of its frame has it.
-Point2d RowTurns::atMiddle(const Point2d& p, double middleOfFrame, double after) const
+Point2d RowTurns::atMiddle(const Point2d& p, const Instant& middleOfFrame, double after) const
 {
-    const Vec3d turn = (turned(middleOfFrame, middleOfFrame + after) - steadyTurn(after)).mul(share),
+    const Vec3d turn = (turned(middleOfFrame, at(middleOfFrame.seconds + after)) - steadyTurn(after)).mul(share),
                 bearing(p.x, p.y, 1), seen = bearing + turn.cross(bearing);
     return Point2d(seen[0] / seen[2], seen[1] / seen[2]);
 }
@@ -64,8 +63,8 @@ TrackedBearing RowTurns::removedFrom(const TrackedBearing& point, double unit) c
         return point;
     const double seconds = isGyro ? unit : startUnit, rowOfOther = point.timeOther + interval / givenUnit;
     TrackedBearing result = point;
-    result.now = atMiddle(point.now, middleOfNow, seconds * (point.timeNow - middle));
-    result.other = atMiddle(point.other, middleOfNow - interval, seconds * (rowOfOther - middle));
+    result.now = atMiddle(point.now, now, seconds * (point.timeNow - middle));
+    result.other = atMiddle(point.other, before, seconds * (rowOfOther - middle));
     return result;
 }
 
@@ -75,7 +74,7 @@ UprightSegment RowTurns::removedFrom(const UprightSegment& vertical, double unit
         return vertical;
     const double seconds = isGyro ? unit : startUnit;
     const auto seen = [&](const Vec3d& end, double time) {
-        const Point2d p = atMiddle(Point2d(end[0], end[1]), middleOfNow, seconds * (time - middle));
+        const Point2d p = atMiddle(Point2d(end[0], end[1]), now, seconds * (time - middle));
         return Vec3d(p.x, p.y, 1);
     };
     UprightSegment result = vertical;

@@ -16,7 +16,7 @@ class RowTurns
 {
 public:
     //! Unknown ones.
-    RowTurns() : samples(0), givenUnit(0), startUnit(0), interval(0), middle(0), middleOfNow(0), isGyro(false) {}
+    RowTurns() : samples(0), givenUnit(0), startUnit(0), interval(0), middle(0), isGyro(false) {}
 
     /** @param samples_ must exist as long as this object.
     @param isGyro_ whether they are measured. If not, they don't show the line delay: curves that are smoother than the
@@ -44,16 +44,26 @@ public:
     void take(const Vec3d& share_) { share = share_; }
 
 private:
-    Vec3d turned(double begin, double end) const;
+    struct Instant
+    {
+        double seconds; // of the gyro's clock
+        Vec3d angle;    // about the gyro's axes
+    };
+    Instant at(double seconds) const
+    {
+        return {seconds, samples->angleAt(std::min(std::max(seconds, covered[0]), covered[1]))};
+    }
+    Vec3d turned(const Instant& begin, const Instant& end) const;
     Vec3d steadyTurn(double after) const;
-    Point2d atMiddle(const Point2d& p, double middleOfFrame, double after) const;
+    Point2d atMiddle(const Point2d& p, const Instant& middleOfFrame, double after) const;
 
     const GyroSamples* samples;
     GyroAlignment alignment;
     Matx33d toUpright;
     double givenUnit, startUnit, interval;
-    double middle;      // row time
-    double middleOfNow; // seconds of the gyro's clock
+    double middle;                 // row time
+    Instant now = {}, before = {}; // the middles of both frames
+    Vec2d covered;                 // by samples; rows of longer line delays, which are tried, turn no further
     bool isGyro;
     Vec3d share = Vec3d::all(1);
     Vec3d ofFrame; // turn from the middle of the frame before, about the upright axes

@@ -15,15 +15,19 @@ static Point2d turned(const Matx33d& R, const Point2d& p)
     return Point2d(ray[0] / z, ray[1] / z);
 }
 
-FlowResidual::View FlowResidual::predict(const TrackedBearing& s, const double* u) const
+FlowResidual::Values::Values(const double* values)
+    : u(values), cosine(std::cos(u[SEQUENCE_DIRECTION])), sine(std::sin(u[SEQUENCE_DIRECTION])), tilt(tiltOf(u))
+{
+}
+
+FlowResidual::View FlowResidual::predict(const TrackedBearing& s, const Values& u) const
 {
     const double alpha = u[SEQUENCE_YAW_RATE] * unit / 2, length = u[SEQUENCE_SPEED] * unit;
-    const double cosine = std::cos(u[SEQUENCE_DIRECTION]), sine = std::sin(u[SEQUENCE_DIRECTION]);
+    const double cosine = u.cosine, sine = u.sine;
     const RowMotion now(alpha, heading, s.timeNow);
-    const Matx33d tilt = tiltOf(u);
     View v;
-    v.other = turned(tilt, s.other);
-    v.now = turned(tilt, s.now);
+    v.other = turned(u.tilt, s.other);
+    v.now = turned(u.tilt, s.now);
     v.ray[1] = v.now.y;
     now.turn(v.now.x, 1, v.ray[0], v.ray[2]);
     v.place = Vec3d(now.tau * now.s2, 0, now.tau * now.c2);
@@ -40,7 +44,7 @@ FlowResidual::View FlowResidual::predict(const TrackedBearing& s, const double* 
     return v;
 }
 
-Point2d FlowResidual::residualOf(const TrackedBearing& s, const double* u, const View& v, Point2d* byInverseDepth) const
+Point2d FlowResidual::residualOf(const TrackedBearing& s, const Values& u, const View& v, Point2d* byInverseDepth) const
 {
     const RowMotion other(u[SEQUENCE_YAW_RATE] * unit / 2, heading, s.timeOther);
     const double wayX = v.place[0] - other.tau * other.s2, wayZ = v.place[2] - other.tau * other.c2;
@@ -71,14 +75,14 @@ double FlowResidual::halfSquare(const TrackedBearing& s) const
     return 0.5 * (s.timeOther * s.timeOther - s.timeNow * s.timeNow) * unit * unit;
 }
 
-Point2d FlowResidual::evaluate(const TrackedBearing& s, const double* u, double* jacobian) const
+Point2d FlowResidual::evaluate(const TrackedBearing& s, const Values& u, double* jacobian) const
 {
     const View view = predict(s, u);
     const Point2d residual = residualOf(s, u, view);
     if (jacobian)
     {
         const double length = u[SEQUENCE_SPEED] * unit;
-        const double cosine = std::cos(u[SEQUENCE_DIRECTION]), sine = std::sin(u[SEQUENCE_DIRECTION]);
+        const double cosine = u.cosine, sine = u.sine;
         double *jx = jacobian, *jy = jacobian + FLOW_VALUES;
         std::fill(jx, jx + 2 * FLOW_VALUES, 0.);
         const double mx = (view.now.x + view.other.x) / 2, my = (view.now.y + view.other.y) / 2,

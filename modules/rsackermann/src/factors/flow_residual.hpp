@@ -17,6 +17,17 @@ The motion between the two rows is exact; the derivatives by the values are thos
 class FlowResidual
 {
 public:
+    //! FLOW_VALUES of them, and what all points have in common.
+    struct Values
+    {
+        Values(const double* values); // implicit: a single point needs no more than a pointer
+        double operator[](int i) const { return u[i]; }
+
+        const double* u;     //!< must exist as long as this object
+        double cosine, sine; //!< of the street's direction
+        Matx33d tilt;
+    };
+
     explicit FlowResidual(const RollingShutterCamera& camera)
         : FlowResidual(camera.heading, camera.secondsPerUnitTime(), camera.cameraMatrix(0, 0))
     {
@@ -24,10 +35,9 @@ public:
     //! @param unit seconds per unit of row time.
     FlowResidual(double heading_, double unit_, double focal_) : heading(heading_), unit(unit_), focal(focal_) {}
 
-    /** @param values FLOW_VALUES of them.
-    @param jacobian receives, unless it is null, 2 x FLOW_VALUES derivatives: those of x and then those of y.
+    /** @param jacobian receives, unless it is null, 2 x FLOW_VALUES derivatives: those of x and then those of y.
     @return pixels. */
-    Point2d evaluate(const TrackedBearing& point, const double* values, double* jacobian) const;
+    Point2d evaluate(const TrackedBearing& point, const Values& values, double* jacobian) const;
 
     //! How a point is seen from the present image, in the upright frame of the values.
     struct View
@@ -40,11 +50,11 @@ public:
         double behind; // the same of the nearer wall if the plane is the road, and of the road otherwise: negative
                        // above the horizon
     };
-    View predict(const TrackedBearing& point, const double* values) const;
+    View predict(const TrackedBearing& point, const Values& values) const;
 
     /** The residual of a view, with whatever inverse depth it has.
     @param byInverseDepth receives, unless it is null, the derivative; 0 of a point that would be behind. */
-    Point2d residualOf(const TrackedBearing& point, const double* values, const View& view,
+    Point2d residualOf(const TrackedBearing& point, const Values& values, const View& view,
                        Point2d* byInverseDepth = 0) const;
 
     //! Whether a residual stands for a point that would be behind the camera, or might.

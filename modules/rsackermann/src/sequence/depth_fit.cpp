@@ -175,13 +175,14 @@ public:
         std::copy(planes.values, planes.values + FLOW_VALUES, values);
         values[SEQUENCE_YAW_RATE] = u[D_YAW_RATE];
         std::copy(&u[D_TURNS], &u[D_TURNS] + FLOW_VALUES - SEQUENCE_VALUES, values + SEQUENCE_VALUES);
-        FlowResidual::View view = flow.predict(p.bearing, values);
+        const FlowResidual::Values at(values);
+        FlowResidual::View view = flow.predict(p.bearing, at);
         view.inverseDepth = p.axial * (u[D_SCALE] * standard.of(value) + u[D_SHIFT]);
         Point2d byInverseDepth;
-        const Point2d r = flow.residualOf(p.bearing, values, view, &byInverseDepth);
+        const Point2d r = flow.residualOf(p.bearing, at, view, &byInverseDepth);
         if (!J)
             return r;
-        flow.evaluate(p.bearing, values, byValues);
+        flow.evaluate(p.bearing, at, byValues);
         for (int axis = 0; axis < 2; axis++)
         {
             const double *by = byValues + axis * FLOW_VALUES, byDepth = axis == 0 ? byInverseDepth.x : byInverseDepth.y;

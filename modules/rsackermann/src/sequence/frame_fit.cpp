@@ -70,12 +70,13 @@ public:
     void refineWithNoise(Minimum& m)
     {
         std::vector<Point2d> weak, residuals, byDeviation;
+        const FlowResidual::Values values(m.at.data());
         for (const TrackedBearing& s : bearings)
         {
-            const FlowResidual::View view = residual.predict(s, m.at.data());
+            const FlowResidual::View view = residual.predict(s, values);
             weak.push_back(s.weak);
-            residuals.push_back(residual.residualOf(s, m.at.data(), view));
-            byDeviation.push_back(pixelsOfDeviation(residual, s, m.at.data(), unit, view));
+            residuals.push_back(residual.residualOf(s, values, view));
+            byDeviation.push_back(pixelsOfDeviation(residual, s, values, unit, view));
         }
         pointWeights = weightsOf(weak, residuals, byDeviation);
         minimize(*this, MinimizerOptions(STEPS, 1e-3), m.at, m.equations);
@@ -120,11 +121,12 @@ public:
                 equations.information(k + AXES, k + AXES) = weight * interval * interval / 2;
             }
         }
+        const FlowResidual::Values values(u.data());
         rsackermann::addPoints<UNKNOWNS>(
             bearings, pointWeights, 1,
             [&](const TrackedBearing& s, Eigen::Matrix<double, UNKNOWNS, 2>& J) {
                 FlowGradient byValues;
-                const Point2d r = residual.evaluate(s, u.data(), byValues.data());
+                const Point2d r = residual.evaluate(s, values, byValues.data());
                 const int first = firstOf(s);
                 J.setZero();
                 J.row(first) = byValues.row(SEQUENCE_YAW_RATE) / intervalOf(s);
@@ -158,11 +160,12 @@ public:
     {
         enum { TURNS = FLOW_YAW_CHANGE - FLOW_PITCH_BEFORE, OTHERS = TURNS + 2, ALL = FLOW_VALUES + OTHERS };
         NormalEquations<ALL> equations;
+        const FlowResidual::Values values(m.at.data());
         rsackermann::addPoints<ALL>(
             bearings, pointWeights, 1,
             [&](const TrackedBearing& s, Eigen::Matrix<double, ALL, 2>& J) {
                 FlowGradient byValues;
-                const Point2d r = residual.evaluate(s, m.at.data(), byValues.data());
+                const Point2d r = residual.evaluate(s, values, byValues.data());
                 // In an interval that is longer a slower car has gone as far.
                 const Eigen::RowVector2d byInterval = m.at[SEQUENCE_YAW_RATE] * byValues.row(SEQUENCE_YAW_RATE) +
                                                       m.at[SEQUENCE_SPEED] * byValues.row(SEQUENCE_SPEED);
@@ -214,10 +217,11 @@ private:
     std::vector<double> weightsByPoints(const Unknowns& u) const
     {
         const CauchyLoss loss(1);
+        const FlowResidual::Values values(u.data());
         std::vector<double> ofPoints;
         for (size_t i = 0; i < bearings.size(); i++)
         {
-            const Point2d r = residual.evaluate(bearings[i], u.data(), 0), weighed(pointWeights[i] * Vec2d(r.x, r.y));
+            const Point2d r = residual.evaluate(bearings[i], values, 0), weighed(pointWeights[i] * Vec2d(r.x, r.y));
             ofPoints.push_back(loss.slope(weighed.dot(weighed)));
         }
         std::vector<double> weights;
@@ -241,9 +245,10 @@ private:
 
     void addPoints(const Unknowns& u, FlowEquations& equations) const
     {
+        const FlowResidual::Values values(u.data());
         rsackermann::addPoints<FLOW_VALUES>(
             bearings, pointWeights, scale,
-            [&](const TrackedBearing& s, FlowGradient& J) { return residual.evaluate(s, u.data(), J.data()); },
+            [&](const TrackedBearing& s, FlowGradient& J) { return residual.evaluate(s, values, J.data()); },
             equations);
     }
 
@@ -279,8 +284,9 @@ private:
 double expect(const FrameFitProblem& problem, const Unknowns& u, double focal, SequenceFit& fit)
 {
     ResidualShare share;
+    const FlowResidual::Values values(u.data());
     for (const TrackedBearing& s : problem.bearings)
-        share.add(s, norm(problem.residual.evaluate(s, u.data(), 0)), focal);
+        share.add(s, norm(problem.residual.evaluate(s, values, 0)), focal);
     fit.agreeing = share.count > 0 ? double(share.count) / double(share.count + share.others) : 0;
     fit.residual = share.value();
     // A motion has to explain more than its unknowns would by chance.

@@ -36,6 +36,9 @@ public:
     @return false if samples are missing. */
     bool meanRate(double begin, double end, double from, double to, Vec3d& rate) const;
 
+    //! How far it has turned since the first sample, radians, at a time that is covered.
+    Vec3d angleAt(double time) const;
+
     //! How far it has turned from one instant to a later one, radians. @return false if samples are missing.
     bool turn(double begin, double end, Vec3d& angle) const;
 
@@ -67,7 +70,6 @@ private:
 
     void integrate(size_t k);
     size_t before(double time) const;
-    Vec3d angleAt(double time) const;
 
     std::vector<Sample> samples;
     Noise noise;

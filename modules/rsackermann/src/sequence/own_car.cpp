@@ -11,10 +11,11 @@ std::vector<TrackedBearing> withoutOwnCar(const RollingShutterCamera& camera,
                                           const std::vector<TrackedBearing>& bearings, const double* values)
 {
     const FlowResidual residual(camera);
+    const FlowResidual::Values at(values);
     std::vector<TrackedBearing> kept;
     for (size_t i = 0; i < bearings.size(); i++)
     {
-        const Point2d r = residual.evaluate(bearings[i], values, 0) / POINT_SIGMA;
+        const Point2d r = residual.evaluate(bearings[i], at, 0) / POINT_SIGMA;
         if (!isOfOwnCar(bearings[i], r.dot(r)))
             kept.push_back(bearings[i]);
     }

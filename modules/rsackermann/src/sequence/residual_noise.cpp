@@ -58,8 +58,8 @@ PointNoise PointResiduals::noise(double least) const
     return result;
 }
 
-Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& point, const double* values, double unit,
-                          const FlowResidual::View& view)
+Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& point, const FlowResidual::Values& values,
+                          double unit, const FlowResidual::View& view)
 {
     Point2d byInverseDepth;
     residual.residualOf(point, values, view, &byInverseDepth);

@@ -52,8 +52,8 @@ struct PointResiduals
 
 /** Pixels by which a point is elsewhere in the other image if it is nearer than its plane by a usual deviation.
 @param unit seconds per unit of row time. */
-Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& point, const double* values, double unit,
-                          const FlowResidual::View& view);
+Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& point, const FlowResidual::Values& values,
+                          double unit, const FlowResidual::View& view);
 
 /** Weights of the points of a frame, by the noise that they show.
 @param weak of each.
