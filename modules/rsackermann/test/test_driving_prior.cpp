@@ -327,6 +327,18 @@ TEST(RSAckermann_DrivingPrior, state_of_a_sequence)
     EXPECT_NEAR(std::sqrt(squares / draws - sum / draws * sum / draws), sigma[SEQUENCE_SPEED], 0.3);
 }
 
+// The largest standard deviations of logarithms that are accepted.
+TEST(RSAckermann_DrivingPrior, state_if_nothing_is_known)
+{
+    Params params;
+    params.priorSpeedLogSigma = params.priorWallDistanceLogSigma = params.priorHeightLogSigma = 10;
+    params.priorWallRatioLogSigma = params.priorReadoutTimeLogSigma = params.wallDistanceLogSigma = 10;
+    ASSERT_NO_THROW(params.check());
+    SequenceVector mean, sigma;
+    stationaryState(simulation::paperCamera(), params, mean, sigma);
+    EXPECT_TRUE(checkRange(Mat(mean)) && checkRange(Mat(sigma))) << mean << sigma;
+}
+
 // Where the camera looks makes no difference to where the car and its street go.
 TEST(RSAckermann_DrivingPrior, azimuths_are_counted_from_the_heading)
 {

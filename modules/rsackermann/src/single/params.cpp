@@ -65,6 +65,12 @@ void AckermannEstimator::Params::read(const FileNode& fn)
     readFields(fn, "reverse_probability", reverseProbability, "harm_aversion", harmAversion);
 }
 
+// Of 10 two sigmas are a factor of 5e8: nothing is known, and the mean of the value, e^50 medians, is still a number.
+static void checkLogSigma(double value, const char* name)
+{
+    REJECT_IF(!(value > 0 && value <= 10), "%s is %g; a number above 0 and up to 10 is expected", name, value);
+}
+
 void AckermannEstimator::Params::check() const
 {
     REJECT_IF(model != MODEL_AUTO && model != MODEL_NONE && model != MODEL_1LA && model != MODEL_3LA &&
@@ -82,23 +88,25 @@ void AckermannEstimator::Params::check() const
     checkPositive(maxSpeed, "params.maxSpeed");
     checkNotNegative(wallDistance, "params.wallDistance", "unknown");
     checkNotNegative(wallDistanceLogSigma, "params.wallDistanceLogSigma", "exact");
+    if (wallDistanceLogSigma > 0)
+        checkLogSigma(wallDistanceLogSigma, "params.wallDistanceLogSigma");
     checkNotNegative(roadRatio, "params.roadRatio", "what is usual");
     checkNotNegative(gravitySigma, "params.gravitySigma", "exact");
     checkPositive(vehiclePitchSigma, "params.vehiclePitchSigma");
     checkNotNegative(wallDeviationSigma, "params.wallDeviationSigma", "unknown");
     checkPositive(priorYawRate, "params.priorYawRate");
     checkPositive(priorSpeed, "params.priorSpeed");
-    checkPositive(priorSpeedLogSigma, "params.priorSpeedLogSigma");
+    checkLogSigma(priorSpeedLogSigma, "params.priorSpeedLogSigma");
     checkPositive(priorWallDistance, "params.priorWallDistance");
-    checkPositive(priorWallDistanceLogSigma, "params.priorWallDistanceLogSigma");
+    checkLogSigma(priorWallDistanceLogSigma, "params.priorWallDistanceLogSigma");
     REJECT_IF(!(std::abs(priorSpeedWallCorrelation) < 1),
               "params.priorSpeedWallCorrelation is %g; a number between -1 and 1 is expected",
               priorSpeedWallCorrelation);
-    checkPositive(priorWallRatioLogSigma, "params.priorWallRatioLogSigma");
+    checkLogSigma(priorWallRatioLogSigma, "params.priorWallRatioLogSigma");
     checkPositive(priorReadoutTime, "params.priorReadoutTime");
-    checkPositive(priorReadoutTimeLogSigma, "params.priorReadoutTimeLogSigma");
+    checkLogSigma(priorReadoutTimeLogSigma, "params.priorReadoutTimeLogSigma");
     checkPositive(priorHeight, "params.priorHeight");
-    checkPositive(priorHeightLogSigma, "params.priorHeightLogSigma");
+    checkLogSigma(priorHeightLogSigma, "params.priorHeightLogSigma");
     checkProbability(standingProbability, "params.standingProbability");
     REJECT_IF(!(reverseProbability > 0 && reverseProbability <= 1),
               "params.reverseProbability is %g; a number above 0 and up to 1 is expected", reverseProbability);

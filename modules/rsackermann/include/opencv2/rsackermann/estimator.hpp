@@ -94,7 +94,7 @@ public:
         //! the only one that is seen; 0: unknown (default)
         CV_PROP_RW double wallDistance;
         //! Standard deviation of the logarithm of wallDistance: facades aren't plane, and cars don't keep their
-        //! distance. Where road and walls contradict the distance, they count. 0: exact; default 0.1
+        //! distance. Where road and walls contradict the distance, they count. 0: exact; at most 10, default 0.1
         CV_PROP_RW double wallDistanceLogSigma;
         //! Distance of the left (or only) wall over the camera's height, assumed if one of them is unknown; 0
         //! (default): priorWallDistance over priorHeight. Without effect if scaleFromRoad finds it
@@ -114,7 +114,7 @@ public:
         CV_PROP_RW double wallDeviationSigma;
         /** @name The prior on motion and street, where nothing is given
         A sequence begins with the mean and the variance of the same distributions and returns to them without
-        evidence: doc/theory.md, "Prior".
+        evidence: doc/theory.md, "Prior". Standard deviations of logarithms are at most 10.
         @{ */
         //! Radians per second; scale of Student's t distribution with two degrees of freedom of the yaw rate: half of
         //! all are below 0.82 of it. Default 5 degrees per second
