@@ -474,6 +474,68 @@ TEST(RSAckermann_Calibration, frames_are_kept_evenly)
     EXPECT_EQ(added, calibrator->calibrate().frames);
 }
 
+// Of a log whose signs are wrong, and of whatever comes after it.
+TEST(RSAckermann_Calibration, contrary_and_contradicted_frames_are_those_of_the_drive)
+{
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+    const auto add = [&](int sign) {
+        StreetDrive street(mounted(1), ROLL, PITCH, StreetDrive::Options(), 2);
+        RNG rng(1);
+        for (int i = 0; i < 40; i++)
+        {
+            const StreetDrive::Frame f = street.frame(i / 30., 1 / 30.);
+            MotionPrior log = logOf(f, rng);
+            log.speed *= sign;
+            calibrator->addPoints(f.points, f.segments, f.seconds, log);
+        }
+        return calibrator->calibrate();
+    };
+    const std::function<void()> beginnings[] = {[&] { calibrator->clear(); },
+                                                [&] { calibrator->setParams(calibrator->getParams()); }};
+    const MountCalibration expected = add(1);
+    EXPECT_EQ(0, expected.contraryFrames);
+    for (const std::function<void()>& begin : beginnings)
+    {
+        begin();
+        const MountCalibration wrong = add(-1);
+        EXPECT_GT(wrong.contraryFrames, 20);
+        EXPECT_GT(wrong.contradictedFrames, 20);
+        begin();
+        const MountCalibration right = add(1);
+        EXPECT_EQ(0, right.contraryFrames);
+        EXPECT_EQ(expected.contradictedFrames, right.contradictedFrames);
+    }
+}
+
+// Azimuths are counted from the optical axis, whichever way it points.
+TEST(RSAckermann_Calibration, heading_of_a_camera_that_leans)
+{
+    const double roll = 6 * degree, pitch = -7 * degree;
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+    drive(*calibrator, StreetDrive(mounted(1), roll, pitch, StreetDrive::Options(), 2), 200, true);
+    const MountCalibration c = calibrator->calibrate();
+    EXPECT_NEAR(roll / degree, c.roll / degree, 0.15);
+    EXPECT_NEAR(pitch / degree, c.pitch / degree, 0.15);
+    EXPECT_NEAR(HEADING / degree, c.heading / degree, 0.15);
+    EXPECT_EQ(c.heading, c.camera.heading);
+}
+
+// What a focal length that isn't exact changes is part of the standard deviations.
+TEST(RSAckermann_Calibration, sigmas_have_that_of_the_focal_length)
+{
+    MountCalibration found[2];
+    for (int i = 0; i < 2; i++)
+    {
+        RollingShutterCamera camera = guess();
+        camera.focalSigma = i * 0.05 * camera.cameraMatrix(0, 0);
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+        drive(*calibrator, StreetDrive(mounted(1), ROLL, PITCH, StreetDrive::Options(), 2), 100, true);
+        found[i] = calibrator->calibrate();
+    }
+    EXPECT_GT(found[1].pitchSigma, 1.03 * found[0].pitchSigma);
+    EXPECT_GT(found[1].lineDelaySigma, 1.2 * found[0].lineDelaySigma);
+}
+
 TEST(RSAckermann_Calibration, nothing_moves)
 {
     const RollingShutterCamera camera = exampleCamera();

@@ -831,6 +831,74 @@ TEST(RSAckermann_EstimatorParams, defaults)
     EXPECT_NO_THROW(exampleEstimatorParams().check());
 }
 
+// Whatever may be set changes what some image shows, of a camera of which much or little is known.
+TEST(RSAckermann_EstimatorParams, each_has_an_effect)
+{
+    const Simulator simulator = twoWalls.simulator();
+    const Segments segments = makeSegments(simulator, 120, 0.7, 0.5, 3);
+    RollingShutterCamera cameras[4];
+    std::fill(cameras, cameras + 4, simulator.camera);
+    cameras[0].height = cameras[2].height = 0;
+    cameras[1].height = cameras[3].height = 1.5;
+    cameras[2].lineDelay = 0;
+    const double distances[] = {2.5, 0, 0, 2.5};
+    const auto valuesOf = [&](const std::function<void(Params&)>& change) {
+        String all;
+        for (int i = 0; i < 4; i++)
+            for (const int model : {MODEL_AUTO, MODEL_4LA})
+            {
+                Params p;
+                p.wallDistance = distances[i];
+                p.model = model;
+                change(p);
+                FileStorage file(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+                AckermannEstimator::create(cameras[i], p)->estimate(segments.ends).write(file);
+                all += file.releaseAndGetString();
+            }
+        return all;
+    };
+    struct Change
+    {
+        const char* name;
+        std::function<void(Params&)> make;
+    };
+    const Change changes[] = {{"minLength", [](Params& p) { p.minLength = 60; }},
+                              {"maxSlant", [](Params& p) { p.maxSlant = 0.02; }},
+                              {"slantTolerance", [](Params& p) { p.slantTolerance = 0.01; }},
+                              {"minCandidates", [](Params& p) { p.minCandidates = 1000; }},
+                              {"threshold", [](Params& p) { p.threshold = 0.3; }},
+                              {"confidence", [](Params& p) { p.confidence = 0.1; }},
+                              {"maxIterations", [](Params& p) { p.maxIterations = 1; }},
+                              {"seed", [](Params& p) { p.seed = 5; }},
+                              {"maxYawRate", [](Params& p) { p.maxYawRate = 0.2; }},
+                              {"maxSpeed", [](Params& p) { p.maxSpeed = 5; }},
+                              {"wallDistance", [](Params& p) { p.wallDistance = 4; }},
+                              {"wallDistanceLogSigma", [](Params& p) { p.wallDistanceLogSigma = 0.5; }},
+                              {"roadRatio", [](Params& p) { p.roadRatio = 5; }},
+                              {"scaleFromRoad", [](Params& p) { p.scaleFromRoad = true; }},
+                              {"gravitySigma", [](Params& p) { p.gravitySigma = 0.003; }},
+                              {"vehiclePitchSigma", [](Params& p) { p.vehiclePitchSigma = 0.1; }},
+                              {"wallDeviationSigma", [](Params& p) { p.wallDeviationSigma = 0.02; }},
+                              {"priorYawRate", [](Params& p) { p.priorYawRate = 1; }},
+                              {"priorSpeed", [](Params& p) { p.priorSpeed = 4; }},
+                              {"priorSpeedLogSigma", [](Params& p) { p.priorSpeedLogSigma = 0.3; }},
+                              {"priorWallDistance", [](Params& p) { p.priorWallDistance = 40; }},
+                              {"priorWallDistanceLogSigma", [](Params& p) { p.priorWallDistanceLogSigma = 0.3; }},
+                              {"priorWallRatioLogSigma", [](Params& p) { p.priorWallRatioLogSigma = 0.2; }},
+                              {"priorSpeedWallCorrelation", [](Params& p) { p.priorSpeedWallCorrelation = 0; }},
+                              {"priorHeight", [](Params& p) { p.priorHeight = 3; }},
+                              {"priorHeightLogSigma", [](Params& p) { p.priorHeightLogSigma = 1; }},
+                              {"priorReadoutTime", [](Params& p) { p.priorReadoutTime = 0.01; }},
+                              {"priorReadoutTimeLogSigma", [](Params& p) { p.priorReadoutTimeLogSigma = 0.2; }},
+                              {"standingProbability", [](Params& p) { p.standingProbability = 0.99; }},
+                              {"reverseProbability", [](Params& p) { p.reverseProbability = 0.5; }},
+                              {"harmAversion", [](Params& p) { p.harmAversion = 10; }}};
+    const String plain = valuesOf([](Params&) {});
+    EXPECT_TRUE(plain == valuesOf([](Params&) {}));
+    for (const Change& change : changes)
+        EXPECT_TRUE(plain != valuesOf(change.make)) << change.name;
+}
+
 TEST(RSAckermann_EstimatorParams, set_and_get)
 {
     const Ptr<AckermannEstimator> estimator = AckermannEstimator::create(simulation::paperCamera());
@@ -870,6 +938,7 @@ const BadField badFields[] = {
     BadField("wallDistance", [](Params& p) { p.wallDistance = NaN; }),
     BadField("wallDistanceLogSigma", [](Params& p) { p.wallDistanceLogSigma = -1; }),
     BadField("wallDistanceLogSigma", [](Params& p) { p.wallDistanceLogSigma = NaN; }),
+    BadField("wallDistanceLogSigma", [](Params& p) { p.wallDistanceLogSigma = 10.1; }),
     BadField("roadRatio", [](Params& p) { p.roadRatio = -1; }),
     BadField("roadRatio", [](Params& p) { p.roadRatio = NaN; }),
     BadField("gravitySigma", [](Params& p) { p.gravitySigma = -0.1; }),
@@ -884,19 +953,24 @@ const BadField badFields[] = {
     BadField("priorSpeed", [](Params& p) { p.priorSpeed = NaN; }),
     BadField("priorSpeedLogSigma", [](Params& p) { p.priorSpeedLogSigma = 0; }),
     BadField("priorSpeedLogSigma", [](Params& p) { p.priorSpeedLogSigma = NaN; }),
+    BadField("priorSpeedLogSigma", [](Params& p) { p.priorSpeedLogSigma = 10.1; }),
     BadField("priorWallDistance", [](Params& p) { p.priorWallDistance = 0; }),
     BadField("priorWallDistance", [](Params& p) { p.priorWallDistance = NaN; }),
     BadField("priorWallDistanceLogSigma", [](Params& p) { p.priorWallDistanceLogSigma = 0; }),
     BadField("priorWallDistanceLogSigma", [](Params& p) { p.priorWallDistanceLogSigma = NaN; }),
+    BadField("priorWallDistanceLogSigma", [](Params& p) { p.priorWallDistanceLogSigma = 10.1; }),
     BadField("priorSpeedWallCorrelation", [](Params& p) { p.priorSpeedWallCorrelation = 1; }),
     BadField("priorSpeedWallCorrelation", [](Params& p) { p.priorSpeedWallCorrelation = NaN; }),
     BadField("priorHeight", [](Params& p) { p.priorHeight = 0; }),
     BadField("priorHeight", [](Params& p) { p.priorHeight = NaN; }),
     BadField("priorHeightLogSigma", [](Params& p) { p.priorHeightLogSigma = 0; }),
     BadField("priorHeightLogSigma", [](Params& p) { p.priorHeightLogSigma = NaN; }),
+    BadField("priorHeightLogSigma", [](Params& p) { p.priorHeightLogSigma = 10.1; }),
     BadField("priorWallRatioLogSigma", [](Params& p) { p.priorWallRatioLogSigma = 0; }),
+    BadField("priorWallRatioLogSigma", [](Params& p) { p.priorWallRatioLogSigma = 10.1; }),
     BadField("priorReadoutTime", [](Params& p) { p.priorReadoutTime = 0; }),
     BadField("priorReadoutTimeLogSigma", [](Params& p) { p.priorReadoutTimeLogSigma = NaN; }),
+    BadField("priorReadoutTimeLogSigma", [](Params& p) { p.priorReadoutTimeLogSigma = 10.1; }),
     BadField("standingProbability", [](Params& p) { p.standingProbability = 0; }),
     BadField("standingProbability", [](Params& p) { p.standingProbability = 1; }),
     BadField("standingProbability", [](Params& p) { p.standingProbability = NaN; }),

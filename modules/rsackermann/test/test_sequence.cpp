@@ -627,6 +627,28 @@ TEST_P(Scans, states_of_frames_whose_times_jitter_have_true_sigmas)
     }
 }
 
+// Of times with errors an interval has those of both of its ends.
+TEST(RSAckermann_Sequence, noise_of_the_clock_is_that_of_intervals)
+{
+    const double interval = 1. / 30, jitter = 0.002;
+    RNG rng(4);
+    double sum = 0;
+    const int drives = 20;
+    for (int i = 0; i < drives; i++)
+    {
+        ClockNoise noise(1e9);
+        double before = 0;
+        for (int frame = 0; frame < 2000; frame++)
+        {
+            const double error = rng.gaussian(jitter), given = interval + error - before;
+            noise.add(12 * interval / given, given);
+            before = error;
+        }
+        sum += noise.sigma();
+    }
+    EXPECT_NEAR(std::sqrt(2.) * jitter / interval, sum / drives, 0.005);
+}
+
 TEST(RSAckermann_Sequence, noise_of_the_clock_is_finite_beside_rest)
 {
     for (const Vec3d& speeds : {Vec3d(0, 10, 0), Vec3d(10, 0, 10), Vec3d(10, -10, 10), Vec3d(0, 0, 0)})

@@ -708,6 +708,39 @@ TEST(RSAckermann_Gyro, rows_follow_what_shakes_fast)
     }
 }
 
+// A bias that is found turns no rows, neither before nor after the reference row.
+TEST(RSAckermann_Gyro, rows_without_bias)
+{
+    RNG rng(7);
+    const Turning turning(rng);
+    const TrueGyro truth = {0, 0.05 * DEGREE, Vec3d(2, -3, 1) * DEGREE, Vec3d(), 1};
+    const int frames = 120;
+    Mat times, values;
+    measure(turning, truth, frames * INTERVAL, rng, times, values);
+    GyroRates gyro;
+    GyroSigmas sigmas;
+    sigmas.delay = 1e-4;
+    gyro.setSigmas(sigmas);
+    gyro.samples.add(times, values);
+    for (int k = 1; k <= frames; k++)
+        gyro.add(turnOfPoints(turning, k, 0.1 * DEGREE, rng));
+    for (int k = frames / 2; k <= frames; k += 5)
+    {
+        const double seconds = k * INTERVAL;
+        CameraRates rates;
+        ASSERT_TRUE(gyro.at(seconds, IMAGE, rates));
+        const Mat curve = gyro.curve(seconds, rates, IMAGE.from, IMAGE.to, Matx33d::eye());
+        ASSERT_GT(curve.rows, 2);
+        for (int i = 0; i < curve.rows; i++)
+        {
+            const double later = IMAGE.from + (IMAGE.to - IMAGE.from) * i / (curve.rows - 1);
+            const Vec3d got = Vec3d(curve.ptr<double>(i)) + rates.value * later;
+            EXPECT_LT(cv::norm(got - (turning.angle(seconds + later) - turning.angle(seconds))), 0.01 * DEGREE)
+                << k << " " << i;
+        }
+    }
+}
+
 //! Mean squares of the errors of pitch, roll and yaw rate, (rad/s)^2, over frames that are corrected one after another.
 Vec3d errorsOf(const Ptr<RollingShutterCorrector>& corrector, const ShakingCamera& shaking, int frames, int from)
 {

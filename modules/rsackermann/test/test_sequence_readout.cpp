@@ -84,6 +84,19 @@ TEST(RSAckermann_Readout, is_found_over_the_given_one)
     EXPECT_GT(global.error(), 0);
 }
 
+// Verticals that a camera passes which looks aside lean, too.
+TEST(RSAckermann_Readout, of_a_camera_that_looks_aside)
+{
+    for (const double heading : {-0.8, 0.6})
+    {
+        RollingShutterCamera truth = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT),
+                             given = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT / 2);
+        truth.heading = given.heading = heading;
+        const ReadoutRatio found = ratioOf(truth, given, 60);
+        EXPECT_NEAR(2, found.value(), 0.5) << heading;
+    }
+}
+
 // Verticals beside points that move otherwise count as little as these.
 TEST(RSAckermann_Readout, of_trucks_does_not_count)
 {

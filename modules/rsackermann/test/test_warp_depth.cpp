@@ -577,6 +577,24 @@ TEST(RSAckermann_WarpDepth, parts_of_the_image)
     EXPECT_LE(Result::difference(gotOwn.map1, own.map1(part)), 5e-4);
 }
 
+// What hides is near what it hides: in a part of an image the same is hidden.
+TEST(RSAckermann_WarpDepth, hidden_in_parts_of_the_image)
+{
+    const Boxes boxes;
+    const Result whole(boxes.camera, false, boxes.motion, DepthMap(boxes.values, DEPTH_CORRECTED));
+    const Rect hidden = boundingRect(whole.mask == MASK_HIDDEN), all(Point(), boxes.values.size()),
+               part = Rect(hidden.x - 30, hidden.y - 30, hidden.width + 60, hidden.height + 60) & all;
+    ASSERT_LT(part.area(), all.area());
+    WarpMapGenerator::Params params;
+    params.newSize = part.size();
+    params.newCameraMatrix = boxes.camera.cameraMatrix;
+    params.newCameraMatrix(0, 2) -= part.x;
+    params.newCameraMatrix(1, 2) -= part.y;
+    const Result got(boxes.camera, false, boxes.motion, DepthMap(boxes.values(part), DEPTH_CORRECTED), params);
+    EXPECT_GT(countNonZero(got.mask == MASK_HIDDEN), 100);
+    EXPECT_LE(countNonZero(got.mask != whole.mask(part)), 20);
+}
+
 // No place in an image of one column has four pixels around it.
 TEST(RSAckermann_WarpDepth, one_column)
 {
