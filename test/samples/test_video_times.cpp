@@ -49,8 +49,9 @@ cv::Mat frameOf(int i)
 }
 
 // A video of JPEG images with times of its frames that OpenCV can't write: of its own choice.
+// @param ofFrame milliseconds that a frame is said to last; 0: nothing is said.
 void writeMatroska(const std::string& path, const std::vector<int>& milliseconds, double wholeDuration,
-                   const cv::Size& size = streetImage().size())
+                   const cv::Size& size = streetImage().size(), int ofFrame = 0)
 {
     std::string blocks = number("\xE7", 0);
     for (size_t i = 0; i < milliseconds.size(); i++)
@@ -66,6 +67,7 @@ void writeMatroska(const std::string& path, const std::vector<int>& milliseconds
     const std::string info = number("\x2A\xD7\xB1", 1000000) + duration(wholeDuration);
     const std::string track =
         number("\xD7", 1) + number("\x73\xC5", 1) + number("\x83", 1) + element("\x86", "V_MJPEG") +
+        (ofFrame > 0 ? number("\x23\xE3\x83", unsigned(ofFrame) * 1000000) : std::string()) +
         element("\xE0", number("\xB0", unsigned(size.width)) + number("\xBA", unsigned(size.height)));
     writeContent(path, element("\x1A\x45\xDF\xA3", header) +
                            element("\x18\x53\x80\x67", element("\x15\x49\xA9\x66", info) +
@@ -125,6 +127,21 @@ TEST_F(VideoTimes, rate_that_varies)
     ASSERT_EQ(0, run({"--log=" + (in_ / "log.csv")}).exitCode);
     for (size_t i = 0; i < times.size(); i++)
         EXPECT_EQ(i != 3, report()[i]["alpha"] == lines[i]["alpha"]) << i;
+}
+
+// Frames that are late by less than an interval are late, too, as are those after them.
+TEST_F(VideoTimes, break_in_an_even_rate)
+{
+    std::vector<int> times;
+    for (int i = 0; i < 24; i++)
+        times.push_back(40 * i + (i < 12 ? 0 : 25));
+    writeMatroska(in_ / "drive.mkv", times, 1000, streetImage().size(), 40);
+    ASSERT_NEAR(25, cv::VideoCapture(in_ / "drive.mkv").get(cv::CAP_PROP_FPS), 2);
+    ASSERT_EQ(0, run().exitCode);
+    const std::vector<Json> lines = report();
+    ASSERT_EQ(times.size(), lines.size());
+    for (size_t i = 0; i < times.size(); i++)
+        EXPECT_NEAR(times[i] / 1000., lines[i]["time_s"].get<double>(), 2e-3) << i;
 }
 
 // Of frames in equal distances times that are rounded to milliseconds are those of the rate.

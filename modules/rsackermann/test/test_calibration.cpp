@@ -536,6 +536,23 @@ TEST(RSAckermann_Calibration, sigmas_have_that_of_the_focal_length)
     EXPECT_GT(found[1].lineDelaySigma, 1.2 * found[0].lineDelaySigma);
 }
 
+// So is what is not known of the times, while the line delay is still observed.
+TEST(RSAckermann_Calibration, sigma_of_the_line_delay_has_that_of_the_times)
+{
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+    StreetDrive street(mounted(1), ROLL, PITCH, StreetDrive::Options(), 2);
+    RNG rng(3);
+    for (int i = 0; i < 200; i++)
+    {
+        const StreetDrive::Frame f = street.frame(i / 30., 1 / 30.);
+        calibrator->addPoints(f.points, f.segments, f.seconds + rng.gaussian(0.0015), logOf(f, rng));
+    }
+    const MountCalibration c = calibrator->calibrate();
+    EXPECT_TRUE(c.lineDelayObserved);
+    EXPECT_GT(c.intervalSigma, 0.04);
+    EXPECT_GT(c.lineDelaySigma, c.intervalSigma * c.lineDelay);
+}
+
 TEST(RSAckermann_Calibration, nothing_moves)
 {
     const RollingShutterCamera camera = exampleCamera();
