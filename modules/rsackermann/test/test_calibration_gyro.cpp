@@ -115,6 +115,21 @@ TEST(RSAckermann_CalibrationWithGyro, line_delay_clock_and_focal_length)
         EXPECT_GE(within[k], drives - 2) << k;
 }
 
+// The rows of line delays that are tried may turn for longer than those of the given one.
+TEST(RSAckermann_CalibrationWithGyro, line_delay_that_was_far_off)
+{
+    for (const double ratio : {0.35, 2.})
+    {
+        RNG rng(600);
+        const RollingShutterCamera truth = camera(0.025);
+        const StreetDrive street(truth, 1.2 * degree, -0.8 * degree, shaking(0.4 * degree), 80);
+        const Gyro gyro(street, 0.005, rng);
+        const MountCalibration c = calibrate(given(truth, ratio), street, &gyro);
+        ASSERT_TRUE(c.lineDelayObserved) << ratio;
+        EXPECT_NEAR(1, c.lineDelay / truth.lineDelay, 0.03) << ratio;
+    }
+}
+
 // Nothing is left of a focal length that isn't exact.
 TEST(RSAckermann_CalibrationWithGyro, focal_length_that_is_not_exact)
 {

@@ -16,12 +16,17 @@ RowTurns::RowTurns(const GyroSamples& samples_, const GyroAlignment& alignment_,
     for (const TrackedBearing& point : bearings)
         middle += point.timeNow / double(bearings.size());
     now.seconds = seconds + alignment.delay + unit * middle;
+    // Line delays that are tried may be many times as long.
     const RowSpan rows(camera);
     const double readOut = rows.to - rows.from;
-    covered = Vec2d(now.seconds - interval - readOut, now.seconds + readOut);
-    if (!samples_.covers(covered[0], covered[1]))
+    for (double reach = 16 * readOut; reach >= readOut && !samples; reach /= 2)
+    {
+        covered = Vec2d(now.seconds - interval - reach, now.seconds + reach);
+        if (samples_.covers(covered[0], covered[1]))
+            samples = &samples_;
+    }
+    if (!samples)
         return;
-    samples = &samples_;
     delayBy(0);
 }
 
