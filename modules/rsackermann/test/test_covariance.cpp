@@ -121,7 +121,7 @@ TEST_P(RSAckermann_Covariance, is_that_of_the_errors)
         camera.lineDelay *= delayScale;
         camera.lineDelaySigma = knowledge.delayNoise * camera.lineDelay;
         AckermannEstimator::Params params;
-        params.wallDistance = left;
+        params.wallDistance = left * std::exp(rng.gaussian(params.wallDistanceLogSigma));
         params.gravitySigma = tilt;
         MotionPrior prior;
         prior.speed = speed + rng.gaussian(knowledge.speedSigma);
