@@ -84,17 +84,42 @@ TEST(RSAckermann_Readout, is_found_over_the_given_one)
     EXPECT_GT(global.error(), 0);
 }
 
-// Verticals that a camera passes which looks aside lean, too.
+// Verticals that a camera passes which looks aside lean all to one side: as by a roll, which the given read-out lets
+// the first frames take for true.
 TEST(RSAckermann_Readout, of_a_camera_that_looks_aside)
 {
-    for (const double heading : {-0.8, 0.6})
+    for (const double heading : {-1.57, -1.2, -0.8, 0.6, 1.2, 1.57})
     {
         RollingShutterCamera truth = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT),
                              given = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT / 2);
         truth.heading = given.heading = heading;
         const ReadoutRatio found = ratioOf(truth, given, 60);
         EXPECT_NEAR(2, found.value(), 0.5) << heading;
+        EXPECT_NEAR(2, found.value(), 3 * found.sigma()) << heading;
     }
+}
+
+// What a state owes to the read-out goes the way of the state.
+TEST(RSAckermann_Readout, is_carried_with_the_state)
+{
+    const RollingShutterCamera camera = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT);
+    const AckermannEstimator::Params params;
+    SequenceState state(camera, params);
+    state.covariance(SEQUENCE_SPEED, SEQUENCE_LEFT) = state.covariance(SEQUENCE_LEFT, SEQUENCE_SPEED) = 0.05;
+    for (int i = 0; i < SEQUENCE_VALUES; i++)
+        state.byReadout[i] = 0.1 * (i + 1);
+    SequenceState other = state; // of a read-out that takes longer
+    const double step = 1e-3;
+    other.value += step * state.byReadout;
+    for (SequenceState* s : {&state, &other})
+    {
+        s->predict(0.5);
+        s->measure(SEQUENCE_SPEED, 12, 2);
+        s->change(camera, params, SEQUENCE_ROLL);
+    }
+    EXPECT_LE(cv::norm((other.value - state.value) * (1 / step), state.byReadout, NORM_INF), 1e-9);
+    EXPECT_GT(state.byReadout[SEQUENCE_LEFT], 0.05);
+    EXPECT_EQ(0, state.byReadout[SEQUENCE_PITCH]);
 }
 
 // Verticals beside points that move otherwise count as little as these.

@@ -199,13 +199,24 @@ public:
             covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>().transpose();
     }
 
-    ReadoutEvidence measureReadout(const Minimum& m, double about) const
+    // The predicted state depends on the ratio, too. Sets by how much that of the minimum does.
+    ReadoutEvidence measureReadout(const Minimum& m, double about, SequenceVector& byReadout) const
     {
-        const FlowEquations::Matrix covariance = scaledInverse(m.equations.symmetric());
-        SequenceMatrix ofState;
-        Eigen::Map<StateMatrix>(ofState.val) = covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>();
+        enum { RATIO = FLOW_VALUES };
+        FlowEquations ofVerticals;
+        addVerticals(m.at, ofVerticals);
+        Unknowns byRatio = Unknowns::Zero();
+        std::copy(byReadout.val, byReadout.val + SEQUENCE_VALUES, byRatio.data());
+        const Unknowns weighed = prior * byRatio;
+        ReadoutEquations others;
+        others.information.topLeftCorner<FLOW_VALUES, FLOW_VALUES>() =
+            m.equations.symmetric() - ofVerticals.symmetric();
+        others.information.row(RATIO).head<FLOW_VALUES>() = -weighed;
+        others.information(RATIO, RATIO) = weighed.dot(byRatio);
+        others.gradient.head<FLOW_VALUES>() = m.equations.gradient - ofVerticals.gradient;
+        others.gradient[RATIO] = -weighed.dot(m.at - expected);
         return rsackermann::measureReadout(camera, verticals, weightsByPoints(m.at), SequenceVector(m.at.data()),
-                                           ofState, about);
+                                           others, about, byReadout);
     }
 
     const std::vector<TrackedBearing>& bearings;
@@ -351,7 +362,7 @@ SequenceFit toFit(FrameFitProblem& problem, Minimum best, const FitNuisances& nu
     problem.measureTurns(best.at, fit.before, fit.after);
     problem.setState(best, nuisances, fit.state);
     fit.yawGrowthSigma = nuisances.yawGrowth;
-    fit.readout = problem.measureReadout(best, nuisances.readoutRatio);
+    fit.readout = problem.measureReadout(best, nuisances.readoutRatio, fit.state.byReadout);
     return fit;
 }
 

@@ -15,48 +15,61 @@ static const double DISTANCE_SIGMA = 0.1;
 
 ReadoutEvidence measureReadout(const RollingShutterCamera& camera, const std::vector<UprightSegment>& verticals,
                                const std::vector<double>& weights, const SequenceVector& state,
-                               const SequenceMatrix& covariance, double about)
+                               const ReadoutEquations& others, double about, SequenceVector& byReadout)
 {
-    typedef Eigen::Matrix<double, PARAMETERS, 1> Gradient;
+    enum { RATIO = FLOW_VALUES };
+    typedef Eigen::Matrix<double, PARAMETERS + 1, 1> Gradient; // by the model, and by the ratio
     struct Slant
     {
-        double value, byRatio; // in sigmas
-        Gradient byModel;
+        double value; // in sigmas
+        Gradient by;
     };
     const CauchyLoss loss(SLANT_SCALE, 1 / DEPENDENCE);
     Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const Model values = toModel(state, camera.secondsPerUnitTime(), &byValues);
     const PreparedModel model(values, camera.heading);
-    const Matx<double, PARAMETERS, PARAMETERS> ofModel = byValues * covariance * byValues.t();
-    const Eigen::Map<const Eigen::Matrix<double, PARAMETERS, PARAMETERS>> P(ofModel.val); // symmetric
     std::vector<Slant> slants(verticals.size());
     for (size_t i = 0; i < verticals.size(); i++)
     {
         Slant& s = slants[i];
-        s.value = slantInSigmas(verticals[i], model, camera.cameraMatrix(0, 0), s.byModel.data());
-        s.byRatio = 0;
+        s.value = slantInSigmas(verticals[i], model, camera.cameraMatrix(0, 0), s.by.data());
+        s.by[PARAMETERS] = 0;
         for (const Parameter rate : {P_ALPHA, P_B, P_D})
-            s.byRatio += s.byModel[rate] * values[rate];
+            s.by[PARAMETERS] += s.by[rate] * values[rate];
     }
-    // By how much the model gives way to another ratio depends on the weights, and they on it.
-    Gradient yields = Gradient::Zero();
+    ReadoutEquations::Matrix toModelAndRatio = ReadoutEquations::Matrix::Zero(); // the first rows
+    toModelAndRatio.topLeftCorner<PARAMETERS, SEQUENCE_VALUES>() =
+        Eigen::Map<const Eigen::Matrix<double, SEQUENCE_VALUES, PARAMETERS>>(byValues.val).transpose();
+    toModelAndRatio(PARAMETERS, RATIO) = 1;
+    const auto J = toModelAndRatio.topRows<PARAMETERS + 1>();
+    // By how much the state gives way to another ratio depends on the weights, and they on it.
+    ReadoutEquations::Vector way = ReadoutEquations::Vector::Zero();
+    std::copy(byReadout.val, byReadout.val + SEQUENCE_VALUES, way.data());
+    way[RATIO] = 1;
     ReadoutEvidence evidence;
     for (int step = 0; step < 3; step++)
     {
-        Gradient mixed = Gradient::Zero();
+        const Gradient ofModel = J * way;
+        NormalEquations<PARAMETERS + 1> sums;
         evidence = ReadoutEvidence();
         for (size_t i = 0; i < slants.size(); i++)
         {
             const Slant& s = slants[i];
-            const double byRatio = s.byRatio - s.byModel.dot(yields), slant = s.value + (about - 1) * byRatio,
+            const double slant = s.value + (about - 1) * s.by.dot(ofModel),
                          weight = weights[i] * loss.slope(slant * slant);
-            mixed += weight * s.byRatio * s.byModel;
+            sums.information += weight * s.by * s.by.transpose();
+            sums.gradient += weight * s.value * s.by;
             evidence.weight += weight;
-            evidence.information += weight * byRatio * byRatio;
-            evidence.weighed += weight * byRatio * (byRatio - s.value);
         }
-        yields = P * mixed;
+        const ReadoutEquations::Matrix information = others.symmetric() + J.transpose() * sums.information * J;
+        const ReadoutEquations::Vector gradient = others.gradient + J.transpose() * sums.gradient;
+        const Eigen::Matrix<double, FLOW_VALUES, FLOW_VALUES> ofState =
+            information.topLeftCorner<FLOW_VALUES, FLOW_VALUES>();
+        way.head<FLOW_VALUES>() = -scaledInverse(ofState) * information.col(RATIO).head<FLOW_VALUES>();
+        evidence.information = information.row(RATIO).dot(way);
+        evidence.weighed = evidence.information - gradient.dot(way);
     }
+    std::copy(way.data(), way.data() + SEQUENCE_VALUES, byReadout.val);
     return evidence;
 }
 

@@ -5,6 +5,7 @@
 #ifndef OPENCV_RSACKERMANN_SRC_SEQUENCE_READOUT_RATIO_HPP
 #define OPENCV_RSACKERMANN_SRC_SEQUENCE_READOUT_RATIO_HPP
 
+#include "../optim/normal_equations.hpp"
 #include "sequence_state.hpp"
 
 namespace cv { namespace rsackermann {
@@ -26,13 +27,17 @@ struct ReadoutEvidence
     }
 };
 
+//! Of the unknowns of a frame, and of the ratio.
+typedef NormalEquations<FLOW_VALUES + 1> ReadoutEquations;
+
 /** That of a frame, beside the uncertainty of its state (doc/theory.md, "Sequence").
 @param weights from 0 to 1, of the verticals.
-@param state a SequenceVector, with its covariance.
-@param about the ratio by which outliers are recognised. */
+@param others than slants: prior and points, at the state.
+@param about the ratio by which outliers are recognised.
+@param byReadout see SequenceState: that of the prediction, and then that of the state. */
 ReadoutEvidence measureReadout(const RollingShutterCamera& camera, const std::vector<UprightSegment>& verticals,
                                const std::vector<double>& weights, const SequenceVector& state,
-                               const SequenceMatrix& covariance, double about);
+                               const ReadoutEquations& others, double about, SequenceVector& byReadout);
 
 //! The read-out that a sequence shows, over that of the camera.
 class ReadoutRatio

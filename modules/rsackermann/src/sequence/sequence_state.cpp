@@ -24,6 +24,7 @@ void SequenceState::predict(double seconds)
     for (int i = 0; i < SEQUENCE_VALUES; i++)
         kept[i] = std::exp(-seconds / MEMORY[i]);
     value = stationary + kept.mul(value - stationary);
+    byReadout = kept.mul(byReadout);
     covariance = covariance.mul(kept * kept.t());
     for (int i = 0; i < SEQUENCE_VALUES; i++)
         covariance(i, i) += (1 - kept[i] * kept[i]) * stationarySigma[i] * stationarySigma[i];
@@ -36,6 +37,7 @@ void SequenceState::measure(SequenceValue which, double measured, double sigma)
     const SequenceVector column(covariance.col(which).val);
     const SequenceVector gain = column * (1 / (covariance(which, which) + sigma * sigma));
     value += gain * (measured - value[which]);
+    byReadout -= gain * byReadout[which];
     covariance -= gain * column.t();
 }
 
@@ -62,6 +64,7 @@ void SequenceState::change(const RollingShutterCamera& camera, const AckermannEs
     for (int i = 0; i < kept; i++)
     {
         value[i] = before.value[i];
+        byReadout[i] = before.byReadout[i];
         for (int j = 0; j < kept; j++)
             covariance(i, j) = before.covariance(i, j);
     }

@@ -21,6 +21,8 @@ struct SequenceState
 {
     SequenceVector value;
     SequenceMatrix covariance;
+    //! Derivative by the true read-out over the given one: slants have shown the state by the given one.
+    SequenceVector byReadout;
 
     //! The stationary state, before anything is seen.
     SequenceState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
