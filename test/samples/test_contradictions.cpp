@@ -133,27 +133,39 @@ TEST(Contradictions, speed_of_a_sequence)
         }
 }
 
-// Frames that are read in the other direction than given stay as they are as soon as that is known.
+// As soon as another read-out than the given one is known, frames stay as they are if that is longer, or in the other
+// direction; if it is shorter they are corrected by as much as it is.
 TEST(Contradictions, read_out_of_a_sequence)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(0, simulate({"--output=" + (folder / "drive"), "--frames=20", "--speed=40", "--readout=0.03"}).exitCode);
-    for (const char* scan : {"top_to_bottom", "bottom_to_top"})
+    const struct
     {
-        SCOPED_TRACE(scan);
-        const bool isWrong = scan[0] == 'b';
+        const char* option;
+        double ratio;
+    } given[] = {{"--readout=0.03", 1}, {"--scan=bottom_to_top", -1}, {"--readout=0.06", 0.5}, {"--readout=0.015", 2}};
+    double rawByTruth = 0;
+    for (const auto& g : given)
+    {
+        SCOPED_TRACE(g.option);
+        const bool isWrong = g.ratio != 1, isApplied = g.ratio >= 1;
         Outcome outcome;
         const std::vector<Json> lines =
-            linesOfReport({"--camera=" + (folder / "drive/camera.yml"), folder / "drive/frames",
-                           "--log=" + (folder / "drive/log.csv"), "--carry", std::string("--scan=") + scan},
+            linesOfReport({"--camera=" + (folder / "drive/camera.yml"), g.option, folder / "drive/frames",
+                           "--log=" + (folder / "drive/log.csv"), "--carry"},
                           outcome);
         ASSERT_EQ(20u, lines.size());
         EXPECT_TRUE(lines[13]["readout_ratio"].is_null());
         const Json &last = lines.back(), &first = lines[1];
-        EXPECT_NEAR(isWrong ? -1 : 1, last["readout_ratio"].get<double>(), 0.2);
+        EXPECT_NEAR(g.ratio, last["readout_ratio"].get<double>(), 0.2 * std::max(1., g.ratio));
         EXPECT_GT(last["readout_ratio_sigma"], 0);
         EXPECT_EQ("ok", first["status"]);
-        EXPECT_EQ(isWrong ? "not_significant" : "ok", last["status"]);
+        EXPECT_EQ(isApplied ? "ok" : "not_significant", last["status"]);
+        const double raw = last["expected_px_raw"], left = last["expected_px_left"];
+        rawByTruth += isWrong ? 0 : raw;
+        EXPECT_NEAR(rawByTruth, raw, 0.25 * rawByTruth);
+        EXPECT_NEAR(g.ratio == 1 ? 0 : g.ratio == 2 ? 0.5 : 1, left / raw, 0.2);
+        EXPECT_LT(last["probability_worse"].is_null() ? 0 : last["probability_worse"].get<double>(), 0.05);
         EXPECT_EQ(isWrong, outcome.messages.find("check --scan and --readout") != std::string::npos)
             << outcome.messages;
     }

@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_common.hpp"
 #include "test_drive_simulator.hpp"
+#include "../src/sequence/expected_displacement.hpp"
 #include "../src/sequence/sequence_filter.hpp"
 #include <numeric>
 
@@ -78,10 +79,10 @@ TEST(RSAckermann_Readout, is_found_over_the_given_one)
     }
     const ReadoutRatio reversed = ratioOf(truth, cameraOf(SCAN_BOTTOM_TO_TOP, READOUT), 60);
     EXPECT_NEAR(-1, reversed.value(), 0.3);
-    EXPECT_GT(reversed.error(), 1);
+    EXPECT_EQ(reversed.value(), reversed.contradiction());
     const ReadoutRatio global = ratioOf(cameraOf(SCAN_TOP_TO_BOTTOM, 1e-4 * READOUT), truth, 60);
     EXPECT_NEAR(0, global.value(), 0.3);
-    EXPECT_GT(global.error(), 0);
+    EXPECT_EQ(global.value(), global.contradiction());
 }
 
 // Verticals that a camera passes which looks aside lean all to one side: as by a roll, which the given read-out lets
@@ -122,6 +123,34 @@ TEST(RSAckermann_Readout, is_carried_with_the_state)
     EXPECT_EQ(0, state.byReadout[SEQUENCE_PITCH]);
 }
 
+// A correction by a read-out that is a part of the true one leaves the rest.
+TEST(RSAckermann_Readout, decides_whether_a_correction_helps)
+{
+    RNG rng(8);
+    const double given = 2, rest = 0.3; // pixels
+    for (const double ratio : {-1., 0., 0.4, 0.6, 1., 2.})
+    {
+        AckermannMotion motion;
+        motion.expectedRaw = given;
+        motion.expectedResidual = rest;
+        motion.probabilityWorse = 0;
+        expectReadout(ratio, motion);
+        double raw = 0, left = 0, worse = 0;
+        const int trials = 20000;
+        for (int i = 0; i < trials; i++)
+        {
+            const double truth = ratio * given + rng.gaussian(rest * std::sqrt(CV_PI / 2));
+            raw += std::abs(truth) / trials;
+            left += std::abs(truth - given) / trials;
+            worse += (std::abs(truth - given) > std::abs(truth)) / double(trials);
+        }
+        EXPECT_NEAR(raw, motion.expectedRaw, rest) << ratio;
+        EXPECT_NEAR(left, motion.expectedResidual, 0.1) << ratio;
+        EXPECT_NEAR(worse, motion.probabilityWorse, 0.02) << ratio;
+        EXPECT_EQ(ratio > 0.5, motion.expectedResidual < motion.expectedRaw) << ratio;
+    }
+}
+
 // Verticals beside points that move otherwise count as little as these.
 TEST(RSAckermann_Readout, of_trucks_does_not_count)
 {
@@ -144,7 +173,7 @@ TEST(RSAckermann_Readout, is_known_after_some_frames)
     for (const int frames : {0, 14, 15, 32, 33, 64, 65, 150})
     {
         const ReadoutRatio ratio = ratioOf(camera, camera, frames);
-        EXPECT_EQ(0, ratio.error()) << frames;
+        EXPECT_EQ(1, ratio.contradiction()) << frames;
         EXPECT_EQ(frames > 14, ratio.sigma() > 0) << frames;
         EXPECT_NEAR(1, ratio.value(), 0.1) << frames;
     }
@@ -198,7 +227,7 @@ TEST(RSAckermann_Readout, longer_than_the_interval_is_none)
         const bool isPossible = std::abs(shown) < longest;
         EXPECT_NEAR(isPossible ? shown : 1, ratio.value(), 1e-9);
         EXPECT_EQ(isPossible, ratio.sigma() > 0);
-        EXPECT_NEAR(shown == -1.1 ? 2.1 : 0, ratio.error(), 1e-9);
+        EXPECT_NEAR(shown == -1.1 ? -1.1 : 1, ratio.contradiction(), 1e-9);
     }
 }
 

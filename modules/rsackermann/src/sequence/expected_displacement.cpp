@@ -40,6 +40,17 @@ Model expectDisplacement(const DisplacementField& field, const RollingShutterCam
     return model;
 }
 
+void expectReadout(double ratio, AckermannMotion& motion)
+{
+    if (ratio == 1)
+        return;
+    const double given = motion.expectedRaw;
+    // Worse if the true displacement is less than half of the given one, by an error of more than the rest.
+    motion.probabilityWorse = DisplacementField::probabilityWorse((2 * ratio - 1) * given, motion.expectedResidual);
+    motion.expectedRaw = std::abs(ratio) * given;
+    motion.expectedResidual = std::hypot(motion.expectedResidual, (ratio - 1) * given);
+}
+
 void expectRowTurns(const DisplacementField& field, const RollingShutterCamera& camera, AckermannMotion& motion)
 {
     DisplacementField::Values displacement, none;

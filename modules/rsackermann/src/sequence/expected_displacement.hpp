@@ -18,6 +18,10 @@ the probability that this is worse.
 Model expectDisplacement(const DisplacementField& field, const RollingShutterCamera& camera, const SequenceState& state,
                          bool isTurnAlone, double residual, AckermannMotion& motion);
 
+/** Expects the displacements of a motion to be larger than those by the read-out that is given.
+@param ratio of the read-outs: a correction by the given one leaves its difference from 1. */
+void expectReadout(double ratio, AckermannMotion& motion);
+
 //! Adds to the displacements of a motion what its rates of pitch and roll do, as far as they aren't known.
 void expectRowTurns(const DisplacementField& field, const RollingShutterCamera& camera, AckermannMotion& motion);
 

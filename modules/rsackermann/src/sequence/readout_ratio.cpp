@@ -126,10 +126,9 @@ double ReadoutRatio::sigma() const
     return isPossible() ? scatter() : 0;
 }
 
-double ReadoutRatio::error() const
+double ReadoutRatio::contradiction() const
 {
-    const double difference = std::abs(value() - 1);
-    return sigma() > 0 && difference > CONTRADICTION * sigma() ? difference : 0;
+    return sigma() > 0 && std::abs(value() - 1) > CONTRADICTION * sigma() ? value() : 1;
 }
 
 }} // namespace cv::rsackermann

@@ -53,9 +53,8 @@ public:
     //! markings are all that looks like a vertical.
     double sigma() const;
 
-    //! The share of the displacement that a correction leaves if the read-out is wrong; 0 if the images don't
-    //! contradict it.
-    double error() const;
+    //! The same where the images contradict the given read-out, otherwise 1.
+    double contradiction() const;
 
 private:
     enum { MOST_PARTS = 16 };

@@ -427,8 +427,10 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     std::vector<Point2d> places;
     for (size_t i = 0; i < features.bearings.size(); i++)
         places.push_back(features.bearings[i].now);
-    return expectDisplacement(DisplacementField(camera, places), camera, fit.state, false,
-                              std::hypot(fit.residual, readout.error()), motion);
+    const Model model =
+        expectDisplacement(DisplacementField(camera, places), camera, fit.state, false, fit.residual, motion);
+    expectReadout(readout.contradiction(), motion);
+    return model;
 }
 
 void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<UprightSegment>& verticals,
@@ -514,6 +516,7 @@ bool SequenceEstimator::alignDepth(const Mat& segments, AckermannMotion& motion,
     expectWithDepth(camera, depth, found.scale, found.shift, toAlpha * found.covariance * toAlpha, places, changed);
     changed.expectedResidual = std::hypot(changed.expectedResidual, changed.expectedRaw * found.residual);
     changed.probabilityWorse = DisplacementField::probabilityWorse(changed.expectedRaw, changed.expectedResidual);
+    expectReadout(readout.contradiction(), changed);
     if (!(changed.expectedResidual < changed.expectedRaw))
         return false;
     motion = changed;
