@@ -125,6 +125,18 @@ TEST(CameraFiles, reference_of_each_shutter)
         }
 }
 
+// It is the time of all lines, whichever way they lie.
+TEST(CameraFiles, read_out_of_each_shutter)
+{
+    for (const std::string& scan : rsackermann_samples::SCAN_WORDS)
+    {
+        const rsackermann_samples::CameraSettings s = read(std::string(ROS) + "scan: " + scan + "\nreadout: 0.03\n");
+        const cv::Size size = s.size;
+        const int lines = scan.find("left") == std::string::npos ? size.height : size.width;
+        EXPECT_NEAR(0.03 / lines, s.makeCamera(size).lineDelay, 1e-12) << scan;
+    }
+}
+
 // What an option says is exact, and of all else the file's standard deviation stays.
 TEST(CameraFiles, options_replace_values_and_their_sigmas)
 {

@@ -133,6 +133,34 @@ TEST(Contradictions, speed_of_a_sequence)
         }
 }
 
+// Of a video one warning names the first frame, and how many there are more.
+TEST(Contradictions, frames_of_a_video_are_counted)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(
+        0, simulate({"--output=" + (folder / "drive"), "--frames=5", "--speed=40", "--left=6", "--right=8"}).exitCode);
+    const std::string path = folder / "drive.avi";
+    {
+        cv::VideoWriter video(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30, cv::Size(640, 380));
+        for (const std::string& name : namesIn(folder / "drive/frames"))
+            video.write(cv::imread(folder / "drive/frames/" + name));
+    }
+    for (const char* sigma : {"2", "10"})
+    {
+        Outcome outcome;
+        int first = -1, count = 0;
+        for (const Json& line : linesOfReport({"--camera=" + (folder / "drive/camera.yml"), path, "--carry",
+                                               "--speed=80", std::string("--speed_sigma=") + sigma},
+                                              outcome))
+            if (line["contradicts_prior"] == true && count++ == 0)
+                first = line["frame"];
+        EXPECT_GT(count, 0);
+        const std::string more = count > 1 ? cv::format(" and %d more", count - 1) : "",
+                          expected = cv::format("drive.avi: frame %d%s: ", first, more.c_str());
+        EXPECT_NE(std::string::npos, outcome.messages.find(expected)) << expected << outcome.messages;
+    }
+}
+
 // As soon as another read-out than the given one is known, frames stay as they are if that is longer, or in the other
 // direction; if it is shorter they are corrected by as much as it is.
 TEST(Contradictions, read_out_of_a_sequence)

@@ -85,13 +85,15 @@ protected:
 
 TemporaryFolder* CorrectDepth::folder_ = nullptr;
 
-void writeNpy(const std::string& path, const cv::Mat1f& values, const std::string& type = "<f4")
+// From version 2 on the header's length has four bytes.
+void writeNpy(const std::string& path, const cv::Mat1f& values, const std::string& type = "<f4", int version = 1)
 {
     std::string header = cv::format("{'descr': '%s', 'fortran_order': False, 'shape': (%d, %d), }", type.c_str(),
                                     values.rows, values.cols);
     header += std::string(117 - header.size(), ' ') + "\n";
     const std::string magic = "\x93NUMPY";
-    writeContent(path, magic + std::string("\x01\x00", 2) + char(header.size()) + std::string(1, '\0') + header +
+    writeContent(path, magic + char(version) + '\0' + char(header.size()) + std::string(version == 1 ? 1 : 3, '\0') +
+                           header +
                            std::string(reinterpret_cast<const char*>(values.data), values.total() * sizeof(float)));
 }
 
@@ -116,8 +118,11 @@ TEST_F(CorrectDepth, formats_and_kinds)
 {
     const TemporaryFolder folder;
     const cv::Mat1f depth = metres("rolling_depth.png");
-    writeNpy(folder / "depth.npy", depth);
-    EXPECT_LT(residual({"--depth=" + (folder / "depth.npy")}), 0.02);
+    for (int version = 1; version <= 3; version++)
+    {
+        writeNpy(folder / "depth.npy", depth, "<f4", version);
+        EXPECT_LT(residual({"--depth=" + (folder / "depth.npy")}), 0.02) << version;
+    }
 
     cv::Mat millimetres;
     cv::Mat(cv::min(depth, 65.f) * 1000).convertTo(millimetres, CV_16U);

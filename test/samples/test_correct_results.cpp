@@ -217,6 +217,20 @@ TEST_F(CorrectResults, going_on)
     EXPECT_EQ("precious", contentOf(out_ / "o/02.png"));
 }
 
+// The lines of other runs stay.
+TEST_F(CorrectResults, going_on_beside_others)
+{
+    putImages(1);
+    const std::string report = out_ / "report.jsonl", other = "{\"input\":\"elsewhere.png\",\"status\":\"ok\"}";
+    writeContent(report, other + "\n");
+    for (int i = 0; i < 2; i++)
+    {
+        ASSERT_EQ(0, correct(arguments({"--skip_existing"})).exitCode);
+        EXPECT_EQ(2u, linesOf(report).size());
+        EXPECT_EQ(1u, reportLines().count(other));
+    }
+}
+
 // Somebody else has written lines with this job's inputs, but values of other types.
 TEST_F(CorrectResults, going_on_with_lines_of_another_kind)
 {

@@ -206,6 +206,20 @@ TEST_P(CorrectorState, reset_and_clear_forget_every_history)
         }
 }
 
+// An image that comes again after a reset is the first one.
+TEST_P(CorrectorState, reset_forgets_the_last_image)
+{
+    const Sequence s;
+    const Ptr<Corrector> used = createCorrector(s.camera, GetParam()), unused = createCorrector(s.camera, GetParam());
+    Mat dst, expected;
+    for (int i = 0; i < 4; i++)
+        used->correctWithSegments(s.frame(i), s.segments, dst);
+    used->reset();
+    const AckermannMotion motion = used->correctWithSegments(s.frame(3), s.segments, dst);
+    expectSame(unused->correctWithSegments(s.frame(3), s.segments, expected), motion);
+    EXPECT_EQ(0, cvtest::norm(expected, dst, NORM_INF));
+}
+
 // getMaps() is of the last image, whatever the one before was.
 TEST_P(CorrectorState, maps_are_those_of_the_last_image)
 {
