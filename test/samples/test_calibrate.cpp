@@ -196,11 +196,21 @@ TEST_F(Calibrate, shaking_and_a_gyro_show_the_line_delay)
     EXPECT_NE(std::string::npos, outcome.output.find("used in 29 frames")) << outcome.output;
     EXPECT_NEAR(10, gyroDelay(outcome.output), 0.5);
     // Without a log the first image is at 0, where the renderer's clock begins.
+    // The focal length of the file isn't exact, and the gyro shows a better one.
+    const double focal = camera.K(0, 0);
+    camera.K(0, 0) *= 1.04;
+    camera.K(1, 1) *= 1.04;
+    camera.focalSigma = 0.05 * focal;
+    rsackermann_samples::writeCameraFile(folder_ / "focal.yml", camera);
     Arguments untimed = arguments;
     untimed.erase(untimed.begin() + 2);
+    untimed[1] = "--camera=" + (folder_ / "focal.yml");
     outcome = calibrate(untimed);
     EXPECT_NE(std::string::npos, outcome.output.find("used in 29 frames")) << outcome.output << outcome.messages;
     EXPECT_NEAR(10, gyroDelay(outcome.output), 0.5);
+    const CameraSettings found = readCamera(output_);
+    EXPECT_NEAR(focal, found.K(0, 0), 0.02 * focal);
+    EXPECT_NEAR(focal, found.K(0, 0), 3 * found.focalSigma);
     // In another order rows show none of the shaking.
     Arguments upwards = arguments;
     upwards.push_back("--scan=bottom_to_top");

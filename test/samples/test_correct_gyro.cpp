@@ -98,6 +98,7 @@ TEST_F(CorrectGyro, what_isnt_understood_is_refused)
     expectRefused("a.csv", header + "0,1,2,3\n1,0x1,2,3\n", "column yaw_rate_deg_s: '0x1' is not a number");
     expectRefused("a.csv", header + "0,1,2,3\n1,1,2,1e9\n", "column roll_rate_deg_s: 1e9 is not from");
     expectRefused("a.csv", header + "0,1,2,3\n0,1,2,3\n", "line 3");
+    expectRefused("a.csv", header + "0,1,2,3\r\n1,1,2,3\r\n\r\n1,1,2,3\r\n", "line 5"); // lines of Windows
     expectRefused("a.csv", header + "0,1,2,3\n0,1,2,3\n", "times must increase");
     expectRefused("a.csv", header + "0,1,2\n", "there are 3 cells, but 4 columns");
     expectRefused("a.csv", "time_s,yaw_rate,pitch_rate_deg_s,roll_rate_deg_s\n0,1,2,3\n", "column 2");

@@ -72,6 +72,19 @@ TEST_P(Detectors, segments_of_the_caller_s_type)
     EXPECT_EQ(0u, list.size());
 }
 
+TEST_P(Detectors, segments_are_as_long_as_asked_for)
+{
+    const Mat image = quadrilateral(CV_8UC1);
+    for (const double minLength : {10., 40., 100., 150., 200.})
+    {
+        std::vector<Vec4f> segments;
+        detectSegments(image, segments, GetParam(), minLength);
+        EXPECT_EQ(minLength < 155, !segments.empty()) << minLength;
+        for (const Vec4f& s : segments)
+            EXPECT_GE(std::hypot(s[2] - s[0], s[3] - s[1]), minLength - 1e-3);
+    }
+}
+
 //! Facades with noise as a 16-bit camera sees them: levels from low to high, noise with a hundredth of that as its
 //! deviation.
 Mat facades16(double low, double high, int seed = 5)

@@ -482,6 +482,20 @@ TEST(RSAckermann_Gyro, another_clock_is_not_made_up)
         }
 }
 
+// Whatever is taken off the times.
+TEST(RSAckermann_Gyro, samples_in_parts_are_in_order)
+{
+    const Mat rates(2, 3, CV_64F, Scalar(0.1));
+    for (const double origin : {0., 100., -100.})
+    {
+        GyroSamples samples;
+        samples.add((Mat_<double>(2, 1) << 100, 100.1), rates, origin);
+        EXPECT_THROW(samples.add((Mat_<double>(2, 1) << 100.1, 100.2), rates, origin), cv::Exception) << origin;
+        EXPECT_THROW(samples.add((Mat_<double>(2, 1) << 100.05, 100.2), rates, origin), cv::Exception) << origin;
+        samples.add((Mat_<double>(2, 1) << 100.11, 100.2), rates, origin);
+    }
+}
+
 // Of samples that also shake, by 30 deg/s at 7 Hz, and have a gap.
 TEST(RSAckermann_Gyro, noise_of_its_angles)
 {
