@@ -100,7 +100,22 @@ TEST(RSAckermann_Readout, of_a_camera_that_looks_aside)
     }
 }
 
-// What a state owes to the read-out goes the way of the state.
+// A camera that doesn't look quite where it is said to has its read-out nevertheless.
+TEST(RSAckermann_Readout, of_a_heading_that_is_not_exact)
+{
+    for (const double heading : {-1.57, 0., 1.})
+        for (const double error : {-4., 4.})
+        {
+            RollingShutterCamera truth = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT), given = truth;
+            truth.heading = heading;
+            given.heading = heading + error * CV_PI / 180;
+            const ReadoutRatio found = ratioOf(truth, given, 40);
+            EXPECT_NEAR(1, found.value(), 0.15) << heading << " " << error;
+            EXPECT_EQ(1, found.contradiction()) << heading << " " << error;
+        }
+}
+
+// What a state owes to the read-out and the heading goes the way of the state.
 TEST(RSAckermann_Readout, is_carried_with_the_state)
 {
     const RollingShutterCamera camera = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT);
@@ -108,19 +123,27 @@ TEST(RSAckermann_Readout, is_carried_with_the_state)
     SequenceState state(camera, params);
     state.covariance(SEQUENCE_SPEED, SEQUENCE_LEFT) = state.covariance(SEQUENCE_LEFT, SEQUENCE_SPEED) = 0.05;
     for (int i = 0; i < SEQUENCE_VALUES; i++)
-        state.byReadout[i] = 0.1 * (i + 1);
-    SequenceState other = state; // of a read-out that takes longer
+        for (int j = 0; j < CAMERA_VALUES; j++)
+            state.byCamera(i, j) = 0.1 * (i + 1) * (j + 1);
     const double step = 1e-3;
-    other.value += step * state.byReadout;
-    for (SequenceState* s : {&state, &other})
+    const SequenceState before = state;
+    for (int j = 0; j < CAMERA_VALUES; j++)
     {
-        s->predict(0.5);
-        s->measure(SEQUENCE_SPEED, 12, 2);
-        s->change(camera, params, SEQUENCE_ROLL);
+        state = before;
+        SequenceState other = before; // of another camera
+        for (int i = 0; i < SEQUENCE_VALUES; i++)
+            other.value[i] += step * before.byCamera(i, j);
+        for (SequenceState* s : {&state, &other})
+        {
+            s->predict(0.5);
+            s->measure(SEQUENCE_SPEED, 12, 2);
+            s->change(camera, params, SEQUENCE_ROLL);
+        }
+        for (int i = 0; i < SEQUENCE_VALUES; i++)
+            EXPECT_NEAR((other.value[i] - state.value[i]) / step, state.byCamera(i, j), 1e-9) << i << " " << j;
     }
-    EXPECT_LE(cv::norm((other.value - state.value) * (1 / step), state.byReadout, NORM_INF), 1e-9);
-    EXPECT_GT(state.byReadout[SEQUENCE_LEFT], 0.05);
-    EXPECT_EQ(0, state.byReadout[SEQUENCE_PITCH]);
+    EXPECT_GT(state.byCamera(SEQUENCE_LEFT, 0), 0.05);
+    EXPECT_EQ(0, state.byCamera(SEQUENCE_PITCH, 0));
 }
 
 // A correction by a read-out that is a part of the true one leaves the rest.
@@ -200,8 +223,8 @@ TEST(RSAckermann_Readout, sigma_is_that_of_parts)
         for (int k = 0; k < frames; k++)
         {
             ReadoutEvidence frame;
-            frame.information = rng.uniform(0.5, 1.5);
-            frame.weighed = frame.information * (0.7 + rng.gaussian(3));
+            frame.information(0, 0) = rng.uniform(0.5, 1.5);
+            frame.gradient[0] = frame.information(0, 0) * (1 - 0.7 + rng.gaussian(3));
             ratio.add(frame, 2);
         }
         const double byScene = 0.1, byParts = std::sqrt(ratio.sigma() * ratio.sigma() - byScene * byScene);
@@ -220,8 +243,8 @@ TEST(RSAckermann_Readout, longer_than_the_interval_is_none)
         for (int k = 0; k < 40; k++)
         {
             ReadoutEvidence frame;
-            frame.information = 100;
-            frame.weighed = shown * frame.information;
+            frame.information(0, 0) = 100;
+            frame.gradient[0] = (1 - shown) * frame.information(0, 0);
             ratio.add(frame, k % 2 ? 0.6 * longest : 1.4 * longest); // on average
         }
         const bool isPossible = std::abs(shown) < longest;

@@ -17,6 +17,8 @@ typedef NormalEquations<FLOW_VALUES> FlowEquations;
 typedef FlowEquations::Vector Unknowns;
 typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
 typedef Eigen::Matrix<double, SEQUENCE_VALUES, SEQUENCE_VALUES> StateMatrix;
+typedef Eigen::Matrix<double, SEQUENCE_VALUES, CAMERA_VALUES, Eigen::RowMajor> StateByCamera;
+typedef Eigen::Matrix<double, FLOW_VALUES, CAMERA_VALUES> CameraJacobian;
 
 struct Minimum
 {
@@ -199,24 +201,37 @@ public:
             covariance.topLeftCorner<SEQUENCE_VALUES, SEQUENCE_VALUES>().transpose();
     }
 
-    // The predicted state depends on the ratio, too. Sets by how much that of the minimum does.
-    ReadoutEvidence measureReadout(const Minimum& m, double about, SequenceVector& byReadout) const
+    // The predicted state depends on the camera's values, too. Sets by how much that of the minimum does.
+    ReadoutEvidence measureReadout(const Minimum& m, double about, SequenceState& state) const
     {
-        enum { RATIO = FLOW_VALUES };
-        FlowEquations ofVerticals;
-        addVerticals(m.at, ofVerticals);
-        Unknowns byRatio = Unknowns::Zero();
-        std::copy(byReadout.val, byReadout.val + SEQUENCE_VALUES, byRatio.data());
-        const Unknowns weighed = prior * byRatio;
+        const double step = std::sqrt(DBL_EPSILON);
+        const FlowResidual turned(camera.heading + step, unit, focal);
+        const FlowResidual::Values values(m.at.data());
         ReadoutEquations others;
-        others.information.topLeftCorner<FLOW_VALUES, FLOW_VALUES>() =
-            m.equations.symmetric() - ofVerticals.symmetric();
-        others.information.row(RATIO).head<FLOW_VALUES>() = -weighed;
-        others.information(RATIO, RATIO) = weighed.dot(byRatio);
-        others.gradient.head<FLOW_VALUES>() = m.equations.gradient - ofVerticals.gradient;
-        others.gradient[RATIO] = -weighed.dot(m.at - expected);
-        return rsackermann::measureReadout(camera, verticals, weightsByPoints(m.at), SequenceVector(m.at.data()),
-                                           others, about, byReadout);
+        rsackermann::addPoints<FLOW_VALUES + CAMERA_VALUES>(
+            bearings, pointWeights, 1,
+            [&](const TrackedBearing& s, Eigen::Matrix<double, FLOW_VALUES + CAMERA_VALUES, 2>& J) {
+                FlowGradient byValues;
+                const Point2d r = residual.evaluate(s, values, byValues.data()), t = turned.evaluate(s, values, 0),
+                              change = FlowResidual::isBehind(t) ? Point2d() : (t - r) * (1 / step);
+                J << byValues, Eigen::RowVector2d::Zero(), Eigen::RowVector2d(change.x, change.y);
+                return r;
+            },
+            others);
+        CameraJacobian byCamera = CameraJacobian::Zero();
+        byCamera.topRows<SEQUENCE_VALUES>() = Eigen::Map<const StateByCamera>(state.byCamera.val);
+        const CameraJacobian weighed = prior * byCamera;
+        others.information.topLeftCorner<FLOW_VALUES, FLOW_VALUES>() += prior;
+        others.information.bottomLeftCorner<CAMERA_VALUES, FLOW_VALUES>() -= weighed.transpose();
+        others.information.bottomRightCorner<CAMERA_VALUES, CAMERA_VALUES>() += weighed.transpose() * byCamera;
+        others.gradient.head<FLOW_VALUES>() += prior * (m.at - expected);
+        others.gradient.tail<CAMERA_VALUES>() -= weighed.transpose() * (m.at - expected);
+        SequenceState minimum = state; // without what the frame's nuisances change
+        std::copy(m.at.data(), m.at.data() + SEQUENCE_VALUES, minimum.value.val);
+        const ReadoutEvidence evidence =
+            rsackermann::measureReadout(camera, verticals, weightsByPoints(m.at), others, about, minimum);
+        state.byCamera = minimum.byCamera;
+        return evidence;
     }
 
     const std::vector<TrackedBearing>& bearings;
@@ -362,7 +377,7 @@ SequenceFit toFit(FrameFitProblem& problem, Minimum best, const FitNuisances& nu
     problem.measureTurns(best.at, fit.before, fit.after);
     problem.setState(best, nuisances, fit.state);
     fit.yawGrowthSigma = nuisances.yawGrowth;
-    fit.readout = problem.measureReadout(best, nuisances.readoutRatio, fit.state.byReadout);
+    fit.readout = problem.measureReadout(best, nuisances.readoutRatio, fit.state);
     return fit;
 }
 

@@ -13,31 +13,33 @@ namespace cv { namespace rsackermann {
 struct PreparedModel;
 struct UprightSegment;
 
-//! What slants of verticals say of the read-out over that of the camera: sums of the slants' weights, of information,
-//! and of ratios that it weighs.
+//! What slants of verticals say of the camera's values, whatever the state is: the sum of the slants' weights, and
+//! normal equations about the given values.
 struct ReadoutEvidence
 {
-    double weight = 0, information = 0, weighed = 0;
+    double weight = 0;
+    Matx22d information;
+    Vec2d gradient;
 
     void add(const ReadoutEvidence& other)
     {
         weight += other.weight;
         information += other.information;
-        weighed += other.weighed;
+        gradient += other.gradient;
     }
 };
 
-//! Of the unknowns of a frame, and of the ratio.
-typedef NormalEquations<FLOW_VALUES + 1> ReadoutEquations;
+//! Of the unknowns of a frame, and of the camera's values.
+typedef NormalEquations<FLOW_VALUES + CAMERA_VALUES> ReadoutEquations;
 
 /** That of a frame, beside the uncertainty of its state (doc/theory.md, "Sequence").
 @param weights from 0 to 1, of the verticals.
 @param others than slants: prior and points, at the state.
 @param about the ratio by which outliers are recognised.
-@param byReadout see SequenceState: that of the prediction, and then that of the state. */
+@param state at which slants are evaluated; its derivatives are those of the prediction, and then those of the state. */
 ReadoutEvidence measureReadout(const RollingShutterCamera& camera, const std::vector<UprightSegment>& verticals,
-                               const std::vector<double>& weights, const SequenceVector& state,
-                               const ReadoutEquations& others, double about, SequenceVector& byReadout);
+                               const std::vector<double>& weights, const ReadoutEquations& others, double about,
+                               SequenceState& state);
 
 //! The read-out that a sequence shows, over that of the camera.
 class ReadoutRatio
@@ -59,7 +61,14 @@ public:
 private:
     enum { MOST_PARTS = 16 };
 
-    double shown() const { return sum.information > 0 ? sum.weighed / sum.information : 1; }
+    //! With the heading as it suits the ratio.
+    struct Solution
+    {
+        Vec2d change;                     // of the camera's values
+        double headingShare, information; // of the ratio
+    };
+    Solution solution() const;
+    double shown() const { return 1 + solution().change[0]; }
     double scatter() const; // 0: not known
     bool isPossible() const;
 

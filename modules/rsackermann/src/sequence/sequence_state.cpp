@@ -24,7 +24,7 @@ void SequenceState::predict(double seconds)
     for (int i = 0; i < SEQUENCE_VALUES; i++)
         kept[i] = std::exp(-seconds / MEMORY[i]);
     value = stationary + kept.mul(value - stationary);
-    byReadout = kept.mul(byReadout);
+    byCamera = SequenceMatrix::diag(kept) * byCamera;
     covariance = covariance.mul(kept * kept.t());
     for (int i = 0; i < SEQUENCE_VALUES; i++)
         covariance(i, i) += (1 - kept[i] * kept[i]) * stationarySigma[i] * stationarySigma[i];
@@ -37,7 +37,7 @@ void SequenceState::measure(SequenceValue which, double measured, double sigma)
     const SequenceVector column(covariance.col(which).val);
     const SequenceVector gain = column * (1 / (covariance(which, which) + sigma * sigma));
     value += gain * (measured - value[which]);
-    byReadout -= gain * byReadout[which];
+    byCamera -= gain * byCamera.row(which);
     covariance -= gain * column.t();
 }
 
@@ -64,7 +64,8 @@ void SequenceState::change(const RollingShutterCamera& camera, const AckermannEs
     for (int i = 0; i < kept; i++)
     {
         value[i] = before.value[i];
-        byReadout[i] = before.byReadout[i];
+        for (int j = 0; j < CAMERA_VALUES; j++)
+            byCamera(i, j) = before.byCamera(i, j);
         for (int j = 0; j < kept; j++)
             covariance(i, j) = before.covariance(i, j);
     }

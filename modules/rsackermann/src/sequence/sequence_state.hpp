@@ -13,6 +13,13 @@ namespace cv { namespace rsackermann {
 //! Seconds after which a value is forgotten: each wanders about its stationary mean (an Ornstein-Uhlenbeck process).
 extern const double MEMORY[SEQUENCE_VALUES];
 
+//! What of a camera may be otherwise than given.
+enum CameraValue {
+    CAMERA_READOUT, //!< over the given one
+    CAMERA_HEADING, //!< beyond the given one, radians
+    CAMERA_VALUES
+};
+
 /** The motion of the car and the scene with a covariance (doc/theory.md, "Sequence").
 
 A wall that isn't there is infinitely far away: walls come, go and change sides without a change of the unknowns.
@@ -21,8 +28,8 @@ struct SequenceState
 {
     SequenceVector value;
     SequenceMatrix covariance;
-    //! Derivative by the true read-out over the given one: slants have shown the state by the given one.
-    SequenceVector byReadout;
+    //! Derivatives by what the frames so far were explained with.
+    Matx<double, SEQUENCE_VALUES, CAMERA_VALUES> byCamera;
 
     //! The stationary state, before anything is seen.
     SequenceState(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
