@@ -195,28 +195,32 @@ TEST(RSAckermann_Prior, yaw_rates_of_any_sigma)
 // Limits are for what isn't given.
 TEST(RSAckermann_Prior, beyond_the_limits)
 {
-    const double yawRate = 200 * degree, speed = 80;
-    const Simulator truth = Simulator::fromMetric(simulation::paperCamera(), yawRate, speed, 12, 15, 0);
-    RNG rng(11);
-    const Mat segments = simulation::randomSegments(truth, simulation::SegmentOptions(), rng).ends;
-    AckermannEstimator::Params params;
-    params.wallDistance = 12;
-    ASSERT_GT(yawRate, params.maxYawRate);
-    ASSERT_GT(speed, params.maxSpeed);
-    MotionPrior prior;
-    prior.yawRate = 1.01 * yawRate;
-    prior.yawRateSigma = 0.01 * yawRate;
-    prior.speed = 1.01 * speed;
-    prior.speedSigma = 0.01 * speed;
-    const AckermannMotion motion =
-        AckermannEstimator::create(truth.camera, params)->estimate(segments, noArray(), prior);
-    double found;
-    ASSERT_EQ(MOTION_OK, motion.status);
-    EXPECT_FALSE(motion.contradictsPrior);
-    ASSERT_TRUE(motion.yawRate(truth.camera, found));
-    EXPECT_NEAR(yawRate, found, 0.03 * yawRate);
-    ASSERT_TRUE(motion.speed(truth.camera, found));
-    EXPECT_NEAR(speed, found, 0.03 * speed);
+    for (const int side : {-1, 1})
+    {
+        SCOPED_TRACE(side);
+        const double yawRate = side * 200 * degree, speed = side * 80;
+        const Simulator truth = Simulator::fromMetric(simulation::paperCamera(), yawRate, speed, 12, 15, 0);
+        RNG rng(11);
+        const Mat segments = simulation::randomSegments(truth, simulation::SegmentOptions(), rng).ends;
+        AckermannEstimator::Params params;
+        params.wallDistance = 12;
+        ASSERT_GT(std::abs(yawRate), params.maxYawRate);
+        ASSERT_GT(std::abs(speed), params.maxSpeed);
+        MotionPrior prior;
+        prior.yawRate = 1.01 * yawRate;
+        prior.yawRateSigma = 0.01 * std::abs(yawRate);
+        prior.speed = 1.01 * speed;
+        prior.speedSigma = 0.01 * std::abs(speed);
+        const AckermannMotion motion =
+            AckermannEstimator::create(truth.camera, params)->estimate(segments, noArray(), prior);
+        double found;
+        ASSERT_EQ(MOTION_OK, motion.status);
+        EXPECT_FALSE(motion.contradictsPrior);
+        ASSERT_TRUE(motion.yawRate(truth.camera, found));
+        EXPECT_NEAR(yawRate, found, 0.03 * std::abs(yawRate));
+        ASSERT_TRUE(motion.speed(truth.camera, found));
+        EXPECT_NEAR(speed, found, 0.03 * std::abs(speed));
+    }
 }
 
 // Metric values without a scale can't be used.
