@@ -353,9 +353,14 @@ TEST_P(WarpDepthMaps, what_is_too_near_is_unknown)
             for (const double factor : {0.98, 1.02})
             {
                 values = float(factor * nearest);
-                const Result result(camera, distort, motion, DepthMap(values, ofCamera));
-                EXPECT_EQ(factor < 1, result.difference(unknown) < 0.01)
-                    << speed << ", " << scan << ", " << share << ", " << factor;
+                const double unit = 1e-4;
+                const Mat units(values.size(), CV_16U, Scalar(factor * nearest / unit));
+                for (const DepthMap& depth : {DepthMap(values, ofCamera), DepthMap(units, ofCamera, unit)})
+                {
+                    const Result result(camera, distort, motion, depth);
+                    EXPECT_EQ(factor < 1, result.difference(unknown) < 0.01)
+                        << speed << ", " << scan << ", " << share << ", " << factor << ", " << depth.scale;
+                }
             }
         }
 }
@@ -593,6 +598,29 @@ TEST(RSAckermann_WarpDepth, hidden_in_parts_of_the_image)
     const Result got(boxes.camera, false, boxes.motion, DepthMap(boxes.values(part), DEPTH_CORRECTED), params);
     EXPECT_GT(countNonZero(got.mask == MASK_HIDDEN), 100);
     EXPECT_LE(countNonZero(got.mask != whole.mask(part)), 20);
+}
+
+// What hides what doesn't depend on where a larger global-shutter image has it.
+TEST(RSAckermann_WarpDepth, hidden_in_a_larger_image)
+{
+    const Boxes boxes;
+    for (const DepthCamera camera : {DEPTH_RAW, DEPTH_CORRECTED})
+    {
+        const Point shift(boxes.values.size());
+        Mat1f values = boxes.values;
+        WarpMapGenerator::Params params;
+        params.newSize = values.size() + Size(2 * shift);
+        params.newCameraMatrix = boxes.camera.cameraMatrix;
+        params.newCameraMatrix(0, 2) += shift.x;
+        params.newCameraMatrix(1, 2) += shift.y;
+        const Result same(boxes.camera, true, boxes.motion, DepthMap(values, camera));
+        if (camera == DEPTH_CORRECTED)
+            cv::copyMakeBorder(boxes.values, values, shift.y, shift.y, shift.x, shift.x, BORDER_CONSTANT, Scalar(0));
+        const Result larger(boxes.camera, true, boxes.motion, DepthMap(values, camera), params);
+        const Mat hidden = same.mask == MASK_HIDDEN;
+        EXPECT_GT(countNonZero(hidden), 100) << camera;
+        EXPECT_LE(countNonZero((larger.mask != same.mask) & (same.mask != 0)), 20) << camera;
+    }
 }
 
 // No place in an image of one column has four pixels around it.
