@@ -595,17 +595,36 @@ TEST(RSAckermann_Calibration, only_frames_that_follow_are_used)
     EXPECT_FALSE(calibrator->addPoints(f.points, f.segments, 10 + 2 / 30.));
 }
 
-TEST(RSAckermann_Calibration, image_before_tracked_points_is_not_the_one_before)
+// Of a texture at infinity, of a camera that has turned.
+Mat turnedTexture(const RollingShutterCamera& camera, double yaw)
 {
-    const RollingShutterCamera camera = guess();
     Mat noise(camera.imageSize, CV_8U), texture, turned;
     RNG rng(3);
     rng.fill(noise, RNG::UNIFORM, 0, 256);
     GaussianBlur(noise, texture, Size(), 3);
     normalize(texture, texture, 0, 255, NORM_MINMAX);
-    const double yaw = 1 * degree;
     const Matx33d R(std::cos(yaw), 0, std::sin(yaw), 0, 1, 0, -std::sin(yaw), 0, std::cos(yaw));
     warpPerspective(texture, turned, camera.cameraMatrix * R * camera.cameraMatrix.inv(), camera.imageSize);
+    return turned;
+}
+
+// The frame before it is too long ago for the interval to the damaged one.
+TEST(RSAckermann_Calibration, frame_after_a_damaged_one_is_left_out)
+{
+    const RollingShutterCamera camera = guess();
+    const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
+    for (int i = 0; i < 6; i++)
+    {
+        const bool isDamaged = i == 2;
+        const Mat image = isDamaged ? Mat(camera.imageSize, CV_8U, Scalar(90)) : turnedTexture(camera, i * degree);
+        EXPECT_EQ(i == 1 || i > 3, calibrator->addFrame(image, i / 30.)) << i;
+    }
+}
+
+TEST(RSAckermann_Calibration, image_before_tracked_points_is_not_the_one_before)
+{
+    const RollingShutterCamera camera = guess();
+    const Mat texture = turnedTexture(camera, 0), turned = turnedTexture(camera, 1 * degree);
     const Ptr<MountCalibrator> calibrator = MountCalibrator::create(camera);
     EXPECT_FALSE(calibrator->addFrame(texture, 0));
     EXPECT_TRUE(calibrator->addFrame(turned, 1 / 30.));
