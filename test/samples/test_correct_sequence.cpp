@@ -65,6 +65,19 @@ protected:
     TurningDrive drive_;
 };
 
+// Numbers that go in tens are those of one frame after the other, and a larger step is a gap.
+TEST_F(CorrectSequence, numbers_may_go_in_steps)
+{
+    for (const int step : {1, 10})
+    {
+        const TemporaryFolder folder;
+        for (const int i : {0, 1, 2, 4})
+            cv::imwrite(folder / cv::format("%03d.png", step * i), drive_.frame(i * drive_.interval));
+        for (const auto& line : report({folder.path()}, {"--carry"}))
+            EXPECT_NEAR(drive_.yawRate, line.second["yaw_rate_deg_s"].get<double>(), 1.5) << line.first;
+    }
+}
+
 // Each frame but the first one has the true yaw rate within its uncertainty, whatever happens to others.
 TEST_F(CorrectSequence, faults_of_frames_dont_change_the_motion_of_others)
 {

@@ -125,6 +125,21 @@ TEST(SimulatedViews, road_without_walls)
     }
 }
 
+// As the sky.
+TEST(SimulatedViews, depth_that_16_bits_do_not_reach_is_unknown)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, simulate({"--output=" + folder.path(), "--left=0", "--right=0", "--depth"}).exitCode);
+    for (const char* name : {"rolling_depth.png", "global_depth.png"})
+    {
+        const cv::Mat depth = cv::imread(folder / name, cv::IMREAD_UNCHANGED);
+        double farthest;
+        cv::minMaxLoc(depth, nullptr, &farthest);
+        EXPECT_GT(farthest, 200 * 256) << name;
+        EXPECT_LE(farthest, 255 * 256) << name;
+    }
+}
+
 // The camera begins at the origin of the street and drives along it.
 TEST(SimulatedViews, street_begins_with_the_drive)
 {
