@@ -161,8 +161,8 @@ TEST(Contradictions, frames_of_a_video_are_counted)
     }
 }
 
-// As soon as another read-out than the given one is known, frames stay as they are if that is longer, or in the other
-// direction; if it is shorter they are corrected by as much as it is.
+// As soon as the true read-out is known, frames stay as they are if the given one is twice as long or in the other
+// direction; if it is too short they are corrected by as much as it is.
 TEST(Contradictions, read_out_of_a_sequence)
 {
     const TemporaryFolder folder;
