@@ -121,6 +121,7 @@ CameraSettings settingsOf(const MountCalibration& c, CameraSettings s)
     set(c.pitchObserved, c.pitch, c.pitchSigma, s.pitch, s.pitchSigma);
     s.rollIsGiven |= c.rollObserved;
     s.pitchIsGiven |= c.pitchObserved;
+    s.headingIsGiven |= c.headingObserved;
     set(c.headingObserved, c.heading, c.headingSigma, s.heading, s.headingSigma);
     if (c.lineDelayObserved)
     {

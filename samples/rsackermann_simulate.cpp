@@ -103,7 +103,7 @@ CameraSettings readSettings(const Options& options, const cv::Size& size, double
     s.reference = readReference(options);
     s.roll = options.number("roll", -MOST_TILT, MOST_TILT);
     s.pitch = options.number("pitch", -MOST_TILT, MOST_TILT);
-    s.rollIsGiven = s.pitchIsGiven = true;
+    s.rollIsGiven = s.pitchIsGiven = s.headingIsGiven = true;
     s.heading = options.number("heading", -MOST_HEADING, MOST_HEADING);
     s.height = options.positive("height", MOST_HEIGHT);
     return s;

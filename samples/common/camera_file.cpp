@@ -120,6 +120,7 @@ void readShutterAndMounting(const NumberSource& number, const TextSource& text, 
     require(!given.count("line_delay") || !given.count("readout"), "line_delay and readout exclude each other");
     s.rollIsGiven = given.count("roll") > 0;
     s.pitchIsGiven = given.count("pitch") > 0;
+    s.headingIsGiven = given.count("heading") > 0;
     std::string word;
     if (text("scan", word))
         s.scan = parseWord(word, "scan", SCAN_WORDS);
@@ -391,7 +392,9 @@ std::string cameraText(const CameraSettings& s, const std::string& format)
         fs << "roll" << s.roll;
     if (s.pitchIsGiven)
         fs << "pitch" << s.pitch;
-    fs << "heading" << s.heading << "camera_height" << s.height;
+    if (s.headingIsGiven)
+        fs << "heading" << s.heading;
+    fs << "camera_height" << s.height;
     const std::pair<const char*, double> sigmas[] = {{"roll_sigma", s.rollSigma},
                                                      {"pitch_sigma", s.pitchSigma},
                                                      {"heading_sigma", s.headingSigma},

@@ -36,8 +36,8 @@ const char* const CAMERA_KEYS =
 CameraSettings::CameraSettings()
     : calibrated(false), isScaled(false), K(cv::Matx33d::eye()), lensModel(LENS_PINHOLE), focal(0), lineDelay(0),
       readOut(0), scan(SCAN_TOP_TO_BOTTOM), reference("middle"), roll(0), pitch(0), heading(0), rollIsGiven(false),
-      pitchIsGiven(false), height(0), rollSigma(0), pitchSigma(0), headingSigma(0), lineDelaySigma(0), focalSigma(0),
-      needsReadOut(true)
+      pitchIsGiven(false), headingIsGiven(false), height(0), rollSigma(0), pitchSigma(0), headingSigma(0),
+      lineDelaySigma(0), focalSigma(0), needsReadOut(true)
 {
 }
 
@@ -192,6 +192,7 @@ RollingShutterCamera CameraSettings::makeCamera(const cv::Size& imageSize) const
     camera.rollSigma = rollIsGiven ? rollSigma * DEGREE : ofUnknownMount.rollSigma;
     camera.pitchSigma = pitchIsGiven ? pitchSigma * DEGREE : ofUnknownMount.pitchSigma;
     camera.heading = heading * DEGREE;
+    camera.headingSigma = headingIsGiven ? headingSigma * DEGREE : ofUnknownMount.headingSigma;
     camera.height = height;
     camera.lineDelaySigma = lineDelaySigma;
     if (focalSigma > 0)
@@ -287,6 +288,7 @@ CameraSettings readCameraOptions(const Options& options)
     {
         s.heading = options.number("heading", -MOST_HEADING, MOST_HEADING);
         s.headingSigma = 0;
+        s.headingIsGiven = true;
     }
     if (options.given("height"))
         s.height = options.positive("height", MOST_HEIGHT);

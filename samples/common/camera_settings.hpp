@@ -34,10 +34,10 @@ struct CameraSettings
     double focal;              //!< pixels, of an uncalibrated camera; 0: 0.9 times the longer side
     double lineDelay, readOut; //!< seconds; 0: unknown
     int scan;
-    std::string reference;          //!< first, middle or last line to be read, or a line's number
-    double roll, pitch, heading;    //!< degrees
-    bool rollIsGiven, pitchIsGiven; //!< else the camera isn't level
-    double height;                  //!< metres; 0: unknown
+    std::string reference;                          //!< first, middle or last line to be read, or a line's number
+    double roll, pitch, heading;                    //!< degrees
+    bool rollIsGiven, pitchIsGiven, headingIsGiven; //!< else the camera isn't level, or looks elsewhere
+    double height;                                  //!< metres; 0: unknown
     double rollSigma, pitchSigma, headingSigma, lineDelaySigma; //!< standard deviations in the same units; 0: not known
     double focalSigma;                                          //!< pixels; 0: not known
     std::vector<CompatibleSetting> compatible;                  //!< with #isScaled

@@ -136,6 +136,7 @@ std::string reportLine(const FrameReport& frame)
         line["rotation_curve"] = curveOf(m);
     line["roll_correction_deg"] = orNull(ok, m.rollCorrection / DEGREE);
     line["pitch_correction_deg"] = orNull(ok, m.pitchCorrection / DEGREE);
+    line["heading_correction_deg"] = orNull(ok, m.headingCorrection / DEGREE);
     line["wall_distance_m"] = orNull(ok && m.wallDistance > 0, m.wallDistance);
     line["scale"] = ok ? Json(SCALE_WORDS[m.scale]) : Json();
     line["covariance"] = ok ? Json(std::vector<double>(m.covariance.val, m.covariance.val + 16)) : Json();
@@ -163,6 +164,8 @@ std::string reportLine(const FrameReport& frame)
     line["seen_speed_sigma"] = orNull(m.seenSpeedSigma > 0, m.seenSpeedSigma / KMH);
     line["readout_ratio"] = orNull(m.readoutRatioSigma > 0, m.readoutRatio);
     line["readout_ratio_sigma"] = orNull(m.readoutRatioSigma > 0, m.readoutRatioSigma);
+    line["seen_heading_deg"] = orNull(m.seenHeadingSigma > 0, m.seenHeading / DEGREE);
+    line["seen_heading_sigma"] = orNull(m.seenHeadingSigma > 0, m.seenHeadingSigma / DEGREE);
     line["segments"] = frame.segments;
     line["candidates"] = m.candidates;
     line["inliers"] = m.inliers;

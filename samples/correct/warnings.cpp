@@ -28,6 +28,13 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
         addSpeed(frame);
         if (frame.motion.readoutRatioSigma > 0)
             lastMotion_ = frame.motion;
+        if (frame.motion.seenHeadingSigma > 0)
+        {
+            seenHeading_ = frame.motion.seenHeading;
+            seenHeadingSigma_ = frame.motion.seenHeadingSigma;
+            givenHeading_ = frame.camera.heading;
+            givenHeadingSigma_ = frame.camera.headingSigma;
+        }
     }
 }
 
@@ -40,6 +47,7 @@ void Warnings::end()
     addRounding();
     addRepeated();
     addReadout();
+    addHeading();
 }
 
 // Intervals that differ by one unit of the times' last decimal are those of a steady clock, rounded.
@@ -90,6 +98,16 @@ void Warnings::addReadout()
             "verticals lean as if the read-out took %.2f times (sigma %.2f) as long as given, negative if rows "
             "are read in the other direction: check --scan and --readout",
             ratio, sigma));
+}
+
+void Warnings::addHeading()
+{
+    const double drift = 0.2 * DEGREE, sigmas = 3; // drift: on a road with a crown
+    if (std::abs(seenHeading_ - givenHeading_) >
+        sigmas * std::hypot(drift, std::hypot(givenHeadingSigma_, seenHeadingSigma_)))
+        warn(cv::format("frames move as if the heading was %.1f degrees (sigma %.1f), which is %.1f: check --heading, "
+                        "by which yaw rates err",
+                        seenHeading_ / DEGREE, seenHeadingSigma_ / DEGREE, givenHeading_ / DEGREE));
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.

@@ -34,6 +34,7 @@ private:
     void addRounding();
     void addRepeated();
     void addReadout();
+    void addHeading();
     void addReference(const FrameReport& frame);
     void compareGyro(const FrameReport& frame);
     std::string doubtOfGyro() const;
@@ -52,6 +53,8 @@ private:
     double gyroTime_ = std::numeric_limits<double>::quiet_NaN(); // of the frame before
     double lastTime_ = std::numeric_limits<double>::quiet_NaN(); // of the sequence
     cv::rsackermann::AckermannMotion lastMotion_;                // of which the read-out is known
+    double seenHeading_ = 0, seenHeadingSigma_ = 0;              // of the last frame that shows one
+    double givenHeading_ = 0, givenHeadingSigma_ = 0;            // the same frame's
     std::vector<double> times_, changes_;                        // of images of a sequence
     std::vector<double> intervals_;                              // of one sequence
     cv::rsackermann::RollingShutterCamera camera_;               // of the sequence

@@ -127,6 +127,8 @@ AckermannMotion motionOf(const Json& line, const std::string& source)
     motion.rollRate = line.contains("roll_rate") ? numberOf(line, "roll_rate") : 0;
     motion.rollCorrection = numberOf(line, "roll_correction_deg") * DEGREE;
     motion.pitchCorrection = numberOf(line, "pitch_correction_deg") * DEGREE;
+    if (line.contains("heading_correction_deg"))
+        motion.headingCorrection = numberOf(line, "heading_correction_deg") * DEGREE;
     motion.wallDistance = numberOf(line, "wall_distance_m");
     motion.scale = parseWord(line.at("scale"), source, SCALE_WORDS);
     if (line.contains("relief"))

@@ -504,7 +504,7 @@ TEST(CameraFiles, written_and_read)
     s.reference = "first";
     s.roll = 1;
     s.pitch = 2;
-    s.rollIsGiven = s.pitchIsGiven = true;
+    s.rollIsGiven = s.pitchIsGiven = s.headingIsGiven = true;
     s.heading = 3;
     s.height = 4;
     const std::pair<const char*, const char*> formats[] = {
@@ -537,15 +537,19 @@ TEST(CameraFiles, written_and_read)
 TEST(CameraFiles, unknown_mount_stays_unknown)
 {
     const TemporaryFolder folder;
-    for (const bool isRoll : {true, false})
+    using rsackermann_samples::CameraSettings;
+    bool CameraSettings::*const all[] = {&CameraSettings::rollIsGiven, &CameraSettings::pitchIsGiven,
+                                         &CameraSettings::headingIsGiven};
+    for (bool CameraSettings::*const one : all)
     {
-        rsackermann_samples::CameraSettings s = read(OPENCV_YAML), r;
-        s.rollIsGiven = isRoll;
-        s.pitchIsGiven = !isRoll;
+        CameraSettings s = read(OPENCV_YAML), r;
+        for (bool CameraSettings::*const given : all)
+            s.*given = given == one;
         rsackermann_samples::writeCameraFile(folder / "camera.yml", s);
         rsackermann_samples::readCameraFile(folder / "camera.yml", r);
-        EXPECT_EQ(isRoll, r.rollIsGiven);
-        EXPECT_EQ(!isRoll, r.pitchIsGiven);
+        for (bool CameraSettings::*const given : all)
+            EXPECT_EQ(given == one, r.*given);
+        EXPECT_EQ(!(r.headingIsGiven), r.makeCamera(s.size).headingSigma > 0);
     }
 }
 

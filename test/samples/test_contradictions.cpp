@@ -161,6 +161,49 @@ TEST(Contradictions, frames_of_a_video_are_counted)
     }
 }
 
+// Where the camera looks is found if nobody says it, and said if somebody was wrong.
+TEST(Contradictions, heading_of_a_sequence)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(0, simulate({"--output=" + (folder / "drive"), "--frames=20", "--speed=40", "--yaw_rate=5", "--heading=2",
+                           "--left=6", "--right=8"})
+                     .exitCode);
+    const std::string content = contentOf(folder / "drive/camera.yml"), key = "heading: 2.";
+    const size_t at = content.find(key);
+    ASSERT_NE(std::string::npos, at);
+    writeContent(folder / "unknown.yml", content.substr(0, at) + content.substr(at + key.size()));
+    writeContent(folder / "vague.yml",
+                 content.substr(0, at) + "heading: 0\nheading_sigma: 1" + content.substr(at + key.size()));
+    const struct
+    {
+        const char *camera, *option;
+        double given;
+        bool isUsed, isContradicted;
+    } cases[] = {{"drive/camera.yml", "--reference=middle", 2, false, false},
+                 {"unknown.yml", "--reference=middle", 0, true, false},
+                 {"vague.yml", "--reference=middle", 0, true, false},
+                 {"unknown.yml", "--heading=0", 0, false, true}};
+    for (const auto& c : cases)
+    {
+        SCOPED_TRACE(testing::Message() << c.camera << " " << c.option);
+        const Arguments camera = {"--camera=" + (folder / c.camera), c.option};
+        const Outcome outcome = correct(
+            camera + Arguments{folder / "drive/frames", "--log=" + (folder / "drive/log.csv"), "--carry", "--overwrite",
+                               "--output=" + (folder / "out/"), "--report=" + (folder / "report.jsonl")});
+        ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(c.isContradicted, outcome.messages.find("check --heading") != std::string::npos) << outcome.messages;
+        std::istringstream stream(contentOf(folder / "report.jsonl"));
+        Json last;
+        for (std::string line; std::getline(stream, line);)
+            last = Json::parse(line);
+        EXPECT_NEAR(2, last["seen_heading_deg"].get<double>(), 3 * last["seen_heading_sigma"].get<double>());
+        EXPECT_LT(last["seen_heading_sigma"].get<double>(), 0.5);
+        EXPECT_NEAR(c.isUsed ? 2 - c.given : 0, last["heading_correction_deg"].get<double>(), 0.4);
+        EXPECT_EQ(!c.isContradicted,
+                  std::abs(last["yaw_rate_deg_s"].get<double>() - 5) < 3 * last["yaw_rate_sigma"].get<double>());
+    }
+}
+
 // As soon as the true read-out is known, frames stay as they are if the given one is twice as long or in the other
 // direction; if it is too short they are corrected by as much as it is.
 TEST(Contradictions, read_out_of_a_sequence)

@@ -796,6 +796,23 @@ TEST_F(Export, report_and_camera_give_the_maps)
     EXPECT_NE(std::string::npos, other.messages.find("has 640 x 380 pixels")) << other.messages;
 }
 
+// Frames of a sequence, with the heading that they show.
+TEST_F(Export, found_headings_are_those_of_the_maps)
+{
+    ASSERT_EQ(0, simulate({"--output=" + (folder / "drive"), "--frames=3", "--speed=40", "--heading=3"}).exitCode);
+    ASSERT_EQ(0, correct({"--focal=816", "--readout=0.025", "--roll=0", "--pitch=0", folder / "drive/frames", "--carry",
+                          "--output=" + (folder / "out/"), "--maps=" + (folder / "maps/"),
+                          "--report=" + (folder / "report.jsonl")})
+                     .exitCode);
+    const std::string report = contentOf(folder / "report.jsonl");
+    const json last = json::parse(report.substr(report.rfind('\n', report.size() - 2) + 1));
+    EXPECT_GT(last["heading_correction_deg"].get<double>(), 1);
+    ASSERT_EQ(0, exportMotion(
+                     {"--report=" + (folder / "report.jsonl"), "--stmap=" + (folder / "stmap"), "--stmap_format=exr"})
+                     .exitCode);
+    expectSameMap(folder / "maps/000002.yml.gz", folder / "stmap/000002.png.rectify.exr");
+}
+
 // Options and columns of a log at random: the report alone gives the maps.
 void checkRandomCommandLines(const TemporaryFolder& folder, uint64 seed, int rounds)
 {

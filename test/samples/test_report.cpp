@@ -51,6 +51,7 @@ FrameReport exampleReport()
     m.rollRateSigma = 0.0018;
     m.rollCorrection = 0.019;
     m.pitchCorrection = -0.021;
+    m.headingCorrection = 0.022;
     m.wallDistance = 2.2;
     m.scale = SCALE_WALL;
     m.covariance = cv::Matx44d::diag(cv::Vec4d(1e-6, 4e-6, 9e-6, 16e-6));
@@ -60,6 +61,8 @@ FrameReport exampleReport()
     m.seenSpeedSigma = 0.26;
     m.readoutRatio = 0.47;
     m.readoutRatioSigma = 0.48;
+    m.seenHeading = 0.49;
+    m.seenHeadingSigma = 0.51;
     m.candidates = 27;
     m.inliers = 28;
     m.rms = 0.29;
@@ -96,6 +99,7 @@ const Number NUMBERS[] = {{"frame", 5, ALWAYS},
                           {"roll_rate", -0.0016, OF_MOTION},
                           {"roll_correction_deg", 0.019 * PER_DEGREE, OF_MOTION},
                           {"pitch_correction_deg", -0.021 * PER_DEGREE, OF_MOTION},
+                          {"heading_correction_deg", 0.022 * PER_DEGREE, OF_MOTION},
                           {"wall_distance_m", 2.2, OF_MOTION},
                           {"yaw_rate_deg_s", 2 * 0.011 / UNIT* PER_DEGREE, OF_MOTION},
                           {"speed_km_h", -0.13 * 2.2 / UNIT * 3.6, OF_MOTION},
@@ -115,6 +119,8 @@ const Number NUMBERS[] = {{"frame", 5, ALWAYS},
                           {"seen_speed_sigma", 0.26 * 3.6, ALWAYS},
                           {"readout_ratio", 0.47, ALWAYS},
                           {"readout_ratio_sigma", 0.48, ALWAYS},
+                          {"seen_heading_deg", 0.49 * PER_DEGREE, ALWAYS},
+                          {"seen_heading_sigma", 0.51 * PER_DEGREE, ALWAYS},
                           {"segments", 34, ALWAYS},
                           {"candidates", 27, ALWAYS},
                           {"inliers", 28, ALWAYS},
@@ -164,7 +170,7 @@ TEST(Report, has_no_number_for_what_is_unknown)
     FrameReport report = exampleReport();
     AckermannMotion& m = report.motion;
     m.wallSlope = m.wallRatio = m.wallDistance = m.pitchRateSigma = m.seenYawRateSigma = m.seenSpeedSigma =
-        m.readoutRatioSigma = 0;
+        m.readoutRatioSigma = m.seenHeadingSigma = 0;
     m.covariance(0, 0) = 0;
     m.inliers = 0;
     report.prior = MotionPrior();
@@ -189,6 +195,8 @@ TEST(Report, has_no_number_for_what_is_unknown)
                             "seen_speed_sigma",
                             "readout_ratio",
                             "readout_ratio_sigma",
+                            "seen_heading_deg",
+                            "seen_heading_sigma",
                             "rms_px",
                             "depth_used"})
         EXPECT_TRUE(line[key].is_null()) << key;

@@ -45,7 +45,7 @@ static std::vector<double> inverseDepths(const Mat& segments, const Mat& labels,
             continue;
         const double side = label == SEGMENT_LEFT_WALL ? 1 : -motion.wallRatio;
         const double B = side * motion.wallSlope, D = side * motion.wallOffset;
-        const RowMotion row(motion.alpha, camera.heading, camera.rowTime(middles[i]));
+        const RowMotion row(motion.alpha, motion.heading(camera), camera.rowTime(middles[i]));
         const double depth =
             std::abs(D - B * RotatedBearing(HorizontalBearing(rays[i][0], rays[i][2]), row).column(B, D));
         w[i] = depth < DBL_MAX ? depth : 0;

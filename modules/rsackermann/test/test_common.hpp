@@ -39,6 +39,7 @@ inline RollingShutterCamera exampleCamera()
     camera.rollSigma = 0.03;
     camera.pitchSigma = 0.04;
     camera.heading = 0.3;
+    camera.headingSigma = 0.05;
     camera.height = 1.25;
     camera.focalSigma = 30;
     camera.distortionSigma = 0.05;
@@ -50,8 +51,8 @@ inline void expectSame(const RollingShutterCamera& a, const RollingShutterCamera
 {
     typedef RollingShutterCamera T;
     expectSameFields(a, b,
-                     {&T::lineDelay, &T::referenceRow, &T::rollSigma, &T::pitchSigma, &T::heading, &T::height,
-                      &T::focalSigma, &T::distortionSigma, &T::lineDelaySigma});
+                     {&T::lineDelay, &T::referenceRow, &T::rollSigma, &T::pitchSigma, &T::heading, &T::headingSigma,
+                      &T::height, &T::focalSigma, &T::distortionSigma, &T::lineDelaySigma});
     expectSameFields(a, b, {&T::lensModel, &T::scanDirection});
     EXPECT_EQ(a.imageSize, b.imageSize);
     EXPECT_EQ(a.cameraMatrix, b.cameraMatrix);
@@ -77,6 +78,7 @@ inline AckermannMotion exampleMotion()
     m.rollRateSigma = 0.0016;
     m.rollCorrection = 0.001;
     m.pitchCorrection = -0.002;
+    m.headingCorrection = 0.003;
     m.wallDistance = 2.5;
     m.candidates = 61;
     m.inliers = 47;
@@ -91,6 +93,8 @@ inline AckermannMotion exampleMotion()
     m.seenSpeedSigma = 0.75;
     m.readoutRatio = -0.875;
     m.readoutRatioSigma = 0.125;
+    m.seenHeading = -0.25;
+    m.seenHeadingSigma = 0.03125;
     m.expectedRaw = 3.5;
     m.expectedResidual = 1.25;
     m.probabilityWorse = 0.0625;
@@ -107,12 +111,33 @@ inline AckermannMotion exampleMotion()
 inline void expectSame(const AckermannMotion& a, const AckermannMotion& b)
 {
     typedef AckermannMotion T;
-    expectSameFields(a, b, {&T::alpha,         &T::wallSlope,        &T::wallOffset,       &T::wallRatio,
-                            &T::roadSlope,     &T::pitchRate,        &T::rollRate,         &T::pitchRateSigma,
-                            &T::rollRateSigma, &T::rollCorrection,   &T::pitchCorrection,  &T::wallDistance,
-                            &T::rms,           &T::expectedRaw,      &T::expectedResidual, &T::probabilityWorse,
-                            &T::seenYawRate,   &T::seenYawRateSigma, &T::seenSpeed,        &T::seenSpeedSigma,
-                            &T::speedSigma,    &T::readoutRatio,     &T::readoutRatioSigma});
+    expectSameFields(a, b,
+                     {&T::alpha,
+                      &T::wallSlope,
+                      &T::wallOffset,
+                      &T::wallRatio,
+                      &T::roadSlope,
+                      &T::pitchRate,
+                      &T::rollRate,
+                      &T::pitchRateSigma,
+                      &T::rollRateSigma,
+                      &T::rollCorrection,
+                      &T::pitchCorrection,
+                      &T::wallDistance,
+                      &T::rms,
+                      &T::expectedRaw,
+                      &T::expectedResidual,
+                      &T::probabilityWorse,
+                      &T::seenYawRate,
+                      &T::seenYawRateSigma,
+                      &T::seenSpeed,
+                      &T::seenSpeedSigma,
+                      &T::speedSigma,
+                      &T::readoutRatio,
+                      &T::readoutRatioSigma,
+                      &T::seenHeading,
+                      &T::seenHeadingSigma,
+                      &T::headingCorrection});
     EXPECT_EQ(a.contradictsPrior, b.contradictsPrior);
     expectSameFields(a, b, {&T::status, &T::model, &T::direction, &T::candidates, &T::inliers, &T::scale});
     EXPECT_EQ(a.rollYawAmbiguous, b.rollYawAmbiguous);

@@ -122,7 +122,8 @@ public:
     {
         Options()
             : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), sway(oscillating), yawTilt(0), points(150), feet(0),
-              segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0), rowsTurn(false)
+              segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0), rowsTurn(false),
+              lever(0)
         {
         }
         double yawRate;                         // rad/s, standard deviation
@@ -136,6 +137,7 @@ public:
         double outliers, clutter;               // shares of points and of segments
         double unevenness; // 1/m, standard deviation of the points' inverse depth from that of their surface
         bool rowsTurn;     // whether the suspension tilts the car during the read-out as well
+        double lever;      // metres from the rear axle to the camera
     };
 
     //! The views of a camera of the car and the measurements of the car at a time.
@@ -220,6 +222,7 @@ private:
         Simulator s = Simulator::fromMetric(c, yawRate.at(seconds), speedAt(seconds), 8 + left.at(seconds),
                                             8 + right.at(seconds), c.heading + direction.at(seconds));
         const double unit = c.secondsPerUnitTime(), h = 1e-3;
+        s.drive.lever = options.lever * s.drive.speed / (speedAt(seconds) * unit); // in the unit of the street
         s.drive.yawChange = (yawRate.at(seconds + h) - yawRate.at(seconds - h)) / (2 * h) * unit * unit;
         if (options.rowsTurn)
             s.drive.shaking = [=](double t) {

@@ -31,8 +31,8 @@ struct Truck
     double motion = 0, lean = 0; // pixels, tangent
 };
 
-ReadoutRatio ratioOf(const RollingShutterCamera& truth, const RollingShutterCamera& given, int frames,
-                     const Truck& truck = Truck())
+SeenCamera ratioOf(const RollingShutterCamera& truth, const RollingShutterCamera& given, int frames,
+                   const Truck& truck = Truck())
 {
     const double left = 640;
     const AckermannEstimator::Params params;
@@ -40,7 +40,7 @@ ReadoutRatio ratioOf(const RollingShutterCamera& truth, const RollingShutterCame
     SequenceFilter filter(given, params);
     FrameFeatures features;
     FitNuisances nuisances;
-    ReadoutRatio ratio;
+    SeenCamera ratio;
     for (int i = 0; i < frames; i++)
     {
         StreetDrive::Frame frame = street.frame(i / 30., 1 / 30.);
@@ -61,9 +61,9 @@ ReadoutRatio ratioOf(const RollingShutterCamera& truth, const RollingShutterCame
         selectCandidates(frame.segments, given, params, features.verticals, features.others);
         filter.advance(frame.seconds, given, params);
         SequenceFit fit(filter.state);
-        nuisances.readoutRatio = ratio.value();
+        nuisances.readoutRatio = ratio.readoutRatio();
         if (filter.update(features, given, params, fit, nuisances))
-            ratio.add(fit.readout, 1 / (30 * given.lineDelay * (given.isRowShutter() ? 540 : 960)));
+            ratio.add(fit.camera, CameraVector(), 1 / (30 * given.lineDelay * (given.isRowShutter() ? 540 : 960)));
     }
     return ratio;
 }
@@ -73,16 +73,16 @@ TEST(RSAckermann_Readout, is_found_over_the_given_one)
     const RollingShutterCamera truth = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT);
     for (const double ratio : {1., 0.5, 2.})
     {
-        const ReadoutRatio found = ratioOf(truth, cameraOf(SCAN_TOP_TO_BOTTOM, READOUT / ratio), 60);
-        EXPECT_NEAR(ratio, found.value(), 0.25 * ratio);
-        EXPECT_NEAR(ratio, found.value(), 3 * found.sigma());
+        const SeenCamera found = ratioOf(truth, cameraOf(SCAN_TOP_TO_BOTTOM, READOUT / ratio), 60);
+        EXPECT_NEAR(ratio, found.readoutRatio(), 0.25 * ratio);
+        EXPECT_NEAR(ratio, found.readoutRatio(), 3 * found.readoutRatioSigma());
     }
-    const ReadoutRatio reversed = ratioOf(truth, cameraOf(SCAN_BOTTOM_TO_TOP, READOUT), 60);
-    EXPECT_NEAR(-1, reversed.value(), 0.3);
-    EXPECT_EQ(reversed.value(), reversed.contradiction());
-    const ReadoutRatio global = ratioOf(cameraOf(SCAN_TOP_TO_BOTTOM, 1e-4 * READOUT), truth, 60);
-    EXPECT_NEAR(0, global.value(), 0.3);
-    EXPECT_EQ(global.value(), global.contradiction());
+    const SeenCamera reversed = ratioOf(truth, cameraOf(SCAN_BOTTOM_TO_TOP, READOUT), 60);
+    EXPECT_NEAR(-1, reversed.readoutRatio(), 0.3);
+    EXPECT_EQ(reversed.readoutRatio(), reversed.readoutContradiction());
+    const SeenCamera global = ratioOf(cameraOf(SCAN_TOP_TO_BOTTOM, 1e-4 * READOUT), truth, 60);
+    EXPECT_NEAR(0, global.readoutRatio(), 0.3);
+    EXPECT_EQ(global.readoutRatio(), global.readoutContradiction());
 }
 
 // Verticals that a camera passes which looks aside lean all to one side: as by a roll, which the given read-out lets
@@ -94,9 +94,9 @@ TEST(RSAckermann_Readout, of_a_camera_that_looks_aside)
         RollingShutterCamera truth = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT),
                              given = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT / 2);
         truth.heading = given.heading = heading;
-        const ReadoutRatio found = ratioOf(truth, given, 60);
-        EXPECT_NEAR(2, found.value(), 0.5) << heading;
-        EXPECT_NEAR(2, found.value(), 3 * found.sigma()) << heading;
+        const SeenCamera found = ratioOf(truth, given, 60);
+        EXPECT_NEAR(2, found.readoutRatio(), 0.5) << heading;
+        EXPECT_NEAR(2, found.readoutRatio(), 3 * found.readoutRatioSigma()) << heading;
     }
 }
 
@@ -109,9 +109,9 @@ TEST(RSAckermann_Readout, of_a_heading_that_is_not_exact)
             RollingShutterCamera truth = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT), given = truth;
             truth.heading = heading;
             given.heading = heading + error * CV_PI / 180;
-            const ReadoutRatio found = ratioOf(truth, given, 40);
-            EXPECT_NEAR(1, found.value(), 0.15) << heading << " " << error;
-            EXPECT_EQ(1, found.contradiction()) << heading << " " << error;
+            const SeenCamera found = ratioOf(truth, given, 40);
+            EXPECT_NEAR(1, found.readoutRatio(), 0.15) << heading << " " << error;
+            EXPECT_EQ(1, found.readoutContradiction()) << heading << " " << error;
         }
 }
 
@@ -183,8 +183,8 @@ TEST(RSAckermann_Readout, of_trucks_does_not_count)
         Truck truck;
         truck.motion = 20;
         truck.lean = lean;
-        const ReadoutRatio ratio = ratioOf(camera, camera, 60, truck);
-        EXPECT_NEAR(1, ratio.value(), 0.1) << lean;
+        const SeenCamera ratio = ratioOf(camera, camera, 60, truck);
+        EXPECT_NEAR(1, ratio.readoutRatio(), 0.1) << lean;
     }
 }
 
@@ -192,13 +192,13 @@ TEST(RSAckermann_Readout, of_trucks_does_not_count)
 TEST(RSAckermann_Readout, is_known_after_some_frames)
 {
     const RollingShutterCamera camera = cameraOf(SCAN_TOP_TO_BOTTOM, READOUT);
-    EXPECT_EQ(1, ReadoutRatio().value());
+    EXPECT_EQ(1, SeenCamera().readoutRatio());
     for (const int frames : {0, 14, 15, 32, 33, 64, 65, 150})
     {
-        const ReadoutRatio ratio = ratioOf(camera, camera, frames);
-        EXPECT_EQ(1, ratio.contradiction()) << frames;
-        EXPECT_EQ(frames > 14, ratio.sigma() > 0) << frames;
-        EXPECT_NEAR(1, ratio.value(), 0.1) << frames;
+        const SeenCamera ratio = ratioOf(camera, camera, frames);
+        EXPECT_EQ(1, ratio.readoutContradiction()) << frames;
+        EXPECT_EQ(frames > 14, ratio.readoutRatioSigma() > 0) << frames;
+        EXPECT_NEAR(1, ratio.readoutRatio(), 0.1) << frames;
     }
 }
 
@@ -206,9 +206,9 @@ TEST(RSAckermann_Readout, is_known_after_some_frames)
 TEST(RSAckermann_Readout, of_columns_is_not_known)
 {
     const RollingShutterCamera camera = cameraOf(SCAN_LEFT_TO_RIGHT, READOUT);
-    const ReadoutRatio ratio = ratioOf(camera, camera, 30);
-    EXPECT_EQ(1, ratio.value());
-    EXPECT_EQ(0, ratio.sigma());
+    const SeenCamera ratio = ratioOf(camera, camera, 30);
+    EXPECT_EQ(1, ratio.readoutRatio());
+    EXPECT_EQ(0, ratio.readoutRatioSigma());
 }
 
 // The standard deviation is true of parts that differ at random, and doesn't depend on how many frames they have.
@@ -218,17 +218,18 @@ TEST(RSAckermann_Readout, sigma_is_that_of_parts)
     std::vector<double> squares;
     for (int i = 0; i < 500; i++)
     {
-        ReadoutRatio ratio;
+        SeenCamera ratio;
         const int frames = rng.uniform(20, 300);
         for (int k = 0; k < frames; k++)
         {
-            ReadoutEvidence frame;
+            CameraEvidence frame;
             frame.information(0, 0) = rng.uniform(0.5, 1.5);
             frame.gradient[0] = frame.information(0, 0) * (1 - 0.7 + rng.gaussian(3));
-            ratio.add(frame, 2);
+            ratio.add(frame, CameraVector(), 2);
         }
-        const double byScene = 0.1, byParts = std::sqrt(ratio.sigma() * ratio.sigma() - byScene * byScene);
-        squares.push_back(std::pow((ratio.value() - 0.7) / byParts, 2));
+        const double byScene = 0.1,
+                     byParts = std::sqrt(ratio.readoutRatioSigma() * ratio.readoutRatioSigma() - byScene * byScene);
+        squares.push_back(std::pow((ratio.readoutRatio() - 0.7) / byParts, 2));
     }
     EXPECT_NEAR(1, std::accumulate(squares.begin(), squares.end(), 0.) / double(squares.size()), 0.25);
 }
@@ -239,18 +240,18 @@ TEST(RSAckermann_Readout, longer_than_the_interval_is_none)
     const double longest = 1.2;
     for (const double shown : {60., 1.7, 1.1, -1.1, -1.7, -60.})
     {
-        ReadoutRatio ratio;
+        SeenCamera ratio;
         for (int k = 0; k < 40; k++)
         {
-            ReadoutEvidence frame;
+            CameraEvidence frame;
             frame.information(0, 0) = 100;
             frame.gradient[0] = (1 - shown) * frame.information(0, 0);
-            ratio.add(frame, k % 2 ? 0.6 * longest : 1.4 * longest); // on average
+            ratio.add(frame, CameraVector(), k % 2 ? 0.6 * longest : 1.4 * longest); // on average
         }
         const bool isPossible = std::abs(shown) < longest;
-        EXPECT_NEAR(isPossible ? shown : 1, ratio.value(), 1e-9);
-        EXPECT_EQ(isPossible, ratio.sigma() > 0);
-        EXPECT_NEAR(shown == -1.1 ? -1.1 : 1, ratio.contradiction(), 1e-9);
+        EXPECT_NEAR(isPossible ? shown : 1, ratio.readoutRatio(), 1e-9);
+        EXPECT_EQ(isPossible, ratio.readoutRatioSigma() > 0);
+        EXPECT_NEAR(shown == -1.1 ? -1.1 : 1, ratio.readoutContradiction(), 1e-9);
     }
 }
 

@@ -32,6 +32,7 @@ struct Drive
     double yawChange;                     // of yaw per unit of time
     double pitch;                         // radians per unit of time, downward
     double roll;                          // the same, clockwise seen from behind
+    double lever = 0;                     // length from the axle that moves straight ahead to the camera
     std::function<Vec3d(double)> shaking; // instead of these: angles of roll, pitch and yaw since time 0
     std::function<Vec3d(double)> curve;   // and then by a rotation vector
 
@@ -56,7 +57,9 @@ struct Drive
             const double angle = heading + turned(at);
             sum += weight[std::abs(i)] * Vec3d(std::sin(angle), 0, std::cos(angle));
         }
-        return 0.5 * t * speed * sum;
+        const double now = heading + turned(t), start = heading;
+        const Vec3d aside(std::sin(now) - std::sin(start), 0, std::cos(now) - std::cos(start));
+        return 0.5 * t * speed * sum + lever * aside;
     }
 
     //! A direction in the camera at time t as one in the camera at time 0.

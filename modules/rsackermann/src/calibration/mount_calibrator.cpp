@@ -510,7 +510,7 @@ private:
         c.pitchSigma = sigma[MOUNT_PITCH];
         c.camera.rollSigma = c.rollSigma;
         c.camera.pitchSigma = c.pitchSigma;
-        c.headingSigma = sigma[MOUNT_HEADING];
+        c.camera.headingSigma = c.headingSigma = sigma[MOUNT_HEADING];
         c.lineDelaySigma = (c.lineDelayObserved ? sigma : before)[MOUNT_DELAY] * c.lineDelay;
         if (c.lineDelayObserved)
             c.camera.lineDelaySigma = c.lineDelaySigma;

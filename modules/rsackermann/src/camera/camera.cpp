@@ -18,7 +18,8 @@ RollingShutterCamera::RollingShutterCamera(const Size& size, const Matx33d& K, c
                                            int lens)
     : imageSize(size), cameraMatrix(K), distCoeffs(dist), lensModel(lens), scanDirection(SCAN_TOP_TO_BOTTOM),
       lineDelay(0), referenceRow((size.height - 1) / 2.), uprightRotation(Matx33d::eye()), rollSigma(2 * CV_PI / 180),
-      pitchSigma(5 * CV_PI / 180), heading(0), height(0), focalSigma(0), distortionSigma(0), lineDelaySigma(0)
+      pitchSigma(5 * CV_PI / 180), heading(0), headingSigma(5 * CV_PI / 180), height(0), focalSigma(0),
+      distortionSigma(0), lineDelaySigma(0)
 {
 }
 
@@ -159,6 +160,7 @@ void RollingShutterCamera::check() const
     checkNotNegative(rollSigma, "camera.rollSigma", "exact");
     checkNotNegative(pitchSigma, "camera.pitchSigma", "exact");
     checkFinite(heading, "camera.heading");
+    checkNotNegative(headingSigma, "camera.headingSigma", "exact");
     checkNotNegative(height, "camera.height", "unknown");
     checkNotNegative(focalSigma, "camera.focalSigma", "exact");
     checkNotNegative(distortionSigma, "camera.distortionSigma", "exact");
@@ -173,8 +175,8 @@ void RollingShutterCamera::write(FileStorage& fs) const
     fs << "lens_model" << lensModel << "scan_direction" << scanDirection;
     fs << "line_delay" << lineDelay << "reference_row" << referenceRow;
     fs << "upright_rotation" << uprightRotation << "roll_sigma" << rollSigma << "pitch_sigma" << pitchSigma;
-    fs << "heading" << heading << "height" << height << "focal_sigma" << focalSigma << "distortion_sigma"
-       << distortionSigma << "line_delay_sigma" << lineDelaySigma;
+    fs << "heading" << heading << "heading_sigma" << headingSigma << "height" << height;
+    fs << "focal_sigma" << focalSigma << "distortion_sigma" << distortionSigma << "line_delay_sigma" << lineDelaySigma;
 }
 
 // A list, or one row or column as files of other calibrations have it.
@@ -207,7 +209,9 @@ void RollingShutterCamera::read(const FileNode& fn)
     if (!fn["upright_rotation"].empty())
         rollSigma = pitchSigma = 0;
     readFields(fn, "roll_sigma", rollSigma, "pitch_sigma", pitchSigma);
-    readFields(fn, "heading", heading, "height", height, "focal_sigma", focalSigma);
+    if (!fn["heading"].empty())
+        headingSigma = 0;
+    readFields(fn, "heading", heading, "heading_sigma", headingSigma, "height", height, "focal_sigma", focalSigma);
     readFields(fn, "distortion_sigma", distortionSigma, "line_delay_sigma", lineDelaySigma);
 }
 

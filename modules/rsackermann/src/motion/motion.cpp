@@ -16,10 +16,10 @@ namespace cv { namespace rsackermann {
 AckermannMotion::AckermannMotion()
     : status(MOTION_NOT_SIGNIFICANT), model(MODEL_NONE), alpha(0), wallSlope(0), wallOffset(0), wallRatio(0),
       roadSlope(0), direction(1), pitchRate(0), rollRate(0), pitchRateSigma(0), rollRateSigma(0), rollCorrection(0),
-      pitchCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), speedSigma(0), covariance(Matx44d::zeros()),
-      rollYawAmbiguous(false), contradictsPrior(false), seenYawRate(0), seenYawRateSigma(0), seenSpeed(0),
-      seenSpeedSigma(0), readoutRatio(1), readoutRatioSigma(0), candidates(0), inliers(0), rms(0), expectedRaw(0),
-      expectedResidual(0), probabilityWorse(0)
+      pitchCorrection(0), headingCorrection(0), wallDistance(0), scale(SCALE_UNKNOWN), speedSigma(0),
+      covariance(Matx44d::zeros()), rollYawAmbiguous(false), contradictsPrior(false), seenYawRate(0),
+      seenYawRateSigma(0), seenSpeed(0), seenSpeedSigma(0), readoutRatio(1), readoutRatioSigma(0), seenHeading(0),
+      seenHeadingSigma(0), candidates(0), inliers(0), rms(0), expectedRaw(0), expectedResidual(0), probabilityWorse(0)
 {
 }
 
@@ -132,11 +132,16 @@ Matx33d AckermannMotion::uprightRotation(const RollingShutterCamera& camera) con
     return tiltRotation(rollCorrection, pitchCorrection) * camera.uprightRotation;
 }
 
+double AckermannMotion::heading(const RollingShutterCamera& camera) const
+{
+    return camera.heading + headingCorrection;
+}
+
 void AckermannMotion::pose(const RollingShutterCamera& camera, double time, Matx33d& R, Vec3d& T) const
 {
     checkFinite(time, "time");
     // doc/theory.md, "Motion"
-    const RowMotion row(alpha, camera.heading, time);
+    const RowMotion row(alpha, heading(camera), time);
     const Matx33d upright = uprightRotation(camera);
     R = upright.t() * yawRotation(2 * alpha * time) * RowTilt(camera, *this).at(time) * upright;
     const bool translates = wallSlope != 0 || wallOffset != 0 || roadSlope != 0 || !inverseDepthOffset.empty();
@@ -150,8 +155,8 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "road_slope" << roadSlope << "direction" << direction;
     fs << "pitch_rate" << pitchRate << "roll_rate" << rollRate << "pitch_rate_sigma" << pitchRateSigma
        << "roll_rate_sigma" << rollRateSigma;
-    fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "wall_distance"
-       << wallDistance;
+    fs << "roll_correction" << rollCorrection << "pitch_correction" << pitchCorrection << "heading_correction"
+       << headingCorrection << "wall_distance" << wallDistance;
     fs << "scale" << scale << "speed_sigma" << speedSigma << "expected_raw" << expectedRaw << "expected_residual"
        << expectedResidual;
     fs << "probability_worse" << probabilityWorse;
@@ -163,7 +168,8 @@ void AckermannMotion::write(FileStorage& fs) const
     fs << "covariance" << covariance << "roll_yaw_ambiguous" << rollYawAmbiguous;
     fs << "contradicts_prior" << contradictsPrior << "seen_yaw_rate" << seenYawRate << "seen_yaw_rate_sigma"
        << seenYawRateSigma << "seen_speed" << seenSpeed << "seen_speed_sigma" << seenSpeedSigma << "readout_ratio"
-       << readoutRatio << "readout_ratio_sigma" << readoutRatioSigma;
+       << readoutRatio << "readout_ratio_sigma" << readoutRatioSigma << "seen_heading" << seenHeading
+       << "seen_heading_sigma" << seenHeadingSigma;
     fs << "candidates" << candidates << "inliers" << inliers << "rms" << rms;
 }
 
@@ -198,7 +204,8 @@ void AckermannMotion::read(const FileNode& fn)
     readFields(fn, "wall_offset", wallOffset, "wall_ratio", wallRatio, "road_slope", roadSlope, "direction", direction);
     readFields(fn, "pitch_rate", pitchRate, "roll_rate", rollRate, "pitch_rate_sigma", pitchRateSigma);
     readFields(fn, "roll_rate_sigma", rollRateSigma, "roll_correction", rollCorrection);
-    readFields(fn, "pitch_correction", pitchCorrection, "wall_distance", wallDistance, "scale", scale);
+    readFields(fn, "pitch_correction", pitchCorrection, "heading_correction", headingCorrection, "wall_distance",
+               wallDistance, "scale", scale);
     readFields(fn, "speed_sigma", speedSigma);
     readFields(fn, "expected_raw", expectedRaw, "expected_residual", expectedResidual);
     readFields(fn, "probability_worse", probabilityWorse);
@@ -209,6 +216,7 @@ void AckermannMotion::read(const FileNode& fn)
     readFields(fn, "roll_yaw_ambiguous", rollYawAmbiguous, "contradicts_prior", contradictsPrior);
     readFields(fn, "seen_yaw_rate", seenYawRate, "seen_yaw_rate_sigma", seenYawRateSigma, "seen_speed", seenSpeed);
     readFields(fn, "readout_ratio", readoutRatio, "readout_ratio_sigma", readoutRatioSigma);
+    readFields(fn, "seen_heading", seenHeading, "seen_heading_sigma", seenHeadingSigma);
     readFields(fn, "seen_speed_sigma", seenSpeedSigma, "candidates", candidates, "inliers", inliers, "rms", rms);
 }
 
@@ -248,11 +256,13 @@ void checkMotion(const AckermannMotion& motion)
 {
     checkWords(motion);
     checkOffset(motion);
-    const double values[] = {motion.alpha,           motion.wallSlope,   motion.wallOffset, motion.wallRatio,
-                             motion.roadSlope,       motion.pitchRate,   motion.rollRate,   motion.rollCorrection,
-                             motion.pitchCorrection, motion.wallDistance};
-    const char* const names[] = {"alpha",     "wallSlope", "wallOffset",     "wallRatio",       "roadSlope",
-                                 "pitchRate", "rollRate",  "rollCorrection", "pitchCorrection", "wallDistance"};
+    const double values[] = {
+        motion.alpha,           motion.wallSlope,         motion.wallOffset,  motion.wallRatio,
+        motion.roadSlope,       motion.pitchRate,         motion.rollRate,    motion.rollCorrection,
+        motion.pitchCorrection, motion.headingCorrection, motion.wallDistance};
+    const char* const names[] = {"alpha",           "wallSlope",         "wallOffset",  "wallRatio",
+                                 "roadSlope",       "pitchRate",         "rollRate",    "rollCorrection",
+                                 "pitchCorrection", "headingCorrection", "wallDistance"};
     const double largest = 1e150; // the walls' inverse depths, products of two of them, are finite
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
         REJECT_IF(!(std::abs(values[i]) <= largest), "motion.%s is %g; a number from %g to %g is expected", names[i],

@@ -17,7 +17,6 @@ typedef NormalEquations<FLOW_VALUES> FlowEquations;
 typedef FlowEquations::Vector Unknowns;
 typedef Eigen::Matrix<double, FLOW_VALUES, 2> FlowGradient;
 typedef Eigen::Matrix<double, SEQUENCE_VALUES, SEQUENCE_VALUES> StateMatrix;
-typedef Eigen::Matrix<double, SEQUENCE_VALUES, CAMERA_VALUES, Eigen::RowMajor> StateByCamera;
 typedef Eigen::Matrix<double, FLOW_VALUES, CAMERA_VALUES> CameraJacobian;
 
 struct Minimum
@@ -202,19 +201,19 @@ public:
     }
 
     // The predicted state depends on the camera's values, too. Sets by how much that of the minimum does.
-    ReadoutEvidence measureReadout(const Minimum& m, double about, SequenceState& state) const
+    CameraEvidence measureCamera(const Minimum& m, const FitNuisances& nuisances, SequenceState& state) const
     {
-        const double step = std::sqrt(DBL_EPSILON);
-        const FlowResidual turned(camera.heading + step, unit, focal);
+        const FlowResidual turned(camera.heading + HEADING_STEP, unit, focal);
         const FlowResidual::Values values(m.at.data());
-        ReadoutEquations others;
+        CameraEquations others;
         rsackermann::addPoints<FLOW_VALUES + CAMERA_VALUES>(
             bearings, pointWeights, 1,
             [&](const TrackedBearing& s, Eigen::Matrix<double, FLOW_VALUES + CAMERA_VALUES, 2>& J) {
                 FlowGradient byValues;
                 const Point2d r = residual.evaluate(s, values, byValues.data()), t = turned.evaluate(s, values, 0),
-                              change = FlowResidual::isBehind(t) ? Point2d() : (t - r) * (1 / step);
-                J << byValues, Eigen::RowVector2d::Zero(), Eigen::RowVector2d(change.x, change.y);
+                              change = FlowResidual::isBehind(t) ? Point2d() : (t - r) * (1 / HEADING_STEP);
+                J << byValues, Eigen::RowVector2d::Zero(), Eigen::RowVector2d(change.x, change.y),
+                    nuisances.curvature * Eigen::RowVector2d(change.x, change.y);
                 return r;
             },
             others);
@@ -228,8 +227,8 @@ public:
         others.gradient.tail<CAMERA_VALUES>() -= weighed.transpose() * (m.at - expected);
         SequenceState minimum = state; // without what the frame's nuisances change
         std::copy(m.at.data(), m.at.data() + SEQUENCE_VALUES, minimum.value.val);
-        const ReadoutEvidence evidence =
-            rsackermann::measureReadout(camera, verticals, weightsByPoints(m.at), others, about, minimum);
+        const CameraEvidence evidence = rsackermann::measureCamera(
+            camera, verticals, weightsByPoints(m.at), others, nuisances.readoutRatio, nuisances.curvature, minimum);
         state.byCamera = minimum.byCamera;
         return evidence;
     }
@@ -377,7 +376,7 @@ SequenceFit toFit(FrameFitProblem& problem, Minimum best, const FitNuisances& nu
     problem.measureTurns(best.at, fit.before, fit.after);
     problem.setState(best, nuisances, fit.state);
     fit.yawGrowthSigma = nuisances.yawGrowth;
-    fit.readout = problem.measureReadout(best, nuisances.readoutRatio, fit.state);
+    fit.camera = problem.measureCamera(best, nuisances, fit.state);
     return fit;
 }
 

@@ -6,7 +6,7 @@
 #define OPENCV_RSACKERMANN_SRC_SEQUENCE_FRAME_FIT_HPP
 
 #include "../factors/flow_residual.hpp"
-#include "readout_ratio.hpp"
+#include "seen_camera.hpp"
 #include "sequence_state.hpp"
 
 namespace cv { namespace rsackermann {
@@ -37,7 +37,7 @@ struct SequenceFit
     NeighbourTurns before, after;    //!< the same turns, with their changes
     bool moves = false;              //!< whether the points rule out a camera at rest
     bool stands = false;             //!< whether they rule out the predicted motion instead
-    ReadoutEvidence readout;
+    CameraEvidence camera;
     double yawGrowthSigma = YAW_GROWTH; //!< of its prior, rad/s^2
     double residual = 1;                //!< of the points that agree, over their displacement in the raw image
     double agreeing = 0; //!< share of the points that agree with the motion, without those on the car itself
@@ -51,7 +51,8 @@ struct FitNuisances
     double pitchChange = 0, rollChange = 0; //!< of these rates from frame to frame, rad/s
     double yawGrowth = YAW_GROWTH;          //!< of the yaw rate between frames, rad/s^2
     double interval = 0;                    //!< relative, of the time between frames
-    double readoutRatio = 1;                //!< what the frames so far show of it, see ReadoutRatio
+    double curvature = 0;                   //!< of the way, 1/m, positive to the right
+    double readoutRatio = 1;                //!< what the frames so far show of it, see SeenCamera
 };
 
 /** Fits motion, planes and gravity to the points that were tracked from the frame before, or to the one after, and to

@@ -20,9 +20,23 @@ SequenceMemory::SequenceMemory(const RollingShutterCamera& camera, const Ackerma
 {
 }
 
+void SequenceMemory::change(const CameraVector& difference)
+{
+    filter.state.change(difference);
+    for (SequenceFit* fit : {&last, &alone})
+    {
+        const SequenceVector values = fit->state.byCamera * difference;
+        fit->state.change(difference);
+        fit->prediction.change(difference);
+        for (int i = 0; i < SEQUENCE_VALUES; i++)
+            fit->values[i] += values[i];
+    }
+}
+
 SequenceEstimator::SequenceEstimator(const RollingShutterCamera& camera_, const AckermannEstimator::Params& params_,
                                      const Ptr<AckermannEstimator>& single_)
-    : SequenceMemory(camera_, params_), camera(camera_), params(params_), single(single_), kept(*this)
+    : SequenceMemory(camera_, params_), camera(camera_), turnedCamera(camera_), params(params_), single(single_),
+      kept(*this)
 {
 }
 
@@ -36,10 +50,11 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
     const int sameValues = isSameGravity ? SEQUENCE_VALUES : SEQUENCE_ROLL;
     if (!isSameGravity)
         image.release();
-    camera = camera_;
+    camera = turnedCamera = camera_;
+    turnCamera(curvature);
     params = params_;
     for (SequenceFilter* f : {&filter, &kept.filter})
-        f->state.change(camera, params, sameValues);
+        f->state.change(turnedCamera, params, sameValues);
 }
 
 void SequenceEstimator::reset()
@@ -48,7 +63,9 @@ void SequenceEstimator::reset()
     image.release();
     gyro.reset();
     contradicted = ContradictedValues();
-    readout = ReadoutRatio();
+    seenCamera = SeenCamera();
+    cameraChange = CameraVector();
+    turnCamera(0);
     filter.hasFrame = false;
     interval = 0;
     resetState();
@@ -56,7 +73,7 @@ void SequenceEstimator::reset()
 
 void SequenceEstimator::resetState()
 {
-    filter.reset(camera, params);
+    filter.reset(turnedCamera, params);
     rates = RowRates(RowRates::usualSteering(params));
     clockNoise = ClockNoise();
     seen = stillSince = std::numeric_limits<double>::quiet_NaN();
@@ -216,8 +233,8 @@ double SequenceEstimator::putBackCopies(double passed)
     if (!mayFollowCopies(features.bearings, passed, since))
         return 0;
     features.putBack(camera, passed, since);
-    const SequenceFit fit =
-        fitFrame(camera, features.bearings, features.verticals, SequenceState(camera, params), true, FitNuisances());
+    const SequenceFit fit = fitFrame(turnedCamera, features.bearings, features.verticals,
+                                     SequenceState(turnedCamera, params), true, FitNuisances());
     if (!movesTooSoon(fit, passed + since))
     {
         features.putBack(camera, passed, -since);
@@ -226,6 +243,14 @@ double SequenceEstimator::putBackCopies(double passed)
     resetState();
     interval = std::abs(passed + since);
     return since;
+}
+
+// 1/m, up to that of the tightest turn.
+static double curvatureOf(const SequenceState& state)
+{
+    const double tightest = 0.2, speed = state.value[SEQUENCE_SPEED];
+    const double curvature = speed != 0 ? state.value[SEQUENCE_YAW_RATE] / speed : 0;
+    return std::min(std::max(curvature, -tightest), tightest);
 }
 
 // Returns whether there were points to go by.
@@ -239,7 +264,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         reset();
     const FrameFeatures::Link link =
         features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed,
-                       predictPoints(camera, params, filter, features.isKept() ? &kept.filter : 0), next);
+                       predictPoints(turnedCamera, params, filter, features.isKept() ? &kept.filter : 0), next);
     const bool isFrameMissing = interval > 0 && std::abs(passed) > 1.5 * interval && !isRepeated;
     if (link == FrameFeatures::FOLLOWS && !isRepeated)
         interval = std::abs(passed);
@@ -258,7 +283,8 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         // By when the car has gone on isn't known, unless all images come again.
         features.leaveOut(passed);
     const SequenceFilter filterBefore = filter;
-    const bool follows = filter.advance(frame.seconds, camera, params);
+    const bool follows = filter.advance(frame.seconds, turnedCamera, params);
+    turnCamera(curvatureOf(filter.state));
     double before = follows ? passed : 0;
     double after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
     if (stopsOrStartsAtOnce(features.bearings))
@@ -277,28 +303,30 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         before += putBackCopies(passed);
     AckermannMotion compared;
     MotionPrior used = prior;
-    const SequenceFit fitBefore = last;
     FitNuisances nuisances;
     rates.expectChanges(follows ? before : after, nuisances);
     nuisances.interval = clockNoise.sigma();
-    nuisances.readoutRatio = readout.value();
-    if (!update(rates.aboutFit(before, after, readOut(camera)), nuisances, used, compared))
-    {
-        resetState();
-        return false;
-    }
-    isCopy = showsCopy(alone, features.bearings, passed, prior);
+    nuisances.curvature = curvature;
+    nuisances.readoutRatio = seenCamera.readoutRatio();
+    SequenceFilter predicted = filter;
+    const bool isSeen = filter.update(features, turnedCamera, params, alone, nuisances);
+    isCopy = isSeen && showsCopy(alone, features.bearings, passed, prior);
     if (isCopy)
     {
         filter = filterBefore; // at the time of that image
-        last = fitBefore;
         interval = intervalBefore;
         clockNoise.interrupt();
         stillSince = std::numeric_limits<double>::quiet_NaN();
         return false;
     }
+    if (isSeen)
+        predicted.state.change(learnCamera(std::abs(before != 0 ? before : after) / readOut(camera)));
+    if (!useGiven(isSeen, predicted, rates.aboutFit(before, after, readOut(camera)), nuisances, used, compared))
+    {
+        resetState();
+        return false;
+    }
     seen = filter.time;
-    readout.add(alone.readout, std::abs(before != 0 ? before : after) / readOut(camera));
     if (!isStillSince(features.bearings, passed))
         stillSince = std::numeric_limits<double>::quiet_NaN();
     else if (!std::isfinite(stillSince))
@@ -312,7 +340,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     report(last, verticals, used, motion, labels);
     const std::vector<TrackedBearing>& fine = features.fineBearings;
     if (motion.status == MOTION_OK)
-        fitOffset(camera, fine.size() < LEAST_POINTS ? features.bearings : fine, last.values, motion);
+        fitOffset(turnedCamera, fine.size() < LEAST_POINTS ? features.bearings : fine, last.values, motion);
     return true;
 }
 
@@ -323,13 +351,34 @@ static void widen(double& sigma, double other)
         sigma = std::hypot(sigma, other);
 }
 
+// Returns by how much its values change.
+CameraVector SequenceEstimator::learnCamera(double longestNow)
+{
+    seenCamera.add(alone.camera, cameraChange, longestNow);
+    const CameraVector found = seenCamera.difference(camera.headingSigma), difference = found - cameraChange;
+    cameraChange = found;
+    turnCamera(curvature);
+    change(difference);
+    kept.change(difference);
+    return difference;
+}
+
+void SequenceEstimator::turnCamera(double curvature_)
+{
+    curvature = curvature_;
+    turnedCamera.heading = camera.heading + cameraChange[CAMERA_HEADING] + curvature * cameraChange[CAMERA_LEVER];
+}
+
+SequenceState SequenceEstimator::marginal(const SequenceState& state) const
+{
+    return state.marginal(seenCamera.covariance(camera.headingSigma));
+}
+
 // What is given counts in its own frame alone: its error may be that of all frames. Goes by the frames without what
 // they contradict, or alone if no motion is near what is given. Returns whether they show one of this scene.
-bool SequenceEstimator::update(const AboutFit& aboutFit, const FitNuisances& nuisances, MotionPrior& prior,
-                               AckermannMotion& motion)
+bool SequenceEstimator::useGiven(bool isSeen, const SequenceFilter& predicted, const AboutFit& aboutFit,
+                                 const FitNuisances& nuisances, MotionPrior& prior, AckermannMotion& motion)
 {
-    const SequenceFilter before = filter;
-    const bool isSeen = filter.update(features, camera, params, alone, nuisances);
     last = alone;
     if (!isGiven(prior))
         return isSeen;
@@ -339,9 +388,9 @@ bool SequenceEstimator::update(const AboutFit& aboutFit, const FitNuisances& nui
     MotionPrior given = prior;
     widen(given.yawRateSigma, aboutFit.yawRate);
     widen(given.speedSigma, aboutFit.speed);
-    SequenceFilter aided = before;
+    SequenceFilter aided = predicted;
     aided.state.measure(given);
-    const bool isNear = isGiven(given) && aided.update(features, camera, params, last, nuisances);
+    const bool isNear = isGiven(given) && aided.update(features, turnedCamera, params, last, nuisances);
     if (!isSeen)
         alone = last;
     else if (!isNear)
@@ -352,10 +401,11 @@ bool SequenceEstimator::update(const AboutFit& aboutFit, const FitNuisances& nui
 MotionPrior SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior,
                                                const AboutFit& aboutFit, AckermannMotion& motion)
 {
+    const SequenceState state = marginal(ofFrames.state);
     if (prior.yawRateSigma > 0)
-        ofFrames.state.seen(SEQUENCE_YAW_RATE, motion.seenYawRate, motion.seenYawRateSigma);
+        state.seen(SEQUENCE_YAW_RATE, motion.seenYawRate, motion.seenYawRateSigma);
     if (prior.speedSigma > 0)
-        ofFrames.state.seen(SEQUENCE_SPEED, motion.seenSpeed, motion.seenSpeedSigma);
+        state.seen(SEQUENCE_SPEED, motion.seenSpeed, motion.seenSpeedSigma);
     widen(motion.seenYawRateSigma, aboutFit.yawRate);
     widen(motion.seenSpeedSigma, aboutFit.speed);
     AckermannMotion seenMotion;
@@ -382,7 +432,8 @@ void SequenceEstimator::updateRates(double before, double after)
         rates.interrupt();
     if (gyro.samples.empty())
         return;
-    const double yawSigma = std::sqrt(last.state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
+    const SequenceState uncertain = marginal(last.state);
+    const double yawSigma = std::sqrt(uncertain.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
         gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, -before, yawSigma));
     else if (after != 0 && isSeen[after > 0 ? 1 : 0])
@@ -427,9 +478,9 @@ Model SequenceEstimator::predictDisplacement(const SequenceFit& fit, AckermannMo
     std::vector<Point2d> places;
     for (size_t i = 0; i < features.bearings.size(); i++)
         places.push_back(features.bearings[i].now);
-    const Model model =
-        expectDisplacement(DisplacementField(camera, places), camera, fit.state, false, fit.residual, motion);
-    expectReadout(readout.contradiction(), motion);
+    const Model model = expectDisplacement(DisplacementField(turnedCamera, places), turnedCamera, fit.state, false,
+                                           fit.residual, motion);
+    expectReadout(seenCamera.readoutContradiction(), motion);
     return model;
 }
 
@@ -437,12 +488,16 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
                                const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
 {
     motion.candidates = int(verticals.size());
-    motion.readoutRatio = readout.value();
-    motion.readoutRatioSigma = readout.sigma();
+    motion.readoutRatio = seenCamera.readoutRatio();
+    motion.readoutRatioSigma = seenCamera.readoutRatioSigma();
+    motion.seenHeading = camera.heading + seenCamera.heading();
+    motion.seenHeadingSigma = seenCamera.headingSigma();
     AckermannMotion found = motion;
+    found.headingCorrection = turnedCamera.heading - camera.heading;
     SequenceFit fit = fit_;
     rates.toInstant(prior, fit.state);
-    fit.state.toMotion(camera.secondsPerUnitTime(), found);
+    const SequenceState uncertain = marginal(fit.state);
+    uncertain.toMotion(camera.secondsPerUnitTime(), found);
     rates.toMotion(camera, found);
     const Model model = predictDisplacement(fit, found);
     if (!fit.moves || !(found.expectedResidual < found.expectedRaw))
@@ -455,9 +510,9 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     // A longer lens sees less of a turn.
     const double change = motion.alpha * camera.focalSigma / camera.cameraMatrix(0, 0);
     motion.covariance(0, 0) += change * change;
-    motion.model = DisplacementField(camera).mainMotion(model, motion.roadSlope);
+    motion.model = DisplacementField(turnedCamera).mainMotion(model, motion.roadSlope);
     const Agreement agreement = {camera.cameraMatrix(0, 0), params.threshold, PRIOR_LEAN};
-    labelInliers(verticals, model, camera.heading, agreement, motion, labels);
+    labelInliers(verticals, model, turnedCamera.heading, agreement, motion, labels);
     keepSeenWalls(camera, motion);
     if (!setGivenScale(camera, params, prior, motion) && params.scaleFromRoad && camera.height > 0)
         motion.scale = SCALE_ROAD;
@@ -466,7 +521,7 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
         const double way = std::abs(fit.state.value[SEQUENCE_SPEED]) * camera.secondsPerUnitTime();
         motion.wallDistance =
             way / std::max(std::hypot(motion.wallSlope, motion.wallOffset), way * FLT_EPSILON + DBL_MIN);
-        motion.speedSigma = std::sqrt(fit.state.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
+        motion.speedSigma = std::sqrt(uncertain.covariance(SEQUENCE_SPEED, SEQUENCE_SPEED));
     }
 }
 
@@ -492,31 +547,38 @@ void SequenceEstimator::expectMotion(const MotionPrior& prior, AckermannMotion& 
 
 bool SequenceEstimator::alignDepth(const Mat& segments, AckermannMotion& motion, DepthMap& depth) const
 {
+    RollingShutterCamera ofMotion = camera;
+    ofMotion.heading = motion.heading(camera);
     if (!isSeen())
-        return rsackermann::alignDepth(camera, params, priorOfImage, segments, motion, depth);
+        return rsackermann::alignDepth(ofMotion, params, priorOfImage, segments, motion, depth);
     DepthFit found;
     DepthMap aligned = depth;
-    if (motion.status != MOTION_OK || !fitDepth(camera, features.bearings, last, motion, aligned, found))
+    if (motion.status != MOTION_OK || !fitDepth(ofMotion, features.bearings, last, motion, aligned, found))
         // Where hardly any point has a depth none speaks against one in metres.
         return depth.kind == DEPTH_METRIC && found.points < LEAST_POINTS &&
-               rsackermann::alignDepth(camera, params, valuesOf(camera, motion), segments, motion, depth);
+               rsackermann::alignDepth(ofMotion, params, valuesOf(camera, motion), segments, motion, depth);
     AckermannMotion changed = motion;
     MeasuredTurns turns;
+    const double unit = camera.secondsPerUnitTime() / 2;
     if (!measure(filter.time, turns)) // a gyro knows the instant, whatever the scene is
     {
-        const double unit = camera.secondsPerUnitTime() / 2, before = motion.covariance(0, 0),
+        const double before = motion.covariance(0, 0),
                      ofPlanes = last.state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE);
         changed.alpha += unit * (found.yawRate - last.values[SEQUENCE_YAW_RATE]);
         setAlphaVariance(before + unit * unit * (found.covariance(0, 0) - ofPlanes), changed);
     }
-    const Matx33d toAlpha = Matx33d::diag(Vec3d(std::sqrt(changed.covariance(0, 0) / found.covariance(0, 0)), 1, 1));
+    // What the heading adds to the yaw the way aside takes away.
+    const double ofCamera = marginal(last.state).covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE) -
+                            last.state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE),
+                 ofAlpha = std::max(changed.covariance(0, 0) - unit * unit * ofCamera, 0.);
+    const Matx33d toAlpha = Matx33d::diag(Vec3d(std::sqrt(ofAlpha / found.covariance(0, 0)), 1, 1));
     std::vector<Point2d> places;
     for (const TrackedBearing& b : features.bearings)
         places.push_back(b.now);
-    expectWithDepth(camera, depth, found.scale, found.shift, toAlpha * found.covariance * toAlpha, places, changed);
+    expectWithDepth(ofMotion, depth, found.scale, found.shift, toAlpha * found.covariance * toAlpha, places, changed);
     changed.expectedResidual = std::hypot(changed.expectedResidual, changed.expectedRaw * found.residual);
     changed.probabilityWorse = DisplacementField::probabilityWorse(changed.expectedRaw, changed.expectedResidual);
-    expectReadout(readout.contradiction(), changed);
+    expectReadout(seenCamera.readoutContradiction(), changed);
     if (!(changed.expectedResidual < changed.expectedRaw))
         return false;
     motion = changed;
@@ -534,6 +596,7 @@ AckermannMotion SequenceEstimator::estimateAlone(double seconds, const Mat& segm
     {
         SequenceState expected = state;
         expected.measure(given);
+        expected = marginal(expected);
         expected.seen(SEQUENCE_YAW_RATE, prior.yawRate, prior.yawRateSigma);
     }
     AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);

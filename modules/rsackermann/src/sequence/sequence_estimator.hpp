@@ -27,6 +27,9 @@ struct SequenceMemory
     bool isRepeated = false; //!< the image came again, or nearly
 
     SequenceMemory(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
+
+    //! The same with another camera. @param difference of its values.
+    void change(const CameraVector& difference);
 };
 
 //! The estimate from consecutive frames (doc/theory.md, "Sequence").
@@ -75,7 +78,11 @@ private:
                                 const MotionPrior& prior, Mat& labels);
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
-    bool update(const AboutFit& aboutFit, const FitNuisances& nuisances, MotionPrior& prior, AckermannMotion& motion);
+    CameraVector learnCamera(double longestNow);
+    void turnCamera(double curvature);
+    bool useGiven(bool isSeen, const SequenceFilter& predicted, const AboutFit& aboutFit, const FitNuisances& nuisances,
+                  MotionPrior& prior, AckermannMotion& motion);
+    SequenceState marginal(const SequenceState& state) const;
     MotionPrior compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, const AboutFit& aboutFit,
                                 AckermannMotion& motion);
     AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels);
@@ -92,10 +99,13 @@ private:
                 AckermannMotion& motion, Mat& labels) const;
 
     RollingShutterCamera camera;
+    RollingShutterCamera turnedCamera; // into the direction in which it moves
+    CameraVector cameraChange;         // by what is seen of it
+    double curvature = 0;              // of the way in the last frame, 1/m
     AckermannEstimator::Params params;
     Ptr<AckermannEstimator> single;
     ContradictedValues contradicted;
-    ReadoutRatio readout;
+    SeenCamera seenCamera;
     FrameFeatures features;
     Mat image; // the last one, with what was found in it
     AckermannMotion motionOfImage;

@@ -81,6 +81,21 @@ void SequenceState::seen(SequenceValue which, double& mean, double& sigma) const
     sigma = 1 / std::sqrt(own);
 }
 
+void SequenceState::change(const CameraVector& difference)
+{
+    value += byCamera * difference;
+    for (int i = SEQUENCE_LEFT; i <= SEQUENCE_ROAD; i++)
+        value[i] = std::max(value[i], 0.);
+    stationary[SEQUENCE_DIRECTION] += difference[CAMERA_HEADING];
+}
+
+SequenceState SequenceState::marginal(const CameraMatrix& ofCamera) const
+{
+    SequenceState result = *this;
+    result.covariance += byCamera * ofCamera * byCamera.t();
+    return result;
+}
+
 void SequenceState::toMotion(double unit, AckermannMotion& motion) const
 {
     Matx<double, PARAMETERS, SEQUENCE_VALUES> J;

@@ -17,8 +17,12 @@ extern const double MEMORY[SEQUENCE_VALUES];
 enum CameraValue {
     CAMERA_READOUT, //!< over the given one
     CAMERA_HEADING, //!< beyond the given one, radians
+    CAMERA_LEVER,   //!< ahead of the axle that moves straight ahead, metres
     CAMERA_VALUES
 };
+
+typedef Vec<double, CAMERA_VALUES> CameraVector;
+typedef Matx<double, CAMERA_VALUES, CAMERA_VALUES> CameraMatrix;
 
 /** The motion of the car and the scene with a covariance (doc/theory.md, "Sequence").
 
@@ -52,6 +56,12 @@ struct SequenceState
     /** A value as the frames show it, without what is expected of all cars.
     Stays as it is if they don't. */
     void seen(SequenceValue which, double& mean, double& sigma) const;
+
+    //! The same frames, seen by another camera. @param difference of its values.
+    void change(const CameraVector& difference);
+
+    //! With the uncertainty of the camera's values.
+    SequenceState marginal(const CameraMatrix& ofCamera) const;
 
     //! As a motion during one image, with its covariance; the status and the counts of segments are left as they are.
     void toMotion(double unit, AckermannMotion& motion) const;

@@ -26,7 +26,7 @@ public:
     ShutterGeometry(const RollingShutterCamera& camera, const AckermannMotion& motion)
         : moving(motion.status == MOTION_OK), scene(motion), depthOffset(motion), lens(camera),
           up(motion.uprightRotation(camera)), down(up.t()), rowTilt(camera, motion), alpha(motion.alpha),
-          heading(camera.heading), byRows(camera.isRowShutter()), time0(camera.rowTime(Point2d(0, 0))),
+          heading(motion.heading(camera)), byRows(camera.isRowShutter()), time0(camera.rowTime(Point2d(0, 0))),
           timeStep(camera.rowTime(Point2d(1, 1)) - time0)
     {
     }

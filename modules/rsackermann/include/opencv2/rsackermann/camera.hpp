@@ -137,6 +137,9 @@ public:
     //! Radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a
     //! camera that looks to the right
     CV_PROP_RW double heading;
+    //! Standard deviation of heading in radians, of a mount that isn't given 5 degrees; 0: exact. Sequences estimate a
+    //! heading that isn't (AckermannMotion::headingCorrection); single images take it as it is
+    CV_PROP_RW double headingSigma;
     CV_PROP_RW double height; //!< metres of the camera above the road; 0: unknown
     //! Standard deviation of the focal length fx in pixels, which fy shares; 0: exact
     CV_PROP_RW double focalSigma;

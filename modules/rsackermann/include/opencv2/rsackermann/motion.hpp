@@ -133,6 +133,9 @@ public:
     //! The camera's upright rotation with this motion's corrections of roll and pitch.
     CV_WRAP Matx33d uprightRotation(const RollingShutterCamera& camera) const;
 
+    //! The camera's heading with this motion's correction.
+    CV_WRAP double heading(const RollingShutterCamera& camera) const;
+
     //! Writes all fields into the present node, a map.
     void write(FileStorage& fs) const;
     //! The same for wrapped languages, in which a FileStorage is a pointer.
@@ -191,6 +194,9 @@ public:
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
+    //! Radians to add to the camera's heading. Estimated in sequences of a camera whose heading isn't exact
+    //! (RollingShutterCamera::headingSigma); 0 (default) otherwise
+    CV_PROP_RW double headingCorrection;
     //! Metres to the vehicle's left wall, or to the only one that is seen; 0: unknown
     CV_PROP_RW double wallDistance;
     CV_PROP_RW int scale; //!< one of #MotionScale
@@ -224,6 +230,12 @@ public:
     stay as they are if the ratio is less than a half. 1 (default): not known */
     CV_PROP_RW double readoutRatio;
     CV_PROP_RW double readoutRatioSigma; //!< standard deviation of readoutRatio; 0: not known
+
+    /** Heading in radians that the frames of a sequence so far show, whatever the given one is. A given one that is
+    wrong by more than three standard deviations of both makes yaw rates wrong, and hardly changes what is corrected: a
+    turn and a way aside look alike. 0 (default): not known */
+    CV_PROP_RW double seenHeading;
+    CV_PROP_RW double seenHeadingSigma; //!< standard deviation of seenHeading; 0: not known
 
     CV_PROP_RW int candidates; //!< segments that passed the gates
     CV_PROP_RW int inliers;    //!< candidates that agree with the motion

@@ -72,8 +72,8 @@ static KernelWarp kernelWarp(WarpDirection warp, const RollingShutterCamera& cam
     r.offsetColumns = motion.inverseDepthOffset.cols;
     r.offsetRows = motion.inverseDepthOffset.rows;
     r.alpha = float(motion.alpha);
-    r.cosHeading = float(std::cos(camera.heading));
-    r.sinHeading = float(std::sin(camera.heading));
+    r.cosHeading = float(std::cos(motion.heading(camera)));
+    r.sinHeading = float(std::sin(motion.heading(camera)));
     r.reference = float(camera.referenceRow);
     r.timeStep = float(camera.rowTime(Point2d(1, 1)) - camera.rowTime(Point2d(0, 0)));
     // Finer than the spacing of single-precision pixel coordinates the row can't get.
