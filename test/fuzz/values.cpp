@@ -113,6 +113,7 @@ RollingShutterCamera Values::camera(int largest)
     camera.referenceRow = around(camera.referenceRow, -side, 2 * side);
     camera.setRollPitch(around(0, -1, 1), around(0, -1, 1));
     camera.heading = around(0, -3.2, 3.2);
+    camera.headingSigma = around(camera.headingSigma, 0, 0.5);
     camera.height = around(0, 0, 3);
     camera.rollSigma = around(camera.rollSigma, 0, 0.2);
     camera.pitchSigma = around(camera.pitchSigma, 0, 0.2);
@@ -144,6 +145,7 @@ AckermannMotion Values::motion(const RollingShutterCamera& camera)
     motion.direction = integer(0, 7) ? 1 - 2 * integer(0, 1) : integer(-2, 2);
     motion.rollCorrection = around(0, -0.2, 0.2);
     motion.pitchCorrection = around(0, -0.2, 0.2);
+    motion.headingCorrection = around(0, -0.2, 0.2);
     motion.wallDistance = around(3, 0, 20);
     if (flag())
         addOffset(motion);

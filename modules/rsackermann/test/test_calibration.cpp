@@ -141,6 +141,31 @@ TEST(RSAckermann_Calibration, scene_is_uneven)
     expectFound(options, 4, 20);
 }
 
+// In a bend to one side a camera at the windscreen moves as one that looks elsewhere: less is known of its heading.
+TEST(RSAckermann_Calibration, camera_ahead_of_the_axle)
+{
+    const RollingShutterCamera truth = mounted(1);
+    for (const double bend : {-0.2, 0.2})
+        for (const double lever : {0., 1.2})
+        {
+            StreetDrive::Options options;
+            options.bend = bend;
+            options.yawRate = 0.03;
+            options.lever = lever;
+            const Ptr<MountCalibrator> calibrator = MountCalibrator::create(guess());
+            drive(*calibrator, StreetDrive(truth, ROLL, PITCH, options, 60), 100, true);
+            const MountCalibration c = calibrator->calibrate();
+            SCOPED_TRACE(testing::Message() << bend << " " << lever);
+            EXPECT_NEAR(HEADING, c.heading, 2 * c.headingSigma);
+            EXPECT_GT(c.headingSigma, 0.3 * degree);
+            EXPECT_NEAR(PITCH, c.pitch, 3 * c.pitchSigma);
+        }
+    // Bends to both sides tell them apart.
+    StreetDrive::Options options;
+    options.lever = 1.2;
+    expectFound(options, 2, 71);
+}
+
 TEST(RSAckermann_Calibration, points_at_the_feet_of_walls)
 {
     StreetDrive::Options options;

@@ -49,6 +49,7 @@ TEST(RSAckermann_Camera, mount_that_is_not_given)
     {
         EXPECT_DOUBLE_EQ(2 * degree, camera.rollSigma);
         EXPECT_DOUBLE_EQ(5 * degree, camera.pitchSigma);
+        EXPECT_DOUBLE_EQ(5 * degree, camera.headingSigma);
         RollingShutterCamera byAngles = camera, byGravity = camera;
         byAngles.setRollPitch(0, 0.1);
         byGravity.setGravity(Vec3d(0, 1, 0));
@@ -69,6 +70,12 @@ TEST(RSAckermann_Camera, mount_that_is_not_given)
     read.read(given.root());
     EXPECT_EQ(0, read.rollSigma);
     EXPECT_EQ(0.1, read.pitchSigma);
+    EXPECT_DOUBLE_EQ(5 * degree, read.headingSigma);
+    FileStorage heading("%YAML:1.0\nheading: 1.5\n",
+                        FileStorage::READ | FileStorage::MEMORY | FileStorage::FORMAT_YAML);
+    read.read(heading.root());
+    EXPECT_EQ(1.5, read.heading);
+    EXPECT_EQ(0, read.headingSigma); // as files of before have it
 }
 
 TEST(RSAckermann_Camera, fromFocal_bad_arguments)
@@ -298,6 +305,8 @@ const BadField badFields[] = {
     BadField("height", [](RollingShutterCamera& c) { c.height = -1; }),
     BadField("height", [](RollingShutterCamera& c) { c.height = NaN; }),
     BadField("height", [](RollingShutterCamera& c) { c.height = infinity; }),
+    BadField("headingSigma", [](RollingShutterCamera& c) { c.headingSigma = -1; }),
+    BadField("headingSigma", [](RollingShutterCamera& c) { c.headingSigma = NaN; }),
     BadField("rollSigma", [](RollingShutterCamera& c) { c.rollSigma = -1; }),
     BadField("rollSigma", [](RollingShutterCamera& c) { c.rollSigma = NaN; }),
     BadField("pitchSigma", [](RollingShutterCamera& c) { c.pitchSigma = -1; }),

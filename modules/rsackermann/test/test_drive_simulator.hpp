@@ -123,7 +123,7 @@ public:
         Options()
             : yawRate(12 * CV_PI / 180), tilt(0.25 * CV_PI / 180), sway(oscillating), yawTilt(0), points(150), feet(0),
               segments(40), noise(0.3), endNoise(0.3), outliers(0.1), clutter(0.1), unevenness(0), rowsTurn(false),
-              lever(0)
+              bend(0), lever(0)
         {
         }
         double yawRate;                         // rad/s, standard deviation
@@ -137,6 +137,7 @@ public:
         double outliers, clutter;               // shares of points and of segments
         double unevenness; // 1/m, standard deviation of the points' inverse depth from that of their surface
         bool rowsTurn;     // whether the suspension tilts the car during the read-out as well
+        double bend;       // rad/s, mean of the yaw rate
         double lever;      // metres from the rear axle to the camera
     };
 
@@ -162,7 +163,7 @@ public:
     {
         Frame f;
         f.seconds = seconds;
-        f.yawRate = yawRate.at(seconds);
+        f.yawRate = yawRateAt(seconds);
         f.speed = speedAt(seconds);
         f.roll = rollAt(seconds);
         f.pitch = pitchAt(seconds);
@@ -193,7 +194,7 @@ public:
     Vec3d rateAt(double seconds) const
     {
         return camera.uprightRotation.t() * Vec3d(-rateOf(swayPitch, seconds),
-                                                  yawRate.at(seconds) + rateOf(swayYaw, seconds),
+                                                  yawRateAt(seconds) + rateOf(swayYaw, seconds),
                                                   rateOf(swayRoll, seconds));
     }
 
@@ -213,17 +214,18 @@ private:
 
     double rollAt(double seconds) const { return roll + swayRoll(seconds); }
     double pitchAt(double seconds) const { return pitch + swayPitch(seconds); }
+    double yawRateAt(double seconds) const { return options.bend + yawRate.at(seconds); }
     double speedAt(double seconds) const { return 11 + speed.at(seconds); }
 
     Simulator simulator(double seconds) const
     {
         cv::rsackermann::RollingShutterCamera c = tilted(seconds);
         c.heading -= swayYaw(seconds);
-        Simulator s = Simulator::fromMetric(c, yawRate.at(seconds), speedAt(seconds), 8 + left.at(seconds),
+        Simulator s = Simulator::fromMetric(c, yawRateAt(seconds), speedAt(seconds), 8 + left.at(seconds),
                                             8 + right.at(seconds), c.heading + direction.at(seconds));
         const double unit = c.secondsPerUnitTime(), h = 1e-3;
         s.drive.lever = options.lever * s.drive.speed / (speedAt(seconds) * unit); // in the unit of the street
-        s.drive.yawChange = (yawRate.at(seconds + h) - yawRate.at(seconds - h)) / (2 * h) * unit * unit;
+        s.drive.yawChange = (yawRateAt(seconds + h) - yawRateAt(seconds - h)) / (2 * h) * unit * unit;
         if (options.rowsTurn)
             s.drive.shaking = [=](double t) {
                 return Vec3d(rollAt(seconds + t * unit) - rollAt(seconds),

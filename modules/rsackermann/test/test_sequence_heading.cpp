@@ -54,7 +54,7 @@ Found follow(const RollingShutterCamera& truth, const RollingShutterCamera& give
         features.setPoints(given, pairs, 1 / 15.);
         selectCandidates(frame.segments, given, params, features.verticals, features.others);
         filter.advance(frame.seconds, given, params);
-        nuisances.curvature = filter.state.value[SEQUENCE_YAW_RATE] / filter.state.value[SEQUENCE_SPEED];
+        nuisances.curvature = curvatureOf(filter.state.value[SEQUENCE_YAW_RATE], filter.state.value[SEQUENCE_SPEED]);
         RollingShutterCamera turned = given;
         turned.heading += found.difference[CAMERA_HEADING] + nuisances.curvature * found.difference[CAMERA_LEVER];
         SequenceFit fit(filter.state);

@@ -223,7 +223,8 @@ private:
             changeCovariance(m, Matx44d::diag(Vec4d(-1, -1, 1, 1)));
             m.wallSlope *= -1;
         }
-        for (double* value : {&m.alpha, &m.rollRate, &m.rollCorrection, &m.seenYawRate})
+        for (double* value :
+             {&m.alpha, &m.rollRate, &m.rollCorrection, &m.headingCorrection, &m.seenYawRate, &m.seenHeading})
             *value *= -1;
         if (!m.inverseDepthOffset.empty())
             flip(m.inverseDepthOffset, m.inverseDepthOffset, 1);

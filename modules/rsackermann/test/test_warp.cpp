@@ -458,10 +458,10 @@ TEST(RSAckermann_Warp, bad_arguments)
 
     Mat map1, map2;
     AckermannMotion motion = exampleMotion(camera);
-    double AckermannMotion::*const fields[] = {&AckermannMotion::alpha,          &AckermannMotion::wallSlope,
-                                               &AckermannMotion::wallOffset,     &AckermannMotion::wallRatio,
-                                               &AckermannMotion::roadSlope,      &AckermannMotion::rollCorrection,
-                                               &AckermannMotion::pitchCorrection};
+    double AckermannMotion::*const fields[] = {&AckermannMotion::alpha,           &AckermannMotion::wallSlope,
+                                               &AckermannMotion::wallOffset,      &AckermannMotion::wallRatio,
+                                               &AckermannMotion::roadSlope,       &AckermannMotion::rollCorrection,
+                                               &AckermannMotion::pitchCorrection, &AckermannMotion::headingCorrection};
     for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++)
     {
         AckermannMotion bad = motion;

@@ -60,6 +60,7 @@ TEST_P(WarpOpenCL, equals_CPU)
         mountAtRandom(camera, rng);
         camera.scanDirection = std::get<1>(GetParam());
         AckermannMotion motion = randomMotion(camera, rng);
+        motion.headingCorrection = rng.uniform(-0.3, 0.3);
         motion.pitchRate = motion.rollRate = 0;
         motion.rotationCurve.release();
         if (round == 0)

@@ -91,7 +91,7 @@ TEST_P(WarpReference, distort_map)
         EXPECT_GE(seen[surface], 15) << "surface " << surface;
 }
 
-// The corrections of roll and pitch turn the camera further.
+// The corrections of roll, pitch and heading turn the camera further.
 TEST_P(WarpReference, tilt_corrections)
 {
     RollingShutterCamera camera = lensCamera(std::get<0>(GetParam()));
@@ -101,8 +101,10 @@ TEST_P(WarpReference, tilt_corrections)
     AckermannMotion motion = randomMotion(camera, rng);
     motion.rollCorrection = 0.02;
     motion.pitchCorrection = 0.03;
+    motion.headingCorrection = -0.3;
     RollingShutterCamera corrected = camera;
     corrected.uprightRotation = motion.uprightRotation(camera);
+    corrected.heading = motion.heading(camera);
     Mat columns, rows;
     WarpMapGenerator::create(camera)->initRectifyMap(motion, columns, rows);
     const Simulator simulator = Simulator::fromMotion(corrected, motion);

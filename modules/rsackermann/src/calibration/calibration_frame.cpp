@@ -15,7 +15,7 @@ static const double INSTANT_STEP = std::cbrt(DBL_EPSILON);
 // Of the robust loss of slants, in sigmas. It is narrower than that of single frames: a line that leans does so in many
 // frames, and those of a street don't cancel.
 static const double LEANING_SCALE = 1;
-enum { HEADING_COLUMN = FRAME_VALUES, DELAY_COLUMN, PASSING_COLUMN, COLUMNS };
+enum { HEADING_COLUMN = FRAME_VALUES, LEVER_COLUMN, DELAY_COLUMN, PASSING_COLUMN, COLUMNS };
 
 static Vec3d mapped(const Matx33d& H, const Vec3d& p)
 {
@@ -67,12 +67,11 @@ static double timeShift(double interval, double givenUnit, double unit)
 
 FrameProblem::FrameProblem(const RollingShutterCamera& camera, const MountVector& mount, double pointScale,
                            const ResidualSigmas& sigmas_)
-    : heading(camera.heading + mount[MOUNT_HEADING]),
+    : heading(camera.heading + mount[MOUNT_HEADING]), lever(mount[MOUNT_LEVER]),
       unit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_PASSING])), givenUnit(camera.secondsPerUnitTime()),
       focal(camera.cameraMatrix(0, 0)), reach(PointTracker::reach(camera.imageSize, COARSE_PIXELS)),
       turningUnit(camera.secondsPerUnitTime() * std::exp(mount[MOUNT_DELAY])), turning(turningUnit / unit),
-      residual(heading, unit, focal), perturbedHeading(heading + STEP, unit, focal),
-      perturbedDelay(heading, unit * (1 + STEP), focal), pointLoss(pointScale), sigmas(sigmas_)
+      pointLoss(pointScale), sigmas(sigmas_)
 {
 }
 
@@ -96,7 +95,7 @@ TrackedBearing FrameProblem::seen(const TrackedBearing& point, const Calibration
 PreparedModel FrameProblem::modelOf(const CalibrationFrame& frame,
                                     Matx<double, PARAMETERS, SEQUENCE_VALUES>* jacobian) const
 {
-    return PreparedModel(imageMotion(frame.value, unit, turning, jacobian), heading);
+    return PreparedModel(imageMotion(frame.value, unit, turning, jacobian), headingOf(frame));
 }
 
 // Whether the surroundings of a point with which it is tracked show both a wall and the road.
@@ -129,6 +128,7 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
     const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
     const PointNoise noise = {sigmas.points, sigmas.depths};
     frame.pointWeights.clear();
+    const FlowResidual residual = residualOf(frame);
     const FlowResidual::Values at(values.val);
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
@@ -155,6 +155,7 @@ void FrameProblem::weigh(CalibrationFrame& frame) const
 void FrameProblem::addPointResiduals(const CalibrationFrame& frame, PointResiduals& residuals) const
 {
     const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
+    const FlowResidual residual = residualOf(frame);
     const FlowResidual::Values at(values.val);
     for (size_t i = 0; i < frame.bearings.size(); i++)
     {
@@ -184,6 +185,9 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
     Vec<double, FLOW_VALUES> rolled = values, pitched = values;
     rolled[SEQUENCE_ROLL] += STEP;
     pitched[SEQUENCE_PITCH] += STEP;
+    const double direction = headingOf(frame), curvature = frame.curvature();
+    const FlowResidual residual = residualOf(frame), perturbedHeading(direction + STEP, unit, focal),
+                       perturbedDelay(direction, unit * (1 + STEP), focal);
     const FlowResidual::Values u(values.val), rolledBy(rolled.val), pitchedBy(pitched.val);
     const double shift = timeShift(frame.interval, givenUnit, unit),
                  perturbedShift = timeShift(frame.interval, givenUnit, unit * (1 + STEP));
@@ -200,7 +204,8 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
                 slope(residual.evaluate(shifted(frame.rowTurns.removedFrom(s, turningUnit * (1 + INSTANT_STEP)), shift),
                                         u, 0),
                       INSTANT_STEP);
-        J << byValues.topRows<FRAME_VALUES>(), slope(perturbedHeading.evaluate(now, u, 0)), byTurning,
+        const Eigen::RowVector2d byHeading = slope(perturbedHeading.evaluate(now, u, 0));
+        J << byValues.topRows<FRAME_VALUES>(), byHeading, curvature * byHeading, byTurning,
             slope(perturbedDelay.evaluate(shifted(back, perturbedShift), u, 0));
         J.row(SEQUENCE_ROLL) = slope(residual.evaluate(now, rolledBy, 0));
         J.row(SEQUENCE_PITCH) = slope(residual.evaluate(now, pitchedBy, 0));
@@ -214,8 +219,9 @@ void FrameProblem::addVerticals(const CalibrationFrame& frame, const FrameVector
 {
     Matx<double, PARAMETERS, SEQUENCE_VALUES> byValues;
     const Model motion = imageMotion(value, unit, turning, &byValues);
-    const PreparedModel model(motion, heading), perturbedHeadingModel(motion, heading + STEP),
-        perturbedDelayModel(imageMotion(value, unit * (1 + STEP), turning / (1 + STEP), 0), heading);
+    const double direction = headingOf(frame);
+    const PreparedModel model(motion, direction), perturbedHeadingModel(motion, direction + STEP),
+        perturbedDelayModel(imageMotion(value, unit * (1 + STEP), turning / (1 + STEP), 0), direction);
     const auto evaluateVertical = [&](const UprightSegment& seen, Eigen::Matrix<double, COLUMNS, 1>& J) {
         const UprightSegment c = frame.rowTurns.removedFrom(seen, turningUnit);
         Vec<double, PARAMETERS> byParameters;
@@ -224,6 +230,7 @@ void FrameProblem::addVerticals(const CalibrationFrame& frame, const FrameVector
         J.setZero();
         J.head<SEQUENCE_VALUES>() = Eigen::Map<const Eigen::Matrix<double, SEQUENCE_VALUES, 1>>(by.val);
         J[HEADING_COLUMN] = (slantInSigmas(c, perturbedHeadingModel, focal, 0) - r) / STEP;
+        J[LEVER_COLUMN] = frame.curvature() * J[HEADING_COLUMN];
         J[DELAY_COLUMN] = byParameters[P_ALPHA] * motion[P_ALPHA];
         if (frame.rowTurns.showDelay())
         {

@@ -17,6 +17,7 @@ enum MountValue {
     MOUNT_ROLL,    //!< radians
     MOUNT_PITCH,   //!< radians
     MOUNT_HEADING, //!< radians
+    MOUNT_LEVER,   //!< metres from the axle that moves straight ahead to the camera
     MOUNT_DELAY,   //!< logarithm of the line delay over the camera's one, as the turning of the car shows it
     MOUNT_PASSING, //!< the same as the passing of the scene shows it, which depends on how plane the scene is
     MOUNT_VALUES
@@ -62,6 +63,9 @@ struct CalibrationFrame
     //! By a camera of another focal length. @param upright of the camera. @param longer over the focal length before.
     void seeThroughOtherFocal(const Matx33d& upright, double longer);
 
+    //! Of the way, 1/m.
+    double curvature() const { return curvatureOf(value[SEQUENCE_YAW_RATE], value[SEQUENCE_SPEED]); }
+
     //! Whether there is no other frame between.
     bool follows(const CalibrationFrame& other) const { return drive == other.drive && before == other.time; }
 };
@@ -102,10 +106,12 @@ private:
     double slantByDepth(const UprightSegment& vertical, const CalibrationFrame& frame, const PreparedModel& model,
                         const Matx<double, PARAMETERS, SEQUENCE_VALUES>& byValues) const;
 
-    double heading, unit, givenUnit, focal, reach; // unit: as the passing of the scene shows it
-    double turningUnit, turning;                   // the unit as the turning shows it, and over that
-    FlowResidual residual, perturbedHeading,
-        perturbedDelay; // of this heading and line delay, and of slightly larger ones
+    // The direction in which the camera of a frame moves.
+    double headingOf(const CalibrationFrame& frame) const { return heading + lever * frame.curvature(); }
+    FlowResidual residualOf(const CalibrationFrame& frame) const { return FlowResidual(headingOf(frame), unit, focal); }
+
+    double heading, lever, unit, givenUnit, focal, reach; // unit: as the passing of the scene shows it
+    double turningUnit, turning;                          // the unit as the turning shows it, and over that
     double pointLoss;
     ResidualSigmas sigmas;
 };

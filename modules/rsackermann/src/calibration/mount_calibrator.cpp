@@ -258,7 +258,7 @@ private:
         const double delaySigma = relativeLineDelaySigma(given),
                      delay = delaySigma > 0 ? delaySigma : params.lineDelaySigma * (given.lineDelay > 0 ? 1 : 2);
         MountVector sigma;
-        sigma << params.tiltSigma, params.tiltSigma, params.headingSigma, delay, delay;
+        sigma << params.tiltSigma, params.tiltSigma, params.headingSigma, LEVER_SIGMA, delay, delay;
         return sigma;
     }
 

@@ -197,7 +197,7 @@ private:
             series[k] << tilts(k) / n, score[k];
         SeriesVector memories = SeriesVector::Zero();
         memories.head<2 + 2>().setConstant(suspension.memory); // the same tilts are in its scores
-        memories[2 + MOUNT_HEADING] = MEMORY[SEQUENCE_DIRECTION];
+        memories[2 + MOUNT_HEADING] = memories[2 + MOUNT_LEVER] = MEMORY[SEQUENCE_DIRECTION];
         return hacCovariance(series, seconds(), memories);
     }
 

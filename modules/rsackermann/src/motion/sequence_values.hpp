@@ -38,6 +38,13 @@ enum {
 typedef Vec<double, SEQUENCE_VALUES> SequenceVector;
 typedef Matx<double, SEQUENCE_VALUES, SEQUENCE_VALUES> SequenceMatrix;
 
+//! Of a way, 1/m, up to that of the tightest turn; positive to the right.
+inline double curvatureOf(double yawRate, double speed)
+{
+    const double tightest = 0.2, curvature = speed != 0 ? yawRate / speed : 0;
+    return std::min(std::max(curvature, -tightest), tightest);
+}
+
 //! Upright frame of the camera to that of a state, whose gravity is corrected.
 inline Matx33d tiltOf(const double* values)
 {

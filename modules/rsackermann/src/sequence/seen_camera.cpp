@@ -12,8 +12,6 @@ namespace cv { namespace rsackermann {
 static const double LEAN_SIGMA = 0.2;
 // Of the ratio, by verticals that are nearer or farther than planes.
 static const double DISTANCE_SIGMA = 0.1;
-// Metres. A camera ahead of the rear axle moves aside in bends; tyres that slip make up for it, the faster the more.
-static const double LEVER_SIGMA = 1;
 // Radians, of a heading that is given as exact.
 static const double EXACT_HEADING = 1e-9;
 

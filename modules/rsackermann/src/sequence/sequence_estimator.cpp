@@ -245,14 +245,6 @@ double SequenceEstimator::putBackCopies(double passed)
     return since;
 }
 
-// 1/m, up to that of the tightest turn.
-static double curvatureOf(const SequenceState& state)
-{
-    const double tightest = 0.2, speed = state.value[SEQUENCE_SPEED];
-    const double curvature = speed != 0 ? state.value[SEQUENCE_YAW_RATE] / speed : 0;
-    return std::min(std::max(curvature, -tightest), tightest);
-}
-
 // Returns whether there were points to go by.
 bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                            const MotionPrior& prior, AckermannMotion& motion, Mat& labels)
@@ -284,7 +276,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         features.leaveOut(passed);
     const SequenceFilter filterBefore = filter;
     const bool follows = filter.advance(frame.seconds, turnedCamera, params);
-    turnCamera(curvatureOf(filter.state));
+    turnCamera(curvatureOf(filter.state.value[SEQUENCE_YAW_RATE], filter.state.value[SEQUENCE_SPEED]));
     double before = follows ? passed : 0;
     double after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
     if (stopsOrStartsAtOnce(features.bearings))

@@ -21,6 +21,9 @@ enum CameraValue {
     CAMERA_VALUES
 };
 
+//! Metres. A camera ahead of the rear axle moves aside in bends; tyres that slip make up for it, the faster the more.
+const double LEVER_SIGMA = 1;
+
 typedef Vec<double, CAMERA_VALUES> CameraVector;
 typedef Matx<double, CAMERA_VALUES, CAMERA_VALUES> CameraMatrix;
 
