@@ -349,7 +349,18 @@ TEST_P(SequenceModes, heading_that_is_not_known)
             const Ptr<RollingShutterCorrector> corrector = createCorrector(given, twin, NOTHING);
             AckermannMotion m;
             for (int i = 0; i < FRAMES; i++)
+            {
                 m = correctFrame(*corrector, frames, i, NOTHING, twin);
+                SCOPED_TRACE(testing::Message() << twin << " " << isExact << " " << i);
+                // From the second one on, of which the heading is known from itself alone.
+                const AckermannMotion truth = twin.of(street.truth(setting, i), setting.camera);
+                const Simulator exact = Simulator::fromMotion(camera, truth);
+                if (i > 0 && !isExact)
+                {
+                    EXPECT_NEAR(truth.alpha, m.alpha, 3 * std::sqrt(m.covariance(0, 0)));
+                    EXPECT_LT(exact.meanDisplacement(Simulator::fromMotion(camera, m)), 0.2 * exact.meanDisplacement());
+                }
+            }
             SCOPED_TRACE(testing::Message() << twin << " " << isExact);
             EXPECT_GT(m.seenHeadingSigma, 0);
             EXPECT_NEAR(camera.heading, m.seenHeading, 3 * m.seenHeadingSigma);
