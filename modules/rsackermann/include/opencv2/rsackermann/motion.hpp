@@ -204,8 +204,8 @@ public:
     //! (#SCALE_WALL) or the road (#SCALE_ROAD) gives; 0 (default): wallDistance is exact
     CV_PROP_RW double speedSigma;
 
-    //! Of (alpha, wallSlope, wallOffset, wallRatio), including the uncertainty of gravity; 0 for values that aren't
-    //! part of the model
+    //! Of (alpha, wallSlope, wallOffset, wallRatio), including the uncertainty of gravity and, in sequences, of the
+    //! heading; 0 for values that aren't part of the model
     CV_PROP_RW Matx44d covariance;
     //! Whether roll and yaw rate can't be distinguished: the uncertainty of the roll decides that of the yaw rate
     CV_PROP_RW bool rollYawAmbiguous;
