@@ -373,6 +373,28 @@ TEST_P(SequenceModes, heading_that_is_not_known)
         }
 }
 
+// The yaw rate of the frame that shows the heading goes with it.
+TEST(RSAckermann_SequenceModes, heading_of_the_first_frame)
+{
+    Setting setting = settingOf(MODES[0]);
+    setting.metric.yawRate = 0;
+    const StreetImages street(setting);
+    const std::vector<Mat> frames = {street.frame(0), street.frame(1)};
+    const auto yawRateOf = [&](double error, double sigma) {
+        Setting given = setting;
+        given.camera.heading += error;
+        given.camera.headingSigma = sigma;
+        const Ptr<RollingShutterCorrector> corrector = createCorrector(given, Twin(), NOTHING);
+        double yawRate = 0;
+        for (int i = 0; i < 2; i++)
+            correctFrame(*corrector, frames, i, NOTHING).yawRate(given.camera, yawRate);
+        return yawRate;
+    };
+    const double known = yawRateOf(0, 0), wrong = yawRateOf(0.035, 0), found = yawRateOf(0.035, 0.09);
+    EXPECT_GT(std::abs(wrong - known), 0.003);
+    EXPECT_LT(std::abs(found - known), 0.4 * std::abs(wrong - known));
+}
+
 // Points are looked for where what is known of motion and scene expects them, if the car has gone far meanwhile.
 TEST_P(SequenceModes, frames_that_are_missing)
 {
