@@ -194,8 +194,8 @@ public:
 
     CV_PROP_RW double rollCorrection;  //!< radians to add to the camera's roll
     CV_PROP_RW double pitchCorrection; //!< radians to add to the camera's pitch
-    //! Radians to add to the camera's heading. Estimated in sequences of a camera whose heading isn't exact
-    //! (RollingShutterCamera::headingSigma); 0 (default) otherwise
+    //! Radians to add to the camera's heading for the direction in which it moves. Estimated in sequences: of an exact
+    //! heading (RollingShutterCamera::headingSigma) in bends alone, where a camera ahead of the axle moves aside
     CV_PROP_RW double headingCorrection;
     //! Metres to the vehicle's left wall, or to the only one that is seen; 0: unknown
     CV_PROP_RW double wallDistance;
