@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "test_random.hpp"
 
+#include "../src/factors/robust_losses.hpp"
 #include "../src/sequence/residual_noise.hpp"
 
 namespace opencv_test { namespace {
@@ -96,6 +97,42 @@ TEST(RSAckermann_PrivateResidualNoise, is_within_limits)
     farAway.add(Point2d(1, 1), Point2d(), Point2d());
     EXPECT_TRUE(farAway.across.empty());
     EXPECT_TRUE(farAway.along.empty());
+}
+
+// Wherever points deviate to: the variance of what neighbours deviate together. Outliers don't count, and what they
+// deviate alike in the other direction, too, doesn't.
+TEST(RSAckermann_PrivateResidualNoise, dependence_is_that_of_neighbours)
+{
+    RNG rng(4);
+    for (const int together : {1, 4, 20})
+        for (const bool isSpread : {false, true})
+            for (const bool isTurned : {false, true})
+            {
+                double mean = 0;
+                const int rounds = 40, houses = 40;
+                for (int round = 0; round < rounds; round++)
+                {
+                    Neighbours neighbours(1);
+                    for (int i = 0; i < houses; i++)
+                    {
+                        const double deviation = rng.uniform(0, 2) ? 1 : -1, across = isTurned ? deviation : 0;
+                        for (int k = 0; k < together; k++)
+                        {
+                            const double angle = rng.uniform(0., 2 * CV_PI);
+                            const Vec2d d(3 * std::cos(angle), 3 * std::sin(angle));
+                            // Neighbours are within reach, all else isn't.
+                            const Point2d place(isSpread ? 7. * (k * houses + i) : 7. * i, rng.uniform(0., 0.9));
+                            const Vec2d residual = (deviation * d + across * Vec2d(-d[1], d[0])) / 3;
+                            neighbours.add(place, residual, d);
+                            neighbours.add(place, Vec2d(100, 100), d);
+                            neighbours.add(place, residual, Point2d());
+                        }
+                    }
+                    mean += neighbours.dependence() / rounds;
+                }
+                EXPECT_NEAR(isSpread || isTurned ? 1 : together, mean / DEPENDENCE, 0.05 * together);
+            }
+    EXPECT_EQ(DEPENDENCE, Neighbours(1).dependence());
 }
 
 }} // namespace

@@ -211,7 +211,8 @@ void FrameProblem::addPoints(const CalibrationFrame& frame, const FrameVector& v
         J.row(SEQUENCE_PITCH) = slope(residual.evaluate(now, pitchedBy, 0));
         return r;
     };
-    rsackermann::addPoints<COLUMNS>(frame.bearings, frame.pointWeights, pointLoss, evaluatePoint, equations);
+    rsackermann::addPoints<COLUMNS>(frame.bearings, frame.pointWeights, pointLoss, DEPENDENCE, evaluatePoint,
+                                    equations);
 }
 
 void FrameProblem::addVerticals(const CalibrationFrame& frame, const FrameVector& value,

@@ -83,6 +83,23 @@ public:
         minimize(*this, MinimizerOptions(STEPS, 1e-3), m.at, m.equations);
     }
 
+    // Lets points count as what they are together, at a minimum with their noise.
+    void countTogether(Minimum& m)
+    {
+        Neighbours neighbours(NEIGHBOURHOOD * std::max(camera.imageSize.width, camera.imageSize.height) / focal);
+        const FlowResidual::Values values(m.at.data());
+        for (size_t i = 0; i < bearings.size(); i++)
+        {
+            const FlowResidual::View view = residual.predict(bearings[i], values);
+            const Point2d r = residual.residualOf(bearings[i], values, view);
+            neighbours.add(bearings[i].now, pointWeights[i] * Vec2d(r.x, r.y),
+                           pixelsOfDeviation(residual, bearings[i], values, unit, view));
+        }
+        dependence = neighbours.dependence();
+        m.equations = FlowEquations();
+        evaluate(m.at, m.equations);
+    }
+
     void evaluate(const Unknowns& u, FlowEquations& equations) const
     {
         equations.cost = (u - expected).dot(prior * (u - expected));
@@ -124,7 +141,7 @@ public:
         }
         const FlowResidual::Values values(u.data());
         rsackermann::addPoints<UNKNOWNS>(
-            bearings, pointWeights, 1,
+            bearings, pointWeights, 1, dependence,
             [&](const TrackedBearing& s, Eigen::Matrix<double, UNKNOWNS, 2>& J) {
                 FlowGradient byValues;
                 const Point2d r = residual.evaluate(s, values, byValues.data());
@@ -163,7 +180,7 @@ public:
         NormalEquations<ALL> equations;
         const FlowResidual::Values values(m.at.data());
         rsackermann::addPoints<ALL>(
-            bearings, pointWeights, 1,
+            bearings, pointWeights, 1, dependence,
             [&](const TrackedBearing& s, Eigen::Matrix<double, ALL, 2>& J) {
                 FlowGradient byValues;
                 const Point2d r = residual.evaluate(s, values, byValues.data());
@@ -207,7 +224,7 @@ public:
         const FlowResidual::Values values(m.at.data());
         CameraEquations others;
         rsackermann::addPoints<FLOW_VALUES + CAMERA_VALUES>(
-            bearings, pointWeights, 1,
+            bearings, pointWeights, 1, dependence,
             [&](const TrackedBearing& s, Eigen::Matrix<double, FLOW_VALUES + CAMERA_VALUES, 2>& J) {
                 FlowGradient byValues;
                 const Point2d r = residual.evaluate(s, values, byValues.data()), t = turned.evaluate(s, values, 0),
@@ -272,7 +289,7 @@ private:
     {
         const FlowResidual::Values values(u.data());
         rsackermann::addPoints<FLOW_VALUES>(
-            bearings, pointWeights, scale,
+            bearings, pointWeights, scale, dependence,
             [&](const TrackedBearing& s, FlowGradient& J) { return residual.evaluate(s, values, J.data()); },
             equations);
     }
@@ -301,7 +318,8 @@ private:
     const std::vector<UprightSegment>& verticals;
     std::vector<Matx22d> pointWeights;
     std::vector<double> slantWeights;
-    double unit, focal, scale; // scale: of the points' loss, in sigmas
+    double unit, focal, scale;      // scale: of the points' loss, in sigmas
+    double dependence = DEPENDENCE; // of points
     FlowEquations::Matrix prior;
 };
 
@@ -374,9 +392,10 @@ SequenceFit toFit(FrameFitProblem& problem, Minimum best, const FitNuisances& nu
     problem.refineWithNoise(best);
     std::copy(best.at.data(), best.at.data() + FLOW_VALUES, fit.values);
     problem.measureTurns(best.at, fit.before, fit.after);
+    fit.camera = problem.measureCamera(best, nuisances, fit.state);
+    problem.countTogether(best);
     problem.setState(best, nuisances, fit.state);
     fit.yawGrowthSigma = nuisances.yawGrowth;
-    fit.camera = problem.measureCamera(best, nuisances, fit.state);
     return fit;
 }
 

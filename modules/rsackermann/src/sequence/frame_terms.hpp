@@ -75,12 +75,13 @@ inline double slantInSigmas(const UprightSegment& c, const PreparedModel& model,
 
 /** Adds the residuals of points to normal equations.
 @param weights by which residuals are multiplied: symmetric.
+@param dependence residuals that count as one.
 @param evaluate returns the residual of a point and sets its derivatives, a row for each unknown. */
 template <int UNKNOWNS, class Evaluate, class Equations>
 void addPoints(const std::vector<TrackedBearing>& bearings, const std::vector<Matx22d>& weights, double scale,
-               const Evaluate& evaluate, Equations& equations)
+               double dependence, const Evaluate& evaluate, Equations& equations)
 {
-    const CauchyLoss loss(scale, 1 / DEPENDENCE);
+    const CauchyLoss loss(scale, 1 / dependence);
     for (size_t i = 0; i < bearings.size(); i++)
     {
         Eigen::Matrix<double, UNKNOWNS, 2> J;

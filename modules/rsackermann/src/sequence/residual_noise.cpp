@@ -4,6 +4,8 @@
 
 #include "../precomp.hpp"
 #include "residual_noise.hpp"
+#include "../factors/robust_losses.hpp"
+#include "../motion/contradiction.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -78,6 +80,32 @@ std::vector<Matx22d> weightsOf(const std::vector<Point2d>& weak, const std::vect
     for (size_t i = 0; i < d.size(); i++)
         weights.push_back(noise.weight(weak[i], d[i]));
     return weights;
+}
+
+void Neighbours::add(const Point2d& place, const Vec2d& residual, const Point2d& d)
+{
+    const double length = norm(d);
+    if (!(length > 0) || !(norm(residual) < CONTRADICTION))
+        return;
+    places.push_back(place);
+    along.push_back(residual.dot(Vec2d(d.x, d.y)) / length);
+    across.push_back(residual.dot(Vec2d(-d.y, d.x)) / length);
+}
+
+double Neighbours::dependence() const
+{
+    double squares = 0, products = 0;
+    for (size_t i = 0; i < places.size(); i++)
+    {
+        squares += along[i] * along[i];
+        for (size_t j = 0; j < i; j++)
+        {
+            const Point2d away = places[i] - places[j];
+            if (away.dot(away) < reach * reach)
+                products += along[i] * along[j] - across[i] * across[j];
+        }
+    }
+    return DEPENDENCE * std::max(1., (squares + 2 * products) / std::max<double>(double(places.size()), 1));
 }
 
 }} // namespace cv::rsackermann

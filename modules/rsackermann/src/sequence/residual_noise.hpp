@@ -80,6 +80,30 @@ double solveScale(const std::vector<UncertainResidual>& residuals, const SigmaOf
     return high;
 }
 
+//! Of the image's longer side: how far points are from each other that may be of one house.
+const double NEIGHBOURHOOD = 0.2;
+
+//! How much points that are next to each other deviate alike, as those of one house do that stands back.
+class Neighbours
+{
+public:
+    //! @param reach_ in the unit of places.
+    explicit Neighbours(double reach_) : reach(reach_) {}
+
+    //! @param residual in sigmas; without outliers. @param d pixelsOfDeviation(), whose direction counts.
+    void add(const Point2d& place, const Vec2d& residual, const Point2d& d);
+
+    /** Points that count as one: #DEPENDENCE, as the same ones are seen again and again, times the variance of the sum
+    of neighbours' deviations over that of independent ones, if that is more. What neighbours deviate alike across d is
+    of the camera's turns, and counts on neither side. */
+    double dependence() const;
+
+private:
+    const double reach;
+    std::vector<Point2d> places;
+    std::vector<double> along, across; // the direction of deviations
+};
+
 }} // namespace cv::rsackermann
 
 #endif // OPENCV_RSACKERMANN_SRC_SEQUENCE_RESIDUAL_NOISE_HPP
