@@ -109,12 +109,17 @@ TEST(RSAckermann_Gyro, turns_to_both_neighbours)
         const Vec3d expected(-pitchRate, yawRate + change * neighbour / 2, rollRate);
         EXPECT_LT(cv::norm(camera.uprightRotation * turn.rate - expected), 1e-12) << neighbour;
         EXPECT_EQ(Vec3d(), turn.variance);
+        EXPECT_EQ(Vec3d(), turn.lasting);
         const double sigma = 0.1;
-        const TurnOfPoints vague(camera, std::vector<TrackedBearing>(1, bearing), values, 7, neighbour, sigma);
+        const TurnOfPoints vague(camera, std::vector<TrackedBearing>(1, bearing), values, 7, neighbour, sigma,
+                                 sigma / 2);
         EXPECT_EQ(turn.rate, vague.rate);
         const Matx33d toCamera = camera.uprightRotation.t();
         for (int i = 0; i < 3; i++)
+        {
             EXPECT_NEAR(sigma * std::abs(toCamera(i, 1)), std::sqrt(vague.variance[i]), 1e-12) << i;
+            EXPECT_NEAR(sigma / 2 * toCamera(i, 1), vague.lasting[i], 1e-12) << i;
+        }
     }
 }
 
@@ -455,6 +460,38 @@ TEST(RSAckermann_Gyro, vague_turns_do_not_contradict)
         }
     EXPECT_GE(contradicted[1], contradicted[0] + 30);
     EXPECT_LE(contradicted[2], contradicted[0] + 5);
+}
+
+// Turns that all err alike are mistaken for a bias, however many they are.
+TEST(RSAckermann_Gyro, lasting_errors_of_turns_are_in_its_sigma)
+{
+    const int seeds = 40, frames = 40;
+    double squares[2] = {0, 0}; // of errors over their sigmas, without and with what is said to last
+    for (int seed = 0; seed < seeds; seed++)
+        for (const int isSaid : {0, 1})
+        {
+            RNG rng(600 + seed);
+            const Turning turning(rng, 0.3 * DEGREE);
+            const double sigma = 3 * DEGREE, error = rng.gaussian(sigma);
+            Mat times, values;
+            measure(turning, {0, 0, Vec3d(), Vec3d(), 1}, 3, rng, times, values);
+            GyroRates gyro;
+            gyro.samples.add(times, values);
+            for (int k = 1; k <= frames; k++)
+            {
+                TurnOfPoints turn = turnOfPoints(turning, k, 0.3 * DEGREE, rng);
+                turn.rate[1] += error;
+                turn.variance[1] = sigma * sigma;
+                turn.lasting[1] = isSaid * sigma;
+                gyro.add(turn);
+            }
+            CameraRates rates;
+            ASSERT_TRUE(gyro.at(frames * INTERVAL, IMAGE, rates));
+            const double z = (rates.value[1] - turning.rate(frames * INTERVAL)[1]) / rates.sigma[1];
+            squares[isSaid] += z * z / seeds;
+        }
+    EXPECT_GT(squares[0], 10);
+    EXPECT_NEAR(1, squares[1], 0.5);
 }
 
 // Neither if only one axis turns, which some delay fits by chance, nor if the gyro would have a bias as none has.

@@ -24,7 +24,7 @@ RowSpan::RowSpan(const RollingShutterCamera& camera)
 }
 
 TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
-                           const double* values, double seconds, double neighbour, double yawSigma)
+                           const double* values, double seconds, double neighbour, double yawSigma, double lastingSigma)
     : begin(seconds + std::min(neighbour, 0.)), end(seconds + std::max(neighbour, 0.)), rows(0, 0)
 {
     const double unit = camera.secondsPerUnitTime(), interval = std::abs(neighbour);
@@ -47,7 +47,10 @@ TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector
     const Matx33d toCamera = (tiltOf(values) * camera.uprightRotation).t();
     rate = toCamera * Vec3d(-pitch / interval, yawRate, roll / interval);
     for (int i = 0; i < 3; i++)
+    {
         variance[i] = std::pow(toCamera(i, 1) * yawSigma, 2);
+        lasting[i] = toCamera(i, 1) * lastingSigma;
+    }
 }
 
 void CameraRates::about(const Matx33d& rotation, InstantRate& x, InstantRate& y, InstantRate& z) const
@@ -80,6 +83,7 @@ void GyroRates::reset()
     found = GyroAlignment();
     start = 0;
     covariance = UnknownsMatrix::diag(prior.mul(prior));
+    lasting = GyroUnknowns();
     noise = Vec3d::all(TURN_RATE_NOISE);
     meanTurn = Vec3d();
     count = 0;
@@ -175,7 +179,7 @@ void GyroRates::align()
     for (int iteration = 0; iteration < iterations; iteration++)
     {
         UnknownsMatrix information = UnknownsMatrix::zeros();
-        GyroUnknowns gradient;
+        GyroUnknowns gradient, byLasting;
         const GyroUnknowns now(found.delay - start, found.turn[0], found.turn[1], found.turn[2], found.bias[0],
                                found.bias[1], found.bias[2], found.scale - 1);
         for (int i = 0; i < UNKNOWNS; i++)
@@ -202,11 +206,13 @@ void GyroRates::align()
                 const double w = weight / (noise[i] * noise[i]);
                 information = information + J * J.t() * w;
                 gradient -= J * (w * r[i]);
+                byLasting += J * (w * turns[k].lasting[i]);
                 squares[i] += weight * r[i] * r[i];
             }
             weights += weight;
         }
         covariance = information.inv(DECOMP_CHOLESKY);
+        lasting = covariance * byLasting;
         const GyroUnknowns step = covariance * gradient;
         found.delay -= step[0];
         found.scale -= step[7];
@@ -300,7 +306,8 @@ bool GyroRates::contradictsScale() const
     if (!(shown > 1e-6 * ofPrior)) // next to what is exact nothing shows
         return false;
     const double seen = (found.scale - 1) * information / shown;
-    return std::abs(seen) > CONTRADICTION * std::hypot(prior[7], 1 / std::sqrt(shown));
+    const double sigma = std::hypot(1 / std::sqrt(shown), lasting[7] * information / shown);
+    return std::abs(seen) > CONTRADICTION * std::hypot(prior[7], sigma);
 }
 
 bool GyroRates::contradicts() const
@@ -368,7 +375,8 @@ bool GyroRates::at(double seconds, const RowSpan& rows, CameraRates& rates) cons
     {
         const GyroUnknowns J = derivatives(mean, Vec3d(), i);
         const double ofClock = std::max(squares[i] - mean[i] * mean[i], 0.);
-        rates.sigma[i] = std::sqrt(ofClock + (J.t() * covariance * J)(0) + noise[i] * noise[i] / 4 + ofSamples);
+        const double ofAlignment = (J.t() * covariance * J)(0) + std::pow(J.dot(lasting), 2);
+        rates.sigma[i] = std::sqrt(ofClock + ofAlignment + noise[i] * noise[i] / 4 + ofSamples);
     }
     return true;
 }

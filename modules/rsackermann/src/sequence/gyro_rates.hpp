@@ -30,6 +30,7 @@ struct TurnOfPoints
     RowSpan rows;      // on which the points are seen
     Vec3d rate;        // mean, rad/s about the axes of the camera
     Vec3d variance;    // of the rate, beside the noise that all turns have
+    Vec3d lasting;     // standard deviations of the part of it that the turns of a second share
 
     TurnOfPoints() : begin(0), end(0), rows(0, 0) {}
     TurnOfPoints(double begin_, double end_, const RowSpan& rows_, const Vec3d& rate_)
@@ -43,9 +44,10 @@ struct TurnOfPoints
     @param neighbour seconds from there to the other frame, negative if it is earlier.
     @param yawSigma standard deviation of the fit's yaw rate: a camera that looks sideways hardly tells a turn from the
     way.
+    @param lastingSigma that of its part that the frames before had already, and the next ones will have.
     */
     TurnOfPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
-                 double seconds, double neighbour, double yawSigma = 0);
+                 double seconds, double neighbour, double yawSigma = 0, double lastingSigma = 0);
 };
 
 //! What is between a gyro and the camera, as the points of a sequence show it.
@@ -141,6 +143,7 @@ private:
     double start; // the delay that is expected
     GyroAlignment found;
     Matx<double, UNKNOWNS, UNKNOWNS> covariance; // of delay, turn, bias and scale
+    Vec<double, UNKNOWNS> lasting;               // by which turns that all err by lasting ones are mistaken for it
     Vec3d noise;                       // standard deviation of what the gyro leaves of the turns of points, rad/s
     double contraryBegin, contraryEnd; // seconds, of the last turn if the gyro contradicts it
     Vec3d meanTurn;                    // of the points, rad/s

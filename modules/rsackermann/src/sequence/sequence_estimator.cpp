@@ -323,7 +323,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         stillSince = std::numeric_limits<double>::quiet_NaN();
     else if (!std::isfinite(stillSince))
         stillSince = filterBefore.time;
-    updateRates(before, after);
+    updateRates(predicted.state, before, after);
     const std::vector<UprightSegment>& verticals = features.verticals;
     labels = Mat(segments.rows, 1, CV_8U, Scalar(SEGMENT_REJECTED));
     for (size_t i = 0; i < verticals.size(); i++)
@@ -407,7 +407,7 @@ MotionPrior SequenceEstimator::compareWithSeen(const SequenceFit& ofFrames, cons
 }
 
 // From the turns to the neighbours in which points are seen, if one of them is the frame before.
-void SequenceEstimator::updateRates(double before, double after)
+void SequenceEstimator::updateRates(const SequenceState& predicted, double before, double after)
 {
     bool isSeen[2] = {false, false}; // in the earlier and in the later neighbour
     for (size_t i = 0; i < features.bearings.size(); i++)
@@ -425,11 +425,18 @@ void SequenceEstimator::updateRates(double before, double after)
     if (gyro.samples.empty())
         return;
     const SequenceState uncertain = marginal(last.state);
-    const double yawSigma = std::sqrt(uncertain.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE));
+    const auto varianceOf = [](const SequenceState& state) {
+        return state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE);
+    };
+    // That the points have left of the prediction's error, which is that of the frames before: of a variance P',
+    // P^2/P'.
+    const double share = varianceOf(alone.state) / varianceOf(predicted),
+                 lasting = varianceOf(uncertain) - (1 - share) * varianceOf(last.state),
+                 yawSigma = std::sqrt(varianceOf(uncertain)), lastingSigma = std::sqrt(std::max(lasting, 0.));
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
-        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, -before, yawSigma));
+        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, -before, yawSigma, lastingSigma));
     else if (after != 0 && isSeen[after > 0 ? 1 : 0])
-        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, after, yawSigma));
+        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, after, yawSigma, lastingSigma));
     useGyro();
 }
 

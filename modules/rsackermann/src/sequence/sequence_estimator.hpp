@@ -90,7 +90,7 @@ private:
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();
     double putBackCopies(double passed);
-    void updateRates(double before, double after);
+    void updateRates(const SequenceState& predicted, double before, double after);
     bool measure(double seconds, MeasuredTurns& turns) const;
     void useGyro();
     void turnAlone(double seconds, const MotionPrior& prior, AckermannMotion& motion) const;
