@@ -166,6 +166,35 @@ TEST(RSAckermann_Calibration, camera_ahead_of_the_axle)
     expectFound(options, 2, 71);
 }
 
+// Points show means between frames, what is given is of their instants: in bends that begin they differ.
+TEST(RSAckermann_Calibration, exact_values_of_instants_are_not_contradicted)
+{
+    StreetDrive::Options options;
+    options.yawRate = 20 * degree;
+    const double interval = 1 / 15.;
+    int contradicted = 0, used = 0;
+    for (int seed = 0; seed < 3; seed++)
+    {
+        StreetDrive street(mounted(1), ROLL, PITCH, options, 80 + seed);
+        const Ptr<MountCalibrator> calibrator = MountCalibrator::create(mounted(1));
+        for (int i = 0; i < 60; i++)
+        {
+            const StreetDrive::Frame f = street.frame(i * interval, interval);
+            MotionPrior prior;
+            prior.yawRate = f.yawRate;
+            prior.speed = f.speed;
+            prior.yawRateSigma = 0.1 * degree;
+            prior.speedSigma = 0.1;
+            used += calibrator->addPoints(f.points, f.segments, f.seconds, prior);
+        }
+        const MountCalibration c = calibrator->calibrate();
+        contradicted += c.contradictedFrames;
+        EXPECT_NEAR(HEADING, c.heading, 3 * c.headingSigma) << seed;
+        EXPECT_NEAR(1, c.lineDelay / mounted(1).lineDelay, 0.03) << seed;
+    }
+    EXPECT_LT(contradicted, 0.03 * used);
+}
+
 TEST(RSAckermann_Calibration, points_at_the_feet_of_walls)
 {
     StreetDrive::Options options;

@@ -228,6 +228,7 @@ private:
         clock = wholeDrive();
         stride = 1;
         filter.hasFrame = false;
+        givenBefore = MotionPrior();
     }
 
     // Times are differentiated by: of a clock that began long ago not enough digits would be left.
@@ -353,9 +354,11 @@ private:
 
     //! @param setPoints sets the points of the frame, by the seconds since the one before.
     template <class SetPoints>
-    bool add(const Mat& segments, double seconds, const MotionPrior& prior, const SetPoints& setPoints)
+    bool add(const Mat& segments, double seconds, const MotionPrior& ofInstant, const SetPoints& setPoints)
     {
         const double before = filter.time, passed = seconds - before;
+        const MotionPrior prior = meanOf(givenBefore, ofInstant);
+        givenBefore = ofInstant;
         // Frames that go back in time are those of another drive.
         if (!(passed > 0))
             filter.hasFrame = false;
@@ -398,6 +401,23 @@ private:
             return false;
         keep(frameOf(fit, before, prior));
         return true;
+    }
+
+    // Points show means between two frames, and what is given is of instants.
+    static MotionPrior meanOf(const MotionPrior& first, const MotionPrior& second)
+    {
+        MotionPrior mean = second;
+        average(first.yawRate, first.yawRateSigma, mean.yawRate, mean.yawRateSigma);
+        average(first.speed, first.speedSigma, mean.speed, mean.speedSigma);
+        return mean;
+    }
+
+    static void average(double other, double otherSigma, double& value, double& sigma)
+    {
+        if (!(sigma > 0 && otherSigma > 0))
+            return;
+        value = (value + other) / 2;
+        sigma = (sigma + otherSigma) / 2; // as of a sensor that errs in both alike
     }
 
     // Whether the points of a frame show a motion.
@@ -549,6 +569,7 @@ private:
     std::vector<CalibrationFrame> frames;
     std::vector<int> numbers; // of each frame's run
     int number, drive, stride, contraryFrames, contradictedFrames;
+    MotionPrior givenBefore; // of the frame before
 
     SequenceFilter filter, unaided; // unaided: without a given speed or yaw rate
     ClockNoise clock = wholeDrive();
