@@ -145,7 +145,8 @@ struct NumberPattern
     }
 };
 
-// By how many frames each is after the one before: the nearest numbers are those of neighbours.
+// By how many frames each is after the one before. Numbers of which even the nearest would be more than a second apart
+// don't count frames, but perhaps microseconds: there the nearest ones are those of neighbours.
 std::vector<double> intervalsOf(const std::vector<long>& numbers)
 {
     std::vector<double> intervals;
@@ -157,8 +158,9 @@ std::vector<double> intervalsOf(const std::vector<long>& numbers)
             step = std::min(step, gap);
         intervals.push_back(double(gap));
     }
+    const long framesOfSecond = 30, unit = step > framesOfSecond ? step : 1;
     for (double& interval : intervals)
-        interval = std::max(std::round(interval / double(step)), 1.);
+        interval = std::max(std::round(interval / double(unit)), 1.);
     return intervals;
 }
 

@@ -65,14 +65,22 @@ protected:
     TurningDrive drive_;
 };
 
-// Numbers that go in tens are those of one frame after the other, and a larger step is a gap.
+// Numbers count frames: of every second one the time between passes, too, so that no rate is taken for twice as much.
+// Those of which the nearest would be more than a second apart count something else.
 TEST_F(CorrectSequence, numbers_may_go_in_steps)
 {
-    for (const int step : {1, 10})
+    const struct
     {
+        int step;
+        double framesOfStep;
+    } cases[] = {{1, 1}, {2, 2}, {33333, 1}};
+    for (const auto& c : cases)
+    {
+        SCOPED_TRACE(c.step);
         const TemporaryFolder folder;
         for (const int i : {0, 1, 2, 4})
-            cv::imwrite(folder / cv::format("%03d.png", step * i), drive_.frame(i * drive_.interval));
+            cv::imwrite(folder / cv::format("%06d.png", c.step * i),
+                        drive_.frame(c.framesOfStep * i * drive_.interval));
         for (const auto& line : report({folder.path()}, {"--carry"}))
             EXPECT_NEAR(drive_.yawRate, line.second["yaw_rate_deg_s"].get<double>(), 1.5) << line.first;
     }
