@@ -148,12 +148,14 @@ void print(const MountCalibration& c, double focal, int frames)
     print("roll", c.rollObserved, c.roll / DEGREE, c.rollSigma / DEGREE, "deg", few);
     print("pitch", c.pitchObserved, c.pitch / DEGREE, c.pitchSigma / DEGREE, "deg", few);
     print("heading", c.headingObserved, c.heading / DEGREE, c.headingSigma / DEGREE, "deg", few);
-    print("line delay", c.lineDelayObserved, c.lineDelay * 1e6, c.lineDelaySigma * 1e6, "us",
-          c.gyroFrames > 0
-              ? "the drive shakes and bends too little, or its lines are read in another order (--scan), and then roll "
-                "and pitch aren't those of the camera"
-              : "the drive has too few frames, or too few bends with verticals in sight and no gyro (--gyro) that "
-                "shows shaking");
+    const std::string why = c.gyroFrames > 0
+                                ? "the drive shakes and bends too little"
+                                : "the drive has too few frames, or too few bends with verticals in sight and no gyro "
+                                  "(--gyro) that shows shaking";
+    print(
+        "line delay", c.lineDelayObserved, c.lineDelay * 1e6, c.lineDelaySigma * 1e6, "us",
+        (why + ", or its lines are read in another order (--scan), and then roll and pitch aren't those of the camera")
+            .c_str());
     if (c.gyroFrames > 0)
     {
         std::printf("gyro        used in %d frames\n", c.gyroFrames);

@@ -138,6 +138,7 @@ TEST_F(Calibrate, straight_drive_leaves_the_line_delay)
     const Outcome outcome = run();
     ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
     EXPECT_NE(std::string::npos, outcome.output.find("line delay  not observable")) << outcome.output;
+    EXPECT_NE(std::string::npos, outcome.output.find("read in another order (--scan)")) << outcome.output;
     const CameraSettings c = readCamera(output_);
     EXPECT_NEAR(0.8 * LINE_DELAY, c.lineDelay, 1e-12);
     EXPECT_EQ(0, c.lineDelaySigma); // as it was
