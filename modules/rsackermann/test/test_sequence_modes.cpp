@@ -352,6 +352,7 @@ TEST_P(SequenceModes, heading_that_is_not_known)
             {
                 m = correctFrame(*corrector, frames, i, NOTHING, twin);
                 SCOPED_TRACE(testing::Message() << twin << " " << isExact << " " << i);
+                EXPECT_TRUE(m.readoutRatioSigma > 0 || m.readoutRatio == 1) << m.readoutRatio;
                 // From the second one on, of which the heading is known from itself alone.
                 const AckermannMotion truth = twin.of(street.truth(setting, i), setting.camera);
                 const Simulator exact = Simulator::fromMotion(camera, truth);
@@ -371,6 +372,25 @@ TEST_P(SequenceModes, heading_that_is_not_known)
             EXPECT_NEAR(camera.heading, m.heading(other), 0.015);
             expectTruth(setting, camera, twin.of(street.truth(setting, FRAMES - 1), setting.camera), m, NOTHING);
         }
+}
+
+TEST_P(SequenceModes, the_same_camera_and_parameters_again)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    Setting given = setting;
+    given.camera.heading += 0.035; // by which it is turned, and then knows of a lever
+    given.camera.headingSigma = 0.09;
+    const Ptr<RollingShutterCorrector> once = createCorrector(given, Twin(), NOTHING),
+                                       again = createCorrector(given, Twin(), NOTHING);
+    for (int i = 0; i < FRAMES; i++)
+    {
+        const AckermannMotion first = correctFrame(*once, frames, i, NOTHING, Twin()),
+                              second = correctFrame(*again, frames, i, NOTHING, Twin());
+        EXPECT_EQ(first.alpha, second.alpha) << i;
+        EXPECT_EQ(0, cv::norm(first.covariance - second.covariance)) << i;
+        again->setCamera(again->getCamera());
+        again->setParams(again->getParams());
+    }
 }
 
 // The yaw rate of the frame that shows the heading goes with it.

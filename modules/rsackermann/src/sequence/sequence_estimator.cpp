@@ -54,7 +54,7 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
     turnCamera(curvature);
     params = params_;
     for (SequenceFilter* f : {&filter, &kept.filter})
-        f->state.change(turnedCamera, params, sameValues);
+        f->state.change(straightCamera(), params, sameValues);
 }
 
 void SequenceEstimator::reset()
@@ -73,7 +73,7 @@ void SequenceEstimator::reset()
 
 void SequenceEstimator::resetState()
 {
-    filter.reset(turnedCamera, params);
+    filter.reset(straightCamera(), params);
     rates = RowRates(RowRates::usualSteering(params));
     clockNoise = ClockNoise();
     seen = stillSince = std::numeric_limits<double>::quiet_NaN();
@@ -275,7 +275,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
         // By when the car has gone on isn't known, unless all images come again.
         features.leaveOut(passed);
     const SequenceFilter filterBefore = filter;
-    const bool follows = filter.advance(frame.seconds, turnedCamera, params);
+    const bool follows = filter.advance(frame.seconds, straightCamera(), params);
     turnCamera(curvatureOf(filter.state.value[SEQUENCE_YAW_RATE], filter.state.value[SEQUENCE_SPEED]));
     double before = follows ? passed : 0;
     double after = next.gray.empty() ? 0 : next.seconds - frame.seconds;
@@ -359,6 +359,14 @@ void SequenceEstimator::turnCamera(double curvature_)
 {
     curvature = curvature_;
     turnedCamera.heading = camera.heading + cameraChange[CAMERA_HEADING] + curvature * cameraChange[CAMERA_LEVER];
+}
+
+// A street goes on along the car's axis, in bends too.
+RollingShutterCamera SequenceEstimator::straightCamera() const
+{
+    RollingShutterCamera result = camera;
+    result.heading += cameraChange[CAMERA_HEADING];
+    return result;
 }
 
 SequenceState SequenceEstimator::marginal(const SequenceState& state) const
@@ -487,8 +495,9 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
                                const MotionPrior& prior, AckermannMotion& motion, Mat& labels) const
 {
     motion.candidates = int(verticals.size());
-    motion.readoutRatio = seenCamera.readoutRatio();
     motion.readoutRatioSigma = seenCamera.readoutRatioSigma();
+    if (motion.readoutRatioSigma > 0)
+        motion.readoutRatio = seenCamera.readoutRatio();
     motion.seenHeading = camera.heading + seenCamera.heading();
     motion.seenHeadingSigma = seenCamera.headingSigma();
     AckermannMotion found = motion;

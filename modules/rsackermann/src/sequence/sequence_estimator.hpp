@@ -80,6 +80,7 @@ private:
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     CameraVector learnCamera(double longestNow);
     void turnCamera(double curvature);
+    RollingShutterCamera straightCamera() const;
     bool useGiven(bool isSeen, const SequenceFilter& predicted, const AboutFit& aboutFit, const FitNuisances& nuisances,
                   MotionPrior& prior, AckermannMotion& motion);
     SequenceState marginal(const SequenceState& state) const;
