@@ -436,9 +436,8 @@ void SequenceEstimator::updateRates(const SequenceState& predicted, double befor
     const auto varianceOf = [](const SequenceState& state) {
         return state.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE);
     };
-    // That the points have left of the prediction's error, which is that of the frames before: of a variance P',
-    // P^2/P'.
-    const double share = varianceOf(alone.state) / varianceOf(predicted),
+    // Of the prediction's error, which the frames before have as well, P^2 / P' is left of the variance P'.
+    const double share = std::min(varianceOf(alone.state) / varianceOf(predicted), 1.),
                  lasting = varianceOf(uncertain) - (1 - share) * varianceOf(last.state),
                  yawSigma = std::sqrt(varianceOf(uncertain)), lastingSigma = std::sqrt(std::max(lasting, 0.));
     if (before != 0 && isSeen[before > 0 ? 0 : 1])
