@@ -28,8 +28,8 @@ struct FrameFacts
 
 //! Of images of a drive of which no log has the times.
 const char* const NO_TIMES =
-    "images without a time are taken for 1/30 s apart, and speeds and yaw rates are wrong where "
-    "they aren't: give --log with the column time_s";
+    "images without a time are taken for 1/30 s apart, or by their numbers for that of frames that are missing, and "
+    "speeds and yaw rates are wrong where they aren't: give --log with the column time_s";
 
 /** The log of a drive: a CSV file with a header.
 
