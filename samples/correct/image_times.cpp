@@ -4,6 +4,7 @@
 
 #include "image_times.hpp"
 #include "files.hpp"
+#include "opencv2/rsackermann/camera.hpp"
 
 #include <algorithm>
 #include <cmath>

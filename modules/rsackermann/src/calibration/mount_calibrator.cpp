@@ -442,9 +442,9 @@ private:
 
     static bool contradictsGiven(const SequenceFit& fit, const MotionPrior& prior)
     {
-        const auto isContradicted = [&](SequenceValue which, double given, double sigma) {
+        const auto isContradicted = [&](SequenceValue which, double value, double sigma) {
             return sigma > 0 &&
-                   contradicts(fit.state.value[which], std::sqrt(fit.state.covariance(which, which)), given, sigma);
+                   contradicts(fit.state.value[which], std::sqrt(fit.state.covariance(which, which)), value, sigma);
         };
         return isContradicted(SEQUENCE_YAW_RATE, prior.yawRate, prior.yawRateSigma) ||
                isContradicted(SEQUENCE_SPEED, prior.speed, prior.speedSigma);
