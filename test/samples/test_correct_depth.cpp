@@ -247,6 +247,37 @@ TEST_F(CorrectDepth, metres_in_sequences)
     EXPECT_LT(cv::norm(columns[0](below), columns[1](below), cv::NORM_L1) / double(below.area()), 0.03);
 }
 
+// Points go along with houses elsewhere, too, but not as well as with planes.
+TEST_F(CorrectDepth, of_other_frames_of_a_sequence)
+{
+    const TemporaryFolder folder;
+    const std::string drive = folder / "drive";
+    const int frames = 20;
+    ASSERT_EQ(
+        0, simulate({"--output=" + drive, cv::format("--frames=%d", frames), "--depth", "--left=6", "--right=8",
+                     "--stagger=1", "--speed=40", "--yaw_rate=12", "--size=480x288", "--focal=430", "--readout=0.03"})
+               .exitCode);
+    cv::utils::fs::createDirectory(folder / "others");
+    for (int i = 0; i < frames; i++)
+        writeContent(folder / cv::format("others/%06d.png", i),
+                     contentOf(drive + cv::format("/depth/%06d.png", (i + frames / 2) % frames)));
+    for (const std::string& depth : {drive + "/depth", folder / "others"})
+    {
+        const Outcome outcome =
+            correct({drive + "/frames", "--camera=" + drive + "/camera.yml", "--log=" + drive + "/log.csv", "--carry",
+                     "--report=-", "--speed=40", "--depth=" + depth, "--depth_scale=0.00390625"});
+        EXPECT_EQ(0, outcome.exitCode) << outcome.messages;
+        int used = 0;
+        std::istringstream lines(outcome.output);
+        for (std::string line; std::getline(lines, line);)
+            used += nlohmann::json::parse(line)["depth_used"].get<bool>();
+        if (depth == folder / "others")
+            EXPECT_LT(used, frames / 2);
+        else
+            EXPECT_EQ(frames, used);
+    }
+}
+
 // What the frames before let expect of one that shows no points is known beside a relative depth, too.
 TEST_F(CorrectDepth, relative_of_an_expected_motion)
 {

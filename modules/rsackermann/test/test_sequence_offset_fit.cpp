@@ -81,18 +81,19 @@ struct BumpyStreet
     }
 
     //! Inverse depths of what the raw image shows, 1/m along the optical axis, in squares; NaN where nothing fell.
-    Mat1f inverseDepths() const
+    Mat1f inverseDepths(int step = 8) const
     {
         Mat1f inverse(camera.imageSize, std::numeric_limits<float>::quiet_NaN());
-        for (int y = -40; y < 580; y += 8)
-            for (int x = -60; x < 1020; x += 8)
+        for (int y = -40; y < 580; y += step)
+            for (int x = -60; x < 1020; x += step)
             {
                 Vec3d P;
                 Point2d raw;
                 if (!pointAt(Point2d(x, y), P) || !simulator.project(P, raw))
                     continue;
                 const Vec3d inRow = simulator.drive.toCamera(P, simulator.time(raw));
-                const Rect square(cvRound(raw.x) - 5, cvRound(raw.y) - 5, 10, 10);
+                const int half = step / 2 + 1;
+                const Rect square(cvRound(raw.x) - half, cvRound(raw.y) - half, 2 * half, 2 * half);
                 inverse(square & Rect(Point(), inverse.size())) = 1 / (motion.uprightRotation(camera).t() * inRow)[2];
             }
         return inverse;
@@ -464,7 +465,7 @@ TEST(RSAckermann_DepthFit, is_used_where_planes_hold)
     for (int i = 0; i < 6; i++)
     {
         const BumpyStreet street(12, 0, rng);
-        DepthMap depth = relativeOf(street.inverseDepths(), rng);
+        DepthMap depth = relativeOf(street.inverseDepths(4), rng);
         DepthFit found;
         EXPECT_TRUE(fitDepth(street.camera, street.bearings(400, 0.3, 0, rng), fitOf(street),
                              withoutOffset(street.motion), depth, found))

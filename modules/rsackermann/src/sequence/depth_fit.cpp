@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "../camera/lens.hpp"
+#include "../motion/contradiction.hpp"
 #include "../motion/metric_way.hpp"
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
@@ -89,10 +90,10 @@ struct Standard
     double of(double value) const { return (value - mean) / sigma; }
 };
 
-// Of a residual in pixels, minus twice the logarithm of its likelihood.
-double lossOf(const Point2d& residual)
+// Minus twice the logarithm of the likelihood of a residual.
+double lossOf(const Point2d& residual, double sigma)
 {
-    return CauchyLoss(1, 1 / DEPENDENCE).cost(residual.dot(residual) / (POINT_SIGMA * POINT_SIGMA));
+    return CauchyLoss(1, 1 / DEPENDENCE).cost(residual.dot(residual) / (sigma * sigma));
 }
 
 // The turns between frames, and inverse depths that are linear in the standardised values.
@@ -126,7 +127,9 @@ public:
             residuals.push_back(residual(u, p, p.value, &J));
             byDeviation.push_back(way * DEVIATION_SIGMA * Point2d(J(D_SHIFT, 0), J(D_SHIFT, 1)));
         }
-        weights = weightsOf(weak, residuals, byDeviation);
+        const PointNoise noise = noiseOf(weak, residuals, byDeviation);
+        pointSigma = POINT_SIGMA * noise.points;
+        weights = weightsOf(noise, weak, byDeviation);
     }
 
     // That of the planes, and everything infinitely far away unless the scale is given.
@@ -194,21 +197,26 @@ public:
         return r;
     }
 
-    // Of all points, and of a scale that isn't the given one: minus twice the logarithm of their likelihood.
-    double cost(const State& u) const
+    bool contradictsGivenScale(const State& u) const
     {
-        const double r = (sign * u[D_SCALE] / standard.sigma - given.scale) / given.sigma;
-        double sum = r * r;
+        return std::abs(sign * u[D_SCALE] / standard.sigma - given.scale) > CONTRADICTION * given.sigma;
+    }
+
+    // Minus twice the logarithms of the points' likelihoods.
+    std::vector<double> losses(const State& u) const
+    {
+        std::vector<double> result;
         for (const DeepPoint& p : points)
-            sum += lossOf(residual(u, p, p.value));
-        return sum;
+            result.push_back(lossOf(residual(u, p, p.value), pointSigma));
+        return result;
     }
 
     const std::vector<DeepPoint>& points;
     const GivenScale given;
     const Standard standard;
-    const double sign; // of inverse depths, by which way the car drives
-    double scale;      // of the loss, in sigmas
+    const double sign;               // of inverse depths, by which way the car drives
+    double scale;                    // of the loss, in sigmas
+    double pointSigma = POINT_SIGMA; // pixels, of what a depth doesn't explain
 
 private:
     static void addPrior(const State& u, int which, double mean, double sigma, Equations& equations)
@@ -226,14 +234,14 @@ private:
 };
 
 // What planes and offset leave of points that the offset wasn't fitted to: it is made of as many numbers as a fifth of
-// the points that it is fitted to.
-double costOfPlanes(const RollingShutterCamera& camera, const std::vector<DeepPoint>& points, const double* values,
-                    AckermannMotion motion)
+// the points that it is fitted to. As losses(), with the same standard deviation.
+std::vector<double> lossesOfPlanes(const RollingShutterCamera& camera, const std::vector<DeepPoint>& points,
+                                   const double* values, AckermannMotion motion, double sigma)
 {
     const FlowResidual flow(camera);
     const Scene scene(motion);
     const Matx33d turn = motion.uprightRotation(camera) * (tiltOf(values) * camera.uprightRotation).t();
-    double cost = 0;
+    std::vector<double> losses(points.size());
     for (const bool isFitted : {false, true})
     {
         std::vector<TrackedBearing> fitted;
@@ -243,17 +251,32 @@ double costOfPlanes(const RollingShutterCamera& camera, const std::vector<DeepPo
         motion.inverseDepthOffset.release();
         fitOffset(camera, fitted, values, motion);
         const InverseDepthOffset offset(motion);
-        for (const DeepPoint& p : points)
+        for (size_t i = 0; i < points.size(); i++)
         {
+            const DeepPoint& p = points[i];
             if (p.isEven == isFitted)
                 continue;
             FlowResidual::View view = flow.predict(p.bearing, values);
             const Vec3d seen = turn * (view.ray + view.inverseDepth * view.place);
             view.inverseDepth = scene.inverseDepth(seen) + offset.at(seen);
-            cost += lossOf(flow.residualOf(p.bearing, values, view));
+            losses[i] = lossOf(flow.residualOf(p.bearing, values, view), sigma);
         }
     }
-    return cost;
+    return losses;
+}
+
+// By how many standard deviations losses exceed others [vuong1989].
+double excessInSigmas(const std::vector<double>& losses, const std::vector<double>& others)
+{
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < losses.size(); i++)
+    {
+        const double more = losses[i] - others[i];
+        sum += more;
+        squares += more * more;
+    }
+    const double variance = DEPENDENCE * std::max(squares - sum * sum / double(losses.size()), 0.);
+    return sum / std::sqrt(variance + DBL_MIN);
 }
 
 } // namespace
@@ -280,8 +303,9 @@ bool fitDepth(const RollingShutterCamera& camera, const std::vector<TrackedBeari
     minimize(problem, MinimizerOptions(STEPS, 1e-3), u, equations);
     const double scale = problem.sign * u[D_SCALE] / standard.sigma,
                  shift = problem.sign * u[D_SHIFT] - scale * standard.mean;
-    if (!(scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX) ||
-        !(problem.cost(u) - costOfPlanes(camera, points, planes.values, motion) < BARE_MENTION))
+    if (!(scale >= FLT_MIN && scale <= FLT_MAX && std::abs(shift) <= FLT_MAX) || problem.contradictsGivenScale(u) ||
+        !(excessInSigmas(problem.losses(u), lossesOfPlanes(camera, points, planes.values, motion, problem.pointSigma)) <
+          LEAST_IN_COMMON))
         return false;
     ResidualShare share;
     for (const DeepPoint& p : points)

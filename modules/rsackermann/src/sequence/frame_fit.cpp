@@ -79,7 +79,7 @@ public:
             residuals.push_back(residual.residualOf(s, values, view));
             byDeviation.push_back(pixelsOfDeviation(residual, s, values, unit, view));
         }
-        pointWeights = weightsOf(weak, residuals, byDeviation);
+        pointWeights = weightsOf(noiseOf(weak, residuals, byDeviation), weak, byDeviation);
         minimize(*this, MinimizerOptions(STEPS, 1e-3), m.at, m.equations);
     }
 

@@ -68,14 +68,18 @@ Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& po
     return values[SEQUENCE_SPEED] * unit * DEVIATION_SIGMA * view.ray[2] * byInverseDepth;
 }
 
-std::vector<Matx22d> weightsOf(const std::vector<Point2d>& weak, const std::vector<Point2d>& residuals,
-                               const std::vector<Point2d>& d)
+PointNoise noiseOf(const std::vector<Point2d>& weak, const std::vector<Point2d>& residuals,
+                   const std::vector<Point2d>& d)
 {
     PointResiduals seen;
     for (size_t i = 0; i < residuals.size(); i++)
         if (!FlowResidual::isBehind(residuals[i]))
             seen.add(residuals[i], weak[i], d[i]);
-    const PointNoise noise = seen.noise(LEAST_NOISE);
+    return seen.noise(LEAST_NOISE);
+}
+
+std::vector<Matx22d> weightsOf(const PointNoise& noise, const std::vector<Point2d>& weak, const std::vector<Point2d>& d)
+{
     std::vector<Matx22d> weights;
     for (size_t i = 0; i < d.size(); i++)
         weights.push_back(noise.weight(weak[i], d[i]));

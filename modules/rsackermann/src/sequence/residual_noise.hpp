@@ -55,11 +55,15 @@ struct PointResiduals
 Point2d pixelsOfDeviation(const FlowResidual& residual, const TrackedBearing& point, const FlowResidual::Values& values,
                           double unit, const FlowResidual::View& view);
 
-/** Weights of the points of a frame, by the noise that they show.
+/** What the points of a frame show of their noise.
 @param weak of each.
 @param residuals pixels, which don't count if the point would be behind the camera.
 @param d of each, pixels by which a usual deviation of the depth moves it. */
-std::vector<Matx22d> weightsOf(const std::vector<Point2d>& weak, const std::vector<Point2d>& residuals,
+PointNoise noiseOf(const std::vector<Point2d>& weak, const std::vector<Point2d>& residuals,
+                   const std::vector<Point2d>& d);
+
+//! PointNoise::weight() of each.
+std::vector<Matx22d> weightsOf(const PointNoise& noise, const std::vector<Point2d>& weak,
                                const std::vector<Point2d>& d);
 
 /** The value up to 1 with which residuals have the median of a normal distribution of the standard deviations

@@ -23,8 +23,7 @@
 namespace cv { namespace rsackermann {
 
 // doc/theory.md, "Relative depth", has the reasons.
-static const double LEAST_IN_COMMON = 2.5; // sigmas
-static const double FILLED = 0.025;        // of the longer side: what has a depth next to it
+static const double FILLED = 0.025; // of the longer side: what has a depth next to it
 
 namespace {
 

@@ -12,6 +12,8 @@ namespace cv { namespace rsackermann {
 
 //! Twice the logarithm of a ratio of evidences that is "not worth more than a bare mention" [kass1995bayes].
 const double BARE_MENTION = 2;
+//! Sigmas, as one of 160 goes beyond by chance.
+const double LEAST_IN_COMMON = 2.5;
 
 /** Finds scale and shift of a relative depth of the raw camera, and the motion that goes with it (doc/theory.md,
 "Relative depth"). One in metres stays as it is, as does the motion but for what is expected; it has to leave no more of
