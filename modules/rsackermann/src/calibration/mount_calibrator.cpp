@@ -461,7 +461,7 @@ private:
         frame.verticals = features.verticals;
         for (int i = 0; i < FRAME_VALUES; i++)
             frame.value[i] = i < SEQUENCE_VALUES ? fit.state.value[i] : 0;
-        frame.bearings = withoutOwnCar(start, features.bearings, flowValues(frame.value).val);
+        frame.bearings = withoutOwnCar(start, features.bearings, fit.values);
         SequenceState expected(start, gates);
         expected.measure(prior);
         for (int i = 0; i < SCENE_VALUES; i++)

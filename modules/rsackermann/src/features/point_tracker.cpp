@@ -20,7 +20,7 @@ double PointTracker::reach(const Size& imageSize, size_t maxPixels)
     const double gradient = 1; // pixels to each side
     Size size = imageSize;
     int scale = 1;
-    for (; size_t(size.area()) > maxPixels; scale *= 2)
+    for (; size_t(size.width) * size_t(size.height) > maxPixels; scale *= 2)
         size = Size(size.width / 2, size.height / 2);
     return (0.5 * WINDOW + gradient) * scale;
 }

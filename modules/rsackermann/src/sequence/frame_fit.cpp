@@ -136,7 +136,8 @@ public:
                 equations.information(k, k) = weight;
                 equations.gradient[k] = weight * angles[i];
                 // Rates that don't depend on each other.
-                equations.information(k + AXES, k + AXES) = weight * interval * interval / 2;
+                double& ofChange = equations.information(k + AXES, k + AXES);
+                ofChange = std::max(ofChange, weight * interval * interval / 2);
             }
         }
         const FlowResidual::Values values(u.data());

@@ -66,7 +66,7 @@ void SequenceEstimator::reset()
     seenCamera = SeenCamera();
     cameraChange = CameraVector();
     turnCamera(0);
-    filter.hasFrame = false;
+    filter.hasFrame = isKnown = isRepeated = false;
     interval = 0;
     resetState();
 }
@@ -497,8 +497,9 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     motion.readoutRatioSigma = seenCamera.readoutRatioSigma();
     if (motion.readoutRatioSigma > 0)
         motion.readoutRatio = seenCamera.readoutRatio();
-    motion.seenHeading = camera.heading + seenCamera.heading();
     motion.seenHeadingSigma = seenCamera.headingSigma();
+    if (motion.seenHeadingSigma > 0)
+        motion.seenHeading = camera.heading + seenCamera.heading();
     AckermannMotion found = motion;
     found.headingCorrection = turnedCamera.heading - camera.heading;
     SequenceFit fit = fit_;

@@ -63,8 +63,8 @@ private:
         const double middle = (camera.imageSize.height - 1) / 2.;
         const std::vector<Vec3d> borders = bearingsOf(
             camera, camera.uprightRotation, {Point2d(0, middle), Point2d(camera.imageSize.width - 1, middle)});
-        problem.leftmost = borders[0][0] / borders[0][2];
-        problem.rightmost = borders[1][0] / borders[1][2];
+        problem.leftmost = borders[0][0] / std::max(borders[0][2], IN_FRONT);
+        problem.rightmost = borders[1][0] / std::max(borders[1][2], IN_FRONT);
         selectCandidates(segments, camera, params, problem.verticals, problem.others);
         problem.arrange();
         return problem;

@@ -343,8 +343,9 @@ Posterior MotionMixture::best() const
         translating[fit.hypothesis.walls] += fit.hypothesis.translates() ? probability[i] : 0;
     }
 
-    result.hypothesis =
-        MotionHypothesis(field.mainMotion(result.model, result.G), translating[2] > translating[1] ? 2 : 1);
+    result.hypothesis = MotionHypothesis(field.mainMotion(result.model, result.G), 0);
+    if (result.hypothesis.translates())
+        result.hypothesis.walls = translating[2] > translating[1] ? 2 : 1;
     return result;
 }
 

@@ -223,8 +223,8 @@ double RelativeDepth::edgesInCommon(const Mat& segments, double minLength) const
         squares += more * more;
         count++;
     }
-    const double variance = squares - sum * sum / std::max(count, 1);
-    return variance > 0 ? sum / std::sqrt(variance) : 0;
+    // At least that of one of them, which could be another way
+    return sum / std::sqrt(std::max(squares - sum * sum / std::max(count, 1), 1.));
 }
 
 bool RelativeDepth::isInAnotherUnit(double cameraHeight, const AckermannEstimator::Params& params) const

@@ -261,7 +261,7 @@ public:
 
     /** @brief The depth that the maps of the last image follow: the given one, of a #DEPTH_RELATIVE with the scale and
     the shift that were found, of a #DEPTH_METRIC with the scale that agrees with tracked points at the motion's speed;
-    empty if it wasn't used. */
+    empty if it wasn't used. Its values are those that were given, not a copy of them. */
     CV_WRAP virtual DepthMap getUsedDepth() const = 0;
 
     /** @brief The segments of the last image and their labels.

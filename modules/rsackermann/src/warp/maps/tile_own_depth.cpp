@@ -42,6 +42,8 @@ protected:
     {
         float low, high;
         const Mat1f values = depths.part(area, low, high);
+        if (values.empty())
+            return;
         for (int y = area.y; y < area.br().y; y++)
             for (int x = area.x; x < area.br().x; x++)
             {
