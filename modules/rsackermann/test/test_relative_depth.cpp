@@ -35,6 +35,9 @@ TEST(RSAckermann_RelativeDepth, edges_in_common_with_the_image)
     const double minLength = 35, most = relative.edgesInCommon(atSteps, minLength);
     // Three of four, each by 1: the sum over the root of the squares about the mean.
     EXPECT_NEAR(3 / std::sqrt(3 - 9 / 4.), most, 1e-9);
+    // All that agree are no less, but one alone says nothing.
+    EXPECT_GT(relative.edgesInCommon(atSteps.rowRange(0, 3), minLength), most);
+    EXPECT_EQ(0, relative.edgesInCommon(atSteps.row(0), minLength));
     EXPECT_EQ(0, relative.edgesInCommon(beside, minLength));
     EXPECT_EQ(0, relative.edgesInCommon(Mat(0, 4, CV_64F), minLength));
     for (int i = 0; i < 20; i++)

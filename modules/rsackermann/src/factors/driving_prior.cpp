@@ -353,11 +353,13 @@ void stationaryState(const RollingShutterCamera& camera, const AckermannEstimato
     const double height = camera.height > 0 ? camera.height : params.priorHeight,
                  heightSigma = camera.height > 0 ? HEIGHT_SIGMA : params.priorHeightLogSigma;
     const double directionSigma = params.wallDeviationSigma > 0 ? params.wallDeviationSigma : 1;
-    const Vec2d tilts = TiltSigmas(camera, params).ofCamera(Heading(camera.heading));
+    const bool isExact = !(params.gravitySigma > 0);
+    const double rollSigma = isExact ? EXACT_GRAVITY : std::hypot(params.gravitySigma, camera.rollSigma),
+                 pitchSigma = isExact ? EXACT_GRAVITY : std::hypot(params.vehiclePitchSigma, camera.pitchSigma);
     mean = SequenceVector(0, speed, camera.heading, wall[0], wall[0], 1 / height, 0, 0);
     // Over seconds yaw rates stay what they are, and bends of three times the expected ones are no exception.
     sigma = SequenceVector(3 * params.priorYawRate, speedSigma, directionSigma, wall[1], wall[1], heightSigma / height,
-                           tilts[0], tilts[1]);
+                           rollSigma, pitchSigma);
 }
 
 }} // namespace cv::rsackermann

@@ -23,12 +23,6 @@ struct TiltSigmas
 
     //! Those of the vehicle and those of the camera's mount together, unless gravity is exact.
     TiltSigmas(const RollingShutterCamera& camera, const AckermannEstimator::Params& params);
-
-    //! About the camera's axes: of one that looks sideways the roll is the vehicle's pitch.
-    Vec2d ofCamera(const Heading& heading) const
-    {
-        return Vec2d(std::hypot(heading.c * roll, heading.s * pitch), std::hypot(heading.s * roll, heading.c * pitch));
-    }
 };
 
 //! The values of a MotionPrior in the units of the estimation; a sigma of 0: not given.

@@ -51,7 +51,7 @@ public:
                      const DrivingPrior& prior_, int direction_)
         : maxAlpha(MotionLimits(camera, params).maxAlpha), prior(prior_), heading(camera.heading),
           direction(direction_), focal(camera.cameraMatrix(0, 0)), tilts(camera, params),
-          loss(SLANT_SCALE, 1 / dependenceOf(tilts.ofCamera(heading)[0]))
+          loss(SLANT_SCALE, 1 / dependenceOf(std::hypot(heading.c * tilts.roll, heading.s * tilts.pitch)))
     {
         prior.anyRoad(logRoad, logRoadSigma);
     }

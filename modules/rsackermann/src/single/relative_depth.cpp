@@ -223,8 +223,11 @@ double RelativeDepth::edgesInCommon(const Mat& segments, double minLength) const
         squares += more * more;
         count++;
     }
-    // At least that of one of them, which could be another way
-    return sum / std::sqrt(std::max(squares - sum * sum / std::max(count, 1), 1.));
+    if (count < 2)
+        return 0;
+    // If all agree, as if one of them didn't
+    const double n = count;
+    return sum / std::sqrt(std::max(squares - sum * sum / n, 1 - 1 / n));
 }
 
 bool RelativeDepth::isInAnotherUnit(double cameraHeight, const AckermannEstimator::Params& params) const
