@@ -26,6 +26,14 @@ void Warnings::add(const std::string& input, const std::vector<FrameReport>& fra
         addDepth(frame);
         addPixels(frame);
         addSpeed(frame);
+        if (job_.params.sequence && frame.motion.status == cv::rsackermann::MOTION_OK)
+        {
+            lastTilts_ = cv::Vec2d(frame.motion.rollCorrection, frame.motion.pitchCorrection);
+            tilts_ += lastTilts_;
+            tiltedCamera_ = frame.camera;
+            tilted_++;
+            givenTilts_ = cv::Vec2d(frame.roll, frame.pitch);
+        }
         if (frame.motion.readoutRatioSigma > 0)
             lastMotion_ = frame.motion;
         if (frame.motion.seenHeadingSigma > 0)
@@ -48,6 +56,7 @@ void Warnings::end()
     addRepeated();
     addReadout();
     addHeading();
+    addTilts();
 }
 
 // Intervals that differ by one unit of the times' last decimal are those of a steady clock, rounded.
@@ -108,6 +117,26 @@ void Warnings::addHeading()
         warn(cv::format("frames move as if the heading was %.1f degrees (sigma %.1f), which is %.1f: check --heading, "
                         "by which yaw rates err",
                         seenHeading_ / DEGREE, seenHeadingSigma_ / DEGREE, givenHeading_ / DEGREE));
+}
+
+// If a drive as a whole differs by more than one of its frames may. The last one knows best by what.
+void Warnings::addTilts()
+{
+    if (tilted_ == 0)
+        return;
+    const cv::rsackermann::AckermannEstimator::Params& params = job_.params.estimator;
+    const cv::rsackermann::RollingShutterCamera& camera = tiltedCamera_;
+    const double c = std::cos(camera.heading), s = std::sin(camera.heading), roll = params.gravitySigma,
+                 pitch = params.vehiclePitchSigma, sigmas = 3,
+                 sigma[] = {std::hypot(camera.rollSigma, std::hypot(c * roll, s * pitch)),
+                            std::hypot(camera.pitchSigma, std::hypot(s * roll, c * pitch))};
+    const char* const names[] = {"roll", "pitch"};
+    for (int i = 0; i < 2; i++)
+    {
+        if (std::abs(tilts_[i] / tilted_) > sigmas * sigma[i])
+            warn(cv::format("frames look as if the %s was %.1f degrees, which is %.1f: check --%s", names[i],
+                            givenTilts_[i] + lastTilts_[i] / DEGREE, givenTilts_[i], names[i]));
+    }
 }
 
 // Once for each input or sequence: a sensor that is wrong is so in many frames.

@@ -35,6 +35,7 @@ private:
     void addRepeated();
     void addReadout();
     void addHeading();
+    void addTilts();
     void addReference(const FrameReport& frame);
     void compareGyro(const FrameReport& frame);
     std::string doubtOfGyro() const;
@@ -55,6 +56,9 @@ private:
     cv::rsackermann::AckermannMotion lastMotion_;                // of which the read-out is known
     double seenHeading_ = 0, seenHeadingSigma_ = 0;              // of the last frame that shows one
     double givenHeading_ = 0, givenHeadingSigma_ = 0;            // the same frame's
+    cv::Vec2d tilts_, lastTilts_, givenTilts_;                   // sum of what frames add to roll and pitch; degrees
+    int tilted_ = 0;                                             // frames of the sum
+    cv::rsackermann::RollingShutterCamera tiltedCamera_;         // of the last one of them
     std::vector<double> times_, changes_;                        // of images of a sequence
     std::vector<double> intervals_;                              // of one sequence
     cv::rsackermann::RollingShutterCamera camera_;               // of the sequence

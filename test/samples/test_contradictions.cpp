@@ -206,6 +206,34 @@ TEST(Contradictions, heading_of_a_sequence)
     }
 }
 
+// A camera that is tilted otherwise than given, by more than cars are.
+TEST(Contradictions, tilts_of_a_sequence)
+{
+    const TemporaryFolder folder;
+    const std::string drive = folder / "drive";
+    ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=16", "--speed=40", "--left=6", "--right=8", "--pitch=3",
+                           "--roll=-2"})
+                     .exitCode);
+    const struct
+    {
+        const char *roll, *pitch;
+        bool rollIsContradicted, pitchIsContradicted;
+    } cases[] = {
+        {"-2", "3", false, false}, {"-1", "2.6", false, false}, {"-2", "-3", false, true}, {"3", "3", true, false}};
+    for (const auto& c : cases)
+    {
+        SCOPED_TRACE(testing::Message() << c.roll << " " << c.pitch);
+        const Outcome outcome =
+            correct({drive + "/frames", "--camera=" + drive + "/camera.yml", "--log=" + drive + "/log.csv", "--carry",
+                     "--overwrite", "--output=" + (folder / "out/"), std::string("--roll=") + c.roll,
+                     std::string("--pitch=") + c.pitch});
+        ASSERT_EQ(0, outcome.exitCode) << outcome.messages;
+        EXPECT_EQ(c.rollIsContradicted, outcome.messages.find("check --roll") != std::string::npos) << outcome.messages;
+        EXPECT_EQ(c.pitchIsContradicted, outcome.messages.find("check --pitch") != std::string::npos)
+            << outcome.messages;
+    }
+}
+
 // As soon as the true read-out is known, frames stay as they are if the given one is twice as long or in the other
 // direction; if it is too short they are corrected by as much as it is.
 TEST(Contradictions, read_out_of_a_sequence)

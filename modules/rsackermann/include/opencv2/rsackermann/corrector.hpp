@@ -140,7 +140,9 @@ public:
     @param times seconds, on the clock of setTimestamp(), as N x 1 matrix CV_64F or vector<double>: increasing, and
     after those of earlier calls; throws cv::Exception otherwise. A call may forget samples that are more than a minute
     earlier than the last image.
-    @param rates rad/s about the axes of the camera (x to the right, y down, z ahead): N x 3 matrix CV_64F.
+    @param rates rad/s about the axes of the camera (x to the right, y down, z ahead), right-handed: the first one is
+    positive if the camera turns upwards, unlike AckermannMotion::pitchRate, the second one if it turns to the right,
+    the third one if it rolls clockwise as seen from behind: N x 3 matrix CV_64F.
      */
     CV_WRAP virtual void addGyro(InputArray times, InputArray rates) = 0;
 
@@ -148,7 +150,7 @@ public:
     @param delay seconds by which the gyro's clock is ahead of that of the frames; found from -2 to 2.
     @param axes rotation vector in radians, about the axes of the camera: what a gyro shows is turned by it.
     @param bias rad/s about these axes that is added to what the gyro shows.
-    @return false if the points of a second or so contradict the gyro, which isn't used then: its unit, its axes or its
+    @return true, with zeros, as long as nothing is shown; false if the points of a second or so contradict the gyro, which isn't used then: its unit, its axes or its
     clock may be another.
      */
     CV_WRAP virtual bool getGyroAlignment(CV_OUT double& delay, CV_OUT Vec3d& axes, CV_OUT Vec3d& bias) const = 0;
