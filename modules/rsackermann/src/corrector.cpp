@@ -6,6 +6,7 @@
 #include "opencv2/rsackermann/corrector.hpp"
 #include "opencv2/core/ocl.hpp"
 #include "opencv2/imgproc.hpp"
+#include "camera/lens.hpp"
 #include "checks.hpp"
 #include "features/segment_finder.hpp"
 #include "motion/metric_way.hpp"
@@ -95,10 +96,8 @@ void RollingShutterCorrector::Params::check() const
 // Whether a camera at rest already gives the global-shutter image.
 static bool isIdentity(const RollingShutterCamera& camera, const WarpMapGenerator::Params& warp)
 {
-    bool noLens = camera.lensModel == LENS_PINHOLE;
-    for (size_t i = 0; i < camera.distCoeffs.size(); i++)
-        noLens = noLens && camera.distCoeffs[i] == 0;
-    return noLens && (warp.newCameraMatrix == Matx33d::zeros() || warp.newCameraMatrix == camera.cameraMatrix) &&
+    return Lens<double>(camera).kind == Lens<double>::NONE &&
+           (warp.newCameraMatrix == Matx33d::zeros() || warp.newCameraMatrix == camera.cameraMatrix) &&
            (warp.newSize == Size() || warp.newSize == camera.imageSize);
 }
 
@@ -112,15 +111,7 @@ static bool isSameButForGravity(const RollingShutterCamera& a, const RollingShut
 // Of a depth in metres; 0, NaN and infinity are unknown.
 static bool isKnownSomewhere(const Mat& depth)
 {
-    if (depth.type() == CV_16UC1)
-        return countNonZero(depth) > 0;
-    bool isKnown = depth.type() != CV_32FC1; // another type is refused by the maps
-    for (int y = 0; y < depth.rows && !isKnown; y++)
-    {
-        const float* row = depth.ptr<float>(y);
-        isKnown = std::any_of(row, row + depth.cols, [](float value) { return value > 0 && value <= FLT_MAX; });
-    }
-    return isKnown;
+    return countNonZero((depth > 0) & (depth <= FLT_MAX)) > 0;
 }
 
 // Of both, whichever was set last: checked when they are used.

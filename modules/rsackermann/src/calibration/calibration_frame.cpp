@@ -249,16 +249,10 @@ FrameEquations FrameProblem::evaluate(const CalibrationFrame& frame, const Frame
     FrameEquations equations;
     addPoints(frame, value, equations);
     addVerticals(frame, value, equations);
-    const auto addKnown = [&](int i, double expected, double sigma) {
-        const double r = (value[i] - expected) / sigma;
-        equations.cost += r * r;
-        equations.gradient[i] += r / sigma;
-        equations.information(i, i) += 1 / (sigma * sigma);
-    };
     for (int i = 0; i < SCENE_VALUES; i++)
-        addKnown(i, frame.expected[i], frame.sigma[i]);
+        equations.addPrior(i, value[i] - frame.expected[i], frame.sigma[i]);
     for (int i = FLOW_PITCH_BEFORE; i <= FLOW_ROLL_BEFORE; i++)
-        addKnown(i, 0, TURN_SIGMA);
+        equations.addPrior(i, value[i], TURN_SIGMA);
     return equations;
 }
 

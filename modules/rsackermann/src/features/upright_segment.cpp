@@ -68,8 +68,7 @@ void selectCandidates(const Mat& segments, const RollingShutterCamera& camera, c
         const double dx = std::abs(c.u[0] - c.v[0]), dt = std::abs(c.timeU - c.timeV);
         const double possible = limits.maxSlant((c.u[0] + c.v[0]) / 2, camera.heading) + params.slantTolerance;
         const double steepest = limits.areMetric ? possible : std::min(possible, params.maxSlant);
-        c.gate = steepest * dt;
-        if (dt > 0 && dx <= c.gate)
+        if (dt > 0 && dx <= steepest * dt)
             verticals.push_back(c);
         else if (dx > std::max(steepest, params.maxSlant) * dt) // nearly vertical ones belong to neither
             others.push_back(c);

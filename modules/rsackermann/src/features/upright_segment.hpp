@@ -19,7 +19,6 @@ struct UprightSegment
     double timeU, timeV; // row times of the ends
     double length;       // pixels
     double sagitta;      // pixels by which the lens bends the image of the straight line between the ends
-    double gate;         // largest |u_x - v_x| with which the segment would have been a candidate for a vertical
     int index;           // among the segments of the caller
 };
 

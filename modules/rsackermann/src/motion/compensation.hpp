@@ -112,9 +112,6 @@ struct RowMotionOf
         *this = RowMotionOf(half, sincHalf, cosHalf, heading, t);
     }
 
-    //! Without yaw.
-    RowMotionOf(const Heading& heading, double t) : c(1), s(0), c2(heading.c), s2(heading.s), tau(t) {}
-
     //! Turns the horizontal part (x, z) of a bearing into the reference frame.
     void turn(const T& x, const T& z, T& N, T& M) const
     {

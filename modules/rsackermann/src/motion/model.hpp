@@ -41,9 +41,8 @@ struct MotionHypothesis
 
     bool turns() const { return motion == MODEL_1LA || motion == MODEL_4LA; }
     bool translates() const { return motion == MODEL_3LA || motion == MODEL_4LA; }
+    //! Segments of a minimal sample, too.
     int unknowns() const { return (turns() ? 1 : 0) + (translates() ? 1 + walls : 0); }
-    //! Segments of a minimal sample.
-    int sampleSize() const { return unknowns(); }
 };
 
 }} // namespace cv::rsackermann

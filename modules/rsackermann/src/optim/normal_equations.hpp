@@ -62,6 +62,14 @@ struct NormalEquations
         gradient += weight * (J * r);
     }
 
+    //! Adds what is known of an unknown beforehand, by how much it is above that and a standard deviation.
+    void addPrior(int which, double above, double sigma)
+    {
+        cost += above / sigma * (above / sigma);
+        gradient[which] += above / sigma / sigma;
+        information(which, which) += 1 / (sigma * sigma);
+    }
+
     Matrix symmetric() const { return information.template selfadjointView<Eigen::Lower>(); }
 
     /** Solves for the step, with the diagonal enlarged by a part of itself. An unknown on which no residual depends

@@ -26,23 +26,14 @@ struct Scene
     {
     }
 
-    /** w z of the nearest plane in the direction (x, y, z) of the global-shutter camera.
-
-    This is the form of w for directions of any scale, also such that don't point forward.
-    */
-    double inverseDepth(const Vec3d& ray) const
-    {
-        const double left = D * ray[2] - B * ray[0];
-        return nearestOf(0, left, -lambda * left, G * ray[1]);
-    }
-
-    /** The same for the point that a camera at another place sees in the direction (x, y, z).
+    /** w z of the nearest plane, for the point that a camera at another place than the global-shutter camera's sees in
+    the direction (x, y, z), which has any scale and needn't point forward.
 
     The place is (x, z) in the unit of length in which depths are 1/w, inside the walls (isInside). The global-shutter
     camera sees the point in the direction ray + inverseDepth(...) (place.x, 0, place.z).
     @param added to the w z of each plane at the point that is seen.
     */
-    double inverseDepth(const Vec3d& ray, double placeX, double placeZ, double added = 0) const
+    double inverseDepth(const Vec3d& ray, double placeX = 0, double placeZ = 0, double added = 0) const
     {
         double planes[PLANES];
         inverseDepths(ray, placeX, placeZ, planes, added);

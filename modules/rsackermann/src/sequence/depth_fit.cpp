@@ -146,14 +146,16 @@ public:
     {
         equations = Equations();
         const SequenceState& before = planes.prediction;
-        addPrior(u, D_YAW_RATE, before.value[SEQUENCE_YAW_RATE],
-                 std::sqrt(before.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)), equations);
+        equations.addPrior(D_YAW_RATE, u[D_YAW_RATE] - before.value[SEQUENCE_YAW_RATE],
+                           std::sqrt(before.covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)));
         for (int i = SEQUENCE_VALUES; i < FLOW_VALUES; i++)
-            addPrior(u, D_TURNS + i - SEQUENCE_VALUES, 0, i == FLOW_YAW_CHANGE ? planes.yawGrowthSigma : TURN_SIGMA,
-                     equations);
-        addPrior(u, D_SCALE, sign * standard.sigma * given.scale, standard.sigma * given.sigma, equations);
+        {
+            const int k = D_TURNS + i - SEQUENCE_VALUES;
+            equations.addPrior(k, u[k], i == FLOW_YAW_CHANGE ? planes.yawGrowthSigma : TURN_SIGMA);
+        }
+        equations.addPrior(D_SCALE, u[D_SCALE] - sign * standard.sigma * given.scale, standard.sigma * given.sigma);
         if (given.isMetric) // a rounding error, so that the equations stay regular
-            addPrior(u, D_SHIFT, 0, standard.sigma * given.scale * FLT_EPSILON, equations);
+            equations.addPrior(D_SHIFT, u[D_SHIFT], standard.sigma * given.scale * FLT_EPSILON);
         const CauchyLoss loss(scale, 1 / DEPENDENCE);
         for (size_t i = 0; i < points.size(); i++)
         {
@@ -219,14 +221,6 @@ public:
     double pointSigma = POINT_SIGMA; // pixels, of what a depth doesn't explain
 
 private:
-    static void addPrior(const State& u, int which, double mean, double sigma, Equations& equations)
-    {
-        const double r = (u[which] - mean) / sigma;
-        equations.cost += r * r;
-        equations.gradient[which] += r / sigma;
-        equations.information(which, which) += 1 / (sigma * sigma);
-    }
-
     const FlowResidual flow;
     const SequenceFit& planes;
     const double unit;

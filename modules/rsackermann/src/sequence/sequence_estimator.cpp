@@ -420,13 +420,15 @@ void SequenceEstimator::updateRates(const SequenceState& predicted, double befor
     bool isSeen[2] = {false, false}; // in the earlier and in the later neighbour
     for (size_t i = 0; i < features.bearings.size(); i++)
         isSeen[features.bearings[i].pitch == FLOW_PITCH_BEFORE ? 0 : 1] = true;
-    if (before != 0 && isSeen[before > 0 ? 0 : 1] && alone.moves)
+    const bool hasBefore = before != 0 && isSeen[before > 0 ? 0 : 1],
+               hasAfter = after != 0 && isSeen[after > 0 ? 1 : 0];
+    if (hasBefore && alone.moves)
         clockNoise.add(alone.values[SEQUENCE_SPEED], before);
     else
         clockNoise.interrupt();
-    if (before != 0 && isSeen[before > 0 ? 0 : 1])
-        rates.update(alone, before, isSeen[before > 0 ? 1 : 0] ? after : 0, readOut(camera));
-    else if (after != 0 && isSeen[after > 0 ? 1 : 0])
+    if (hasBefore)
+        rates.update(alone, before, hasAfter ? after : 0, readOut(camera));
+    else if (hasAfter)
         rates.begin(alone, after, readOut(camera));
     else
         rates.interrupt();
@@ -440,10 +442,9 @@ void SequenceEstimator::updateRates(const SequenceState& predicted, double befor
     const double share = std::min(varianceOf(alone.state) / varianceOf(predicted), 1.),
                  lasting = varianceOf(uncertain) - (1 - share) * varianceOf(last.state),
                  yawSigma = std::sqrt(varianceOf(uncertain)), lastingSigma = std::sqrt(std::max(lasting, 0.));
-    if (before != 0 && isSeen[before > 0 ? 0 : 1])
-        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, -before, yawSigma, lastingSigma));
-    else if (after != 0 && isSeen[after > 0 ? 1 : 0])
-        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, after, yawSigma, lastingSigma));
+    if (hasBefore || hasAfter)
+        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, hasBefore ? -before : after,
+                              yawSigma, lastingSigma));
     useGyro();
 }
 

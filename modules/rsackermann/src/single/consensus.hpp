@@ -25,7 +25,7 @@ public:
     CandidateConsensus(const RefinementProblem& problem, const MotionHypothesis& hypothesis, double threshold);
 
     int size() const { return (int)problem.verticals.size(); }
-    int sampleSize() const { return hypothesis.sampleSize(); }
+    int sampleSize() const { return hypothesis.unknowns(); }
     int generate(const int* sample, Model* models);
     double score(const Model& model, double best, int& inliers) const;
     void optimize(Model& model) const { refine(problem, hypothesis, VERTICALS_ONLY, 4, model); }

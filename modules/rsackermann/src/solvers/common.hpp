@@ -43,10 +43,6 @@ struct RotatedSegment
     RotatedBearing u, v;
 
     RotatedSegment() {}
-    //! @param s segment whose ends are passed at two rows.
-    RotatedSegment(const VerticalSegment& s, const RowMotion& rowU, const RowMotion& rowV) : u(s.u, rowU), v(s.v, rowV)
-    {
-    }
     RotatedSegment(const VerticalSegment& s, double alpha, const Heading& heading)
         : u(s.u, RowMotion(alpha, heading, s.timeU)), v(s.v, RowMotion(alpha, heading, s.timeV))
     {

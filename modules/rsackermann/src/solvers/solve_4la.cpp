@@ -91,23 +91,15 @@ int solve4LA(const VerticalSegment* segments, bool twoWalls, const SolverOptions
     if (!determinantCubic(linear, options.maxAlpha, cubic))
         return 0;
     const int found = realRoots(cubic, 3, -1, 1, roots);
-    int count = 0;
     for (int i = 0; i < found; i++)
-    {
-        MinimalSolution& solution = solutions[count];
-        solution.alpha = roots[i] * options.maxAlpha;
+        roots[i] *= options.maxAlpha;
+    const auto solveAt = [&](const Constraint*, const Constraint*, MinimalSolution& s) {
         Constraint at[4];
         for (int j = 0; j < n; j++)
-            at[j] = linear[j].at(solution.alpha);
-        if (!solveWallsFromThree(at, twoWalls ? at + 3 : 0, solution) || !isWithinLimits(solution, options))
-            continue;
-        RotatedSegment rotated[4];
-        for (int j = 0; j < n; j++)
-            rotated[j] = RotatedSegment(segments[j], solution.alpha, heading);
-        if (areOnWalls(solution, rotated, 3, twoWalls))
-            count++;
-    }
-    return count;
+            at[j] = linear[j].at(s.alpha);
+        return solveWallsFromThree(at, twoWalls ? at + 3 : 0, s);
+    };
+    return solutionsAt<3>(roots, found, segments, twoWalls, options, solveAt, solutions);
 }
 
 }} // namespace cv::rsackermann

@@ -29,11 +29,10 @@ struct Disagreement
     // Whether it is anything else than rounding errors at an alpha.
     bool isInformative(double alpha) const
     {
-        const double degenerate = 1e-10;
-        const Constraint first = RotatedSegment(segments[0], alpha, heading).constraint(),
-                         second = RotatedSegment(segments[1], alpha, heading).constraint();
-        const double scale2 = first.length2() * second.length2(), value = first.e * q(second) - second.e * q(first);
-        return value * value > degenerate * degenerate * scale2;
+        const double degenerate = 1e-10, value = (*this)(alpha);
+        return value * value > degenerate * degenerate *
+                                   RotatedSegment(segments[0], alpha, heading).constraint().length2() *
+                                   RotatedSegment(segments[1], alpha, heading).constraint().length2();
     }
 };
 

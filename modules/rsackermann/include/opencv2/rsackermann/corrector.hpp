@@ -150,8 +150,8 @@ public:
     @param delay seconds by which the gyro's clock is ahead of that of the frames; found from -2 to 2.
     @param axes rotation vector in radians, about the axes of the camera: what a gyro shows is turned by it.
     @param bias rad/s about these axes that is added to what the gyro shows.
-    @return true, with zeros, as long as nothing is shown; false if the points of a second or so contradict the gyro, which isn't used then: its unit, its axes or its
-    clock may be another.
+    @return true, with zeros, as long as nothing is shown; false if the points of a second or so contradict the gyro,
+    which isn't used then: its unit, its axes or its clock may be another.
      */
     CV_WRAP virtual bool getGyroAlignment(CV_OUT double& delay, CV_OUT Vec3d& axes, CV_OUT Vec3d& bias) const = 0;
 
