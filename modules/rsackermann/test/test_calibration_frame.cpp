@@ -84,8 +84,7 @@ TEST(RSAckermann_PrivateCalibration, far_points_above_the_horizon_count)
 UprightSegment verticalAt(int side)
 {
     const double x = 0.4 * side, y[] = {-0.3, 0.1};
-    const UprightSegment vertical = {
-        Vec3d(x - 0.05, y[0], 1), Vec3d(x + 0.05, y[1], 1), y[0], y[1], 0.4 * 700, 0, 0};
+    const UprightSegment vertical = {Vec3d(x - 0.05, y[0], 1), Vec3d(x + 0.05, y[1], 1), y[0], y[1], 0.4 * 700, 0, 0};
     return vertical;
 }
 
