@@ -100,17 +100,17 @@ TEST(RSAckermann_DrivingPrior, expected_motion)
     params.priorWallDistanceLogSigma = 0.05;
     params.priorWallRatioLogSigma = 0.03;
     params.wallDeviationSigma = 0.02;
-    for (const double speed : {20., -20.})
+    for (const int direction : {1, -1})
     {
         MotionPrior prior;
-        prior.speed = speed;
+        prior.speed = direction * 20;
         prior.speedSigma = 0.8;
         prior.yawRate = 0.3;
         prior.yawRateSigma = 0.01;
         const DrivingPrior terms = makeTerms(prior, params, 0.4);
         Matx<double, PARAMETERS, PARAMETERS> covariance;
-        const Model m = terms.expectedMotion(MotionHypothesis(MODEL_4LA, 2), covariance);
-        EXPECT_EQ(speed < 0 ? -1 : 1, m.direction);
+        const Model m = terms.expectedMotion(MotionHypothesis(MODEL_4LA, 2), direction, covariance);
+        EXPECT_EQ(direction, m.direction);
         EXPECT_EQ(terms.expectedAlpha(), m[P_ALPHA]);
         EXPECT_NEAR(terms.alphaScale(), std::sqrt(covariance(P_ALPHA, P_ALPHA)), 1e-12);
         RNG rng(3);
@@ -130,11 +130,11 @@ TEST(RSAckermann_DrivingPrior, expected_motion)
                             0.03 * std::sqrt(sampled(i, i) * sampled(k, k)))
                     << i << " " << k;
 
-        const Model turning = terms.expectedMotion(MotionHypothesis(MODEL_1LA, 0), covariance);
+        const Model turning = terms.expectedMotion(MotionHypothesis(MODEL_1LA, 0), direction, covariance);
         EXPECT_EQ(0, turning[P_B]);
         EXPECT_EQ(0, turning[P_D]);
         EXPECT_EQ(0, covariance(P_B, P_B));
-        const Model straight = terms.expectedMotion(MotionHypothesis(MODEL_3LA, 2), covariance);
+        const Model straight = terms.expectedMotion(MotionHypothesis(MODEL_3LA, 2), direction, covariance);
         EXPECT_EQ(0, straight[P_ALPHA]);
         EXPECT_EQ(0, covariance(P_ALPHA, P_ALPHA));
         EXPECT_EQ(m[P_B], straight[P_B]);
@@ -155,25 +155,25 @@ TEST(RSAckermann_DrivingPrior, expected_motion_of_other_scenes)
     };
     Params params;
     params.wallDeviationSigma = 0;
-    EXPECT_NEAR(1, azimuthSigma(makeTerms(prior, params).expectedMotion(both, covariance)), 1e-9);
+    EXPECT_NEAR(1, azimuthSigma(makeTerms(prior, params).expectedMotion(both, 1, covariance)), 1e-9);
     params.wallDeviationSigma = 0.03;
     prior.wallDirection = 0.1;
     prior.wallDirectionSigma = 0.04;
-    const Model oblique = makeTerms(prior, params).expectedMotion(both, covariance);
+    const Model oblique = makeTerms(prior, params).expectedMotion(both, 1, covariance);
     EXPECT_NEAR(0.036, std::atan2(oblique[P_D], oblique[P_B]), 1e-4); // 3-4-5
     EXPECT_NEAR(0.024, azimuthSigma(oblique), 1e-9);
     prior.wallDirectionSigma = 0;
 
     params.wallDistance = 3;
     const DrivingPrior beside = makeTerms(prior, params);
-    const Model m = beside.expectedMotion(both, covariance);
+    const Model m = beside.expectedMotion(both, 1, covariance);
     EXPECT_NEAR(std::hypot(0.8 / 20, params.wallDistanceLogSigma), std::sqrt(covariance(P_B, P_B)) / m[P_B], 2e-3);
     EXPECT_NEAR(params.priorWallRatioLogSigma, std::sqrt(std::log1p(covariance(P_LAMBDA, P_LAMBDA))), 0.1);
     for (const double heading : {CV_PI / 2, -CV_PI / 2})
         for (const double speed : {20., -20.})
         {
             prior.speed = speed;
-            const Model aside = makeTerms(prior, params, heading).expectedMotion(one, covariance);
+            const Model aside = makeTerms(prior, params, heading).expectedMotion(one, speed < 0 ? -1 : 1, covariance);
             EXPECT_GT(aside.direction * aside[P_D], 0); // in front
             EXPECT_EQ(0, aside[P_LAMBDA]);
             EXPECT_EQ(0, covariance(P_LAMBDA, P_LAMBDA));

@@ -131,6 +131,26 @@ TEST(RSAckermann_Posterior, walls_of_slanted_lines_are_no_motion)
     EXPECT_LE(moved, 3);
 }
 
+// It shows nothing of the motion: no reason to correct it, and none to expect that it needs no correction.
+TEST(RSAckermann_Posterior, image_without_verticals_is_as_usual)
+{
+    RNG rng(5);
+    const Mat segments = leaningSegments(carCamera(), 60, 25 * degree, rng);
+    const auto expected = [&](double standing, double reverse) {
+        AckermannEstimator::Params params;
+        params.standingProbability = standing;
+        params.reverseProbability = reverse;
+        const AckermannMotion m = estimate(carCamera(), segments, MotionPrior(), params);
+        EXPECT_EQ(MOTION_NOT_SIGNIFICANT, m.status);
+        EXPECT_EQ(m.expectedRaw, m.expectedResidual);
+        return m.expectedRaw;
+    };
+    const double usual = expected(0.5, 0.02);
+    EXPECT_GT(usual, 1); // pixels
+    EXPECT_NEAR(usual, expected(0.5, 0.5), 0.1 * usual);
+    EXPECT_NEAR(0.4 * usual, expected(0.8, 0.02), 0.1 * usual);
+}
+
 // Some of many lines agree with some motion by chance: a scene in which most don't shows none.
 TEST(RSAckermann_Posterior, few_lines_that_agree_are_no_motion)
 {

@@ -203,13 +203,13 @@ int DrivingPrior::evaluate(const Model& model, const MotionHypothesis& hypothesi
     return n;
 }
 
-Model DrivingPrior::expectedMotion(const MotionHypothesis& hypothesis,
+Model DrivingPrior::expectedMotion(const MotionHypothesis& hypothesis, int direction,
                                    Matx<double, PARAMETERS, PARAMETERS>& covariance) const
 {
     Model m;
     m[P_STREET] = heading_.angle;
     covariance = Matx<double, PARAMETERS, PARAMETERS>::zeros();
-    if (hypothesis.turns() && yawRateIsGiven())
+    if (hypothesis.turns())
     {
         m[P_ALPHA] = expectedAlpha();
         covariance(P_ALPHA, P_ALPHA) = alphaScale() * alphaScale();
@@ -221,7 +221,7 @@ Model DrivingPrior::expectedMotion(const MotionHypothesis& hypothesis,
                  ofGiven = given_.streetSigma > 0 ? 1 / (given_.streetSigma * given_.streetSigma) : 0,
                  information = ofHeading + ofGiven > 0 ? ofHeading + ofGiven : 1,
                  azimuth = heading_.angle + ofGiven / information * std::asin(std::sin(given_.street - heading_.angle));
-    m.direction = given_.speed < 0 ? -1 : 1;
+    m.direction = direction;
     m[P_B] = m.direction * expectedScaledSpeed() * std::cos(azimuth);
     m[P_D] = m.direction * expectedScaledSpeed() * std::sin(azimuth);
     m[P_LAMBDA] = hypothesis.walls == 2 ? 1 : 0;

@@ -64,8 +64,13 @@ public:
     double logRest() const;
 
     /** The motion that is expected before the image is seen; one wall is that which a camera sees that looks aside.
-    @param covariance of what is given of the yaw rate, the street and the walls. */
-    Model expectedMotion(const MotionHypothesis& hypothesis, Matx<double, PARAMETERS, PARAMETERS>& covariance) const;
+    @param direction 1 or -1.
+    @param covariance of the yaw rate, the street and the walls. */
+    Model expectedMotion(const MotionHypothesis& hypothesis, int direction,
+                         Matx<double, PARAMETERS, PARAMETERS>& covariance) const;
+
+    //! -2 times the logarithm of the probability of driving in a direction; 0 in none. @param direction 1, -1 or 0.
+    double directionPenalty(int direction, const MotionHypothesis& hypothesis) const;
 
     //! Slope G of the road's scaled inverse depth for a motion, and its variance.
     void road(const Model& model, const RoadLimit& limit, double& G, double& variance) const;
@@ -110,7 +115,6 @@ private:
     };
 
     ScaledSpeedLog scaledSpeedLog(int walls) const;
-    double directionPenalty(int direction, const MotionHypothesis& hypothesis) const;
     //! Mean and variance of the logarithm of G for a road that is below the ends of segments.
     void limitRoad(const RoadLimit& limit, const Model& model, double& logG, double& variance) const;
     double usualYawDensity(double alpha) const;

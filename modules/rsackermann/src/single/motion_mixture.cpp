@@ -249,11 +249,11 @@ private:
 
 } // namespace
 
-void MotionMixture::add(const Fit& fit, double logWeight)
+void MotionMixture::add(const Fit& fit, double logWeight, MotionUse use)
 {
     if (!(logWeight > -DBL_MAX && logWeight < DBL_MAX))
         return;
-    components.push_back({fit, logWeight});
+    components.push_back({fit, logWeight, use});
     largest = std::max(largest, logWeight);
 }
 
@@ -261,7 +261,7 @@ double MotionMixture::logSum() const
 {
     double sum = 0;
     for (const Component& c : components)
-        sum += std::exp(c.logWeight - largest);
+        sum += c.use != TO_DECIDE ? std::exp(c.logWeight - largest) : 0;
     return largest + std::log(sum);
 }
 
@@ -312,12 +312,18 @@ static double bestFraction(const MotionSamples& samples, const Correction& corre
 Posterior MotionMixture::best() const
 {
     const std::vector<double> probability = probabilities();
+    const auto add = [&](MotionUse use, MotionSamples& samples) {
+        for (size_t i = 0; i < components.size(); i++)
+            if (components[i].use == use && probability[i] > NEGLIGIBLE)
+                samples.add(components[i].fit.model, components[i].fit.covariance, probability[i]);
+    };
     MotionSamples samples(field, prior, limit);
-    for (size_t i = 0; i < components.size(); i++)
-        if (probability[i] > NEGLIGIBLE)
-            samples.add(components[i].fit.model, components[i].fit.covariance, probability[i]);
-    Correction correction = samples.middleOfMoving();
-    correction = correction.scaled(bestFraction(samples, correction, harmAversion));
+    add(FOR_ALL, samples);
+    MotionSamples deciding = samples;
+    add(TO_DECIDE, deciding);
+    add(TO_EXPECT, samples);
+    Correction correction = deciding.middleOfMoving();
+    correction = correction.scaled(bestFraction(deciding, correction, harmAversion));
     const MotionSamples::Expectation expected = samples.expect(correction);
 
     Posterior result;
@@ -338,6 +344,8 @@ Posterior MotionMixture::best() const
     for (size_t i = 0; i < components.size(); i++)
     {
         const Fit& fit = components[i].fit;
+        if (components[i].use == TO_DECIDE)
+            continue;
         const Vec<double, PARAMETERS> difference = fit.model.value - result.model.value;
         result.covariance += probability[i] * (fit.covariance + difference * difference.t());
         translating[fit.hypothesis.walls] += fit.hypothesis.translates() ? probability[i] : 0;

@@ -11,6 +11,13 @@ namespace cv { namespace rsackermann {
 
 /** The motions that are possible with their weights, and the correction that is decided upon (doc/theory.md,
 "Posterior"). */
+//! What a motion counts for.
+enum MotionUse {
+    FOR_ALL,
+    TO_DECIDE, //!< in the choice of the correction only
+    TO_EXPECT  //!< in what is expected of the image only
+};
+
 class MotionMixture
 {
 public:
@@ -24,9 +31,9 @@ public:
     void setRoadLimit(const RoadLimit& found) { limit = found; }
 
     //! @param fit whose model has 0 for what isn't an unknown of its hypothesis.
-    void add(const Fit& fit, double logWeight);
+    void add(const Fit& fit, double logWeight, MotionUse use = FOR_ALL);
 
-    //! Logarithm of the sum of the weights.
+    //! Logarithm of the sum of the weights, those to decide aside.
     double logSum() const;
 
     /** The correction with the least expected residual and harm.
@@ -40,6 +47,7 @@ private:
     {
         Fit fit;
         double logWeight;
+        MotionUse use;
     };
 
     std::vector<double> probabilities() const;

@@ -384,14 +384,8 @@ private:
     // without the image, as far as the requested model has it. Other segments are as with a camera at rest.
     void addSceneWithoutVerticals(const Fit& rest)
     {
-        const bool moves = params.model != MODEL_NONE, turns = moves && params.model != MODEL_3LA,
-                   translates = moves && params.model != MODEL_1LA && prior.givenDirection() != 0;
-        const int walls = !translates ? 0 : problem.heading.looksAlong() ? 2 : 1;
-        Fit unseen(
-            MotionHypothesis(translates ? (turns ? MODEL_4LA : MODEL_3LA) : (turns ? MODEL_1LA : MODEL_NONE), walls));
-        unseen.model = prior.expectedMotion(unseen.hypothesis, unseen.covariance);
         Model turning;
-        turning[P_ALPHA] = unseen.model[P_ALPHA];
+        turning[P_ALPHA] = prior.expectedAlpha();
         turning[P_STREET] = problem.heading.angle;
         const Slants slants = slantsOf(problem, turning, false), ofRest = slantsOf(problem, rest.model, false);
         // A car's image shows a street, all the more if somebody measures how it drives.
@@ -400,13 +394,35 @@ private:
                      probability = UNUSUAL / 2 * std::pow(2 * UNUSUAL, prior.givenShare());
         const double logWeight = std::log(probability * tilts) - otherCost / 2 +
                                  (logLikelihoodWithoutVerticals(slants) - ownNoise) / dependence;
+        // What is given is a reason to correct, what is usual isn't.
+        const int given = prior.givenDirection();
+        addUnseenMotion(unseenHypothesis(prior.yawRateIsGiven(), given != 0), given, logWeight, TO_DECIDE);
+        const MotionHypothesis moving = unseenHypothesis(true, true);
+        const double logMoves = logWeight - std::log1p(std::exp(prior.logRest()));
+        addUnseenMotion(unseenHypothesis(false, false), 0, logMoves + prior.logRest(), TO_EXPECT);
+        for (int direction = 1; direction >= -1; direction -= 2)
+            addUnseenMotion(moving, direction, logMoves - prior.directionPenalty(direction, moving) / 2, TO_EXPECT);
+    }
+
+    MotionHypothesis unseenHypothesis(bool turns, bool translates) const
+    {
+        turns &= params.model != MODEL_NONE && params.model != MODEL_3LA;
+        translates &= params.model != MODEL_NONE && params.model != MODEL_1LA;
+        const int walls = !translates ? 0 : problem.heading.looksAlong() ? 2 : 1;
+        return MotionHypothesis(translates ? (turns ? MODEL_4LA : MODEL_3LA) : (turns ? MODEL_1LA : MODEL_NONE), walls);
+    }
+
+    void addUnseenMotion(const MotionHypothesis& hypothesis, int direction, double logWeight, MotionUse use)
+    {
+        Fit unseen(hypothesis);
+        unseen.model = prior.expectedMotion(hypothesis, direction, unseen.covariance);
         // The points of a normal distribution of alpha that have its variance.
-        const double step = std::sqrt(3 * unseen.covariance(P_ALPHA, P_ALPHA));
+        const double step = std::sqrt(3 * unseen.covariance(P_ALPHA, P_ALPHA)), middle = unseen.model[P_ALPHA];
         unseen.covariance(P_ALPHA, P_ALPHA) = 0;
         for (int i = -1; i <= 1; i++)
         {
-            unseen.model[P_ALPHA] = turning[P_ALPHA] + i * step;
-            mixture.add(unseen, logWeight + std::log(i == 0 ? 2. / 3 : 1. / 6));
+            unseen.model[P_ALPHA] = middle + i * step;
+            mixture.add(unseen, logWeight + std::log(i == 0 ? 2. / 3 : 1. / 6), use);
         }
     }
 
