@@ -186,19 +186,10 @@ TEST(RSAckermann_ResidualKernels, sums_of_verticals)
     testSums(scalars::addVerticals, vertical, 0.05, DOUBLE_PRECISION);
 }
 
-// The derivatives are those of addVerticals().
-template <double (*cost)(const SegmentArrays&, const PreparedModel&, const RobustLoss&)>
-void addVerticalsWithCost(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
-                          const FreeParameters& unknowns, ResidualSums& sums)
+TEST(RSAckermann_ResidualKernels, sums_of_verticals_in_single_precision)
 {
-    vectors::addVerticals(segments, model, loss, unknowns, sums);
-    sums.cost = cost(segments, model, loss);
-}
-
-TEST(RSAckermann_ResidualKernels, cost_of_verticals)
-{
-    testSums(addVerticalsWithCost<vectors::costOfVerticals>, vertical, 0.05, SINGLE_PRECISION);
-    testSums(addVerticalsWithCost<scalars::costOfVerticals>, vertical, 0.05, SINGLE_PRECISION);
+    testSums(vectors::addVerticalsInSinglePrecision, vertical, 0.05, SINGLE_PRECISION);
+    testSums(scalars::addVerticalsInSinglePrecision, vertical, 0.05, SINGLE_PRECISION);
 }
 
 TEST(RSAckermann_ResidualKernels, sums_of_directions)

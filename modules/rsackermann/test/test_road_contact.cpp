@@ -158,18 +158,18 @@ TEST(RSAckermann_RoadContact, of_both_walls_and_of_one)
         const double there = std::log(left / camera.height), far = there + std::log(1.5);
         Model none = model;
         none[P_LAMBDA] = 0; // the left wall alone
-        EXPECT_EQ(k != 2, limit.likelihood(none, problem.heading, far) < 0.5) << k;
+        EXPECT_EQ(k != 2, RoadLimit::Likelihood(limit, none, problem.heading)(far) < 0.5) << k;
         none[P_B] *= -1; // the right one
         none[P_D] *= -1;
-        EXPECT_EQ(k != 1, limit.likelihood(none, problem.heading, far) < 0.5) << k;
+        EXPECT_EQ(k != 1, RoadLimit::Likelihood(limit, none, problem.heading)(far) < 0.5) << k;
         const double near = there + std::log(0.5);
-        EXPECT_NEAR(1, limit.likelihood(model, problem.heading, near), 1e-6) << k;
+        EXPECT_NEAR(1, RoadLimit::Likelihood(limit, model, problem.heading)(near), 1e-6) << k;
         limit.addContacts();
-        const double agreed = limit.likelihood(model, problem.heading, there);
+        const double agreed = RoadLimit::Likelihood(limit, model, problem.heading)(there);
         for (const double aside : {-0.15, 0.15})
-            EXPECT_LT(limit.likelihood(model, problem.heading, there + aside), agreed) << k << " " << aside;
-        EXPECT_GT(agreed, 100 * limit.likelihood(model, problem.heading, near)) << k;
-        EXPECT_GT(agreed, 100 * limit.likelihood(model, problem.heading, far)) << k;
+            EXPECT_LT(RoadLimit::Likelihood(limit, model, problem.heading)(there + aside), agreed) << k << " " << aside;
+        EXPECT_GT(agreed, 100 * RoadLimit::Likelihood(limit, model, problem.heading)(near)) << k;
+        EXPECT_GT(agreed, 100 * RoadLimit::Likelihood(limit, model, problem.heading)(far)) << k;
         EXPECT_TRUE(findRoadLimit(problem, Model(), 2).empty());
     }
 }
@@ -183,8 +183,8 @@ TEST(RSAckermann_RoadContact, ends_that_agree_may_be_of_something_else)
     limit.addContacts();
     const Model model = modelOf(Simulator::fromMetric(simulation::paperCamera(), 0, 12, 3, 0, 0));
     const Heading heading(0);
-    const double there = limit.likelihood(model, heading, std::log(20.)),
-                 near = limit.likelihood(model, heading, std::log(3.));
+    const double there = RoadLimit::Likelihood(limit, model, heading)(std::log(20.)),
+                 near = RoadLimit::Likelihood(limit, model, heading)(std::log(3.));
     EXPECT_GT(there, 20 * near);
     EXPECT_GT(near, there / 2000);
 }

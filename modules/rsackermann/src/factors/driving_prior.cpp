@@ -305,6 +305,7 @@ void DrivingPrior::limitRoad(const RoadLimit& limit, const Model& model, double&
     // A given distance is wrong as seldom as contradictions are by chance, and the wall then as far away as walls are.
     const double wrong = wallIsGiven_ ? std::erfc(CONTRADICTION / std::sqrt(2.)) : 0, farthest = 4,
                  logWall = std::log(std::hypot(model[P_B], model[P_D]));
+    const RoadLimit::Likelihood likelihood(limit, model, heading_);
     double sum = 0, first = 0, second = 0;
     for (const bool isWrong : {false, true})
     {
@@ -316,8 +317,7 @@ void DrivingPrior::limitRoad(const RoadLimit& limit, const Model& model, double&
         for (int i = 0; i <= steps; i++)
         {
             const double z = farthest * (2. * i / steps - 1), x = z * sigma,
-                         weight = (isWrong ? wrong : 1) / steps * std::exp(-z * z / 2) *
-                                  limit.likelihood(model, heading_, logG + x - logWall);
+                         weight = (isWrong ? wrong : 1) / steps * std::exp(-z * z / 2) * likelihood(logG + x - logWall);
             sum += weight;
             first += weight * x;
             second += weight * x * x;

@@ -22,9 +22,10 @@ void addDirections(const SegmentArrays& segments, const PreparedModel& model, co
     CV_CPU_DISPATCH(addDirections, (segments, model, loss, unknowns, sums), CV_CPU_DISPATCH_MODES_ALL);
 }
 
-double costOfVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss)
+void addVerticalsInSinglePrecision(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                                   const FreeParameters& unknowns, ResidualSums& sums)
 {
-    CV_CPU_DISPATCH(costOfVerticals, (segments, model, loss), CV_CPU_DISPATCH_MODES_ALL);
+    CV_CPU_DISPATCH(addVerticalsInSinglePrecision, (segments, model, loss, unknowns, sums), CV_CPU_DISPATCH_MODES_ALL);
 }
 
 double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,

@@ -37,8 +37,9 @@ struct ResidualSums
 void addVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                   const FreeParameters& unknowns, ResidualSums& sums);
 
-//! Robust cost of candidates for verticals, in single precision, which is 1e-4 pixels.
-double costOfVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss);
+//! The same in single precision, which is 1e-4 pixels: for costs, and on the way to a minimum.
+void addVerticalsInSinglePrecision(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                                   const FreeParameters& unknowns, ResidualSums& sums);
 
 //! Adds the residuals of the other segments (segment_residuals.hpp), in single precision.
 void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,

@@ -19,7 +19,8 @@ void addVerticals(const SegmentArrays& segments, const PreparedModel& model, con
                   const FreeParameters& unknowns, ResidualSums& sums);
 void addDirections(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
                    const FreeParameters& unknowns, ResidualSums& sums);
-double costOfVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss);
+void addVerticalsInSinglePrecision(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                                   const FreeParameters& unknowns, ResidualSums& sums);
 double scoreVerticals(const SegmentArrays& segments, const PreparedModel& model, double focal, double threshold,
                       double best, int& inliers);
 void compensateSegments(const SegmentArrays& segments, const PreparedModel& model, float* points);
@@ -221,11 +222,10 @@ void addVerticals(const SegmentArrays& segments, const PreparedModel& model, con
     sumVerticals<double>(segments, model, loss, unknowns, sums);
 }
 
-double costOfVerticals(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss)
+void addVerticalsInSinglePrecision(const SegmentArrays& segments, const PreparedModel& model, const RobustLoss& loss,
+                                   const FreeParameters& unknowns, ResidualSums& sums)
 {
-    ResidualSums sums;
-    sumVerticals<float>(segments, model, loss, FreeParameters(), sums);
-    return sums.cost;
+    sumVerticals<float>(segments, model, loss, unknowns, sums);
 }
 
 // In single precision, which is 1e-4 pixels: they lean by far more.

@@ -20,24 +20,6 @@ camera. It counts as a part of an end, since those of one facade err together.
 */
 class RoadLimit
 {
-public:
-    bool empty() const { return walls[0].values.empty() && walls[1].values.empty(); }
-
-    //! An end of a segment of a wall. @param weight up to 1, of a segment that is one of the wall.
-    void add(bool onRightWall, double ratio, double weight);
-
-    //! Ends that agree are those of segments that stand on the road. To be called after the last end.
-    void addContacts();
-
-    //! Likelihood of a distance of a motion's left (or only) wall. @param logRatio logarithm of it over the height.
-    double likelihood(const Model& m, const Heading& heading, double logRatio) const
-    {
-        if (hasRightWallOnly(m, heading))
-            return walls[1].at(logRatio);
-        return walls[0].at(logRatio) * (m[P_LAMBDA] > 0 ? walls[1].at(logRatio - std::log(m[P_LAMBDA])) : 1);
-    }
-
-private:
     struct End
     {
         double logRatio, part; // for how many it counts
@@ -52,6 +34,38 @@ private:
         void addContacts();
     };
 
+public:
+    bool empty() const { return walls[0].values.empty() && walls[1].values.empty(); }
+
+    //! An end of a segment of a wall. @param weight up to 1, of a segment that is one of the wall.
+    void add(bool onRightWall, double ratio, double weight);
+
+    //! Ends that agree are those of segments that stand on the road. To be called after the last end.
+    void addContacts();
+
+    //! Likelihood of a distance of a motion's left (or only) wall.
+    class Likelihood
+    {
+    public:
+        Likelihood(const RoadLimit& limit, const Model& m, const Heading& heading)
+            : wall(limit.walls[hasRightWallOnly(m, heading)]), right(m[P_LAMBDA] > 0 ? &limit.walls[1] : nullptr),
+              logLambda(right ? std::log(m[P_LAMBDA]) : 0)
+        {
+        }
+
+        //! @param logRatio logarithm of the distance over the height.
+        double operator()(double logRatio) const
+        {
+            return wall.at(logRatio) * (right ? right->at(logRatio - logLambda) : 1);
+        }
+
+    private:
+        const Table& wall;  // the left or only one
+        const Table* right; // the other one
+        const double logLambda;
+    };
+
+private:
     Table walls[2]; // left and right
 };
 

@@ -274,17 +274,19 @@ std::vector<double> MotionMixture::probabilities() const
     return probability;
 }
 
-// The loss is convex in the fraction of the correction that is applied: golden-section search.
+// The loss is convex in the fraction of the correction that is applied: golden-section search, if all of it isn't best.
 static double bestFraction(const MotionSamples& samples, const Correction& correction, double harmAversion)
 {
-    const double golden = (std::sqrt(5.) - 1) / 2;
-    const int steps = 14;
+    const double golden = (std::sqrt(5.) - 1) / 2, accuracy = 0.005;
     const auto loss = [&](double fraction) {
         const MotionSamples::Expectation e = samples.expect(correction.scaled(fraction));
         return e.residual + harmAversion * e.harm;
     };
+    const double none = loss(0), all = loss(1), least = 0.01 * none; // by less nothing is to be gained
+    if (all <= loss(1 - accuracy))
+        return all < none - least ? 1 : 0;
     double low = 0, high = 1, a = high - golden, b = low + golden, lossA = loss(a), lossB = loss(b);
-    for (int step = 0; step < steps; step++)
+    while (high - low > accuracy)
     {
         if (lossA < lossB)
         {
@@ -304,9 +306,9 @@ static double bestFraction(const MotionSamples& samples, const Correction& corre
         }
     }
 
-    const double none = loss(0), least = 0.01 * none; // by less nothing is to be gained
-    const double best = loss(1) < loss((low + high) / 2) + least ? 1 : (low + high) / 2;
-    return loss(best) < none - least ? best : 0;
+    const double middle = (low + high) / 2, ofMiddle = loss(middle);
+    const bool applyAll = all < ofMiddle + least;
+    return (applyAll ? all : ofMiddle) < none - least ? (applyAll ? 1 : middle) : 0;
 }
 
 Posterior MotionMixture::best() const

@@ -116,7 +116,9 @@ static ResidualSums sumResiduals(const RefinementProblem& problem, const MotionH
     const RobustLoss loss(problem.lossScale, problem.verticalWeight), otherLoss(problem.lossScale, problem.otherWeight);
     const PreparedModel prepared(model, problem.heading, problem.roadRatio, hypothesis.translates());
     ResidualSums sums;
-    addVerticals(problem.verticalArrays, prepared, loss, unknowns, sums);
+    // Before the noise is known nothing but the way to a minimum is of use.
+    (problem.noiseIsKnown ? addVerticals : addVerticalsInSinglePrecision)(problem.verticalArrays, prepared, loss,
+                                                                          unknowns, sums);
     if (evidence == ALL_SEGMENTS)
         addDirections(problem.otherArrays, prepared, otherLoss, unknowns, sums);
     addPriors(problem, hypothesis, unknowns, model, sums);
@@ -127,8 +129,8 @@ double costOf(const RefinementProblem& problem, const MotionHypothesis& hypothes
 {
     const PreparedModel prepared(model, problem.heading, problem.roadRatio, hypothesis.translates());
     ResidualSums sums;
-    sums.cost =
-        costOfVerticals(problem.verticalArrays, prepared, RobustLoss(problem.lossScale, problem.verticalWeight));
+    addVerticalsInSinglePrecision(problem.verticalArrays, prepared,
+                                  RobustLoss(problem.lossScale, problem.verticalWeight), FreeParameters(), sums);
     addDirections(problem.otherArrays, prepared, RobustLoss(problem.lossScale, problem.otherWeight), FreeParameters(),
                   sums);
     addPriors(problem, hypothesis, FreeParameters(), model, sums);
@@ -201,7 +203,6 @@ double refine(const RefinementProblem& problem, const MotionHypothesis& hypothes
 {
     const ModelProblem ofModel(problem, hypothesis, evidence);
     ModelProblem::Equations equations;
-    // Before the noise is known nothing but the way to a minimum is of use.
     MinimizerOptions options(maxIterations, 1e-12, problem.noiseIsKnown ? 3e-6 : 1e-4);
     options.farthest = farthest;
     minimize(ofModel, options, model, equations);
