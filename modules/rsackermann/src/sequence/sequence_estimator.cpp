@@ -8,6 +8,7 @@
 #include "../single/inliers_and_scale.hpp"
 #include "copies.hpp"
 #include "expected_displacement.hpp"
+#include "image_with_gyro.hpp"
 #include "point_prediction.hpp"
 #include "scene_fit.hpp"
 #include "sequence_estimator.hpp"
@@ -148,75 +149,27 @@ AckermannMotion SequenceEstimator::estimateNew(const GrayFrame& frame, const Gra
 AckermannMotion SequenceEstimator::estimateSingle(double seconds, const Mat& segments, const MotionPrior& prior,
                                                   Mat& labels)
 {
-    AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
+    AckermannMotion motion = estimateImage(seconds, segments, prior, labels);
     if (motion.status != MOTION_OK)
         turnAlone(seconds, prior, motion);
     return motion;
 }
 
-// A gyro gives the yaw rate, beside other sources, and how rows roll and pitch.
-AckermannMotion SequenceEstimator::estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels)
+// By its verticals.
+AckermannMotion SequenceEstimator::estimateImage(double seconds, const Mat& segments, const MotionPrior& prior,
+                                                 Mat& labels)
 {
-    const MotionPrior given = prior;
-    MeasuredTurns turns;
-    const bool isMeasured = measure(seconds, turns);
-    const InstantRate& yaw = turns.yaw;
-    if (isMeasured && prior.yawRateSigma > 0)
-    {
-        const double own = 1 / (yaw.sigma * yaw.sigma), other = 1 / (prior.yawRateSigma * prior.yawRateSigma);
-        prior.yawRate = (own * yaw.value + other * prior.yawRate) / (own + other);
-        prior.yawRateSigma = 1 / std::sqrt(own + other);
-    }
-    else if (isMeasured)
-    {
-        prior.yawRate = yaw.value;
-        prior.yawRateSigma = yaw.sigma;
-    }
     priorOfImage = prior;
-    AckermannMotion motion = single->estimate(segments, labels, prior);
-    if (isMeasured)
-        compareAgain(prior, given, motion);
-    if (isMeasured && contradicts(yaw.value, yaw.sigma, given.yawRate, given.yawRateSigma)) // whatever the image shows
-    {
-        motion.seenYawRate = yaw.value;
-        motion.seenYawRateSigma = yaw.sigma;
-        motion.contradictsPrior = true;
-    }
-    if (isMeasured && motion.status == MOTION_OK)
-    {
-        RowRates turning;
-        turning.set(turns);
-        turning.toMotion(camera, motion);
-        expectRowTurns(DisplacementField(camera), camera, motion);
-    }
-    return motion;
+    MeasuredTurns turns;
+    return measure(seconds, turns) ? estimateWithGyro(*single, camera, turns, segments, priorOfImage, labels)
+                                   : single->estimate(segments, labels, prior);
 }
 
-// Where the image shows nothing a gyro still knows how the camera turns, but not how it moves. Changed only if that is
-// expected to help.
 void SequenceEstimator::turnAlone(double seconds, const MotionPrior& prior, AckermannMotion& motion) const
 {
     MeasuredTurns turns;
-    if (!measure(seconds, turns))
-        return;
-    const double unit = camera.secondsPerUnitTime();
-    AckermannMotion turned;
-    turned.candidates = motion.candidates;
-    turned.covariance = Matx44d::zeros();
-    RowRates turning;
-    turning.set(turns);
-    turning.toMotion(camera, turned);
-    turned.alpha = turns.yaw.value * unit / 2;
-    turned.covariance(0, 0) = std::pow(turns.yaw.sigma * unit / 2, 2);
-    SequenceState state(camera, params);
-    state.measure(prior);
-    turning.toInstant(prior, state);
-    expectDisplacement(DisplacementField(camera), camera, state, true, 0, turned);
-    if (!(turned.expectedResidual < turned.expectedRaw))
-        return;
-    motion = turned;
-    motion.status = MOTION_OK;
-    motion.model = MODEL_1LA;
+    if (measure(seconds, turns))
+        turnByGyro(camera, params, turns, prior, motion);
 }
 
 // Seconds in which a frame is read.
@@ -608,7 +561,7 @@ AckermannMotion SequenceEstimator::estimateAlone(double seconds, const Mat& segm
         expected = marginal(expected);
         expected.seen(SEQUENCE_YAW_RATE, prior.yawRate, prior.yawRateSigma);
     }
-    AckermannMotion motion = estimateWithGyro(seconds, segments, prior, labels);
+    AckermannMotion motion = estimateImage(seconds, segments, prior, labels);
     if (!filter.isUninitialised)
         compareAgain(prior, given, motion);
     double yawRate;

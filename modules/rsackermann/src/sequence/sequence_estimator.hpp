@@ -86,7 +86,7 @@ private:
     SequenceState marginal(const SequenceState& state) const;
     MotionPrior compareWithSeen(const SequenceFit& ofFrames, const MotionPrior& prior, const AboutFit& aboutFit,
                                 AckermannMotion& motion);
-    AckermannMotion estimateWithGyro(double seconds, const Mat& segments, MotionPrior prior, Mat& labels);
+    AckermannMotion estimateImage(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     AckermannMotion estimateAlone(double seconds, const Mat& segments, const MotionPrior& prior, Mat& labels);
     void expectMotion(const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     void resetState();

@@ -1,0 +1,124 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "../precomp.hpp"
+#include "drive_fit.hpp"
+
+namespace cv { namespace rsackermann {
+
+// Of the standard deviation before, at most, for a value that is observable
+static const double OBSERVED = 0.5;
+
+bool isObserved(const MountVector& sigma, const MountVector& before, MountValue which)
+{
+    return sigma[which] < OBSERVED * before[which];
+}
+
+bool isLineDelayObserved(const MountFit& fit, const MountVector& before, double intervalSigma)
+{
+    return std::max(std::hypot(fit.sigma[MOUNT_DELAY], intervalSigma), fit.turningSigma) <
+           OBSERVED * before[MOUNT_DELAY];
+}
+
+// Of steps that follow each other like those of a geometric series.
+static double wayLeft(double before, double step)
+{
+    const double mostRatio = 0.9, ratio = std::abs(step) < mostRatio * std::abs(before) ? step / before : 0;
+    return step * ratio / (1 - ratio);
+}
+
+static void addDifference(const MountFit& other, MountFit& fit)
+{
+    for (int i = 0; i < MOUNT_VALUES; i++)
+        fit.sigma[i] = std::hypot(fit.sigma[i], other.value[i] - fit.value[i]);
+    fit.turningSigma = std::hypot(fit.turningSigma, other.value[MOUNT_DELAY] - fit.value[MOUNT_DELAY]);
+}
+
+static DriveFit asBefore(const MountVector& before)
+{
+    return {{MountVector::Zero(), before, before[MOUNT_DELAY], before[MOUNT_DELAY]}, GyroOfDrive(), 1, 0};
+}
+
+static DriveFit fitWithFocal(const Drive& drive, double focalRatio, const MountVector& before)
+{
+    RollingShutterCamera camera = drive.camera;
+    camera.cameraMatrix(0, 0) *= focalRatio;
+    camera.cameraMatrix(1, 1) *= focalRatio;
+    std::vector<CalibrationFrame> fitted = drive.frames;
+    for (CalibrationFrame& frame : fitted)
+        frame.seeThroughOtherFocal(camera.uprightRotation, focalRatio);
+    DriveFit fit = asBefore(before);
+    fit.focalRatio = focalRatio;
+    std::list<GyroSamples> curves;
+    MountVector prior = before;
+    // The first pass finds how frames turn, whatever their rows do, the second one the line delay for the third.
+    // With a gyro the first three show where its clock is bound for (doc/theory.md, "Self-calibration").
+    const int passes = drive.gyro.empty() ? 3 : 4;
+    double delays[4];
+    for (int pass = 0; pass < passes; pass++)
+    {
+        const double delayRatio = std::exp(fit.mount.value[MOUNT_DELAY]);
+        if (pass > 0)
+            curves = turnRowsByNeighbours(camera, delayRatio, fitted);
+        fit.gyro = alignGyro(drive.gyro, camera, delayRatio, fitted);
+        delays[pass] = fit.gyro.alignment.delay;
+        if (pass == 3)
+        {
+            const double left = wayLeft(delays[2] - delays[1], delays[3] - delays[2]);
+            fit.gyro.alignment.delay += left;
+            for (CalibrationFrame& frame : fitted)
+                if (frame.rowTurns.showDelay())
+                    frame.rowTurns.delayBy(left);
+        }
+        fit.mount = fitMount(camera, fitted, prior, drive.suspension);
+        // The weights are cautious: where frames scatter less than they say, what was known before is to count
+        // less as well.
+        prior[MOUNT_DELAY] = prior[MOUNT_PASSING] =
+            before[MOUNT_DELAY] * std::max(1., fit.mount.weightsSigma / fit.mount.sigma[MOUNT_DELAY]);
+    }
+    fit.gyro.alignment.scale *= focalRatio;
+    fit.gyro.scaleSigma *= focalRatio;
+    return fit;
+}
+
+// Where the focal length isn't exact, it is what the gyro and the camera say. How points move shows it as well, but
+// errs by many of its standard deviations where rows turn in other ways than the curve through the frames.
+static void takeFocalOf(const GyroOfDrive& gyro, double& focalRatio, double& focalSigma)
+{
+    const double shown = std::hypot(gyro.scaleSigma, GyroSigmas().scale), sum = std::hypot(shown, focalSigma),
+                 weight = focalSigma * focalSigma / (sum * sum);
+    focalRatio = 1 + weight * (gyro.alignment.scale - 1);
+    focalSigma = shown * focalSigma / sum / focalRatio;
+}
+
+DriveFit fitDrive(const Drive& drive, const MountVector& before)
+{
+    MountVector prior = before;
+    DriveFit best = asBefore(before);
+    double focalRatio = 1, focalSigma = drive.camera.focalSigma / drive.camera.cameraMatrix(0, 0);
+    if (drive.frames.size() > size_t(LEAST_WAVES))
+    {
+        best = fitWithFocal(drive, focalRatio, prior);
+        if (focalSigma > 0 && best.gyro.frames > 0)
+        {
+            takeFocalOf(best.gyro, focalRatio, focalSigma);
+            best = fitWithFocal(drive, focalRatio, prior);
+        }
+        // If the drive doesn't show the line delay, the given one is kept, and the mount's angles are those that go
+        // with it.
+        if (drive.lineDelayIsGiven && !isLineDelayObserved(best.mount, before, drive.intervalSigma))
+        {
+            prior[MOUNT_DELAY] = prior[MOUNT_PASSING] = FLT_EPSILON;
+            const MountFit held = fitWithFocal(drive, focalRatio, prior).mount;
+            addDifference(held, best.mount);
+            best.mount.value = held.value;
+        }
+        if (focalSigma > 0)
+            addDifference(fitWithFocal(drive, focalRatio * (1 + focalSigma), prior).mount, best.mount);
+    }
+    best.focalSigma = focalSigma;
+    return best;
+}
+
+}} // namespace cv::rsackermann
