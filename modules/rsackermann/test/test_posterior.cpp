@@ -152,6 +152,24 @@ TEST(RSAckermann_Posterior, image_without_verticals_is_as_usual)
 }
 
 // Some of many lines agree with some motion by chance: a scene in which most don't shows none.
+// One that is asked for has all that rest leaves: a car that turns doesn't seem to stand more than among all motions.
+TEST(RSAckermann_Posterior, requested_model_is_no_less_probable)
+{
+    RNG rng(17);
+    double requested = 0, all = 0;
+    for (int i = 0; i < 20; i++)
+    {
+        const RollingShutterCamera camera = tiltedAtRandom(rng);
+        const Mat segments = streetSegments(Simulator::fromMetric(carCamera(), 10 * degree, 0, 5, 7, 0), rng);
+        AckermannEstimator::Params params;
+        all += estimate(camera, segments, MotionPrior(), params).expectedRaw;
+        params.model = MODEL_1LA;
+        requested += estimate(camera, segments, MotionPrior(), params).expectedRaw;
+    }
+    RecordProperty("share_of_all", requested / all);
+    EXPECT_GT(requested, all);
+}
+
 TEST(RSAckermann_Posterior, few_lines_that_agree_are_no_motion)
 {
     RNG rng(4);

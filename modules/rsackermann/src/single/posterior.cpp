@@ -121,7 +121,8 @@ private:
                 all.push_back(WeighedHypothesis(MotionHypothesis(motion, 1), std::log(UNUSUAL / 2)));
         }
         if (model == MODEL_AUTO || model == MODEL_1LA)
-            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0), std::log(UNUSUAL / 2)));
+            all.push_back(WeighedHypothesis(MotionHypothesis(MODEL_1LA, 0),
+                                            std::log(model == MODEL_AUTO ? UNUSUAL / 2 : 1 - UNUSUAL / 2)));
         return all;
     }
 
