@@ -51,6 +51,13 @@ inline void checkRange(double value, double low, double high, const char* name)
     REJECT_IF(value < low || value > high, "%s is %g; a number from %g to %g is expected", name, value, low, high);
 }
 
+//! Throws unless the value is at most one turn to either side: degrees seldom are.
+inline void checkAngle(double radians, const char* name)
+{
+    checkFinite(radians, name);
+    REJECT_IF(std::abs(radians) > 2 * CV_PI, "%s is %g; radians from -2 pi to 2 pi are expected", name, radians);
+}
+
 //! Throws unless images, points and maps can follow the motion.
 void checkMotion(const AckermannMotion& motion);
 

@@ -765,6 +765,11 @@ TEST(RSAckermann_Estimator, bad_camera_throws)
     EXPECT_THROW(AckermannEstimator::create(RollingShutterCamera()), cv::Exception);
     EXPECT_THROW(estimator->setCamera(camera), cv::Exception);
     EXPECT_EQ(simulation::paperCamera().lineDelay, estimator->getCamera().lineDelay);
+    camera = simulation::paperCamera();
+    camera.heading = -CV_PI;
+    estimator->setCamera(camera);
+    camera.heading = -70; // degrees
+    EXPECT_THROW(estimator->setCamera(camera), cv::Exception);
 }
 
 TEST(RSAckermann_Estimator, black_image)

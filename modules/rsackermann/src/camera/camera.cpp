@@ -159,7 +159,7 @@ void RollingShutterCamera::check() const
     checkRotation(uprightRotation);
     checkNotNegative(rollSigma, "camera.rollSigma", "exact");
     checkNotNegative(pitchSigma, "camera.pitchSigma", "exact");
-    checkFinite(heading, "camera.heading");
+    checkAngle(heading, "camera.heading");
     checkNotNegative(headingSigma, "camera.headingSigma", "exact");
     checkNotNegative(height, "camera.height", "unknown");
     checkNotNegative(focalSigma, "camera.focalSigma", "exact");

@@ -39,7 +39,7 @@ AckermannMotion AckermannMotion::fromMetric(const RollingShutterCamera& camera, 
     checkFinite(metric.speed, "metric.speed");
     checkNotNegative(left, "metric.leftDistance", "no left wall");
     checkNotNegative(right, "metric.rightDistance", "no right wall");
-    checkFinite(metric.wallDirection, "metric.wallDirection");
+    checkAngle(metric.wallDirection, "metric.wallDirection");
     REJECT_IF(metric.speed != 0 && left == 0 && right == 0 && camera.height == 0,
               "metric.speed is %g m/s, but camera.height, metric.leftDistance and metric.rightDistance are 0; one of "
               "them has to be positive, as the speed is kept by the unit of length that it gives",
@@ -280,7 +280,7 @@ void MotionPrior::check() const
     checkNotNegative(speedSigma, "prior.speedSigma", "not known");
     checkFinite(yawRate, "prior.yawRate");
     checkNotNegative(yawRateSigma, "prior.yawRateSigma", "not known");
-    checkFinite(wallDirection, "prior.wallDirection");
+    checkAngle(wallDirection, "prior.wallDirection");
     checkNotNegative(wallDirectionSigma, "prior.wallDirectionSigma", "not known");
 }
 

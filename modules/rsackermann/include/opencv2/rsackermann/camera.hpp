@@ -135,7 +135,7 @@ public:
     CV_PROP_RW double rollSigma;
     CV_PROP_RW double pitchSigma; //!< the same for the pitch; of a mount that isn't given 5 degrees
     //! Radians from the horizontal optical axis to the vehicle's forward direction, positive to the right; -pi/2 for a
-    //! camera that looks to the right
+    //! camera that looks to the right; a turn to either side at most
     CV_PROP_RW double heading;
     //! Standard deviation of heading in radians, of a mount that isn't given 5 degrees; 0: exact. Sequences estimate a
     //! heading that isn't (AckermannMotion::headingCorrection); single images take it as it is

@@ -276,14 +276,14 @@ public:
     //! Reads the fields that write() has written; the others keep their values.
     CV_WRAP void read(const FileNode& fn);
 
-    //! Metres per second, negative in reverse; needs RollingShutterCamera::lineDelay; helps most with
+    //! Metres per second, negative in reverse; of no effect without RollingShutterCamera::lineDelay; helps most with
     //! AckermannEstimator::Params::wallDistance, and with RollingShutterCamera::height it gives the road. Of speed
     //! and wallDistance the one that is known better gives the metres. What is given counts in its own image alone: its
     //! error may be that of all
     CV_PROP_RW double speed;
     CV_PROP_RW double speedSigma; //!< standard deviation of speed; 0 (default): not given
-    //! Radians per second, positive to the right, at the instant of RollingShutterCamera::referenceRow; needs
-    //! RollingShutterCamera::lineDelay
+    //! Radians per second, positive to the right, at the instant of RollingShutterCamera::referenceRow; of no
+    //! effect without RollingShutterCamera::lineDelay
     CV_PROP_RW double yawRate;
     CV_PROP_RW double yawRateSigma; //!< standard deviation of yawRate; 0 (default): not given
     //! Azimuth of the vanishing point of the walls in the upright frame, radians; its column is the tangent
