@@ -122,6 +122,13 @@ double RateProcess::variance(double square, double unknown, double ifShown, doub
     return ofWandering * square + (part - 2 * ofWandering) * std::min(noise, square / 2);
 }
 
+// What few differences show may be smaller than usual by chance: exp(1.5 / n) is the factor by which 95 % of Student's
+// distribution with n degrees of freedom, one more than there are differences, are wider, to 4 %.
+static double withChance(double square, double differences)
+{
+    return square * std::exp(3 / (differences + 1));
+}
+
 // Rates that change evenly differ by as much more as the interval is longer, and those of a camera that only shakes by
 // twice their mean square.
 double RateProcess::differenceAfter(double interval) const
@@ -151,7 +158,7 @@ double RateProcess::meanSquare() const
 
 double RateProcess::aboutNothing(double read) const
 {
-    return std::sqrt(meanSquare() + std::pow(aboutLast(0, read), 2));
+    return std::sqrt(withChance(meanSquare() + std::pow(aboutLast(0, read), 2), pairs));
 }
 
 // A rate that wanders changes more than means of it.
@@ -182,8 +189,8 @@ InstantRate RateProcess::now(double read) const
     InstantRate result;
     if (known > 0 && pairs > 0)
     {
-        const double difference = differenceAfter(lastInterval), byMeans = (past[0] + predict()) / 2, seen = trust(),
-                     missed = known > 1 && count > 0 ? errors / count : difference / 2;
+        const double difference = withChance(differenceAfter(lastInterval), pairs), byMeans = (past[0] + predict()) / 2,
+                     seen = trust(), missed = known > 1 && count > 0 ? errors / count : difference / 2;
         result.value = byMeans + seen * (past[0] - byMeans) + beyondLast();
         // Of the last mean's error half counts, or all of it where rows show the change.
         const double ofLast =
@@ -198,7 +205,8 @@ InstantRate RateProcess::now(double next, double shownChange, double share, doub
     InstantRate result;
     if (known > 0)
     {
-        const double difference = next - past[0], square = (changes + difference * difference) / (pairs + 1);
+        const double difference = next - past[0],
+                     square = withChance((changes + difference * difference) / (pairs + 1), pairs + 1);
         result.value = past[0] + share * difference + beyondMeans(shownChange, share);
         result.sigma = std::sqrt(variance(square, varianceOfMeans(read), shownVarianceOfMeans(read), 0.5));
         result.growth = growth(next, share);
