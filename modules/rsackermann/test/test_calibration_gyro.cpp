@@ -155,6 +155,28 @@ TEST(RSAckermann_CalibrationWithGyro, focal_length_that_is_not_exact)
     }
 }
 
+// Aside a wrong focal length makes turns seem larger where it makes them smaller ahead.
+TEST(RSAckermann_CalibrationWithGyro, focal_length_of_cameras_that_look_aside)
+{
+    for (const double heading : {90 * degree, -60 * degree, CV_PI})
+        for (const double wrong : {0.9, 1.1})
+        {
+            SCOPED_TRACE(testing::Message() << heading / degree << " " << wrong);
+            RNG rng(800);
+            RollingShutterCamera truth = camera(0.025);
+            truth.heading = heading;
+            const StreetDrive street(truth, 0, 0, shaking(0.05 * degree, 10 * degree), 100);
+            RollingShutterCamera approximate = given(truth, 1, wrong);
+            approximate.focalSigma = 0.1 * approximate.cameraMatrix(0, 0);
+            const Gyro gyro(street, 0, rng);
+            const MountCalibration c = calibrate(approximate, street, &gyro);
+            EXPECT_GT(c.gyroFrames, FRAMES / 2);
+            EXPECT_NEAR(1 / wrong, c.focalScale, 3 * c.focalScaleSigma);
+            EXPECT_NEAR(truth.cameraMatrix(0, 0), c.camera.cameraMatrix(0, 0), 2 * c.camera.focalSigma);
+            EXPECT_LE(c.camera.focalSigma, approximate.focalSigma);
+        }
+}
+
 // The car's own turning counts once.
 TEST(RSAckermann_CalibrationWithGyro, bends)
 {

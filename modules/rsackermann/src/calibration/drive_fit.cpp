@@ -37,7 +37,7 @@ static void addDifference(const MountFit& other, MountFit& fit)
 
 static DriveFit asBefore(const MountVector& before)
 {
-    return {{MountVector::Zero(), before, before[MOUNT_DELAY], before[MOUNT_DELAY]}, GyroOfDrive(), 1, 0};
+    return {{MountVector::Zero(), before, before[MOUNT_DELAY], before[MOUNT_DELAY]}, GyroOfDrive(), 1, 0, 1, 0};
 }
 
 static DriveFit fitWithFocal(const Drive& drive, double focalRatio, const MountVector& before)
@@ -77,33 +77,46 @@ static DriveFit fitWithFocal(const Drive& drive, double focalRatio, const MountV
         prior[MOUNT_DELAY] = prior[MOUNT_PASSING] =
             before[MOUNT_DELAY] * std::max(1., fit.mount.weightsSigma / fit.mount.sigma[MOUNT_DELAY]);
     }
-    fit.gyro.alignment.scale *= focalRatio;
-    fit.gyro.scaleSigma *= focalRatio;
     return fit;
 }
 
-// Where the focal length isn't exact, it is what the gyro and the camera say. How points move shows it as well, but
-// errs by many of its standard deviations where rows turn in other ways than the curve through the frames.
-static void takeFocalOf(const GyroOfDrive& gyro, double& focalRatio, double& focalSigma)
+// The focal length over that of a fit, and its standard deviation, if the gyro's scale errs by so much, relative.
+// By how the scale changes with the focal length: turns of cameras that look ahead seem the smaller the longer it is,
+// those of cameras that look aside may seem larger.
+static Vec2d focalByGyro(const DriveFit& fit, const DriveFit& other, double scaleSigma, double sigmaBefore)
 {
-    const double shown = std::hypot(gyro.scaleSigma, GyroSigmas().scale), sum = std::hypot(shown, focalSigma),
-                 weight = focalSigma * focalSigma / (sum * sum);
-    focalRatio = 1 + weight * (gyro.alignment.scale - 1);
-    focalSigma = shown * focalSigma / sum / focalRatio;
+    const double scale = std::log(fit.gyro.alignment.scale),
+                 slope = (std::log(other.gyro.alignment.scale) - scale) / std::log(other.focalRatio / fit.focalRatio),
+                 shown = std::hypot(fit.gyro.scaleSigma / fit.gyro.alignment.scale, scaleSigma),
+                 sum = std::hypot(slope * sigmaBefore, shown),
+                 ratio = std::exp(-slope * std::pow(sigmaBefore / sum, 2) * scale);
+    return Vec2d(ratio, ratio * sigmaBefore * shown / sum);
 }
 
 DriveFit fitDrive(const Drive& drive, const MountVector& before)
 {
     MountVector prior = before;
     DriveFit best = asBefore(before);
+    Vec2d shown(1, 0); // the focal length, by the gyro
     double focalRatio = 1, focalSigma = drive.camera.focalSigma / drive.camera.cameraMatrix(0, 0);
     if (drive.frames.size() > size_t(LEAST_WAVES))
     {
         best = fitWithFocal(drive, focalRatio, prior);
-        if (focalSigma > 0 && best.gyro.frames > 0)
+        if (best.gyro.frames > 0)
         {
-            takeFocalOf(best.gyro, focalRatio, focalSigma);
-            best = fitWithFocal(drive, focalRatio, prior);
+            const double ofGyro = GyroSigmas().scale, unknown = 1;
+            const DriveFit other = fitWithFocal(drive, 1 + std::max(focalSigma, ofGyro), prior);
+            shown = focalByGyro(best, other, 0, unknown);
+            // Where the focal length isn't exact, it is what the gyro and the camera say. How points move shows it as
+            // well, but errs by many of its standard deviations where rows turn in other ways than the curve through
+            // the frames.
+            if (focalSigma > 0)
+            {
+                const Vec2d found = focalByGyro(best, other, ofGyro, focalSigma);
+                focalRatio = found[0];
+                focalSigma = found[1] / focalRatio;
+                best = fitWithFocal(drive, focalRatio, prior);
+            }
         }
         // If the drive doesn't show the line delay, the given one is kept, and the mount's angles are those that go
         // with it.
@@ -118,6 +131,8 @@ DriveFit fitDrive(const Drive& drive, const MountVector& before)
             addDifference(fitWithFocal(drive, focalRatio * (1 + focalSigma), prior).mount, best.mount);
     }
     best.focalSigma = focalSigma;
+    best.focalByGyro = shown[0];
+    best.focalByGyroSigma = shown[1];
     return best;
 }
 

@@ -25,8 +25,9 @@ struct DriveFit
 {
     MountFit mount;
     GyroOfDrive gyro;
-    double focalRatio; //!< focal length over the camera's one
-    double focalSigma; //!< relative
+    double focalRatio;                    //!< focal length over the camera's one
+    double focalSigma;                    //!< relative
+    double focalByGyro, focalByGyroSigma; //!< what the gyro alone shows of focalRatio; 1, 0 without one
 };
 
 //! Whether a value is much better known than before.

@@ -255,8 +255,8 @@ private:
         c.gyroFrames = best.gyro.frames;
         c.gyroDelay = best.gyro.alignment.delay;
         c.gyroDelaySigma = best.gyro.delaySigma;
-        c.focalScale = best.gyro.alignment.scale;
-        c.focalScaleSigma = best.gyro.scaleSigma;
+        c.focalScale = best.focalByGyro;
+        c.focalScaleSigma = best.focalByGyroSigma;
         return c;
     }
 
