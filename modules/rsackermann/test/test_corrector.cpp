@@ -595,17 +595,28 @@ Mat texturedImage(const Size& size, int seed)
     return image;
 }
 
+//! As a camera takes it again.
+Mat taken(const Mat& image, int time)
+{
+    RNG rng(time);
+    Mat noise(image.size(), CV_8S), result;
+    rng.fill(noise, RNG::NORMAL, 0, 1);
+    cv::add(image, noise, result, noArray(), CV_8U);
+    return result;
+}
+
 // After a cut a frame is as good as alone, whatever was known before.
 TEST(RSAckermann_Corrector, another_scene_is_recognised)
 {
     CorrectorOfFrames c;
     const Mat a = noisySegments(c.camera, 0.6, 20, 3), b = noisySegments(c.camera, 0.65, 20.5, 4);
+    const Mat image = texturedImage(c.camera.imageSize, 1);
     Mat dst;
     for (int i = 0; i < 3; i++)
-        c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst);
-    const AckermannMotion known = c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 1), a, dst);
+        c.corrector->correctWithSegments(taken(image, i), a, dst);
+    const AckermannMotion known = c.corrector->correctWithSegments(taken(image, 3), a, dst);
     EXPECT_EQ(MOTION_NOT_SIGNIFICANT, known.status)
-        << "an image that stays the same is one of a camera at rest, whatever the segments say";
+        << "what stays where it is is seen by a camera at rest, whatever the segments say";
     expectSame(c.alone(b), c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 2), b, dst));
 }
 
@@ -678,8 +689,8 @@ TEST(RSAckermann_Corrector, next_frame)
     CorrectorOfFrames c;
     const Mat a = noisySegments(c.camera, 0.6, 20, 3), image = texturedImage(c.camera.imageSize, 1);
     Mat dst;
-    // What is the same in the next image is at rest; that is used once.
-    c.corrector->setNextFrame(image, std::numeric_limits<double>::quiet_NaN());
+    // What stays where it is in the next image is at rest; that is used once.
+    c.corrector->setNextFrame(taken(image, 1), std::numeric_limits<double>::quiet_NaN());
     EXPECT_EQ(MOTION_NOT_SIGNIFICANT, c.corrector->correctWithSegments(image, a, dst).status);
     EXPECT_TRUE(c.corrector->isTracked());
     c.corrector->reset();

@@ -736,7 +736,16 @@ TEST_P(SequenceModes, frame_rates_that_were_multiplied)
                     if (i % times == 0)
                         expected = correctFrame(*original, frames, i / times, NOTHING);
                     if (i < times)
-                        continue; // of a car that stands, for all that is known
+                    {
+                        // The same image tells nothing; nearly the same is of a car that stands, for all that is known.
+                        if (noise == 0)
+                        {
+                            EXPECT_EQ(expected.status, m.status);
+                            EXPECT_EQ(expected.alpha, m.alpha);
+                            EXPECT_EQ(expected.expectedResidual, m.expectedResidual);
+                        }
+                        continue;
+                    }
                     if (i == times && m.status != MOTION_OK && isHalfBonnet)
                         break; // it stands as well
                     ASSERT_EQ(MOTION_OK, m.status);

@@ -88,16 +88,16 @@ static bool isSame(const Mat& a, const Mat& b)
 AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                                             const MotionPrior& prior, Mat& labels)
 {
-    // The same image again, of a car that moves, isn't one in which it stands: it has the same motion.
-    const bool moved = isKnown && motionOfImage.status == MOTION_OK;
-    if (moved && isSame(frame.gray, image) && isSame(segments, segmentsOfImage))
+    // The same image again isn't one of a car that stands, unless that is known: it has the same motion.
+    const bool isFirst = !image.empty() && !std::isfinite(seen), moved = isKnown && motionOfImage.status == MOTION_OK;
+    if ((isFirst || moved) && isSame(frame.gray, image) && isSame(segments, segmentsOfImage))
     {
         labels = labelsOfImage.clone();
         isRepeated = true;
         return motionOfImage;
     }
-    // As the next one it tells nothing either if the one before does.
-    const bool isNextSame = filter.isFollowedBy(frame.seconds) && isSame(frame.gray, next.gray);
+    // As the next one it tells nothing either.
+    const bool isNextSame = isSame(frame.gray, next.gray);
     motionOfImage = estimateNew(frame, isNextSame ? GrayFrame() : next, segments, prior, labels);
     labelsOfImage = labels.clone();
     segmentsOfImage = segments.clone();
@@ -210,8 +210,9 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     const FrameFeatures::Link link =
         features.track(camera, camera.isRowShutter() ? frame : GrayFrame(), passed,
                        predictPoints(turnedCamera, params, filter, features.isKept() ? &kept.filter : 0), next);
-    const bool isFrameMissing = interval > 0 && std::abs(passed) > 1.5 * interval && !isRepeated;
-    if (link == FrameFeatures::FOLLOWS && !isRepeated)
+    const bool isFrameMissing = interval > 0 && std::abs(passed) > 1.5 * interval && !isRepeated,
+               isUsual = std::abs(std::abs(passed) - interval) < 0.1 * interval;
+    if (link == FrameFeatures::FOLLOWS)
         interval = std::abs(passed);
     if (link == FrameFeatures::LOST)
         kept = *this;
@@ -223,8 +224,7 @@ bool SequenceEstimator::estimateFromPoints(const GrayFrame& frame, const GrayFra
     // Where frames are missing, or were lost themselves, one that isn't found again may well be of the same scene.
     else if (link == FrameFeatures::LOST && features.isFirstOfScene() && !isFrameMissing)
         resetState();
-    if (isRepeated && seen == filter.time && !isStill(features.bearings) &&
-        !(std::abs(std::abs(passed) - interval) < 0.1 * interval))
+    if (isRepeated && seen == filter.time && !isStill(features.bearings) && !isUsual)
         // By when the car has gone on isn't known, unless all images come again.
         features.leaveOut(passed);
     const SequenceFilter filterBefore = filter;
