@@ -155,6 +155,24 @@ TEST(RSAckermann_CalibrationWithGyro, focal_length_that_is_not_exact)
     }
 }
 
+// A gyro that a longer focal length contradicts still shows the true one.
+TEST(RSAckermann_CalibrationWithGyro, focal_length_that_is_too_long)
+{
+    RNG rng(750);
+    const RollingShutterCamera truth = camera(0.025);
+    const StreetDrive street(truth, 0, 0, shaking(0.4 * degree), 95);
+    const Gyro gyro(street, 0, rng);
+    for (const double sigma : {0., 0.01})
+    {
+        RollingShutterCamera approximate = given(truth, 1, 1.09);
+        approximate.focalSigma = sigma * approximate.cameraMatrix(0, 0);
+        const MountCalibration c = calibrate(approximate, street, &gyro);
+        EXPECT_GT(c.gyroFrames, FRAMES / 2);
+        EXPECT_NEAR(1 / 1.09, c.focalScale, 0.02);
+        EXPECT_LT(c.focalScaleSigma, 0.02);
+    }
+}
+
 // Aside a wrong focal length makes turns seem larger where it makes them smaller ahead.
 TEST(RSAckermann_CalibrationWithGyro, focal_length_of_cameras_that_look_aside)
 {

@@ -80,14 +80,29 @@ static DriveFit fitWithFocal(const Drive& drive, double focalRatio, const MountV
     return fit;
 }
 
+// Whether the gyro turns as many frames.
+static bool isComparable(const DriveFit& fit, const DriveFit& other)
+{
+    return other.gyro.frames >= fit.gyro.frames;
+}
+
+// With a focal length to which the gyro may as well belong: shorter or longer, by where the camera looks.
+static DriveFit fitWithOtherFocal(const Drive& drive, const DriveFit& fit, const MountVector& before)
+{
+    const double scale = std::log(fit.gyro.alignment.scale),
+                 step = std::copysign(std::max(std::abs(scale), GyroSigmas().scale), scale);
+    const DriveFit ahead = fitWithFocal(drive, fit.focalRatio * std::exp(step), before);
+    return isComparable(fit, ahead) ? ahead : fitWithFocal(drive, fit.focalRatio * std::exp(-step), before);
+}
+
 // The focal length over that of a fit, and its standard deviation, if the gyro's scale errs by so much, relative.
 // By how the scale changes with the focal length: turns of cameras that look ahead seem the smaller the longer it is,
 // those of cameras that look aside may seem larger.
 static Vec2d focalByGyro(const DriveFit& fit, const DriveFit& other, double scaleSigma, double sigmaBefore)
 {
-    const double scale = std::log(fit.gyro.alignment.scale),
-                 slope = (std::log(other.gyro.alignment.scale) - scale) / std::log(other.focalRatio / fit.focalRatio),
-                 shown = std::hypot(fit.gyro.scaleSigma / fit.gyro.alignment.scale, scaleSigma),
+    const double scale = std::log(fit.gyro.alignment.scale), change = std::log(other.gyro.alignment.scale) - scale,
+                 slope = isComparable(fit, other) ? change / std::log(other.focalRatio / fit.focalRatio) : -1, // ahead
+        shown = std::hypot(fit.gyro.scaleSigma / fit.gyro.alignment.scale, scaleSigma),
                  sum = std::hypot(slope * sigmaBefore, shown),
                  ratio = std::exp(-slope * std::pow(sigmaBefore / sum, 2) * scale);
     return Vec2d(ratio, ratio * sigmaBefore * shown / sum);
@@ -105,7 +120,7 @@ DriveFit fitDrive(const Drive& drive, const MountVector& before)
         if (best.gyro.frames > 0)
         {
             const double ofGyro = GyroSigmas().scale, unknown = 1;
-            const DriveFit other = fitWithFocal(drive, 1 + std::max(focalSigma, ofGyro), prior);
+            const DriveFit other = fitWithOtherFocal(drive, best, prior);
             shown = focalByGyro(best, other, 0, unknown);
             // Where the focal length isn't exact, it is what the gyro and the camera say. How points move shows it as
             // well, but errs by many of its standard deviations where rows turn in other ways than the curve through
