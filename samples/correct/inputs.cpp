@@ -234,7 +234,9 @@ std::vector<std::string> expand(const std::string& argument, InputList& list, st
     if (argument[0] == '@')
     {
         list.lists.push_back(argument.substr(1));
-        return linesOf(list.lists.back());
+        const std::vector<std::string> images = linesOf(list.lists.back());
+        intervals = intervalsOf(numbersOf(images));
+        return images;
     }
     NumberPattern pattern;
     const std::string name = fileName(argument);
@@ -251,10 +253,17 @@ InputList listInputs(const std::vector<std::string>& arguments)
     const auto add = [&list](const std::string& name, double intervals, const std::string& error) {
         list.inputs.push_back(Input{name, int(list.inputs.size()), intervals, error});
     };
+    // As a shell makes them of a pattern.
+    const bool areFiles = std::all_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+        return fs::exists(argument) && !fs::isDirectory(argument);
+    });
+    const std::vector<double> ofFiles = areFiles ? intervalsOf(numbersOf(arguments)) : std::vector<double>();
     for (const std::string& argument : arguments)
         try
         {
             std::vector<double> intervals;
+            if (!ofFiles.empty())
+                intervals.push_back(ofFiles[list.inputs.size()]);
             const std::vector<std::string> files = expand(argument, list, intervals);
             intervals.resize(files.size(), 1);
             if (files.empty())

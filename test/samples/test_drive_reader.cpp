@@ -87,7 +87,7 @@ TEST_F(ReadDrive, images_without_a_row_have_times_between_others)
         EXPECT_NEAR(7 + 0.1 * i, t[size_t(i)], 1e-9);
 }
 
-// Of a numbered pattern or a folder: as many frames as the numbers are apart, unless they count something else.
+// Of a numbered pattern, a folder or a list: as many frames as the numbers are apart, unless they count something else.
 TEST_F(ReadDrive, missing_numbers_take_their_time)
 {
     // A reader goes by what is in a file, not by its name.
@@ -99,11 +99,21 @@ TEST_F(ReadDrive, missing_numbers_take_their_time)
         const double frames = step == 40 ? 1 : step;
         const std::string images = folder_ / cv::format("of_%d", step);
         cv::utils::fs::createDirectory(images);
+        std::vector<std::string> files;
+        std::string lines;
         for (const int number : {5, 6, 7, 9, 10})
-            writeContent(images + cv::format("/f2_%d.jp2", step * number), png);
-        for (const std::string& name : {images, images + "/f2_%d.jp2"})
         {
-            names_ = {name};
+            files.push_back(images + cv::format("/f2_%d.jp2", step * number));
+            writeContent(files.back(), png);
+            lines += files.back() + "\n";
+        }
+        writeContent(images + ".txt", lines);
+        const std::vector<std::vector<std::string>> all = {
+            {images}, {images + "/f2_%d.jp2"}, {"@" + images + ".txt"}, files};
+        for (const std::vector<std::string>& names : all)
+        {
+            names_ = names;
+            const std::string& name = names[0];
             const std::vector<double> t = times();
             ASSERT_EQ(5u, t.size());
             for (const int i : {0, 1, 2})
