@@ -620,6 +620,25 @@ TEST(RSAckermann_Corrector, another_scene_is_recognised)
     expectSame(c.alone(b), c.corrector->correctWithSegments(texturedImage(c.camera.imageSize, 2), b, dst));
 }
 
+// It shows no more than before, but what is given may be more.
+TEST(RSAckermann_Corrector, first_image_again)
+{
+    CorrectorOfFrames c;
+    const Mat a = noisySegments(c.camera, 0.6, 20, 3), image = texturedImage(c.camera.imageSize, 1);
+    const Ptr<AckermannEstimator> alone = AckermannEstimator::create(c.camera, c.params.estimator);
+    Mat dst, labels;
+    for (const double yawRate : {0., 0.5, 0.7})
+    {
+        MotionPrior prior;
+        prior.yawRate = yawRate;
+        prior.yawRateSigma = yawRate > 0 ? 0.01 : 0;
+        c.corrector->setPrior(prior);
+        EXPECT_EQ(alone->estimate(a, labels, prior).alpha, c.corrector->correctWithSegments(image, a, dst).alpha)
+            << yawRate;
+        EXPECT_FALSE(c.corrector->isTracked());
+    }
+}
+
 //! The image of a street after some steps in a bend to the right.
 Mat approached(const Mat& street, int steps)
 {

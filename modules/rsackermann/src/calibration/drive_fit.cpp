@@ -100,9 +100,10 @@ static DriveFit fitWithOtherFocal(const Drive& drive, const DriveFit& fit, const
 // those of cameras that look aside may seem larger.
 static Vec2d focalByGyro(const DriveFit& fit, const DriveFit& other, double scaleSigma, double sigmaBefore)
 {
-    const double scale = std::log(fit.gyro.alignment.scale), change = std::log(other.gyro.alignment.scale) - scale,
-                 slope = isComparable(fit, other) ? change / std::log(other.focalRatio / fit.focalRatio) : -1, // ahead
-        shown = std::hypot(fit.gyro.scaleSigma / fit.gyro.alignment.scale, scaleSigma),
+    const double ahead = -1, scale = std::log(fit.gyro.alignment.scale),
+                 change = std::log(other.gyro.alignment.scale) - scale,
+                 slope = isComparable(fit, other) ? change / std::log(other.focalRatio / fit.focalRatio) : ahead,
+                 shown = std::hypot(fit.gyro.scaleSigma / fit.gyro.alignment.scale, scaleSigma),
                  sum = std::hypot(slope * sigmaBefore, shown),
                  ratio = std::exp(-slope * std::pow(sigmaBefore / sum, 2) * scale);
     return Vec2d(ratio, ratio * sigmaBefore * shown / sum);

@@ -92,8 +92,10 @@ AckermannMotion SequenceEstimator::estimate(const GrayFrame& frame, const GrayFr
     const bool isFirst = !image.empty() && !std::isfinite(seen), moved = isKnown && motionOfImage.status == MOTION_OK;
     if ((isFirst || moved) && isSame(frame.gray, image) && isSame(segments, segmentsOfImage))
     {
-        labels = labelsOfImage.clone();
         isRepeated = true;
+        if (isFirst) // what is given, and what a gyro measures, may have changed
+            return estimateSingle(frame.seconds, segments, prior, labels);
+        labels = labelsOfImage.clone();
         return motionOfImage;
     }
     // As the next one it tells nothing either.
