@@ -241,6 +241,23 @@ TEST_F(CorrectGyro, times_in_another_unit)
         << log.messages;
 }
 
+// From the first frame on, by turns whose changes the rows show: those of a fit of rows that don't turn contradict it.
+TEST_F(CorrectGyro, first_frames_of_a_drive_that_shakes)
+{
+    const std::string drive = folder_ / "drive";
+    ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=8", "--size=640x360", "--samples=2", "--speed=50", "--left=5",
+                           "--right=7", "--shake=phone", "--seed=14", "--gyro_delay=0.004", "--readout=0.02"})
+                     .exitCode);
+    const std::string report = folder_ / "report.jsonl";
+    const Outcome outcome =
+        correct({drive + "/frames", "--camera=" + drive + "/camera.yml", "--log=" + drive + "/log.csv", "--carry",
+                 "--report=" + report, "--gyro=" + drive + "/gyro.csv"});
+    EXPECT_EQ("", outcome.messages);
+    EXPECT_EQ(8u, linesOf(report).size());
+    for (const std::string& line : linesOf(report))
+        EXPECT_NE(std::string::npos, line.find("rotation_curve")) << line;
+}
+
 // Before the gyro as a whole is known to be wrong.
 TEST_F(CorrectGyro, contradicted_by_a_few_frames)
 {

@@ -86,40 +86,80 @@ TurnOfPoints turnOfPoints(const Turning& turning, int frame, double noise, RNG& 
 
 const RowSpan IMAGE(-0.016, 0.016);
 
-// The mean rates to the frame before and to the one after.
+// The mean rates to the frame before and to the one after, at the rows of the points.
 TEST(RSAckermann_Gyro, turns_to_both_neighbours)
 {
     RollingShutterCamera camera = simulation::paperCamera();
     camera.setRollPitch(0.1, -0.2);
-    const double yawRate = 0.3, change = 2, pitchRate = 0.05, rollRate = -0.04;
+    const Matx33d toCamera = camera.uprightRotation.t();
+    const double yawRate = 0.3, growth = 2;
+    const Vec3d rate(-0.05, 0.02, -0.04); // of pitch, yaw and roll; of yaw beyond that
     for (const double neighbour : {-0.05, 0.04})
-    {
-        const bool isEarlier = neighbour < 0;
-        double values[FLOW_VALUES] = {0};
-        values[SEQUENCE_YAW_RATE] = yawRate;
-        values[FLOW_YAW_CHANGE] = change;
-        // Of the present frame against the other one.
-        values[isEarlier ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER] = -neighbour * pitchRate;
-        values[isEarlier ? FLOW_ROLL_BEFORE : FLOW_ROLL_AFTER] = -neighbour * rollRate;
-        TrackedBearing bearing = TrackedBearing();
-        bearing.pitch = isEarlier ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER;
-        const TurnOfPoints turn(camera, std::vector<TrackedBearing>(1, bearing), values, 7, neighbour);
-        EXPECT_EQ(7 + std::min(neighbour, 0.), turn.begin);
-        EXPECT_EQ(7 + std::max(neighbour, 0.), turn.end);
-        const Vec3d expected(-pitchRate, yawRate + change * neighbour / 2, rollRate);
-        EXPECT_LT(cv::norm(camera.uprightRotation * turn.rate - expected), 1e-12) << neighbour;
-        EXPECT_EQ(Vec3d(), turn.variance);
-        EXPECT_EQ(Vec3d(), turn.lasting);
-        const double sigma = 0.1;
-        const TurnOfPoints vague(camera, std::vector<TrackedBearing>(1, bearing), values, 7, neighbour, sigma,
-                                 sigma / 2);
-        EXPECT_EQ(turn.rate, vague.rate);
-        const Matx33d toCamera = camera.uprightRotation.t();
-        for (int i = 0; i < 3; i++)
+        for (const double change : {0., 0.5})
         {
-            EXPECT_NEAR(sigma * std::abs(toCamera(i, 1)), std::sqrt(vague.variance[i]), 1e-12) << i;
-            EXPECT_NEAR(sigma / 2 * toCamera(i, 1), vague.lasting[i], 1e-12) << i;
+            SCOPED_TRACE(testing::Message() << neighbour << " " << change);
+            const bool isEarlier = neighbour < 0;
+            double values[FLOW_VALUES] = {0};
+            values[SEQUENCE_YAW_RATE] = yawRate;
+            values[FLOW_YAW_CHANGE] = growth;
+            TrackedBearing bearing = TrackedBearing();
+            bearing.pitch = isEarlier ? FLOW_PITCH_BEFORE : FLOW_PITCH_AFTER;
+            bearing.timeNow = 0.3;
+            // Of the present frame against the other one.
+            NeighbourTurns turns;
+            RowTurn* const all[3] = {&turns.pitch, &turns.yaw, &turns.roll};
+            for (int i = 0; i < 3; i++)
+            {
+                all[i]->change = (i + 1) * change;
+                all[i]->angle = -neighbour * rate[i] - all[i]->change * bearing.timeNow * camera.secondsPerUnitTime();
+            }
+            const std::vector<TrackedBearing> bearings(1, bearing);
+            const TurnOfPoints turn(camera, bearings, values, turns, 7, neighbour);
+            EXPECT_EQ(7 + std::min(neighbour, 0.), turn.begin);
+            EXPECT_EQ(7 + std::max(neighbour, 0.), turn.end);
+            const Vec3d expected(-rate[0], yawRate + growth * neighbour / 2 + rate[1], rate[2]);
+            EXPECT_LT(cv::norm(camera.uprightRotation * turn.rate - expected), 1e-12);
+            EXPECT_EQ(Vec3d(), turn.variance);
+            EXPECT_EQ(Vec3d(), turn.lasting);
+            const double sigma = 0.1;
+            const TurnOfPoints vague(camera, bearings, values, turns, 7, neighbour, sigma, sigma / 2);
+            EXPECT_EQ(turn.rate, vague.rate);
+            for (int i = 0; i < 3; i++)
+            {
+                EXPECT_NEAR(sigma * std::abs(toCamera(i, 1)), std::sqrt(vague.variance[i]), 1e-12) << i;
+                EXPECT_NEAR(sigma / 2 * toCamera(i, 1), vague.lasting[i], 1e-12) << i;
+            }
+            for (int axis = 0; axis < 3; axis++)
+            {
+                NeighbourTurns uncertain = turns;
+                RowTurn* const each[3] = {&uncertain.pitch, &uncertain.yaw, &uncertain.roll};
+                each[axis]->sigma = sigma * std::abs(neighbour);
+                const TurnOfPoints about(camera, bearings, values, uncertain, 7, neighbour);
+                for (int i = 0; i < 3; i++)
+                    EXPECT_NEAR(sigma * std::abs(toCamera(i, axis)), std::sqrt(about.variance[i]), 1e-12) << axis << i;
+            }
         }
+}
+
+// The turn that a sequence's first frame has shown is seen again in the second: once.
+TEST(RSAckermann_Gyro, turn_that_is_seen_again_counts_once)
+{
+    for (int seed = 0; seed < 5; seed++)
+    {
+        RNG rng(400 + seed);
+        const Turning turning(rng);
+        Mat times, values;
+        measure(turning, {0, 0, Vec3d(), Vec3d(), 1}, 3 * INTERVAL, rng, times, values);
+        GyroRates once, again;
+        for (GyroRates* gyro : {&once, &again})
+            gyro->samples.add(times, values);
+        const TurnOfPoints turn = turnOfPoints(turning, 1, 0.3 * DEGREE, rng);
+        again.add(turnOfPoints(turning, 1, 0.3 * DEGREE, rng));
+        for (GyroRates* gyro : {&once, &again})
+            gyro->add(turn);
+        const Vec<double, GyroRates::UNKNOWNS> sigma = once.alignmentSigma();
+        for (int i = 0; i < GyroRates::UNKNOWNS; i++)
+            EXPECT_NEAR(sigma[i], again.alignmentSigma()[i], 0.05 * sigma[i]) << seed << i;
     }
 }
 

@@ -7,12 +7,20 @@
 
 namespace cv { namespace rsackermann {
 
-// Since the frame before. Rows whose own turns are known don't blur it.
+// Since the frame before, as the unknowns have it.
+static TurnOfPoints turnOf(const CalibrationFrame& frame, const RollingShutterCamera& camera)
+{
+    const Vec<double, FLOW_VALUES> values = flowValues(frame.value);
+    NeighbourTurns turns;
+    turns.pitch.angle = values[FLOW_PITCH_BEFORE];
+    turns.roll.angle = values[FLOW_ROLL_BEFORE];
+    return TurnOfPoints(camera, frame.bearings, values.val, turns, frame.time, -frame.interval);
+}
+
+// Rows whose own turns are known don't blur it.
 static TurnOfPoints turnOf(const CalibrationFrame& frame, const RollingShutterCamera& camera, double delayRatio)
 {
-    TurnOfPoints turn = frame.turn;
-    if (frame.rowTurns.known())
-        turn = TurnOfPoints(camera, frame.bearings, flowValues(frame.value).val, frame.time, -frame.interval);
+    TurnOfPoints turn = frame.rowTurns.known() ? turnOf(frame, camera) : frame.turn;
     const double middle = (turn.rows.from + turn.rows.to) / 2,
                  half = frame.rowTurns.known() ? 0 : (turn.rows.to - turn.rows.from) / 2;
     turn.rows = RowSpan(delayRatio * (middle - half), delayRatio * (middle + half));
@@ -165,9 +173,8 @@ std::list<GyroSamples> turnRowsByNeighbours(const RollingShutterCamera& camera, 
         for (end = begin; end < frames.size() && (end == begin || frames[end].follows(frames[end - 1])); end++)
         {
             const CalibrationFrame& frame = frames[end];
-            const TurnOfPoints turn(camera, frame.bearings, flowValues(frame.value).val, frame.time, -frame.interval);
             times.push_back(frame.time - frames[begin].time);
-            angles.push_back(angles.back() + turn.rate * frame.interval);
+            angles.push_back(angles.back() + turnOf(frame, camera).rate * frame.interval);
         }
         curves.push_back(sampled(times, angles));
         for (size_t k = begin; k < end; k++)

@@ -24,7 +24,8 @@ RowSpan::RowSpan(const RollingShutterCamera& camera)
 }
 
 TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings,
-                           const double* values, double seconds, double neighbour, double yawSigma, double lastingSigma)
+                           const double* values, const NeighbourTurns& turns, double seconds, double neighbour,
+                           double yawSigma, double lastingSigma)
     : begin(seconds + std::min(neighbour, 0.)), end(seconds + std::max(neighbour, 0.)), rows(0, 0)
 {
     const double unit = camera.secondsPerUnitTime(), interval = std::abs(neighbour);
@@ -40,15 +41,18 @@ TurnOfPoints::TurnOfPoints(const RollingShutterCamera& camera, const std::vector
         }
     // As if they were spread evenly.
     const double mean = sum / count, half = std::sqrt(3 * std::max(squares / count - mean * mean, 0.)),
-                 pitch = isEarlier ? values[FLOW_PITCH_BEFORE] : -values[FLOW_PITCH_AFTER],
-                 roll = isEarlier ? values[FLOW_ROLL_BEFORE] : -values[FLOW_ROLL_AFTER],
                  yawRate = values[SEQUENCE_YAW_RATE] + values[FLOW_YAW_CHANGE] * neighbour / 2;
     rows = RowSpan(mean - half, mean + half);
     const Matx33d toCamera = (tiltOf(values) * camera.uprightRotation).t();
-    rate = toCamera * Vec3d(-pitch / interval, yawRate, roll / interval);
+    const auto rateOf = [&](const RowTurn& turn) { return -(turn.angle + turn.change * mean) / neighbour; };
+    rate = toCamera * Vec3d(-rateOf(turns.pitch), yawRate + rateOf(turns.yaw), rateOf(turns.roll));
+    const Vec3d sigmas(turns.pitch.sigma / interval, std::hypot(yawSigma, turns.yaw.sigma / interval),
+                       turns.roll.sigma / interval);
     for (int i = 0; i < 3; i++)
     {
-        variance[i] = std::pow(toCamera(i, 1) * yawSigma, 2);
+        variance[i] = 0;
+        for (int j = 0; j < 3; j++)
+            variance[i] += std::pow(toCamera(i, j) * sigmas[j], 2);
         lasting[i] = toCamera(i, 1) * lastingSigma;
     }
 }
@@ -110,8 +114,15 @@ bool GyroRates::expected(const TurnOfPoints& turn, double delay, Vec3d& rate, Ve
 
 void GyroRates::add(const TurnOfPoints& turn)
 {
-    judge(turn);
-    turns.push_back(turn);
+    // The first frame of a sequence has shown the turn to the second.
+    const bool isAgain = !turns.empty() && std::abs(turn.begin - turns.back().begin) < (turn.end - turn.begin) / 2;
+    if (isAgain)
+        turns.back() = turn;
+    else
+    {
+        judge(turn);
+        turns.push_back(turn);
+    }
     while (std::abs(turn.end - turns.front().end) > RATE_MEMORY)
         turns.pop_front();
     align();
@@ -138,7 +149,7 @@ static GyroUnknowns derivatives(const Vec3d& g, const Vec3d& slope, int i)
 }
 
 // Before it is used: a bias that is fitted explains a few turns whatever the gyro says. What isn't known yet of bias,
-// axes and clock, or of the turn, isn't the gyro's fault.
+// axes and clock, or of the turn, isn't the gyro's fault, nor its merit.
 void GyroRates::judge(const TurnOfPoints& turn)
 {
     Vec3d g, slope;
@@ -153,13 +164,14 @@ void GyroRates::judge(const TurnOfPoints& turn)
     for (int k = 0; k < 3; k++)
     {
         const GyroUnknowns J = derivatives(g, slope, k);
-        const double vague = CONTRADICTION * CONTRADICTION * turn.variance[k],
-                     beyond = std::max(0., with[k] * with[k] - J.dot(covariance * J) - vague);
+        const double vague = CONTRADICTION * CONTRADICTION * turn.variance[k] + J.dot(covariance * J),
+                     beyond = std::max(0., with[k] * with[k] - vague),
+                     beyondMean = std::max(0., without[k] * without[k] - vague);
         isUnlikely |= beyond > CONTRADICTION * CONTRADICTION * noise[k] * noise[k];
         turned += turn.rate[k] * turn.rate[k];
         leaves += beyond;
         left[k] = kept * left[k] + large * large * std::log1p(beyond / (large * large));
-        unexplained[k] = kept * unexplained[k] + large * large * std::log1p(std::pow(without[k] / large, 2));
+        unexplained[k] = kept * unexplained[k] + large * large * std::log1p(beyondMean / (large * large));
     }
     // A gyro that sticks for a moment is right on average.
     if (isUnlikely && leaves > EXPLAINED * turned)

@@ -40,14 +40,16 @@ struct TurnOfPoints
 
     /** As the fit of a frame has found it.
     @param values of the fit, FLOW_VALUES of them.
+    @param turns to the neighbour, with the changes that rows show: a yaw that changes looks like a roll otherwise.
     @param seconds time of the frame.
     @param neighbour seconds from there to the other frame, negative if it is earlier.
-    @param yawSigma standard deviation of the fit's yaw rate: a camera that looks sideways hardly tells a turn from the
-    way.
+    @param yawSigma standard deviation of the fit's yaw rate beside that of the turn: a camera that looks sideways
+    hardly tells a turn from the way.
     @param lastingSigma that of its part that the frames before had already, and the next ones will have.
     */
     TurnOfPoints(const RollingShutterCamera& camera, const std::vector<TrackedBearing>& bearings, const double* values,
-                 double seconds, double neighbour, double yawSigma = 0, double lastingSigma = 0);
+                 const NeighbourTurns& turns, double seconds, double neighbour, double yawSigma = 0,
+                 double lastingSigma = 0);
 };
 
 //! What is between a gyro and the camera, as the points of a sequence show it.

@@ -398,8 +398,11 @@ void SequenceEstimator::updateRates(const SequenceState& predicted, double befor
                  lasting = varianceOf(uncertain) - (1 - share) * varianceOf(last.state),
                  yawSigma = std::sqrt(varianceOf(uncertain)), lastingSigma = std::sqrt(std::max(lasting, 0.));
     if (hasBefore || hasAfter)
-        gyro.add(TurnOfPoints(camera, features.bearings, last.values, filter.time, hasBefore ? -before : after,
-                              yawSigma, lastingSigma));
+    {
+        const double neighbour = hasBefore ? -before : after;
+        gyro.add(TurnOfPoints(camera, features.bearings, last.values, neighbour < 0 ? last.before : last.after,
+                              filter.time, neighbour, yawSigma, lastingSigma));
+    }
     useGyro();
 }
 
