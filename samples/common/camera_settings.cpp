@@ -238,7 +238,8 @@ static void warnOfUnusualValues(const Options& options, const CameraSettings& s)
     warnIfUnusual(options, "height", s.height, prior.priorHeight, prior.priorHeightLogSigma,
                   "it is in metres above the road");
     warnIfUnusual(options, "read-out", readOut, prior.priorReadoutTime, prior.priorReadoutTimeLogSigma,
-                  "it is in seconds, for all lines (readout) or between two of them (line_delay)");
+                  "it is in seconds, for all lines (readout) or between two of them (line_delay), and in "
+                  "milliseconds in lens profiles (frame_readout_time)");
 }
 
 CameraSettings readCameraOptions(const Options& options)

@@ -96,10 +96,12 @@ public:
         require(!has(key) || at(key).is_boolean(), nameOf(key) + " is neither true nor false");
         return has(key) && at(key).get<bool>();
     }
+    //! Of another type it is the text of the file, which is none of the words that are known.
     std::string word(const std::string& key, const std::string& otherwise) const
     {
-        require(!has(key) || at(key).is_string(), nameOf(key) + " is not a word");
-        return has(key) ? at(key).get<std::string>() : otherwise;
+        if (!has(key))
+            return otherwise;
+        return at(key).is_string() ? at(key).get<std::string>() : at(key).dump();
     }
     std::vector<double> numbers(const std::string& key) const { return numbersOf(at(key), nameOf(key)); }
 

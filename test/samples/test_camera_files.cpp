@@ -720,7 +720,7 @@ TEST(CameraFiles, lens_profiles_that_are_refused)
     notANumber.replace(notANumber.find("750"), 3, "NaN");
     const std::pair<std::string, std::string> cases[] = {
         {profileWith("/distortion_model", "poly5"), "distortion_model poly5 isn't known"},
-        {profileWith("/distortion_model", 5), "distortion_model is not a word"},
+        {profileWith("/distortion_model", 5), "distortion_model 5 isn't known, only opencv_fisheye"},
         {profileWith("/digital_lens", "gopro_superview"), "digital_lens gopro_superview isn't known"},
         {profileWith("/global_shutter", true), "global_shutter"},
         {profileWith("/global_shutter", 1), "global_shutter is neither true nor false"},
@@ -741,6 +741,7 @@ TEST(CameraFiles, lens_profiles_that_are_refused)
         {profileWith("/frame_readout_time", "long"), "frame_readout_time: \"long\" is not a number"},
         {profileWith("/frame_readout_time", 1e6), "frame_readout_time: 1e+06 is not from"},
         {profileWith("/frame_readout_direction", "Sideways"), "frame_readout_direction"},
+        {profileWith("/frame_readout_direction", 1), "frame_readout_direction: '1' is none of TopToBottom"},
         {profileWith("/input_horizontal_stretch", 1000), "input_horizontal_stretch: 1000 is none of a lens"},
         {profileWith("/input_vertical_stretch", {1}), "input_vertical_stretch: [1] is not a number"},
         {profileWith("/crop", 0), "crop: 0 is not above 0"},
