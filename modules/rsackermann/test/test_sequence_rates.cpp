@@ -430,6 +430,66 @@ TEST(RSAckermann_RowRates, of_the_first_frames)
     }
 }
 
+// Where a camera shakes too fast for the means of few turns to show it, rows do.
+TEST(RSAckermann_RowRates, of_first_frames_that_shake_fast)
+{
+    RNG rng(10);
+    const int count = 400;
+    int yaws[2] = {}, pitches[2] = {}; // within two sigmas
+    for (int k = 0; k < count; k++)
+    {
+        const simulation::Oscillation angles[3] = {simulation::Oscillation(0.002, 0.08, 0.12, rng),
+                                                   simulation::Oscillation(0.002, 0.08, 0.12, rng),
+                                                   simulation::Oscillation(0.002, 0.08, 0.12, rng)};
+        const Swing yaw = {[&](double seconds) { return angles[0].at(seconds); }},
+                    pitch = {[&](double seconds) { return angles[1].at(seconds); }},
+                    roll = {[&](double seconds) { return angles[2].at(seconds); }};
+        RowRates rates;
+        for (int i = 0; i < 2; i++)
+        {
+            SequenceFit fit = exactFit();
+            NeighbourTurns& turns = i == 0 ? fit.after : fit.before;
+            turns.pitch.angle = INTERVAL * pitch.mean(1);
+            turns.roll.angle = INTERVAL * roll.mean(1);
+            turns.yaw.change = yaw.at(i) - yaw.at(1 - i);
+            turns.pitch.change = pitch.at(i) - pitch.at(1 - i);
+            if (i == 0)
+                rates.begin(fit, INTERVAL, 0);
+            else
+                rates.update(fit, INTERVAL, 0, 0);
+            AckermannMotion motion;
+            rates.toMotion(cameraOf(1), motion);
+            yaws[i] += std::abs(yaw.mean(1) - yaw.at(i)) < 2 * yawSigmaOf(rates);
+            pitches[i] += std::abs(motion.pitchRate - pitch.at(i)) < 2 * motion.pitchRateSigma;
+        }
+    }
+    for (int i = 0; i < 2; i++)
+    {
+        EXPECT_GE(yaws[i], 0.93 * count) << i;
+        EXPECT_GE(pitches[i], 0.93 * count) << i;
+    }
+}
+
+// What means don't confirm was of the scene.
+TEST(RSAckermann_RowRates, changes_that_are_not_confirmed)
+{
+    SequenceFit fit = exactFit();
+    RowRates rates;
+    double sigma[100] = {};
+    for (int i = 0; i < 100; i++)
+    {
+        const double sign = i % 2 ? 1 : -1;
+        fit.before.pitch.angle = 1e-4 * ((i / 2) % 2 ? 1 : -1);
+        fit.before.pitch.change = sign;
+        rates.update(fit, INTERVAL, 0, 0);
+        AckermannMotion motion;
+        rates.toMotion(cameraOf(1), motion);
+        sigma[i] = motion.pitchRateSigma;
+    }
+    EXPECT_NEAR(0.4, sigma[0], 0.01); // a half, without a fifth that may be their mean
+    EXPECT_LT(sigma[99], 0.05);
+}
+
 // Shaking is alike about all axes: half of the mean square by which neighbouring means differ is about the last one.
 TEST(RSAckermann_RowRates, first_yaw_rates_shake_as_about_other_axes)
 {

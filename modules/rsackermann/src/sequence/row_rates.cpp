@@ -82,14 +82,21 @@ double RateProcess::growth(double next, double share) const
     return known > 0 ? (next - past[0]) * 2 * share / lastInterval : 0;
 }
 
-double RateProcess::beyondLast() const
+// What means haven't had the time to confirm may be so.
+InstantRate RateProcess::beyond(double byRows) const
 {
-    return trust() * change / 2;
+    const double seen = trust(), open = (1 - seen) * ASSUMED_FRAMES / (count + ASSUMED_FRAMES);
+    return InstantRate(seen * byRows, open * std::abs(byRows));
 }
 
-double RateProcess::beyondMeans(double changeToNext, double share) const
+InstantRate RateProcess::beyondLast() const
 {
-    return trust() * (change + share * (changeToNext - meanShown() - change)) / 2;
+    return beyond(change / 2);
+}
+
+InstantRate RateProcess::beyondMeans(double changeToNext, double share) const
+{
+    return beyond((change + share * (changeToNext - meanShown() - change)) / 2);
 }
 
 // Variances of a rate that wanders, relative to the mean square of the difference of two means: of its mean while a
@@ -156,9 +163,10 @@ double RateProcess::meanSquare() const
     return pairs > 0 ? changes / pairs / 2 : 0;
 }
 
-double RateProcess::aboutNothing(double read) const
+double RateProcess::aboutNothing(double change_, double read) const
 {
-    return std::sqrt(withChance(meanSquare() + std::pow(aboutLast(0, read), 2), pairs));
+    const double byMeans = std::sqrt(withChance(meanSquare() + std::pow(aboutLast(0, read), 2), pairs));
+    return std::hypot(byMeans, beyond(change_ / 2).sigma);
 }
 
 // A rate that wanders changes more than means of it.
@@ -191,11 +199,12 @@ InstantRate RateProcess::now(double read) const
     {
         const double difference = withChance(differenceAfter(lastInterval), pairs), byMeans = (past[0] + predict()) / 2,
                      seen = trust(), missed = known > 1 && count > 0 ? errors / count : difference / 2;
-        result.value = byMeans + seen * (past[0] - byMeans) + beyondLast();
+        const InstantRate byRows = beyondLast();
+        result.value = byMeans + seen * (past[0] - byMeans) + byRows.value;
         // Of the last mean's error half counts, or all of it where rows show the change.
         const double ofLast =
             variance(difference, varianceOfMeans(read), shownVarianceOfLast(read), 0.25 + 0.75 * seen);
-        result.sigma = std::sqrt(ofLast + (1 - seen) * missed / 4);
+        result.sigma = std::hypot(byRows.sigma, std::sqrt(ofLast + (1 - seen) * missed / 4));
     }
     return result;
 }
@@ -207,8 +216,10 @@ InstantRate RateProcess::now(double next, double shownChange, double share, doub
     {
         const double difference = next - past[0],
                      square = withChance((changes + difference * difference) / (pairs + 1), pairs + 1);
-        result.value = past[0] + share * difference + beyondMeans(shownChange, share);
-        result.sigma = std::sqrt(variance(square, varianceOfMeans(read), shownVarianceOfMeans(read), 0.5));
+        const InstantRate byRows = beyondMeans(shownChange, share);
+        result.value = past[0] + share * difference + byRows.value;
+        result.sigma = std::hypot(byRows.sigma,
+                                  std::sqrt(variance(square, varianceOfMeans(read), shownVarianceOfMeans(read), 0.5)));
         result.growth = growth(next, share);
     }
     return result;
@@ -262,7 +273,7 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
     const double ofLast =
         fit.values[SEQUENCE_YAW_RATE] - fit.values[FLOW_YAW_CHANGE] * before / 2 + last.yaw.angle / before;
     yaw.add(InstantRate(ofLast, last.yaw.sigma / past), last.yaw.change, before);
-    yawBeyond = InstantRate(after != 0 ? yaw.beyondMeans(next.yaw.change, share) : yaw.beyondLast());
+    yawBeyond = after != 0 ? yaw.beyondMeans(next.yaw.change, share) : yaw.beyondLast();
     if (after != 0)
     {
         const double ofNext =
@@ -276,7 +287,7 @@ void RowRates::update(const SequenceFit& fit, double before, double after, doubl
 
 void RowRates::setSigmas(const AboutFit& about)
 {
-    yawBeyond.sigma = about.yawRate;
+    yawBeyond.sigma = std::hypot(yawBeyond.sigma, about.yawRate);
     speedBeyond.sigma = about.speed;
 }
 
@@ -302,10 +313,11 @@ void RowRates::begin(const SequenceFit& fit, double after, double readOut)
     pitch.expectChange(square, std::abs(after));
     roll.expectChange(square, std::abs(after));
     yaw.expectChange(steering * std::abs(after) + square, std::abs(after));
+    yawBeyond.sigma = yaw.beyond(fit.after.yaw.change / 2).sigma;
     setSigmas(aboutFit(0, after, readOut));
     const double read = readOut / (2 * std::abs(after));
-    pitchNow.sigma = pitch.aboutNothing(read);
-    rollNow.sigma = roll.aboutNothing(read);
+    pitchNow.sigma = pitch.aboutNothing(fit.after.pitch.change, read);
+    rollNow.sigma = roll.aboutNothing(fit.after.roll.change, read);
 }
 
 void RowRates::expectChanges(double interval, FitNuisances& nuisances) const

@@ -60,10 +60,13 @@ public:
     double growth(double next, double share) const;
 
     //! By how much the rate at the present frame is above the last mean, as rows show.
-    double beyondLast() const;
+    InstantRate beyondLast() const;
 
     //! The same above the mean of both sides.
-    double beyondMeans(double changeToNext, double share) const;
+    InstantRate beyondMeans(double changeToNext, double share) const;
+
+    //! What counts of that, as far as means confirm it.
+    InstantRate beyond(double byRows) const;
 
     /** Standard deviation of the change of the rate from frame to frame.
     @param interval seconds between them, of any sign.
@@ -76,7 +79,8 @@ public:
     double expectedGrowth(double interval, double usual) const;
 
     //! Standard deviation of the rate at the present frame about 0, if nothing but changes is known.
-    double aboutNothing(double read) const;
+    //! @param change that rows show.
+    double aboutNothing(double change, double read) const;
 
     //! Standard deviation of the rate at the present frame about the true last mean, over an interval in seconds, with
     //! what rows show.
