@@ -255,4 +255,34 @@ TEST(RSAckermann_Readout, longer_than_the_interval_is_none)
     }
 }
 
+// Where verticals hardly show it, as beside a road without houses, the most probable one may be far from what is
+// possible: that says little against the given one.
+TEST(RSAckermann_Readout, most_probable_of_those_that_are_possible)
+{
+    RNG rng(4);
+    const double longest = 1.7, truths[] = {1, longest};
+    const int trials = 300;
+    int contradictions[2] = {}, beyond = 0;
+    for (int i = 0; i < 2 * trials; i++)
+    {
+        const int which = i / trials;
+        const double noise = which == 0 ? 30 : 1; // of a frame
+        SeenCamera ratio;
+        for (int k = 0; k < 60; k++)
+        {
+            CameraEvidence frame;
+            frame.information(0, 0) = 1;
+            frame.gradient[0] = 1 - truths[which] + rng.gaussian(noise);
+            ratio.add(frame, CameraVector(), longest);
+        }
+        EXPECT_LE(std::abs(ratio.readoutRatio()), longest + 1e-9);
+        EXPECT_LE(std::abs(ratio.readoutContradiction()), longest + 1e-9);
+        contradictions[which] += ratio.readoutContradiction() != 1;
+        beyond += ratio.readoutRatio() > longest - 1e-9;
+    }
+    EXPECT_EQ(0, contradictions[0]);
+    EXPECT_GT(contradictions[1], 0.9 * trials);
+    EXPECT_GT(beyond, 0.3 * trials);
+}
+
 }} // namespace opencv_test

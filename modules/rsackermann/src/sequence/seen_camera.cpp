@@ -146,13 +146,15 @@ CameraMatrix SeenCamera::scatter(const CameraMatrix& inverse) const
 
 bool SeenCamera::isPossible() const
 {
-    const double ratio = 1 + shown(inverse())[CAMERA_READOUT];
-    return frames == 0 || std::abs(ratio) < longest / frames + CONTRADICTION * uncheckedRatioSigma();
+    return frames == 0 || std::abs(shownRatio()) < longest / frames + CONTRADICTION * uncheckedRatioSigma();
 }
 
 double SeenCamera::readoutRatio() const
 {
-    return isPossible() ? 1 + shown(inverse())[CAMERA_READOUT] : 1;
+    if (frames == 0 || !isPossible())
+        return 1;
+    const double most = longest / frames;
+    return std::min(std::max(shownRatio(), -most), most);
 }
 
 double SeenCamera::readoutRatioSigma() const
@@ -168,10 +170,12 @@ double SeenCamera::uncheckedRatioSigma() const
     return byParts > 0 ? std::sqrt(byParts + byLeans + DISTANCE_SIGMA * DISTANCE_SIGMA) : 0;
 }
 
+// The most probable ratio of those that are possible has to be as much more so than the given one.
 double SeenCamera::readoutContradiction() const
 {
-    const double ratio = readoutRatio(), sigma = readoutRatioSigma();
-    return sigma > 0 && std::abs(ratio - 1) > CONTRADICTION * sigma ? ratio : 1;
+    const double shown = shownRatio(), ratio = readoutRatio(), sigma = readoutRatioSigma(),
+                 gain = std::pow(shown - 1, 2) - std::pow(shown - ratio, 2);
+    return sigma > 0 && gain > std::pow(CONTRADICTION * sigma, 2) ? ratio : 1;
 }
 
 double SeenCamera::heading() const

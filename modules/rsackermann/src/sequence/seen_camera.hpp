@@ -57,8 +57,8 @@ public:
     @param longestNow ratio of read-outs that is possible: a sensor reads one frame after the other. */
     void add(CameraEvidence frame, const CameraVector& difference, double longestNow);
 
-    //! The read-out over that of the camera: 1 where nothing is known; -1 if rows are read in the other direction, 0 of
-    //! a global shutter.
+    //! The read-out over that of the camera, of those that are possible: 1 where nothing is known; -1 if rows are read
+    //! in the other direction, 0 of a global shutter.
     double readoutRatio() const;
 
     //! Its standard deviation, by how parts of the sequence scatter; 0: not known, or not possible, as where lane
@@ -85,6 +85,7 @@ private:
 
     CameraMatrix inverse(double ofHeading = 0) const;
     CameraVector shown(const CameraMatrix& inverse) const { return -(inverse * sum.gradient); }
+    double shownRatio() const { return 1 + shown(inverse())[CAMERA_READOUT]; }
     CameraMatrix scatter(const CameraMatrix& inverse) const; // 0: not known
     double uncheckedRatioSigma() const;
     bool isPossible() const;
