@@ -805,6 +805,30 @@ TEST_P(SequenceModes, uncertain_focal_length)
     }
 }
 
+// Lines that are read more slowly than is given are displaced by as much more, by the same motion per second.
+TEST_P(SequenceModes, uncertain_line_delay)
+{
+    SCOPED_TRACE(MODES[GetParam()].name);
+    const double relative = 0.1;
+    Setting known = setting, uncertain = setting;
+    for (Setting* s : {&known, &uncertain})
+        s->camera.lineDelay *= 1 + relative;
+    uncertain.camera.lineDelaySigma = relative * uncertain.camera.lineDelay;
+    const Ptr<RollingShutterCorrector> one = createCorrector(known, Twin(), NOTHING),
+                                       other = createCorrector(uncertain, Twin(), NOTHING);
+    AckermannMotion a, b;
+    for (int i = 0; i < FRAMES; i++)
+    {
+        a = correctFrame(*one, frames, i, NOTHING);
+        b = correctFrame(*other, frames, i, NOTHING);
+    }
+    EXPECT_EQ(a.alpha, b.alpha);
+    EXPECT_EQ(a.expectedRaw, b.expectedRaw);
+    EXPECT_NEAR(std::hypot(a.expectedResidual, relative * a.expectedRaw), b.expectedResidual, 1e-9);
+    const Simulator exact = Simulator::fromMotion(setting.camera, street.truth(setting, FRAMES - 1));
+    EXPECT_LT(exact.meanDisplacement(Simulator::fromMotion(uncertain.camera, b)), 2 * b.expectedResidual);
+}
+
 // Another street before, of which nothing is told, is forgotten.
 TEST_P(SequenceModes, another_street_before)
 {

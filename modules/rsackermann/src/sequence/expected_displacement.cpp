@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 #include "expected_displacement.hpp"
+#include "../camera/line_delay_sigma.hpp"
 
 namespace cv { namespace rsackermann {
 
@@ -33,8 +34,9 @@ Model expectDisplacement(const DisplacementField& field, const RollingShutterCam
                    byValues * state.covariance * byValues.t(), variances);
     field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
     motion.expectedRaw = DisplacementField::meanDistance(displacement, none, variances);
-    motion.expectedResidual =
-        std::hypot(DisplacementField::meanDistance(displacement, corrected, variances), motion.expectedRaw * residual);
+    // Motions per second displace by as much more as lines are read more slowly than is given.
+    motion.expectedResidual = std::hypot(DisplacementField::meanDistance(displacement, corrected, variances),
+                                         motion.expectedRaw * std::hypot(residual, relativeLineDelaySigma(camera)));
     motion.probabilityWorse = DisplacementField::probabilityWorse(
         DisplacementField::meanDistance(corrected, none, exact), motion.expectedResidual);
     return model;
