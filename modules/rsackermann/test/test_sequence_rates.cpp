@@ -490,6 +490,29 @@ TEST(RSAckermann_RowRates, changes_that_are_not_confirmed)
     EXPECT_LT(sigma[99], 0.05);
 }
 
+// Errors that all means have, as of one house that is farther away than others, don't scatter.
+TEST(RSAckermann_RowRates, errors_that_means_share)
+{
+    const double sigma = 1e-3;
+    for (const double after : {0., INTERVAL})
+    {
+        SequenceFit fit = exactFit();
+        for (RowTurn* turn : {&fit.before.pitch, &fit.after.pitch})
+        {
+            turn->angle = turn == &fit.before.pitch ? 1e-3 : -1e-3;
+            turn->sigma = sigma;
+        }
+        RowRates rates;
+        for (int i = 0; i < 20; i++)
+            rates.update(fit, INTERVAL, after, 0);
+        AckermannMotion motion;
+        rates.toMotion(cameraOf(1), motion);
+        // Half of the last mean is that of the next one, or what is predicted, of which nothing is known to be wrong.
+        EXPECT_NEAR(std::sqrt(after > 0 ? 0.5 : 0.25) * sigma / INTERVAL, motion.pitchRateSigma,
+                    0.05 * sigma / INTERVAL);
+    }
+}
+
 // Shaking is alike about all axes: half of the mean square by which neighbouring means differ is about the last one.
 TEST(RSAckermann_RowRates, first_yaw_rates_shake_as_about_other_axes)
 {

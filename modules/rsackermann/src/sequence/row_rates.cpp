@@ -122,11 +122,12 @@ static double shownVarianceOfMeans(double read)
 }
 
 // By the variances of what rows don't show and of what they show, and the part of the variance of a mean's error that
-// counts: means differ by their errors, too. square: the mean square of their difference.
+// counts: means differ by their errors, too, but for those that all of them have. square: the mean square of their
+// difference.
 double RateProcess::variance(double square, double unknown, double ifShown, double part) const
 {
     const double ofWandering = unknown + trust() * (ifShown - unknown);
-    return ofWandering * square + (part - 2 * ofWandering) * std::min(noise, square / 2);
+    return ofWandering * (square - 2 * std::min(noise, square / 2)) + part * noise;
 }
 
 // What few differences show may be smaller than usual by chance: exp(1.5 / n) is the factor by which 95 % of Student's
