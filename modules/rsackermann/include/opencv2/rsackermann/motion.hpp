@@ -225,9 +225,10 @@ public:
     CV_PROP_RW double seenSpeedSigma; //!< standard deviation of seenSpeed; 0: none is given, or it isn't known
 
     /** What the slants of verticals in a sequence so far show of the read-out, over the one of the camera: 1 if that is
-    right, 2 if it takes twice as long, -1 if rows are read in the other direction, 0 of a global shutter. Of a read-out
-    that is wrong by more than three standard deviations a sequence says that it leaves the difference, so that frames
-    stay as they are if the ratio is less than a half. 1 (default): not known */
+    right, 2 if it takes twice as long, -1 if rows are read in the other direction, 0 of a global shutter; of those that
+    the interval between frames allows. Of a read-out that is wrong by more than three standard deviations a sequence
+    says that it leaves the difference, so that frames stay as they are if the ratio is less than a half. 1 (default):
+    not known */
     CV_PROP_RW double readoutRatio;
     CV_PROP_RW double readoutRatioSigma; //!< standard deviation of readoutRatio; 0: not known
 
