@@ -185,7 +185,6 @@ struct Recording
             selectCandidates(segments, camera, params, frame.verticals, others);
             const SequenceFit fit = fitFrame(camera, frame.bearings, frame.verticals, usual, true);
             std::copy(fit.values, fit.values + FRAME_VALUES, frame.value.data());
-            frame.turn = TurnOfPoints(camera, frame.bearings, fit.values, fit.before, f.seconds, -INTERVAL);
             for (int i = 0; i < SCENE_VALUES; i++)
             {
                 frame.expected[i] = usual.value[i];

@@ -47,8 +47,6 @@ void CalibrationFrame::seeThroughOtherFocal(const Matx33d& upright, double longe
         vertical.timeU *= shorter;
         vertical.timeV *= shorter;
     }
-    turn.rate[0] *= shorter;
-    turn.rate[1] *= shorter;
 }
 
 // A point from a camera of another line delay.

@@ -52,7 +52,6 @@ struct CalibrationFrame
     double time, before, interval; //!< seconds; of the frame before; between both
     std::vector<TrackedBearing> bearings;
     std::vector<UprightSegment> verticals;
-    TurnOfPoints turn; //!< since the frame before
     RowTurns rowTurns;
     FrameVector value; //!< unknowns of the frame, with the whole corrections of roll and pitch
     double expected[SCENE_VALUES], sigma[SCENE_VALUES]; //!< of the first of them, as known before

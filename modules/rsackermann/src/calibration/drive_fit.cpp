@@ -53,16 +53,18 @@ static DriveFit fitWithFocal(const Drive& drive, double focalRatio, const MountV
     std::list<GyroSamples> curves;
     MountVector prior = before;
     // The first pass finds how frames turn, whatever their rows do, the second one the line delay for the third.
-    // With a gyro the first three show where its clock is bound for (doc/theory.md, "Self-calibration").
+    // With a gyro the last three show where its clock is bound for (doc/theory.md, "Self-calibration").
     const int passes = drive.gyro.empty() ? 3 : 4;
     double delays[4];
     for (int pass = 0; pass < passes; pass++)
     {
         const double delayRatio = std::exp(fit.mount.value[MOUNT_DELAY]);
         if (pass > 0)
+        {
             curves = turnRowsByNeighbours(camera, delayRatio, fitted);
-        fit.gyro = alignGyro(drive.gyro, camera, delayRatio, fitted);
-        delays[pass] = fit.gyro.alignment.delay;
+            fit.gyro = alignGyro(drive.gyro, camera, delayRatio, fitted);
+            delays[pass] = fit.gyro.alignment.delay;
+        }
         if (pass == 3)
         {
             const double left = wayLeft(delays[2] - delays[1], delays[3] - delays[2]);

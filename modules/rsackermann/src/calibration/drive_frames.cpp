@@ -146,7 +146,6 @@ CalibrationFrame DriveFrames::frameOf(const SequenceFit& fit, double before, con
     frame.time = filter.time;
     frame.before = before;
     frame.interval = frame.time - before;
-    frame.turn = TurnOfPoints(camera_, features.bearings, fit.values, fit.before, filter.time, -frame.interval);
     frame.verticals = features.verticals;
     for (int i = 0; i < FRAME_VALUES; i++)
         frame.value[i] = i < SEQUENCE_VALUES ? fit.state.value[i] : 0;

@@ -20,7 +20,7 @@ static TurnOfPoints turnOf(const CalibrationFrame& frame, const RollingShutterCa
 // Rows whose own turns are known don't blur it.
 static TurnOfPoints turnOf(const CalibrationFrame& frame, const RollingShutterCamera& camera, double delayRatio)
 {
-    TurnOfPoints turn = frame.rowTurns.known() ? turnOf(frame, camera) : frame.turn;
+    TurnOfPoints turn = turnOf(frame, camera);
     const double middle = (turn.rows.from + turn.rows.to) / 2,
                  half = frame.rowTurns.known() ? 0 : (turn.rows.to - turn.rows.from) / 2;
     turn.rows = RowSpan(delayRatio * (middle - half), delayRatio * (middle + half));
