@@ -39,12 +39,17 @@ const char* const KEYS =
     "{relative   |         | whose relative depth is given, scale and shift unknown: own, mirrored, "
     "other (another street), later (5 m ahead) or constant}"
     "{metric     |         | the same for a depth in metres}"
+    "{farther    | 1       | times as far as these are the metres of --metric}"
+    "{scale_sigma|         | relative standard deviation of their scale}"
     "{given      | both    | of an estimate: both, the yaw rate to 1 deg/s and the speed to 2 km/h, "
     "yaw_rate or speed alone, or nothing}"
     "{gravity    | 0.3     | degrees, standard deviation of roll and pitch of an estimate}"
     "{frames     | 1       | of a drive, of which the last one has the depth; more than one are a sequence}"
     "{verbose    |         | a line for each street of estimates}"
     "{threads    |         | number of threads}";
+
+//! Of whose depth.
+const std::vector<std::string> CAMERAS = {"raw", "corrected", "none"};
 
 //! Whose depth is given.
 enum { OWN, MIRRORED, OTHER, LATER, CONSTANT };
@@ -155,7 +160,9 @@ DepthMap depthOf(const street::StreetCamera& camera, street::StreetScene scene, 
         scene.seed += 1000;
     else if (whose == LATER)
         scene.travelled += 5;
-    const cv::Mat metres = disturbed(street::StreetRenderer(camera, scene).rollingDepth(), options, rng);
+    const bool isRaw = options.choice("depth", CAMERAS) == DEPTH_RAW;
+    const street::StreetRenderer renderer(camera, scene);
+    const cv::Mat metres = disturbed(isRaw ? renderer.rollingDepth() : renderer.globalDepth(), options, rng);
     const double scale = std::exp(rng.gaussian(1)), shift = rng.gaussian(1);
     const bool inMetres = options.given("metric");
     cv::Mat1f values = metres.clone();
@@ -166,12 +173,17 @@ DepthMap depthOf(const street::StreetCamera& camera, street::StreetScene scene, 
         cv::flip(values, values, 1);
     else if (whose == CONSTANT)
         values.setTo(inMetres ? 10 : shift);
-    return DepthMap(values, DEPTH_RAW, 1, inMetres ? DEPTH_METRIC : DEPTH_RELATIVE);
+    DepthMap depth(values, isRaw ? DEPTH_RAW : DEPTH_CORRECTED, options.number("farther", 0.01, 100),
+                   inMetres ? DEPTH_METRIC : DEPTH_RELATIVE);
+    if (options.given("scale_sigma"))
+        depth.scaleSigma = options.number("scale_sigma", 0, 1);
+    return depth;
 }
 
 struct Estimated
 {
     Measured with, without;
+    double expected; // pixels left
     bool isUsed;
 };
 
@@ -213,9 +225,10 @@ Estimated estimate(const street::StreetCamera& streetCamera, const street::Stree
             RollingShutterCorrector& corrector = *correctors[isGiven];
             cv::Mat corrected, mask, columns, rows;
             corrector.setPrior(prior);
-            corrector.correct(image, corrected, mask, isGiven ? depth : DepthMap());
+            const AckermannMotion motion = corrector.correct(image, corrected, mask, isGiven ? depth : DepthMap());
             if (!isLast)
                 continue;
+            found.expected = motion.expectedResidual;
             corrector.getMaps(columns, rows);
             (isGiven ? found.with : found.without) = measure(renderer, columns, rows, mask);
             found.isUsed = corrector.isDepthUsed();
@@ -229,7 +242,7 @@ int runEstimates(const Options& options, const cv::Size& size)
     const std::vector<std::string> names = {"own", "mirrored", "other", "later", "constant"};
     const int whose = options.choice(options.given("metric") ? "metric" : "relative", names),
               streets = options.integer("streets", 1, 10000);
-    double raw = 0, with = 0, without = 0, harm = 0;
+    double raw = 0, with = 0, without = 0, expected = 0, left = 0, harm = 0; // expected, left: where it is used
     int used = 0;
     for (int i = 0; i < streets; i++)
     {
@@ -242,13 +255,16 @@ int runEstimates(const Options& options, const cv::Size& size)
         without += found.without.residual / streets;
         harm = std::max(harm, found.with.residual / found.without.residual - 1);
         used += found.isUsed;
+        expected += found.isUsed * found.expected;
+        left += found.isUsed * found.with.residual;
         if (options.flag("verbose"))
-            std::cout << cv::format("%u raw %.3f without %.3f with %.3f used %d\n", seed, found.with.raw,
-                                    found.without.residual, found.with.residual, found.isUsed);
+            std::cout << cv::format("%u raw %.3f without %.3f with %.3f expected %.3f used %d\n", seed, found.with.raw,
+                                    found.without.residual, found.with.residual, found.expected, found.isUsed);
     }
-    std::cout << cv::format("raw %.3f px, residual %.3f px (%.3f), without the depth %.3f px (%.3f), used in %d of %d, "
-                            "at worst %.1f %% more than without\n",
-                            raw, with, with / raw, without, without / raw, used, streets, 100 * harm);
+    std::cout << cv::format("raw %.3f px, residual %.3f px (%.3f), without the depth %.3f px (%.3f), used in %d of %d "
+                            "(%.3f px expected, %.3f left), at worst %.1f %% more than without\n",
+                            raw, with, with / raw, without, without / raw, used, streets, expected / std::max(used, 1),
+                            left / std::max(used, 1), 100 * harm);
     return 0;
 }
 
@@ -260,8 +276,7 @@ int run(const Options& options)
     const cv::Size size = parseSize(options.text("size"), "option --size", 16, 10000);
     if (options.given("relative") || options.given("metric"))
         return runEstimates(options, size);
-    const std::vector<std::string> cameras = {"raw", "corrected", "none"};
-    const int camera = options.choice("depth", cameras), streets = options.integer("streets", 1, 10000);
+    const int camera = options.choice("depth", CAMERAS), streets = options.integer("streets", 1, 10000);
     Measured mean;
     for (int i = 0; i < streets; i++)
     {

@@ -51,11 +51,9 @@ cv::rsackermann::DepthMap depthOfPoints(const std::string& path, const DepthMean
 
 } // namespace
 
-cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning& meaning,
-                                    const cv::rsackermann::RollingShutterCamera& camera)
+static cv::rsackermann::DepthMap readValues(const std::string& path, const DepthMeaning& meaning,
+                                            const cv::rsackermann::RollingShutterCamera& camera)
 {
-    if (extension(path) == ".csv")
-        return depthOfPoints(path, meaning, camera);
     const cv::Mat stored = namingFile(path, [](const std::string& name) { return valuesOf(name); });
     const bool isMetric = meaning.kind == DepthMeaning::METRIC, isRelative = meaning.kind == DepthMeaning::RELATIVE,
                isWhole = stored.depth() == CV_16U;
@@ -84,6 +82,15 @@ cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning&
         cv::resize(values, values, camera.imageSize, 0, 0, cv::INTER_NEAREST);
     return cv::rsackermann::DepthMap(values, meaning.camera, scale,
                                      isRelative ? cv::rsackermann::DEPTH_RELATIVE : cv::rsackermann::DEPTH_METRIC);
+}
+
+cv::rsackermann::DepthMap readDepth(const std::string& path, const DepthMeaning& meaning,
+                                    const cv::rsackermann::RollingShutterCamera& camera)
+{
+    cv::rsackermann::DepthMap depth =
+        extension(path) == ".csv" ? depthOfPoints(path, meaning, camera) : readValues(path, meaning, camera);
+    depth.scaleSigma = meaning.scaleSigma;
+    return depth;
 }
 
 } // namespace rsackermann_samples

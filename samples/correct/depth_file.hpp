@@ -16,11 +16,16 @@ struct DepthMeaning
     enum Kind { METRIC, DISPARITY, RELATIVE };
 
     Kind kind;
-    int camera;      //!< a cv::rsackermann::DepthCamera
-    double scale;    //!< metres, or pixels of disparity, per unit; 0: usual ones; not of a relative depth
-    double baseline; //!< metres between the cameras of a disparity
+    int camera;        //!< a cv::rsackermann::DepthCamera
+    double scale;      //!< metres, or pixels of disparity, per unit; 0: usual ones; not of a relative depth
+    double scaleSigma; //!< relative, of the metres
+    double baseline;   //!< metres between the cameras of a disparity
 
-    DepthMeaning() : kind(METRIC), camera(cv::rsackermann::DEPTH_RAW), scale(0), baseline(0) {}
+    DepthMeaning()
+        : kind(METRIC), camera(cv::rsackermann::DEPTH_RAW), scale(0),
+          scaleSigma(cv::rsackermann::DepthMap().scaleSigma), baseline(0)
+    {
+    }
 };
 
 /** Reads a depth from an image of 16 bits or of floating-point numbers with one channel, a .npy file, or a table of

@@ -45,7 +45,7 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
 {
     if (!options.given("depth"))
     {
-        for (const char* name : {"depth_kind", "depth_camera", "depth_scale", "baseline"})
+        for (const char* name : {"depth_kind", "depth_camera", "depth_scale", "depth_scale_sigma", "baseline"})
             if (options.given(name))
                 throw UsageError(std::string("--") + name + " needs --depth");
         return;
@@ -55,6 +55,8 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
                                                                                 : cv::rsackermann::DEPTH_CORRECTED;
     if (options.given("depth_scale"))
         meaning_.scale = options.positive("depth_scale", 1e6);
+    if (options.given("depth_scale_sigma"))
+        meaning_.scaleSigma = options.number("depth_scale_sigma", 0, 1);
     if (options.given("baseline"))
         meaning_.baseline = options.positive("baseline", 1e3);
     if ((meaning_.kind == DepthMeaning::DISPARITY) != options.given("baseline"))
@@ -63,6 +65,8 @@ DepthSource::DepthSource(const Options& options, const InputList& inputs)
         (options.given("depth_scale") || meaning_.camera != cv::rsackermann::DEPTH_RAW))
         throw UsageError("--depth_kind=relative is of the raw camera, and has no --depth_scale: it can't go with "
                          "--depth_camera=corrected or --depth_scale");
+    if (meaning_.kind == DepthMeaning::RELATIVE && options.given("depth_scale_sigma"))
+        throw UsageError("--depth_scale_sigma is of metres: it can't go with --depth_kind=relative");
     const std::string path = options.inputFile("depth");
     if (cv::utils::fs::isDirectory(path))
         folder_ = path;

@@ -18,7 +18,8 @@ class DepthSource
 public:
     DepthSource() {} //!< no depths
 
-    //! Reads the options --depth, --depth_kind, --depth_camera, --depth_scale and --baseline; throws UsageError.
+    //! Reads the options --depth, --depth_kind, --depth_camera, --depth_scale, --depth_scale_sigma and --baseline;
+    //! throws UsageError.
     DepthSource(const Options& options, const InputList& inputs);
 
     const DepthMeaning& meaning() const { return meaning_; }

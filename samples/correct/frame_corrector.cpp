@@ -178,8 +178,9 @@ CorrectedFrame FrameCorrector::correct(const cv::Mat& image, const NextFrame& ne
     report.isGyroUsed = corrector_->isGyroUsed();
     report.isDepthGiven = !depth.empty();
     report.isDepthUsed = corrector_->isDepthUsed();
-    if (depth.camera == DEPTH_RAW)
-        depth = corrector_->getUsedDepth();
+    const DepthMap used = corrector_->getUsedDepth(); // its values may be coarse ones
+    depth.scale = used.scale;
+    depth.shift = used.shift;
     warp(image, report.isDepthUsed ? depth : DepthMap(), frame);
     if (!job_.overlay.empty())
     {

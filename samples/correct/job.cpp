@@ -35,6 +35,7 @@ const char* const JOB_KEYS =
     "nearer, of unknown scale and shift}"
     "{depth_camera | raw  | camera of --depth: raw, or corrected (without lens, at the reference line)}"
     "{depth_scale |       | metres or pixels per unit of --depth (default 1; of whole numbers 0.001 m, 1/256 px)}"
+    "{depth_scale_sigma | | standard deviation of these metres, relative, 0: exact (default 0.1)}"
     "{baseline   |        | metres between the cameras that the disparity comes from}"
     "{carry      |        | treat the inputs, or the frames of each video, as one sequence; needs the line delay}"
     "{smooth     |        | --carry, and each frame also uses the one after it}"

@@ -106,8 +106,9 @@ DepthMap StripWarp::coarse(const DepthMap& depth)
     if (depth.empty() || depth.camera == DEPTH_RAW)
         return depth;
     const bool isWhole = depth.values.depth() == CV_16U;
-    return DepthMap(isWhole ? firstKnown<ushort>(depth.values) : firstKnown<float>(depth.values), depth.camera,
-                    depth.scale);
+    DepthMap result = depth;
+    result.values = isWhole ? firstKnown<ushort>(depth.values) : firstKnown<float>(depth.values);
+    return result;
 }
 
 } // namespace rsackermann_samples

@@ -12,16 +12,26 @@ TEST(CorrectUsage, help_names_every_option)
 {
     const Outcome outcome = correct({"--help"});
     EXPECT_EQ(0, outcome.exitCode);
-    for (const char* name : {"camera",      "focal",           "line_delay",    "readout",
-                             "scan",        "reference",       "roll",          "pitch",
-                             "heading",     "height",          "gravity_sigma", "usual_yaw_rate",
-                             "wall",        "scale_from_road", "speed",         "speed_sigma",
-                             "yaw_rate",    "yaw_rate_sigma",  "log",           "gyro",
-                             "gyro_delay",  "depth",           "depth_kind",    "depth_camera",
-                             "depth_scale", "baseline",        "carry",         "model",
-                             "detector",    "lines",           "seed",          "threads",
-                             "output",      "overlay",         "report",        "maps",
-                             "shard",       "skip_existing",   "overwrite"})
+    for (const char* name : {"camera",        "focal",
+                             "line_delay",    "readout",
+                             "scan",          "reference",
+                             "roll",          "pitch",
+                             "heading",       "height",
+                             "gravity_sigma", "usual_yaw_rate",
+                             "wall",          "scale_from_road",
+                             "speed",         "speed_sigma",
+                             "yaw_rate",      "yaw_rate_sigma",
+                             "log",           "gyro",
+                             "gyro_delay",    "depth",
+                             "depth_kind",    "depth_camera",
+                             "depth_scale",   "depth_scale_sigma",
+                             "baseline",      "carry",
+                             "model",         "detector",
+                             "lines",         "seed",
+                             "threads",       "output",
+                             "overlay",       "report",
+                             "maps",          "shard",
+                             "skip_existing", "overwrite"})
         EXPECT_NE(std::string::npos, outcome.output.find(std::string("--") + name)) << name;
 }
 
@@ -111,6 +121,7 @@ const std::pair<const char*, const char*> refused[] = {{"--outptu=x.png", "--out
                                                        {"--gyro_delay=1", "--gyro"},
                                                        {"--depth=/no/such", "--depth"},
                                                        {"--depth_scale=1", "--depth"},
+                                                       {"--depth_scale_sigma=0.1", "--depth"},
                                                        {"--depth_kind=relative", "--depth"},
                                                        {"--baseline=1", "--depth"},
                                                        {"--carry=perhaps", "--carry"},

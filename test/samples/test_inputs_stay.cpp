@@ -180,6 +180,7 @@ TEST_F(InputsStay, options_are_known)
         "depth_kind",
         "depth_camera",
         "depth_scale",
+        "depth_scale_sigma",
         "baseline",
         "carry",
         "smooth",

@@ -172,6 +172,10 @@ TEST_P(EachOptionEffects, of_rsackermann_correct)
         {"depth_camera", "corrected", delay, REFUSED, REFUSED},
         {"depth_scale", "0.00102", depth, CHANGES, CHANGES},
         {"depth_scale", "0.002", delay, REFUSED, REFUSED},
+        {"depth_scale_sigma", "0.03", depth, CHANGES, CHANGES},
+        {"depth_scale_sigma", "0.03", delay, REFUSED, REFUSED},
+        {"depth_scale_sigma", "0.03", depth + Arguments{"--depth_camera=corrected"}, CHANGES, CHANGES},
+        {"depth_scale_sigma", "0.03", depth + Arguments{"--depth_kind=relative"}, REFUSED, REFUSED},
         {"baseline", "0.3", depth, REFUSED, REFUSED},
         {"baseline", "0.5", depth + Arguments{"--depth_kind=disparity", "--baseline=0.3"}, REFUSED, REFUSED}, // twice
         {"model", "none", delay, CHANGES, REFUSED},

@@ -435,9 +435,27 @@ private:
         if (depth.empty() || motion.status == MOTION_NOT_OBSERVABLE ||
             isInAnotherUnit(generator->getCamera(), params.warp, motion, depth))
             return false;
-        if (depth.camera != DEPTH_RAW)
-            return depth.kind == DEPTH_METRIC;
-        return sequence.alignDepth(segmentRows(segments), motion, depth);
+        if (depth.camera == DEPTH_RAW)
+            return sequence.alignDepth(segmentRows(segments), motion, depth);
+        if (depth.kind != DEPTH_METRIC || motion.status != MOTION_OK)
+            return false;
+        DepthMap raw = seenByRaw(motion, depth);
+        if (!sequence.alignDepth(segmentRows(segments), motion, raw))
+            return false;
+        depth.scale = raw.scale;
+        return true;
+    }
+
+    // A depth of the global-shutter camera as the raw image is judged by it: where the planes have its pixels.
+    DepthMap seenByRaw(const AckermannMotion& motion, const DepthMap& depth) const
+    {
+        DepthMap raw = depth;
+        raw.camera = DEPTH_RAW;
+        Mat columns, rows;
+        generator->initDistortMap(motion, columns, rows, CV_32FC1);
+        raw.values.release();
+        remap(depth.values, raw.values, columns, rows, INTER_NEAREST, BORDER_CONSTANT);
+        return raw;
     }
 
     void warpWith(const AckermannMotion& motion, InputArray src, OutputArray dst, OutputArray mask,

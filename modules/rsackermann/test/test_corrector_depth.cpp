@@ -133,8 +133,8 @@ TEST_F(CorrectorDepth, is_refused_in_another_unit)
                             corrector->correctWithSegments(image, segments, corrected, noArray(), given);
                         ASSERT_EQ(MOTION_OK, found.status);
                         ASSERT_GT(speed * found.direction, 0);
-                        // Verticals show it best, the road to a factor, and planes its order of magnitude.
-                        const double limit = whose != DEPTH_RAW ? 10 : hasVerticals ? 2 : 2.8;
+                        // Verticals show it best, the road to a factor.
+                        const double limit = hasVerticals ? 2 : 2.8;
                         const bool isPlausible = std::abs(std::log(unit)) < std::log(limit);
                         EXPECT_EQ(isPlausible, corrector->isDepthUsed());
                         corrector->correctWithMotion(image, found, expected, noArray(),
@@ -146,7 +146,7 @@ TEST_F(CorrectorDepth, is_refused_in_another_unit)
     }
 }
 
-// With a depth that is known, what is left is that of the given values alone.
+// With a depth that is known, what is left is that of the given values and of its scale alone.
 TEST_F(CorrectorDepth, metres_expect_what_given_values_leave)
 {
     const simulation::Simulator street = simulation::Simulator::fromMetric(camera, 0.3, 15, 2.5, 3, 0);
@@ -167,7 +167,10 @@ TEST_F(CorrectorDepth, metres_expect_what_given_values_leave)
         prior.speed = 15 + rng.gaussian(prior.speedSigma);
         corrector->setPrior(prior);
         const Mat1f ends = simulation::randomSegments(street, simulation::SegmentOptions(), rng).ends;
-        const AckermannMotion found = corrector->correctWithSegments(image, ends, corrected, noArray(), depth);
+        DepthMap given = depth;
+        given.scaleSigma = 0.06;
+        given.scale = std::exp(rng.gaussian(given.scaleSigma));
+        const AckermannMotion found = corrector->correctWithSegments(image, ends, corrected, noArray(), given);
         ASSERT_TRUE(corrector->isDepthUsed());
         expected += found.expectedResidual;
         Mat maps[2], squares;
@@ -246,6 +249,12 @@ TEST_F(CorrectorDepth, relative_needs_a_motion)
     bad = relative;
     bad.shift = std::numeric_limits<double>::infinity();
     EXPECT_THROW(corrector->correct(image, corrected, noArray(), bad), cv::Exception);
+    for (const double sigma : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()})
+    {
+        bad = relative;
+        bad.scaleSigma = sigma;
+        EXPECT_THROW(corrector->correct(image, corrected, noArray(), bad), cv::Exception) << sigma;
+    }
 }
 
 // Images whose verticals may be those of a camera at rest as long as nothing is known of their depth.

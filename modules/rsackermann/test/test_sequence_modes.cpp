@@ -964,7 +964,8 @@ TEST_P(SequenceModes, relative_depth)
     }
 }
 
-// One in metres is used if it is that of the points: of others the points tell the factor or the mirror image.
+// One in metres is used if it is that of the points: of others the points tell the factor or the mirror image, unless
+// the factor may be its scale's.
 TEST_P(SequenceModes, metric_depth)
 {
     SCOPED_TRACE(MODES[GetParam()].name);
@@ -979,13 +980,14 @@ TEST_P(SequenceModes, metric_depth)
         const struct
         {
             Mat values;
-            double factor;
+            double factor, scaleSigma;
             bool isUsed;
-        } depths[] = {{own, 1, true},
-                      {1.02 * own, 1.02, true},
-                      {1.5 * own, 1.5, false},
-                      {own / 1.5, 1 / 1.5, false},
-                      {mirrored, 1, false}};
+        } depths[] = {{own, 1, 0, true},
+                      {1.02 * own, 1.02, 0, true},
+                      {1.5 * own, 1.5, 0, false},
+                      {own / 1.5, 1 / 1.5, 0, false},
+                      {own / 1.2, 1 / 1.2, 0.2, true},
+                      {mirrored, 1, 0.1, false}};
         for (const auto& given : depths)
         {
             const Ptr<RollingShutterCorrector> with = createCorrector(setting, Twin(), source),
@@ -993,7 +995,8 @@ TEST_P(SequenceModes, metric_depth)
             for (int i = 0; i < FRAMES; i++)
             {
                 SCOPED_TRACE(testing::Message() << NAMES[source] << " " << i << " " << &given - depths);
-                const DepthMap depth(i == deep ? given.values : Mat());
+                DepthMap depth(i == deep ? given.values : Mat());
+                depth.scaleSigma = given.scaleSigma;
                 const AckermannMotion expected = correctFrame(*without, frames, i, source),
                                       m = correctFrame(*with, frames, i, source, Twin(), depth);
                 const bool isUsed = i == deep && given.isUsed;

@@ -40,14 +40,14 @@ double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion&
     return translates(motion) ? way : 0;
 }
 
-double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMotion& motion)
+double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMotion& motion, const DepthMap& depth)
 {
     const double unit = camera.secondsPerUnitTime(), way = std::abs(wayPerUnitTime(camera, motion));
     const Vec4d wall(0, motion.wallSlope, motion.wallOffset, 0);
     const double ofSpeed = std::hypot(unit * motion.speedSigma, way * relativeLineDelaySigma(camera)),
                  ofWalls = way * std::sqrt(std::max(wall.dot(motion.covariance * wall), 0.)) /
                            std::max(wall.dot(wall), DBL_MIN);
-    return std::max(motion.speedSigma > 0 ? ofSpeed : ofWalls, way * FLT_EPSILON);
+    return std::max(std::hypot(motion.speedSigma > 0 ? ofSpeed : ofWalls, way * depth.scaleSigma), way * FLT_EPSILON);
 }
 
 double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion, const DepthMap& depth)

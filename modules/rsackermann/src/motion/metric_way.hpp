@@ -27,9 +27,9 @@ Throws cv::Exception if isMetric() is false.
 */
 double wayPerUnitTime(const RollingShutterCamera& camera, const AckermannMotion& motion);
 
-//! Its standard deviation, by those of the speed and of the line delay, or of the walls where their distance gives the
-//! metres.
-double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMotion& motion);
+//! Its standard deviation in the metres of a depth, by those of its scale and of the line delay, and of the speed or,
+//! where their distance gives the metres, of the walls.
+double wayPerUnitTimeSigma(const RollingShutterCamera& camera, const AckermannMotion& motion, const DepthMap& depth);
 
 }} // namespace cv::rsackermann
 

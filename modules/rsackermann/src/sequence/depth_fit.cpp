@@ -68,7 +68,7 @@ struct GivenScale
         if (!isMetric)
             return;
         scale = std::abs(wayPerUnitTime(camera, motion));
-        sigma = wayPerUnitTimeSigma(camera, motion);
+        sigma = wayPerUnitTimeSigma(camera, motion, depth);
     }
 };
 

@@ -342,7 +342,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
             return false;
         if (way == 0) // of a camera that turns: the depth says nothing
             return true;
-        const double waySigma = wayPerUnitTimeSigma(camera, motion);
+        const double waySigma = wayPerUnitTimeSigma(camera, motion, depth);
         AckermannMotion changed = motion;
         expectWithDepth(camera, depth, std::abs(way), 0,
                         Matx33d::diag(Vec3d(motion.covariance(0, 0), waySigma * waySigma, 0)), std::vector<Point2d>(),

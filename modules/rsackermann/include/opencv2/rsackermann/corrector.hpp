@@ -248,16 +248,16 @@ public:
     (correctWithMotion()) where the depths are evidently in another unit: their median is more than 20 times or less
     than a twentieth of that of the planes, or the camera's height above the road that they show is more than three
     standard deviations (AckermannEstimator::Params::priorHeightLogSigma) away from RollingShutterCamera::height, or
-    from AckermannEstimator::Params::priorHeight if that isn't known. Nor is a depth of the raw camera used of which
-    verticals of the image have more of a slant left than of the planes: a disparity, a constant, one of another image.
+    from AckermannEstimator::Params::priorHeight if that isn't known. Nor is a depth used of which verticals of the
+    image have more of a slant left than of the planes: a disparity, a constant, one of another image.
 
     A #DEPTH_RELATIVE of the raw camera needs no metres, but a road, edges that it has in common with the image, and
     verticals: one of another image, mirrored or constant isn't used. It may show a motion where the image alone
     doesn't. With correctWithMotion() it is used as it is.
 
     In a frame of a sequence (Params::sequence) with tracked points the planes must not explain these better than the
-    depth of the raw camera does. That of one in metres is what the motion's way, as surely as its speed is known
-    (AckermannMotion::metricCovariance()), makes of it.
+    depth does. That of one in metres is what the motion's way, as surely as its speed and the depth's scale are known
+    (AckermannMotion::metricCovariance(), DepthMap::scaleSigma), makes of it.
      */
     CV_WRAP virtual bool isDepthUsed() const = 0;
 

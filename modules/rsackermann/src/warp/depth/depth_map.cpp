@@ -8,10 +8,10 @@
 
 namespace cv { namespace rsackermann {
 
-DepthMap::DepthMap() : camera(DEPTH_RAW), kind(DEPTH_METRIC), scale(1), shift(0) {}
+DepthMap::DepthMap() : camera(DEPTH_RAW), kind(DEPTH_METRIC), scale(1), shift(0), scaleSigma(0.1) {}
 
 DepthMap::DepthMap(const Mat& values_, int camera_, double scale_, int kind_)
-    : values(values_), camera(camera_), kind(kind_), scale(scale_), shift(0)
+    : values(values_), camera(camera_), kind(kind_), scale(scale_), shift(0), scaleSigma(DepthMap().scaleSigma)
 {
 }
 
@@ -62,6 +62,7 @@ void DepthMap::check() const
               DEPTH_RELATIVE);
     checkPositive(scale, "depth.scale");
     checkFinite(shift, "depth.shift");
+    checkRange(scaleSigma, 0, 1, "depth.scaleSigma");
 }
 
 }} // namespace cv::rsackermann
