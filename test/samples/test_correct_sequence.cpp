@@ -320,4 +320,30 @@ TEST(Correct, distance_of_the_right_wall_of_a_sequence)
     }
 }
 
+// A car that begins to turn steers as much as cars do: a mean over both intervals isn't that of one.
+TEST(CorrectSmooth, bends_that_begin)
+{
+    const TemporaryFolder folder;
+    for (const int yawRate : {-50, 40})
+    {
+        const std::string drive = folder / cv::format("%d", yawRate);
+        ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=10", "--speed=20", cv::format("--yaw_rate=%d", yawRate),
+                               "--left=5", "--right=6", "--size=512x288", "--focal=653", "--samples=1"})
+                         .exitCode);
+        const std::vector<std::string> truth = linesOf(drive + "/truth.jsonl");
+        Arguments arguments = {"--smooth", "--camera=" + drive + "/camera.yml", "--log=" + drive + "/log.csv",
+                               "--report=-"};
+        for (int i = 0; i < 10; i += 3) // 10 a second
+            arguments.push_back(drive + cv::format("/frames/%06d.png", i));
+        std::istringstream report(correct(arguments).output);
+        std::string line;
+        std::getline(report, line);                                  // the first one has none before
+        for (int i = 3; i < 9 && std::getline(report, line); i += 3) // and the last one no next one
+        {
+            const double yaw = Json::parse(truth[i])["camera_yaw_rate_deg_s"];
+            EXPECT_NEAR(yaw, Json::parse(line)["yaw_rate_deg_s"].get<double>(), 0.1 * std::abs(yaw)) << yawRate;
+        }
+    }
+}
+
 }} // namespace opencv_test::

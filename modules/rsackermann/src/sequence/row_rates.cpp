@@ -326,7 +326,7 @@ void RowRates::expectChanges(double interval, FitNuisances& nuisances) const
     const double usual = std::sqrt(2.) * TURN_SIGMA / std::abs(interval);
     nuisances.pitchChange = pitch.expectedChange(interval, usual);
     nuisances.rollChange = roll.expectedChange(interval, usual);
-    nuisances.yawGrowth = yaw.expectedGrowth(interval, YAW_GROWTH);
+    nuisances.yawGrowth = yaw.expectedGrowth(interval, std::sqrt(steering / std::abs(interval)));
 }
 
 void RowRates::set(const MeasuredTurns& measured)
