@@ -54,6 +54,11 @@ void SequenceEstimator::set(const RollingShutterCamera& camera_, const Ackermann
     camera = turnedCamera = camera_;
     turnCamera(curvature);
     params = params_;
+    expectByCamera(sameValues);
+}
+
+void SequenceEstimator::expectByCamera(int sameValues)
+{
     for (SequenceFilter* f : {&filter, &kept.filter})
         f->state.change(straightCamera(), params, sameValues);
 }
@@ -307,6 +312,7 @@ CameraVector SequenceEstimator::learnCamera(double longestNow)
     turnCamera(curvature);
     change(difference);
     kept.change(difference);
+    expectByCamera(SEQUENCE_VALUES); // as after set(), without the rounding of sums
     return difference;
 }
 

@@ -79,6 +79,7 @@ private:
     bool estimateFromPoints(const GrayFrame& frame, const GrayFrame& next, const Mat& segments,
                             const MotionPrior& prior, AckermannMotion& motion, Mat& labels);
     CameraVector learnCamera(double longestNow);
+    void expectByCamera(int sameValues);
     void turnCamera(double curvature);
     RollingShutterCamera straightCamera() const;
     bool useGiven(bool isSeen, const SequenceFilter& predicted, const AboutFit& aboutFit, const FitNuisances& nuisances,
