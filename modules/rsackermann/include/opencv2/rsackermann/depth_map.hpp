@@ -86,9 +86,9 @@ public:
     //! over the depth in the unit of length in which the car drives 1 per unit of row time
     CV_PROP_RW double scale;
     CV_PROP_RW double shift; //!< of a relative depth, see scale; default 0
-    //! Standard deviation of the scale of a metric depth, relative, from 0 to 1: 0.1 (default) of a network that gives
-    //! metres, 0.01 or less of stereo or a lidar. With it a sequence finds the scale, and a single image is expected to
-    //! be left with what it leaves
+    //! Standard deviation of the scale of a metric depth, and of errors that large parts of an image share, relative,
+    //! from 0 to 1: 0.1 (default) of a network that gives metres, 0.01 or less of stereo or a lidar. With it a sequence
+    //! finds the scale, and a single image is expected to be left with what it leaves
     CV_PROP_RW double scaleSigma;
 };
 
