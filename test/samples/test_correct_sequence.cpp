@@ -337,9 +337,10 @@ TEST(CorrectSmooth, bends_that_begin)
             arguments.push_back(drive + cv::format("/frames/%06d.png", i));
         std::istringstream report(correct(arguments).output);
         std::string line;
-        std::getline(report, line);                                  // the first one has none before
-        for (int i = 3; i < 9 && std::getline(report, line); i += 3) // and the last one no next one
+        ASSERT_TRUE(std::getline(report, line)); // the first one has none before
+        for (int i = 3; i < 9; i += 3)           // and the last one no next one
         {
+            ASSERT_TRUE(std::getline(report, line));
             const double yaw = Json::parse(truth[i])["camera_yaw_rate_deg_s"];
             EXPECT_NEAR(yaw, Json::parse(line)["yaw_rate_deg_s"].get<double>(), 0.1 * std::abs(yaw)) << yawRate;
         }
