@@ -67,6 +67,7 @@ struct PostsInStreet
         prior.yawRateSigma = 0.01;
         motion = motionFromMetric(camera, 1.1 * yawRate, 0.8 * speed, wall, 1.2 * wall, heading);
         motion.covariance(0, 0) = 1;
+        motion.expectedRaw = motion.expectedResidual = 10; // pixels
     }
 
     //! A flat one, whose left edge is a segment, where no other one is.

@@ -548,7 +548,8 @@ bool SequenceEstimator::alignDepth(const Mat& segments, AckermannMotion& motion,
     std::vector<Point2d> places;
     for (const TrackedBearing& b : features.bearings)
         places.push_back(b.now);
-    expectWithDepth(ofMotion, depth, found.scale, found.shift, toAlpha * found.covariance * toAlpha, places, changed);
+    expectWithDepth(ofMotion, depth, found.scale, found.shift, toAlpha * found.covariance * toAlpha, places, motion,
+                    changed);
     changed.expectedResidual = std::hypot(changed.expectedResidual, changed.expectedRaw * found.residual);
     changed.probabilityWorse = DisplacementField::probabilityWorse(changed.expectedRaw, changed.expectedResidual);
     expectReadout(seenCamera.readoutContradiction(), changed);

@@ -13,6 +13,7 @@
 #include "../motion/row_tilt.hpp"
 #include "../optim/levenberg_marquardt.hpp"
 #include "../optim/normal_equations.hpp"
+#include "../scene/inverse_depth_offset.hpp"
 #include "../scene/planes.hpp"
 #include "depth_alignment.hpp"
 #include "displacement_field.hpp"
@@ -270,40 +271,57 @@ void setAlphaVariance(double variance, AckermannMotion& motion)
 }
 
 void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, double scale, double shift,
-                     const Matx33d& covariance, const std::vector<Point2d>& seen, AckermannMotion& motion)
+                     const Matx33d& covariance, const std::vector<Point2d>& seen, const AckermannMotion& byPlanes,
+                     AckermannMotion& motion)
 {
     const DisplacementField field(camera, seen);
     const Heading heading(camera.heading);
-    const Scene planes(motion);
+    const Scene planes(motion), planesBefore(byPlanes);
+    const InverseDepthOffset offset(byPlanes);
     const int direction = motion.direction < 0 ? -1 : 1;
     const double reach = std::max(camera.imageSize.width, camera.imageSize.height) * FILLED;
     DisplacementField::Values displacement;
     DisplacementField::Variances variances;
+    double differ = 0, mayDiffer = 0;
+    int compared = 0;
     for (int k = 0; k < DisplacementField::POINTS; k++)
     {
         const DisplacementField::Point& p = field.point(k);
-        const double value = RelativeDepth::medianAround(depth, p.pixel, reach), inverse = scale * value + shift;
+        const double value = RelativeDepth::medianAround(depth, p.pixel, reach), inverse = scale * value + shift,
+                     ofPlanes = CV_PI / 2 * std::pow(p.weight * byPlanes.expectedResidual, 2);
+        const Vec3d ray(p.x, p.y, 1);
+        const Vec2d byAlpha = p.byAlpha(), byInverse = p.byInverseDepth(heading.s, heading.c);
+        const auto withPlanes = [&](double alpha, const Scene& scene) -> Vec2d {
+            return alpha * byAlpha + (scene.inverseDepth(ray) + offset.at(ray)) * byInverse;
+        };
+        Vec2d moved = withPlanes(motion.alpha, planes);
+        variances[k] = ofPlanes;
         const bool isKnown = p.z > IN_FRONT && std::isfinite(inverse);
-        const double ofPlanes = isKnown ? 0 : CV_PI / 2 * std::pow(p.weight * motion.expectedResidual, 2);
-        double w = planes.inverseDepth(Vec3d(p.x, p.y, 1)), byScale = 0, byShift = 0;
         if (isKnown)
         {
-            w = direction * std::max(inverse, 0.) / p.z;
-            byShift = inverse > 0 ? direction / p.z : 0;
-            byScale = byShift * value;
+            const double byShift = inverse > 0 ? direction / p.z : 0;
+            moved = motion.alpha * byAlpha + direction * std::max(inverse, 0.) / p.z * byInverse;
+            variances[k] = 0;
+            for (int axis = 0; axis < 2; axis++)
+            {
+                const Vec3d J(byAlpha[axis], byShift * value * byInverse[axis], byShift * byInverse[axis]);
+                variances[k] += std::max(J.dot(covariance * J), 0.);
+            }
         }
-        const Vec2d byAlpha = p.byAlpha(), byInverse = p.byInverseDepth(heading.s, heading.c),
-                    moved = motion.alpha * byAlpha + w * byInverse;
+        if (isKnown && byPlanes.status == MOTION_OK)
+        {
+            differ += norm(moved - withPlanes(byPlanes.alpha, planesBefore));
+            mayDiffer += std::sqrt(2 / CV_PI * (variances[k] + ofPlanes));
+            compared++;
+        }
         displacement[2 * k] = moved[0];
         displacement[2 * k + 1] = moved[1];
-        variances[k] = 0;
-        for (int axis = 0; axis < 2; axis++)
-        {
-            const Vec3d J(byAlpha[axis], byScale * byInverse[axis], byShift * byInverse[axis]);
-            variances[k] += std::max(J.dot(covariance * J), 0.);
-        }
-        variances[k] = std::max(variances[k], ofPlanes);
     }
+    // What planes and depth differ by beyond what both are expected to err by is an error of either.
+    const double excess =
+        CV_PI / 2 * std::max(differ * differ - mayDiffer * mayDiffer, 0.) / std::max(compared * compared, 1);
+    for (int k = 0; k < DisplacementField::POINTS; k++)
+        variances[k] += std::pow(field.point(k).weight, 2) * excess / 2;
     field.addTilt(RowTilt(camera, motion), displacement);
     field.addTiltVariance(motion.pitchRateSigma, motion.rollRateSigma, variances);
     motion.expectedRaw =
@@ -346,7 +364,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
         AckermannMotion changed = motion;
         expectWithDepth(camera, depth, std::abs(way), 0,
                         Matx33d::diag(Vec3d(motion.covariance(0, 0), waySigma * waySigma, 0)), std::vector<Point2d>(),
-                        changed);
+                        motion, changed);
         mixWithRest(worse, changed);
         if (!(changed.expectedResidual < changed.expectedRaw))
             return false;
@@ -393,7 +411,7 @@ bool alignDepth(const RollingShutterCamera& camera, const AckermannEstimator::Pa
     const Matx<double, 3, 2> J(1, 0, 0, scale, 0, shift);
     const Matx22d ofAlphaAndRoad(covariance(A_ALPHA, A_ALPHA), covariance(A_ALPHA, A_LOG_ROAD),
                                  covariance(A_ALPHA, A_LOG_ROAD), covariance(A_LOG_ROAD, A_LOG_ROAD));
-    expectWithDepth(camera, depth, scale, shift, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), changed);
+    expectWithDepth(camera, depth, scale, shift, J * ofAlphaAndRoad * J.t(), std::vector<Point2d>(), motion, changed);
     mixWithRest(1 / (1 + std::exp(-logOddsOfRest)), changed);
     if (!(changed.expectedResidual < changed.expectedRaw))
         return false;

@@ -34,12 +34,14 @@ void setAlphaVariance(double variance, AckermannMotion& motion);
 
 /** Sets AckermannMotion::expectedRaw and AckermannMotion::expectedResidual, to first order
 (doc/theory.md, "Relative depth").
-@param depth where it isn't known next to a pixel, the planes count, with the residual that the motion expects.
+@param depth where it isn't known next to a pixel, the planes count.
 @param scale, shift the scaled inverse depth without its sign is scale * RelativeDepth::medianAround() + shift.
 @param covariance of alpha, scale and shift.
-@param seen as DisplacementField has it. */
+@param seen as DisplacementField has it.
+@param byPlanes the motion without the depth, with what is expected of it. */
 void expectWithDepth(const RollingShutterCamera& camera, const DepthMap& depth, double scale, double shift,
-                     const Matx33d& covariance, const std::vector<Point2d>& seen, AckermannMotion& motion);
+                     const Matx33d& covariance, const std::vector<Point2d>& seen, const AckermannMotion& byPlanes,
+                     AckermannMotion& motion);
 
 }} // namespace cv::rsackermann
 
