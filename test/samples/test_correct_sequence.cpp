@@ -347,4 +347,43 @@ TEST(CorrectSmooth, bends_that_begin)
     }
 }
 
+// Few points leave a car at rest possible in each frame, but not in all of them, nor if the speed is given.
+TEST(CorrectCarry, small_images)
+{
+    const TemporaryFolder folder;
+    for (const int speed : {40, 0})
+    {
+        const std::string drive = folder / cv::format("%d", speed);
+        ASSERT_EQ(0, simulate({"--output=" + drive, "--frames=10", "--size=160x120", "--focal=140", "--readout=0.02",
+                               cv::format("--speed=%d", speed), cv::format("--yaw_rate=%d", speed == 0 ? 0 : 15),
+                               "--left=5", "--right=6", "--seed=16", "--samples=2"})
+                         .exitCode);
+        writeContent(drive + "/last.json", linesOf(drive + "/truth.jsonl").back());
+        for (const bool isGiven : {false, true})
+        {
+            SCOPED_TRACE(cv::format("%d km/h, given %d", speed, isGiven));
+            Arguments arguments = {
+                "--carry",         "--camera=" + drive + "/camera.yml",   "--log=" + drive + "/log.csv",
+                drive + "/frames", "--report=" + drive + "/report.jsonl", "--maps=" + drive + "/maps/",
+                "--overwrite"};
+            if (isGiven)
+                arguments.push_back(cv::format("--speed=%d", speed));
+            ASSERT_EQ(0, correct(arguments).exitCode);
+            int corrected = 0;
+            for (const std::string& line : linesOf(drive + "/report.jsonl"))
+                corrected += Json::parse(line)["status"] == "ok";
+            EXPECT_EQ(speed == 0 ? 0 : 10, corrected);
+            const std::string output =
+                evaluate({"--truth=" + drive + "/last.json", "--report=" + drive + "/report.jsonl",
+                          "--maps=" + drive + "/maps/000009.yml.gz"})
+                    .output;
+            double before, after;
+            const size_t at = output.find("mean displacement, px");
+            ASSERT_NE(std::string::npos, at);
+            ASSERT_EQ(2, std::sscanf(output.c_str() + at, "mean displacement, px %lf %lf", &before, &after));
+            EXPECT_LE(after, speed == 0 ? 1e-3 : 0.1 * before);
+        }
+    }
+}
+
 }} // namespace opencv_test::

@@ -473,7 +473,8 @@ void SequenceEstimator::report(const SequenceFit& fit_, const std::vector<Uprigh
     uncertain.toMotion(camera.secondsPerUnitTime(), found);
     rates.toMotion(camera, found);
     const Model model = predictDisplacement(fit, found);
-    if (!fit.moves || !(found.expectedResidual < found.expectedRaw))
+    const bool moves = fit.moves || (!fit.stands && uncertain.excludesRest());
+    if (!moves || !(found.expectedResidual < found.expectedRaw))
     {
         motion.expectedRaw = motion.expectedResidual = found.expectedRaw;
         return;

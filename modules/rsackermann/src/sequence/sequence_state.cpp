@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 #include "../single/inliers_and_scale.hpp"
 #include "../factors/driving_prior.hpp"
+#include "../motion/contradiction.hpp"
 #include "sequence_state.hpp"
 
 namespace cv { namespace rsackermann {
@@ -94,6 +95,21 @@ SequenceState SequenceState::marginal(const CameraMatrix& ofCamera) const
     SequenceState result = *this;
     result.covariance += byCamera * ofCamera * byCamera.t();
     return result;
+}
+
+bool SequenceState::excludesRest() const
+{
+    const auto isBeyond = [](double x, double variance) { return std::abs(x) > CONTRADICTION * std::sqrt(variance); };
+    const double v = value[SEQUENCE_SPEED], ofSpeed = covariance(SEQUENCE_SPEED, SEQUENCE_SPEED);
+    bool excludes =
+        isBeyond(value[SEQUENCE_YAW_RATE], covariance(SEQUENCE_YAW_RATE, SEQUENCE_YAW_RATE)) || isBeyond(v, ofSpeed);
+    for (int i = SEQUENCE_LEFT; i <= SEQUENCE_ROAD; i++)
+    {
+        const double x = value[i],
+                     variance = x * x * ofSpeed + 2 * x * v * covariance(SEQUENCE_SPEED, i) + v * v * covariance(i, i);
+        excludes |= isBeyond(v * x, std::max(variance, 0.));
+    }
+    return excludes;
 }
 
 void SequenceState::toMotion(double unit, AckermannMotion& motion) const

@@ -66,6 +66,10 @@ struct SequenceState
     //! With the uncertainty of the camera's values.
     SequenceState marginal(const CameraMatrix& ofCamera) const;
 
+    //! Whether it rules out a camera at rest: by the yaw rate, the speed, or what the scene shows of it at any of its
+    //! distances.
+    bool excludesRest() const;
+
     //! As a motion during one image, with its covariance; the status and the counts of segments are left as they are.
     void toMotion(double unit, AckermannMotion& motion) const;
 
