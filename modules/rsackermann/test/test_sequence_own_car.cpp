@@ -64,20 +64,22 @@ TEST(RSAckermann_OwnCar, a_street_has_none)
     EXPECT_EQ(bearings.size(), aboveOwnCar(bearings, 800, cost).size());
 }
 
-// It looks like a wall that a car passes backward, and the road in front of a car at rest like its bonnet.
+// It looks like a wall that a car passes backward, and the road in front of a car at rest like its bonnet. One that
+// crosses looks like a bend, and all of the street like the car itself.
 TEST(RSAckermann_OwnCar, rests_beside_a_truck_that_passes)
 {
     const RollingShutterCamera camera = simulation::paperCamera();
     const double unit = camera.secondsPerUnitTime(), interval = 1. / 30, moved = 8 * interval; // m
     RNG rng(9);
-    for (int round = 0; round < 20; round++)
+    for (int round = 0; round < 40; round++)
     {
+        const bool crosses = round % 2 == 1;
         std::vector<TrackedBearing> bearings;
-        const auto add = [&](double x, double y, double z, double forward) {
+        const auto add = [&](double x, double y, double z, double forward, double aside) {
             TrackedBearing b = TrackedBearing();
             const Point2d noise(rng.gaussian(1e-4), rng.gaussian(1e-4));
             b.now = Point2d(x, y) * (1 / z);
-            b.other = Point2d(x, y) * (1 / (z - forward)) + noise;
+            b.other = Point2d(x - aside, y) * (1 / (z - forward)) + noise;
             b.timeNow = b.now.y;
             b.timeOther = b.other.y - interval / unit;
             b.pitch = FLOW_PITCH_BEFORE;
@@ -87,11 +89,16 @@ TEST(RSAckermann_OwnCar, rests_beside_a_truck_that_passes)
                 bearings.push_back(b);
         };
         while (bearings.size() < 120)
-            add(5, rng.uniform(-3., 1.), rng.uniform(12., 30.), 0); // a wall
+            add(5, rng.uniform(-3., 1.), rng.uniform(12., 30.), 0, 0); // a wall
         while (bearings.size() < 200)
-            add(rng.uniform(-3., 4.), camera.height, rng.uniform(5., 15.), 0);
-        while (bearings.size() < 260)
-            add(-2.4, rng.uniform(-2., 1.), rng.uniform(6., 12.), moved);
+            add(rng.uniform(-3., 4.), camera.height, rng.uniform(5., 15.), 0, 0);
+        while (bearings.size() < (crosses ? 380 : 260))
+        {
+            if (crosses)
+                add(rng.uniform(-3., 3.), rng.uniform(0.1, 1.), 6, 0, moved);
+            else
+                add(-2.4, rng.uniform(-2., 1.), rng.uniform(6., 12.), moved, 0);
+        }
         const SequenceFit fit = fitFrame(camera, bearings, std::vector<UprightSegment>(),
                                          SequenceState(camera, AckermannEstimator::Params()), true, FitNuisances());
         EXPECT_NEAR(0, fit.state.value[SEQUENCE_SPEED], 0.1) << round;

@@ -67,6 +67,22 @@ public:
         return m;
     }
 
+    // Whether most of what is seen above the horizon would have to be of the car itself.
+    bool hidesScene(const Unknowns& u) const
+    {
+        const FlowResidual::Values values(u.data());
+        int above = 0, ofOwnCar = 0;
+        for (const TrackedBearing& s : bearings)
+        {
+            if (s.now.y >= 0)
+                continue;
+            const Point2d r = residual.evaluate(s, values, 0) / POINT_SIGMA;
+            above++;
+            ofOwnCar += isOfOwnCar(s, r.dot(r));
+        }
+        return 2 * ofOwnCar > above;
+    }
+
     // With the noise that the points of a minimum show.
     void refineWithNoise(Minimum& m)
     {
@@ -377,7 +393,8 @@ Minimum search(FrameFitProblem& problem, double focal, bool isUninitialised, Seq
 }
 
 // The motion next to rest. Something large that passes a car at rest looks like a wall that a car passes backward, and
-// the road like its bonnet. Returns whether most points agree.
+// the road like its bonnet; something that is nearer looks like a bend, and the street like the car itself. Returns
+// whether most points agree.
 bool findRest(FrameFitProblem& problem, double focal, SequenceFit& fit, Minimum& rest)
 {
     Unknowns start = problem.expected;
@@ -411,7 +428,7 @@ SequenceFit fitFrame(const RollingShutterCamera& camera, const std::vector<Track
     SequenceFit fit(prediction), other(prediction);
     const Minimum best = search(problem, focal, isUninitialised, fit);
     Minimum rest;
-    if (best.at[SEQUENCE_SPEED] < 0 && findRest(problem, focal, other, rest))
+    if ((best.at[SEQUENCE_SPEED] < 0 || problem.hidesScene(best.at)) && findRest(problem, focal, other, rest))
         return toFit(problem, rest, nuisances, other);
     double cost;
     const std::vector<TrackedBearing> above = aboveOwnCar(bearings, focal, cost);

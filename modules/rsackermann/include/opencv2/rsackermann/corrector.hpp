@@ -173,7 +173,8 @@ public:
     /** @brief Sets the image after the one that is corrected next: points are tracked into it, too, and more of them
     determine the inverse-depth offset if the image is large.
 
-    For recorded sequences, of which each frame or at least the first one can be corrected with later ones.
+    For recorded sequences, of which each frame or at least the first one can be corrected with later ones, as
+    `rsackermann_correct` does with `--smooth` and `--carry`.
     Used if Params::sequence and Params::trackPoints are set.
     @param image raw image of the camera's size, of a type for the detection; copied.
     @param seconds time of its reference row, as in setTimestamp(); not finite: Params::frameInterval after the one
