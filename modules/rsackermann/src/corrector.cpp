@@ -433,6 +433,7 @@ private:
     bool align(AckermannMotion& motion, DepthMap& depth) const
     {
         if (depth.empty() || motion.status == MOTION_NOT_OBSERVABLE ||
+            (depth.kind == DEPTH_METRIC && !isKnownSomewhere(depth.values)) ||
             isInAnotherUnit(generator->getCamera(), params.warp, motion, depth))
             return false;
         if (depth.camera == DEPTH_RAW)

@@ -89,6 +89,20 @@ TEST_F(CorrectorDepth, needs_a_value_that_is_known)
     Mat values(camera.imageSize, CV_16U, Scalar(0));
     corrector->correctWithMotion(image, motion, corrected, noArray(), DepthMap(values, DEPTH_RAW, 0.01));
     EXPECT_FALSE(corrector->isDepthUsed());
+    // Nor is anything else expected.
+    RNG rng(3);
+    const simulation::Simulator street = simulation::Simulator::fromMetric(camera, 0.3, 15, 2.5, 3, 0);
+    const Mat1f ends = simulation::randomSegments(street, simulation::SegmentOptions(), rng).ends;
+    MotionPrior prior;
+    prior.speed = 15;
+    prior.speedSigma = 0.5;
+    corrector->setPrior(prior);
+    const AckermannMotion without = corrector->correctWithSegments(image, ends, corrected);
+    ASSERT_EQ(MOTION_OK, without.status);
+    const AckermannMotion with = corrector->correctWithSegments(image, ends, corrected, noArray(), DepthMap(values));
+    EXPECT_FALSE(corrector->isDepthUsed());
+    EXPECT_EQ(without.expectedRaw, with.expectedRaw);
+    EXPECT_EQ(without.expectedResidual, with.expectedResidual);
 }
 
 // Millimetres taken for metres aren't used, whatever form they have, but by maps of a motion that is given.
